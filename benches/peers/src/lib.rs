@@ -1,0 +1,10 @@
+//! The same arms and targets for denhart, rs-opw-kinematics and ik-geo.
+
+pub mod agreement;
+pub mod arms;
+pub mod opw;
+pub mod product_of_exponentials;
+#[path = "../../../tests/src/random.rs"]
+pub mod random;
+#[path = "../../../tests/src/timing.rs"]
+pub mod timing;

@@ -1,0 +1,127 @@
+//! The command `denhart` as a function: `denhart expand FILE` prints the generated code of an arm, `denhart check FILE`
+//! what the generator found in it.
+
+use std::env;
+use std::ffi::OsString;
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use denhart_codegen::{Builder, ScalarKind};
+
+/// Done.
+const SUCCESS: u8 = 0;
+/// Mistakes in the arm file, or no way to read it or to print.
+const FAILURE: u8 = 1;
+/// Arguments that make no sense.
+const USAGE: u8 = 2;
+
+/// Kinematics of robot arms, generated from their Denavit-Hartenberg table.
+#[derive(Parser)]
+#[command(name = "denhart", version, arg_required_else_help = true)]
+#[command(after_help = "Exit status: 0 done, 1 mistakes in the file, 2 wrong arguments.")]
+struct Command {
+    #[command(subcommand)]
+    action: Action,
+}
+
+#[derive(Subcommand)]
+enum Action {
+    /// Print the generated code of an arm: the struct and its impls, formatted
+    ///
+    /// It is the code that #[derive(Arm)] and denhart_codegen::Builder make, to read or to commit. It needs the crate
+    /// `denhart` alone and compiles under #![no_std].
+    Expand(Expand),
+    /// Print what the generator found in an arm file, or the mistakes in it
+    ///
+    /// The axes that are parallel or meet, the way the inverse kinematics is solved, the largest number of solutions,
+    /// the operation counts, and advice on the file.
+    Check(Check),
+}
+
+#[derive(Args)]
+struct Expand {
+    /// The arm file, YAML
+    file: PathBuf,
+    /// Name of the struct [default: the arm's name, in upper camel case]
+    #[arg(long = "type", value_name = "NAME")]
+    type_name: Option<String>,
+    /// Number type of the generated code
+    #[arg(long, value_name = "TYPE", default_value = "f64")]
+    scalar: Scalar,
+}
+
+#[derive(Args)]
+struct Check {
+    /// The arm file, YAML
+    file: PathBuf,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Scalar {
+    F64,
+    F32,
+}
+
+impl From<Scalar> for ScalarKind {
+    fn from(scalar: Scalar) -> Self {
+        match scalar {
+            Scalar::F64 => Self::F64,
+            Scalar::F32 => Self::F32,
+        }
+    }
+}
+
+/// Runs the command with `arguments`, the first being the name of the program; returns the exit status.
+///
+/// A reader of `out` that goes away, as in `denhart expand ur5.yaml | head`, ends the command quietly.
+pub fn run<I>(arguments: I, out: &mut dyn Write, err: &mut dyn Write) -> u8
+where
+    I: IntoIterator<Item: Into<OsString> + Clone>,
+{
+    let result = match Command::try_parse_from(arguments) {
+        Ok(Command { action: Action::Expand(options) }) => expand(options),
+        Ok(Command { action: Action::Check(Check { file }) }) => check(&file),
+        Err(shown) if shown.use_stderr() => return say(err, &shown.render().to_string(), USAGE),
+        Err(help) => Ok(help.render().to_string()),
+    };
+    match result {
+        Ok(text) => match print(out, &text) {
+            Ok(()) => SUCCESS,
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => SUCCESS,
+            Err(error) => say(err, &format!("error: cannot print: {error}"), FAILURE),
+        },
+        Err(mistakes) => say(err, &format!("error: {mistakes}"), FAILURE),
+    }
+}
+
+fn expand(options: Expand) -> Result<String, String> {
+    let Expand { file, type_name, scalar } = options;
+    let mut builder = Builder::new(file).scalar(ScalarKind::from(scalar));
+    if let Some(name) = type_name {
+        builder = builder.type_name(name);
+    }
+    builder.generate().map_err(|error| error.to_string())
+}
+
+fn check(file: &Path) -> Result<String, String> {
+    let here = env::current_dir().map_err(|error| error.to_string())?;
+    let text = denhart_codegen::read_file(&here, file).map_err(|error| error.to_string())?;
+    let report = denhart_codegen::check(&text, &file.display().to_string()).map_err(|errors| errors.to_string())?;
+    let mut shown = report.to_string();
+    for advice in &report.warnings {
+        shown = format!("{}\n\n{advice}", shown.trim_end());
+    }
+    Ok(shown)
+}
+
+fn print(out: &mut dyn Write, text: &str) -> io::Result<()> {
+    writeln!(out, "{}", text.trim_end())?;
+    out.flush()
+}
+
+/// Prints to the standard error. Where that fails too, the exit status is all that is left to say.
+fn say(err: &mut dyn Write, text: &str, status: u8) -> u8 {
+    let _ = print(err, text);
+    status
+}

@@ -1,0 +1,303 @@
+//! `Builder`: the generator for a build script, and behind `denhart expand`.
+
+use std::env;
+use std::fmt;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use crate::arm_file::{self, ReadError};
+use crate::error::{Diagnostic, Errors};
+use crate::{Options, ScalarKind, generate};
+
+/// Writes the code of one arm file: the struct and its impls, formatted.
+///
+/// In `build.rs`, with `denhart-codegen` as a build dependency:
+/// ```no_run
+/// fn main() -> Result<(), denhart_codegen::BuildError> {
+///     denhart_codegen::Builder::new("specs/ur5.yaml").type_name("Ur5").write_to_out_dir("ur5.rs")
+/// }
+/// ```
+/// and in the crate: `include!(concat!(env!("OUT_DIR"), "/ur5.rs"));`.
+///
+/// The written file depends on `denhart` alone, has no inner attributes, and compiles under `#![no_std]`.
+#[derive(Debug, Clone)]
+#[must_use = "a Builder does nothing until one of its write functions, or `generate`, is called"]
+pub struct Builder {
+    path: PathBuf,
+    type_name: Option<String>,
+    scalar: Result<ScalarKind, String>,
+    crate_path: String,
+}
+
+impl Builder {
+    /// A builder for the arm file at `path`, relative to the current directory: in a build script, the package's own.
+    pub fn new(path: impl Into<PathBuf>) -> Self {
+        let crate_path = "::denhart".to_owned();
+        Self { path: path.into(), type_name: None, scalar: Ok(ScalarKind::F64), crate_path }
+    }
+
+    /// The name of the struct. Without it: the `name` of the file in upper camel case, `kuka_kr6_r700` as
+    /// `KukaKr6R700`.
+    pub fn type_name(mut self, name: impl Into<String>) -> Self {
+        self.type_name = Some(name.into());
+        self
+    }
+
+    /// The number type of the generated code: a [`ScalarKind`], or its name `"f64"` (the default) or `"f32"`.
+    pub fn scalar<S>(mut self, scalar: S) -> Self
+    where
+        S: TryInto<ScalarKind>,
+        S::Error: fmt::Display,
+    {
+        self.scalar = scalar.try_into().map_err(|error| error.to_string());
+        self
+    }
+
+    /// Where the generated code finds the crate `denhart`; `::denhart` by default. For a renamed dependency or a
+    /// re-export.
+    pub fn crate_path(mut self, path: impl Into<String>) -> Self {
+        self.crate_path = path.into();
+        self
+    }
+
+    /// The generated code, formatted. Writes nothing and prints nothing.
+    ///
+    /// # Errors
+    /// [`BuildError`]: the file cannot be read, its mistakes, or an option that is no Rust.
+    pub fn generate(&self) -> Result<String, BuildError> {
+        self.code().map(|(code, _)| code)
+    }
+
+    /// Writes the code to `file` in the directory `OUT_DIR` of the build script, for
+    /// `include!(concat!(env!("OUT_DIR"), "/..."))`.
+    /// Prints `cargo:rerun-if-changed` for the arm file, and the generator's advice as `cargo:warning`.
+    ///
+    /// # Errors
+    /// [`BuildError`]: as `generate`; no `OUT_DIR` (not in a build script); the file cannot be written.
+    pub fn write_to_out_dir(&self, file: impl AsRef<Path>) -> Result<(), BuildError> {
+        let directory = env::var_os("OUT_DIR").ok_or(BuildError::OutDir)?;
+        self.write_to(Path::new(&directory).join(file))
+    }
+
+    /// Writes the code to `path`, for a file that is committed; one that has this content already is left untouched.
+    /// Prints `cargo:rerun-if-changed` for the arm file, and the generator's advice as `cargo:warning`.
+    ///
+    /// # Errors
+    /// [`BuildError`]: as `generate`; the file cannot be written.
+    pub fn write_to(&self, path: impl AsRef<Path>) -> Result<(), BuildError> {
+        println!("cargo:rerun-if-changed={}", self.path.display());
+        let (code, advice) = self.code()?;
+        for line in advice.iter().map(one_line) {
+            println!("cargo:warning={line}");
+        }
+        let path = path.as_ref();
+        if fs::read(path).is_ok_and(|present| present == code.as_bytes()) {
+            return Ok(());
+        }
+        fs::write(path, code).map_err(|error| BuildError::Write { path: path.to_owned(), error })
+    }
+
+    fn code(&self) -> Result<(String, Vec<Diagnostic>), BuildError> {
+        let scalar = self.scalar.clone().map_err(BuildError::Scalar)?;
+        let crate_path =
+            syn::parse_str(&self.crate_path).map_err(|_| BuildError::CratePath { written: self.crate_path.clone() })?;
+        let text = arm_file::read(&env::current_dir().unwrap_or_default(), &self.path)?;
+        let file = self.path.display().to_string();
+        let type_name = match &self.type_name {
+            Some(name) => name.clone(),
+            None => self.default_type_name(&text, &file),
+        };
+        if syn::parse_str::<syn::Ident>(&type_name).is_err() {
+            return Err(BuildError::TypeName { written: type_name });
+        }
+        let generated = generate(&text, &file, &Options { type_name, scalar, crate_path })?;
+        Ok((generated.to_file()?, generated.warnings))
+    }
+
+    /// From the name in the file, else (a file with mistakes, which `generate` reports) from the name of the file.
+    fn default_type_name(&self, text: &str, file: &str) -> String {
+        match crate::spec::read(text, file) {
+            Ok((spec, _)) => upper_camel_case(&spec.name),
+            Err(_) => upper_camel_case(&self.path.file_stem().unwrap_or_default().to_string_lossy()),
+        }
+    }
+}
+
+/// Why a [`Builder`] wrote nothing. `Debug` shows the same text as `Display`, so that a build script whose `main`
+/// returns it fails readably.
+#[derive(thiserror::Error)]
+pub enum BuildError {
+    /// The arm file is missing or unreadable.
+    #[error(transparent)]
+    Read(#[from] ReadError),
+    /// The mistakes in the arm file, all of them.
+    #[error(transparent)]
+    Arm(#[from] Errors),
+    /// `scalar` was given a name that is none.
+    #[error("{0}")]
+    Scalar(String),
+    /// `type_name` is not an identifier.
+    #[error("`{written}` cannot be the name of a struct\nhelp: give an identifier, such as `Ur5`")]
+    TypeName {
+        /// The name as it was given.
+        written: String,
+    },
+    /// `crate_path` is not a path.
+    #[error("`{written}` is not a path to the crate denhart\nhelp: give a path, such as `::denhart`")]
+    CratePath {
+        /// The path as it was given.
+        written: String,
+    },
+    /// There is no `OUT_DIR`.
+    #[error("OUT_DIR is not set: cargo sets it for a build script\nhelp: elsewhere, give a path to `write_to`")]
+    OutDir,
+    /// The generated file cannot be written.
+    #[error("cannot write `{}`: {error}", path.display())]
+    Write {
+        /// Where it was to be written.
+        path: PathBuf,
+        /// What the system says.
+        error: io::Error,
+    },
+}
+
+impl fmt::Debug for BuildError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+/// A name of a number type that is neither `f64` nor `f32`.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("unknown scalar `{written}`\nhelp: write `f64` or `f32`")]
+pub struct UnknownScalar {
+    written: String,
+}
+
+impl TryFrom<&str> for ScalarKind {
+    type Error = UnknownScalar;
+
+    fn try_from(name: &str) -> Result<Self, Self::Error> {
+        match name {
+            "f64" => Ok(Self::F64),
+            "f32" => Ok(Self::F32),
+            _ => Err(UnknownScalar { written: name.to_owned() }),
+        }
+    }
+}
+
+/// A piece of advice on one line: cargo shows one line for each `cargo:warning`.
+fn one_line(advice: &Diagnostic) -> String {
+    let mut line = String::new();
+    if let Some(at) = &advice.at {
+        line += &format!("{}:{}:{}: ", at.file, at.line, at.column);
+    }
+    line += &advice.message;
+    if let Some(help) = &advice.help {
+        line += "; ";
+        line += help;
+    }
+    line.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// `abb_irb2400` as `AbbIrb2400`; a name that would begin with a digit gets `Arm` before it.
+fn upper_camel_case(name: &str) -> String {
+    let mut camel = String::new();
+    for word in name.split(|c: char| !c.is_alphanumeric()) {
+        let mut letters = word.chars();
+        camel.extend(letters.next().map(|first| first.to_ascii_uppercase()));
+        camel.push_str(letters.as_str());
+    }
+    if camel.starts_with(|c: char| c.is_alphabetic()) && camel != "Self" { camel } else { format!("Arm{camel}") }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, clippy::panic)]
+
+    use super::*;
+
+    fn specs(file: &str) -> PathBuf {
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs").join(file)
+    }
+
+    #[test]
+    fn type_names() {
+        for (name, camel) in [
+            ("ur5", "Ur5"),
+            ("kuka_kr6_r700", "KukaKr6R700"),
+            ("abb-irb 120", "AbbIrb120"),
+            ("UR5e", "UR5e"),
+            ("2r_planar", "Arm2rPlanar"),
+            ("self", "ArmSelf"),
+            ("__", "Arm"),
+        ] {
+            assert_eq!(upper_camel_case(name), camel);
+            assert!(syn::parse_str::<syn::Ident>(camel).is_ok(), "{camel}");
+        }
+    }
+
+    #[test]
+    fn the_struct_is_named_after_the_arm() {
+        let code = Builder::new(specs("kuka_kr6_r700.yaml")).generate().unwrap();
+        assert!(code.contains("pub struct KukaKr6R700;"), "{code}");
+    }
+
+    #[test]
+    fn options_reach_the_code() {
+        let code = Builder::new(specs("ur5.yaml"))
+            .type_name("Left")
+            .scalar("f32")
+            .crate_path("crate::arm")
+            .generate()
+            .unwrap();
+        assert!(code.contains("pub struct Left;"), "{code}");
+        assert!(code.contains("f32") && !code.contains("f64"), "{code}");
+        assert!(code.contains("crate::arm::Pose") && !code.contains("::denhart"), "{code}");
+        assert_eq!(
+            Builder::new(specs("ur5.yaml")).scalar(ScalarKind::F32).generate().unwrap(),
+            Builder::new(specs("ur5.yaml")).scalar("f32").generate().unwrap()
+        );
+    }
+
+    #[test]
+    fn wrong_options_are_named() {
+        let text = |builder: Builder| builder.generate().unwrap_err().to_string();
+        let ur5 = || Builder::new(specs("ur5.yaml"));
+        assert_eq!(text(ur5().scalar("f16")), "unknown scalar `f16`\nhelp: write `f64` or `f32`");
+        assert_eq!(
+            text(ur5().type_name("my arm")),
+            "`my arm` cannot be the name of a struct\nhelp: give an identifier, such as `Ur5`"
+        );
+        assert_eq!(
+            text(ur5().crate_path("den hart")),
+            "`den hart` is not a path to the crate denhart\nhelp: give a path, such as `::denhart`"
+        );
+    }
+
+    #[test]
+    fn debug_reads_as_display() {
+        let error = Builder::new("no/such.yaml").generate().unwrap_err();
+        assert_eq!(format!("{error:?}"), error.to_string());
+        assert!(error.to_string().starts_with("no arm file at `"), "{error}");
+    }
+
+    #[test]
+    fn a_file_with_this_content_is_left_untouched() {
+        let path = env::temp_dir().join(format!("denhart-builder-{}.rs", std::process::id()));
+        let builder = Builder::new(specs("ur5.yaml"));
+        builder.write_to(&path).unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), builder.generate().unwrap());
+        let written = fs::metadata(&path).unwrap().modified().unwrap();
+        builder.write_to(&path).unwrap();
+        assert_eq!(fs::metadata(&path).unwrap().modified().unwrap(), written);
+        fs::remove_file(&path).unwrap();
+    }
+
+    #[test]
+    fn a_place_that_cannot_be_written_is_named() {
+        let error = Builder::new(specs("ur5.yaml")).write_to("/no/such/place.rs").unwrap_err();
+        assert!(error.to_string().starts_with("cannot write `/no/such/place.rs`: "), "{error}");
+    }
+}

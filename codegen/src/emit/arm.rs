@@ -1,0 +1,172 @@
+//! The whole of an arm: constants, methods and trait impls.
+
+use super::constants::Dimensions;
+use super::inverse::{Inverse as InverseCode, inverse};
+use super::{Target, docs, kinematics, tables};
+use crate::model::Model;
+use crate::model::chain::Chain;
+use crate::solve::{Plan, Refusal};
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+/// What is known of the inverse.
+pub type Inverse = Result<Plan, Refusal>;
+
+/// Everything the code is made from.
+pub struct Arm<'a> {
+    /// The checked arm.
+    pub model: &'a Model,
+    /// Its factors.
+    pub chain: &'a Chain,
+    /// Its plan, or why there is none.
+    pub inverse: &'a Inverse,
+}
+
+/// The struct item, for the doors that write a whole file.
+pub fn item(arm: &Arm, target: &Target) -> TokenStream {
+    let name = &target.type_name;
+    let doc = docs::lines(&type_doc(arm));
+    quote! {
+        #doc
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+        pub struct #name;
+    }
+}
+
+fn type_doc(arm: &Arm) -> String {
+    let mut text = format!("The arm `{}`: {} moving joints.\n", arm.model.name, arm.model.joints.len());
+    if let Some(source) = &arm.model.source {
+        text += "\n";
+        for line in source.lines() {
+            text += &format!("{}\n", line.trim());
+        }
+    }
+    if let Err(refusal) = arm.inverse {
+        text += &format!("\nNo inverse kinematics: {}.\n", refusal.reason);
+    }
+    text
+}
+
+/// All impls, wrapped so that their constants have names of their own.
+pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
+    let (model, name) = (arm.model, &target.type_name);
+    let functions = kinematics::functions(model, arm.chain, target);
+    let mut dimensions = Dimensions::default();
+    for (graph, roots) in &functions.used {
+        dimensions.collect(graph, roots);
+    }
+    let inverse_code = match arm.inverse {
+        Ok(plan) => {
+            dimensions.collect(&plan.graph, &plan.inputs());
+            inverse(model, plan, target)
+        }
+        Err(refusal) => refused(model, refusal, target),
+    };
+    let inverse_trait = match arm.inverse {
+        Ok(plan) => inverse_trait(plan, target),
+        Err(_) => TokenStream::new(),
+    };
+    let InverseCode { items, function, methods } = inverse_code;
+    let dimensions = dimensions.items(model, target);
+    let associated = tables::associated(model, target);
+    let arm_trait = arm_trait(model, target);
+    let functions = functions.tokens;
+    let doc = match arm.inverse {
+        Ok(_) => TokenStream::new(),
+        Err(refusal) => docs::lines(&format!("No inverse kinematics: {}.", refusal.reason)),
+    };
+    quote! {
+        // Numbers are written as the arm file has them or in full precision; names follow the field's notation.
+        #[allow(clippy::all, clippy::pedantic, unused_doc_comments, non_snake_case, reason = "generated code")]
+        const _: () = {
+            #dimensions
+            #items
+
+            #doc
+            #[automatically_derived]
+            impl #name {
+                #associated
+                #functions
+                #methods
+            }
+
+            #function
+
+            #arm_trait
+            #inverse_trait
+        };
+    }
+}
+
+fn arm_trait(model: &Model, target: &Target) -> TokenStream {
+    let (krate, scalar, name, n) = (&target.krate, target.scalar.tokens(), &target.type_name, model.joints.len());
+    quote! {
+        #[automatically_derived]
+        impl #krate::Arm<#scalar, #n> for #name {
+            const LIMITS: [[#scalar; 2]; #n] = #name::LIMITS;
+            const JOINT_NAMES: [&'static str; #n] = #name::JOINT_NAMES;
+            const JOINT_KINDS: [#krate::JointKind; #n] = #name::JOINT_KINDS;
+            fn forward(&self, q: &[#scalar; #n]) -> #krate::Pose<#scalar> {
+                #name::forward(self, q)
+            }
+            fn link_poses(&self, q: &[#scalar; #n]) -> [#krate::Pose<#scalar>; #n] {
+                #name::link_poses(self, q)
+            }
+            fn jacobian(&self, q: &[#scalar; #n]) -> #krate::Jacobian<#scalar, #n> {
+                #name::jacobian(self, q)
+            }
+            fn forward_and_jacobian(
+                &self,
+                q: &[#scalar; #n],
+            ) -> (#krate::Pose<#scalar>, #krate::Jacobian<#scalar, #n>) {
+                #name::forward_and_jacobian(self, q)
+            }
+        }
+    }
+}
+
+fn inverse_trait(plan: &Plan, target: &Target) -> TokenStream {
+    let (krate, scalar, name) = (&target.krate, target.scalar.tokens(), &target.type_name);
+    let (n, m) = (plan.values.len(), plan.max_solutions());
+    quote! {
+        #[automatically_derived]
+        impl #krate::InverseKinematics<#scalar, #n> for #name {
+            type Target = #krate::Pose<#scalar>;
+            type Solutions = #krate::Solutions<#scalar, #n, #m>;
+            const MAX_SOLUTIONS: usize = #m;
+            fn inverse(&self, target: &Self::Target) -> Self::Solutions {
+                #name::inverse(self, target)
+            }
+            fn inverse_near(&self, target: &Self::Target, q_ref: &[#scalar; #n]) -> Self::Solutions {
+                #name::inverse_near(self, target, q_ref)
+            }
+            fn status(solutions: &Self::Solutions) -> #krate::Status<#scalar> {
+                solutions.status()
+            }
+        }
+    }
+}
+
+/// An arm without an inverse has the methods all the same: a call says why it does not compile.
+fn refused(model: &Model, refusal: &Refusal, target: &Target) -> InverseCode {
+    let name = &target.type_name;
+    let (scalar, n) = (target.scalar.tokens(), model.joints.len());
+    let message = format!("`{name}` has no inverse kinematics: {}", refusal.reason);
+    let solvable = format_ident!("{name}HasInverse");
+    let doc = docs::lines(&format!("Does not compile: {}.", refusal.reason));
+    InverseCode {
+        items: quote! {
+            /// Implemented by nothing: its message says why there is no inverse.
+            #[diagnostic::on_unimplemented(message = #message, label = "no inverse kinematics for this arm")]
+            pub trait #solvable {}
+        },
+        function: TokenStream::new(),
+        methods: quote! {
+            #doc
+            pub fn inverse<Target: #solvable>(&self, _target: Target) {}
+
+            #doc
+            pub fn inverse_near<Target: #solvable>(&self, _target: Target, _q_ref: &[#scalar; #n]) {}
+        },
+    }
+}

@@ -1,0 +1,394 @@
+//! The inverse: the plan as nested loops over the roots of its stages.
+
+use super::block::Block;
+use super::kernel::Calls;
+use super::tokens::{Writer, ident, number};
+use super::{Target, angle, docs};
+use crate::model::{JointKind, Model};
+use crate::solve::{Branching, Kernel, Plan, PlanStep, Stage};
+use crate::symbolic::{Expr, Node};
+use proc_macro2::TokenStream;
+use quote::quote;
+use std::collections::{HashMap, HashSet};
+
+/// The code of an inverse.
+pub struct Inverse {
+    /// Constant items.
+    pub items: TokenStream,
+    /// The function `branches(arm, target, near)`.
+    pub function: TokenStream,
+    /// Methods `inverse` and `inverse_near`.
+    pub methods: TokenStream,
+}
+
+/// Statements before the next loop, and the loop's head.
+#[derive(Default)]
+struct Level {
+    head: TokenStream,
+    body: TokenStream,
+}
+
+struct Nest<'a> {
+    plan: &'a Plan,
+    target: &'a Target,
+    block: Block<'a>,
+    levels: Vec<Level>,
+    /// The level at which a symbol is known.
+    known: HashMap<String, usize>,
+    used: HashSet<String>,
+    trail: TokenStream,
+    branch: TokenStream,
+}
+
+/// Emits the plan.
+pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
+    let inputs = plan.inputs();
+    let mut used: HashSet<String> = plan.values.iter().flat_map(|v| v.terms.iter().map(|(t, _)| t.clone())).collect();
+    for e in plan.graph.reachable(&inputs) {
+        if let Node::Symbol(symbol) = plan.graph.node(e) {
+            used.insert(symbol.name);
+        }
+    }
+    let reserved = (1..=6).flat_map(|i| [format!("q{i}"), format!("root{i}"), format!("roots{i}")]);
+    let reserved = reserved.chain(["search", "start", "target", "near", "arm"].map(String::from));
+    let krate = &target.krate;
+    let mut nest = Nest {
+        plan,
+        target,
+        block: Block::new(&plan.graph, &inputs, reserved),
+        levels: vec![Level::default()],
+        known: HashMap::new(),
+        used,
+        trail: quote!(start),
+        branch: quote!(#krate::Branch::NONE),
+    };
+    let mut calls = Calls::new(plan, target);
+    for step in &plan.steps {
+        match step {
+            PlanStep::Stage(stage) => nest.stage(stage, &mut calls),
+            PlanStep::Angle { name, meaning, y, x } => nest.angle(name, meaning, *y, *x),
+        }
+    }
+    nest.values();
+    let body = nest.finish();
+    let unpack = unpack(&inputs, plan);
+    Inverse {
+        items: items(model, plan, target, calls.items),
+        function: function(plan, target, &unpack, &body),
+        methods: methods(model, plan, target),
+    }
+}
+
+impl Nest<'_> {
+    fn deepest(&self) -> usize {
+        self.levels.len().saturating_sub(1)
+    }
+
+    fn at(&mut self, level: usize, tokens: TokenStream) {
+        if let Some(level) = self.levels.get_mut(level) {
+            level.body.extend(tokens);
+        }
+    }
+
+    /// The level from which on an expression can be evaluated.
+    fn level(&self, e: Expr) -> usize {
+        let graph = &self.plan.graph;
+        graph
+            .reachable(&[e])
+            .into_iter()
+            .filter_map(|x| match graph.node(x) {
+                Node::Symbol(symbol) => self.known.get(&symbol.name).copied(),
+                _ => None,
+            })
+            .max()
+            .unwrap_or(0)
+    }
+
+    /// Binds what the inputs share, each at its level. Returns the level of the inputs together.
+    fn bind(&mut self, inputs: &[Expr]) -> usize {
+        for e in self.block.bind(inputs) {
+            let statement = self.block.statement(e, &self.target.krate);
+            let level = self.level(e);
+            self.at(level, statement);
+        }
+        inputs.iter().map(|e| self.level(*e)).max().unwrap_or(0)
+    }
+
+    fn stage(&mut self, stage: &Stage, calls: &mut Calls) {
+        let level = self.bind(&stage.kernel.inputs());
+        let call = calls.call(stage, &self.block);
+        let number: String = stage.joints.iter().map(|j| (j + 1).to_string()).collect();
+        let (roots, root) = (ident(&format!("roots{number}")), ident(&format!("root{number}")));
+        let meaning = docs::lines(&self.meaning(stage));
+        let trail = &self.trail;
+        let binding = if stage.kernel.roots() == 1 {
+            let follow = quote!(let #root = search.only(&#trail, &#roots););
+            self.at(level, quote!(#meaning let #roots = #call;));
+            let deepest = self.deepest();
+            self.at(deepest, follow);
+            self.binding(stage, &root)
+        } else {
+            let head = quote!(for #root in search.branch(&#trail, &#roots));
+            self.at(level, quote!(#meaning let #roots = #call;));
+            self.levels.push(Level { head, body: TokenStream::new() });
+            self.name_branch(stage, &root);
+            self.binding(stage, &root)
+        };
+        let deepest = self.deepest();
+        self.at(deepest, binding);
+        self.trail = quote!(#root.trail);
+    }
+
+    fn name_branch(&mut self, stage: &Stage, root: &proc_macro2::Ident) {
+        let krate = &self.target.krate;
+        self.branch.extend(match stage.branching {
+            Branching::None => TokenStream::new(),
+            Branching::Shoulder => quote!(.with_shoulder(#krate::Shoulder::of_root(#root.index))),
+            Branching::Elbow => quote!(.with_elbow(#krate::Elbow::of_root(#root.index))),
+            Branching::Wrist => quote!(.with_wrist(#krate::Wrist::of_root(#root.index))),
+            Branching::Root => quote!(.with_root_index(#root.index)),
+        });
+    }
+
+    /// `let [Turn { value: q1, sin: s1, cos: c1 }] = root1.turns;` with the fields in use.
+    fn binding(&mut self, stage: &Stage, root: &proc_macro2::Ident) -> TokenStream {
+        let level = self.deepest();
+        let krate = &self.target.krate;
+        let mut patterns = Vec::new();
+        for joint in &stage.joints {
+            let number = joint + 1;
+            let mut fields = Vec::new();
+            for (field, names) in [
+                ("value", [format!("q{number}"), format!("t{number}")]),
+                ("sin", [format!("s{number}"), format!("sin_t{number}")]),
+                ("cos", [format!("c{number}"), format!("cos_t{number}")]),
+            ] {
+                for name in names {
+                    if self.used.contains(&name) {
+                        let (field, symbol) = (ident(field), ident(&name));
+                        fields.push(quote!(#field: #symbol));
+                        self.known.insert(name, level);
+                    }
+                }
+            }
+            patterns.push(match fields.len() {
+                0 => quote!(_),
+                3 => quote!(#krate::solve::Turn { #(#fields),* }),
+                _ => quote!(#krate::solve::Turn { #(#fields,)* .. }),
+            });
+        }
+        quote!(let [#(#patterns),*] = #root.turns;)
+    }
+
+    fn angle(&mut self, name: &str, meaning: &str, y: Expr, x: Expr) {
+        let level = self.bind(&[y, x]);
+        let krate = &self.target.krate;
+        let writer = Writer { graph: &self.plan.graph, bound: &self.block.bound, krate };
+        let (symbol, doc) = (ident(name), docs::lines(meaning));
+        let (y, x) = (writer.write(y), writer.write(x));
+        self.at(level, quote!(#doc let #symbol = #krate::math::atan2(#y, #x);));
+        self.known.insert(name.to_string(), level);
+    }
+
+    /// Joint values that are not a kernel's value as it is.
+    fn values(&mut self) {
+        for (index, value) in self.plan.values.iter().enumerate() {
+            let name = format!("q{}", index + 1);
+            if value.terms.iter().any(|(term, _)| *term == name) {
+                continue;
+            }
+            let level = value.terms.iter().filter_map(|(term, _)| self.known.get(term)).max().copied().unwrap_or(0);
+            let mut sum = TokenStream::new();
+            for (position, (term, negative)) in value.terms.iter().enumerate() {
+                let term = ident(term);
+                sum.extend(match (position, negative) {
+                    (0, false) => quote!(#term),
+                    (_, false) => quote!(+ #term),
+                    (_, true) => quote!(- #term),
+                });
+            }
+            if !value.constant.is_zero() {
+                let negative = value.constant.rad() < 0.0;
+                let size = angle::tokens(if negative { value.constant.neg() } else { value.constant }, self.target);
+                sum.extend(if negative { quote!(- #size) } else { quote!(+ #size) });
+            }
+            let (name, krate) = (ident(&name), &self.target.krate);
+            self.at(level, quote!(let #name = #krate::solve::wrap(#sum);));
+        }
+    }
+
+    fn finish(mut self) -> TokenStream {
+        let q = (1..=self.plan.values.len()).map(|i| ident(&format!("q{i}")));
+        let (trail, branch) = (&self.trail, &self.branch);
+        let push = quote!(search.push(&#trail, [#(#q),*], #branch););
+        let deepest = self.deepest();
+        self.at(deepest, push);
+        let mut inner = TokenStream::new();
+        for Level { head, body } in self.levels.into_iter().rev() {
+            inner = if head.is_empty() { quote!(#body #inner) } else { quote!(#head { #body #inner }) };
+        }
+        inner
+    }
+
+    /// The stage's explanation with its quantities filled in.
+    fn meaning(&self, stage: &Stage) -> String {
+        let krate = &self.target.krate;
+        let writer = Writer { graph: &self.plan.graph, bound: &self.block.bound, krate };
+        let text = |e: Expr| {
+            let tokens = writer.write(e).to_string();
+            let path = format!("{krate} :: math :: sqrt ");
+            tokens.replace(&path, "sqrt").replace("(- ", "(-").replace(", - ", ", -")
+        };
+        let text = |e: Expr| text(e).strip_prefix("- ").map_or_else(|| text(e), |rest| format!("-{rest}"));
+        let list = |items: &[Expr]| items.iter().map(|e| text(*e)).collect::<Vec<_>>().join(", ");
+        let mut out = stage.meaning.clone();
+        let mut fill = |key: &str, value: String| out = out.replace(&format!("{{{key}}}"), &value);
+        match &stage.kernel {
+            Kernel::Offset { a, b, d } => {
+                fill("a", text(*a));
+                fill("b", text(*b));
+                fill("d", text(*d));
+            }
+            Kernel::Distance { rho, range, .. } => {
+                fill("rho", text(*rho));
+                fill("a", text(range.a));
+                fill("b", text(range.b));
+                fill("h", text(range.height));
+            }
+            Kernel::Cone { d, .. } => fill("d", text(*d)),
+            Kernel::Align { from, to } => {
+                fill("from", list(from));
+                fill("to", list(to));
+            }
+            Kernel::Flip { m } => fill("m", list(m)),
+            Kernel::Slide { rho, .. } => fill("rho", text(*rho)),
+            _ => {}
+        }
+        let shift = stage.joints.first().and_then(|joint| {
+            let value = self.plan.values.get(*joint)?;
+            let degrees = value.constant.rad().to_degrees();
+            (!value.constant.is_zero()).then(|| format!("; `q{} = t{0}` {degrees:+.6} deg", joint + 1))
+        });
+        fill("shift", shift.unwrap_or_default());
+        out
+    }
+}
+
+/// `let [[r11, ...]] = target.rotation;` with what is used.
+fn unpack(inputs: &[Expr], plan: &Plan) -> TokenStream {
+    let used: HashSet<String> = plan
+        .graph
+        .reachable(inputs)
+        .into_iter()
+        .filter_map(|e| match plan.graph.node(e) {
+            Node::Symbol(symbol) => Some(symbol.name),
+            _ => None,
+        })
+        .collect();
+    let pattern = |name: String| if used.contains(&name) { ident(&name) } else { ident(&format!("_{name}")) };
+    let rows = (1..=3).map(|i| {
+        let entries = (1..=3).map(|j| pattern(format!("r{i}{j}")));
+        quote!([#(#entries),*])
+    });
+    let position = ["px", "py", "pz"].map(|name| pattern(name.into()));
+    quote! {
+        let [#(#rows),*] = target.rotation;
+        let [#(#position),*] = target.translation;
+    }
+}
+
+fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStream) -> TokenStream {
+    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), model.joints.len());
+    let reach = number(plan.reach);
+    let limited = model.joints.iter().any(|joint| joint.limits.is_some());
+    let sliding = model
+        .joints
+        .iter()
+        .enumerate()
+        .filter(|(_, joint)| joint.kind == JointKind::Prismatic)
+        .map(|(index, _)| quote!(.union(#krate::JointMask::single(#index))));
+    let length = number(model.inverse.tolerance_length.unwrap_or(1e-6 * plan.reach));
+    let angle = number(model.inverse.tolerance_angle.unwrap_or(1e-6));
+    let unit = docs::unit(model);
+    let reach_doc = format!(" Reach of the arm, {unit}: the scale of every length comparison.");
+    let type_name = &target.type_name;
+    quote! {
+        #[doc = #reach_doc]
+        const REACH: #scalar = #reach;
+        /// Lengths are compared relative to the reach.
+        const LENGTH: #krate::solve::Measure<#scalar> = #krate::solve::Measure::length(REACH);
+        /// What the search needs to know about the arm.
+        const FACTS: #krate::solve::Facts<#scalar, #n> = #krate::solve::Facts {
+            limits: #type_name::LIMITS,
+            limited: #limited,
+            prismatic: #krate::JointMask::NONE #(#sliding)*,
+            reach: REACH,
+            tolerance: #krate::Residual { position: #length, orientation: #angle },
+        };
+        #calls
+    }
+}
+
+fn solutions(plan: &Plan, target: &Target) -> TokenStream {
+    let (krate, scalar, n, m) = (&target.krate, target.scalar.tokens(), plan.values.len(), plan.max_solutions());
+    quote!(#krate::Solutions<#scalar, #n, #m>)
+}
+
+fn function(plan: &Plan, target: &Target, unpack: &TokenStream, body: &TokenStream) -> TokenStream {
+    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), plan.values.len());
+    let solutions = solutions(plan, target);
+    let type_name = &target.type_name;
+    let lines: Vec<String> = crate::solve::describe(plan).into_iter().map(|line| format!("- {line}")).collect();
+    let doc = docs::lines(&format!("All branches of the inverse.\n\n{}", lines.join("\n")));
+    quote! {
+        #doc
+        fn branches(
+            arm: &#type_name,
+            target: &#krate::Pose<#scalar>,
+            near: ::core::option::Option<&[#scalar; #n]>,
+        ) -> #solutions {
+            let mut search = match #krate::solve::Search::new(&FACTS, target, near) {
+                ::core::result::Result::Ok(search) => search,
+                ::core::result::Result::Err(bad_target) => return bad_target,
+            };
+            let start = search.start();
+            #unpack
+            #body
+            search.finish(|q| #type_name::forward_and_jacobian(arm, q))
+        }
+    }
+}
+
+fn methods(model: &Model, plan: &Plan, target: &Target) -> TokenStream {
+    let (krate, scalar, n, m) = (&target.krate, target.scalar.tokens(), plan.values.len(), plan.max_solutions());
+    let solutions = solutions(plan, target);
+    let unit = docs::unit(model);
+    let doc = docs::lines(&format!(
+        "Every joint vector that puts the tool at `target`: up to {m} branches, in a fixed order.\n\n\
+         `target`: pose of the tool in the base frame, position in {unit}. Angles are in (-pi, pi], each solution once.\n\
+         A joint that a singular target leaves free stays at 0 (or its limit nearest to 0) and is named in `free`.\n\
+         Status: `Reachable`, `Unreachable` with the least gap, or `BadTarget` if the target is not finite or its\n\
+         rotation is not one. Limits only set a flag; filter with `within_limits()`.\n\n\
+         Method: Pieper (1968) and cyclic closure around three axes that meet or are parallel; the stages are\n\
+         documented where they are solved."
+    ));
+    quote! {
+        /// The largest number of solutions of `inverse`.
+        pub const MAX_SOLUTIONS: usize = #m;
+
+        #doc
+        #[must_use]
+        pub fn inverse(&self, target: &#krate::Pose<#scalar>) -> #solutions {
+            branches(self, target, ::core::option::Option::None)
+        }
+
+        /// The same solutions, joints unwound next to `q_ref` and sorted nearest first; a free joint stays at its value
+        /// in `q_ref`.
+        ///
+        /// A `q_ref` that is not finite is a `BadTarget`.
+        #[must_use]
+        pub fn inverse_near(&self, target: &#krate::Pose<#scalar>, q_ref: &[#scalar; #n]) -> #solutions {
+            branches(self, target, ::core::option::Option::Some(q_ref))
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! A stage of the plan as a call of its kernel.
+
+use super::block::Block;
+use super::tokens::{Writer, ident, number};
+use super::{Target, angle};
+use crate::solve::{ElbowRange, Kernel, Plan, Range, Stage, Unit};
+use crate::symbolic::Expr;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// Calls of kernels, and the constants they need.
+pub struct Calls<'a> {
+    plan: &'a Plan,
+    target: &'a Target,
+    /// Constant items collected so far.
+    pub items: TokenStream,
+}
+
+impl<'a> Calls<'a> {
+    /// None yet.
+    pub fn new(plan: &'a Plan, target: &'a Target) -> Self {
+        Calls { plan, target, items: TokenStream::new() }
+    }
+
+    /// The expression that gives the stage's roots.
+    pub fn call(&mut self, stage: &Stage, block: &Block) -> TokenStream {
+        let krate = &self.target.krate;
+        let writer = Writer { graph: &self.plan.graph, bound: &block.bound, krate };
+        let w = |e: &Expr| writer.write(*e);
+        let home = self.home(stage);
+        let measure = match stage.unit {
+            Unit::Length => quote!(LENGTH),
+            Unit::Direction => quote!(#krate::solve::Measure::DIRECTION),
+        };
+        let row = |row: &[Expr; 3]| {
+            let row = row.iter().map(w);
+            quote!([#(#row),*])
+        };
+        let joint = stage.joints.first().map_or(0, |j| j + 1);
+        match &stage.kernel {
+            Kernel::Offset { a, b, d } => {
+                let (a, b, d) = (w(a), w(b), w(d));
+                quote!(#krate::solve::offset(#home, #measure, #a, #b, #d))
+            }
+            Kernel::Distance { rho, range, about } => {
+                let rho = w(rho);
+                let range = self.elbow(joint, range, &writer);
+                let about = about.map(|p| (w(&p.y), w(&p.x)));
+                let about = about.map(|(y, x)| quote!(.about(#krate::solve::Turn::towards(#y, #x))));
+                quote!(#krate::solve::distance(#home, #measure, #rho, #range) #about)
+            }
+            Kernel::Cone { d, rho, range, about } => {
+                let (d, rho) = (w(d), w(rho));
+                let range = self.cone(joint, range, &writer);
+                let about = about.map(|p| (w(&p.y), w(&p.x)));
+                let about = about.map(|(y, x)| quote!(.about(#krate::solve::Turn::towards(#y, #x))));
+                quote!(#krate::solve::cone(#home, #measure, #d, #rho, #range) #about)
+            }
+            Kernel::Align { from, to } => {
+                let (from, to) = (from.iter().map(w), to.iter().map(w));
+                quote!(#krate::solve::align(#home, #measure, [#(#from),*], [#(#to),*]))
+            }
+            Kernel::Flip { m } => {
+                let m = row(m);
+                quote!(#krate::solve::flip(#home, #m))
+            }
+            Kernel::Wrist { m } => {
+                let m = m.iter().map(row);
+                quote!(#krate::solve::wrist(#home, [#(#m),*]))
+            }
+            Kernel::Slide { rho, across, middle } => {
+                let (rho, across, middle) = (w(rho), w(across), w(middle));
+                quote!(#krate::solve::slide(#measure, #rho, #across, #middle))
+            }
+            Kernel::SlideTo { denominator, numerator } => {
+                let (denominator, numerator) = (w(denominator), w(numerator));
+                quote!(#krate::solve::slide_to(#home, #measure, #denominator, #numerator))
+            }
+            Kernel::Pair { p, q } => {
+                let (p, q) = (p.iter().map(row), q.iter().map(row));
+                let second = self.home_of(stage, 1);
+                quote!(#krate::solve::pair([#home, #second], #measure, [#(#p),*], [#(#q),*]))
+            }
+            Kernel::PairSliding { line, scale, square, q } => {
+                let (line, q) = (row(line), row(q));
+                let (scale, square) = (w(scale), square.iter().map(w));
+                quote!(#krate::solve::pair_sliding(#measure, #line, #scale, [#(#square),*], #q))
+            }
+            Kernel::Quadratic { coefficients } => {
+                let coefficients = row(coefficients);
+                quote!(#krate::solve::quadratic(#measure, #coefficients))
+            }
+        }
+    }
+
+    fn home(&self, stage: &Stage) -> TokenStream {
+        let free = match &stage.kernel {
+            // The outer joint of a flip is the one that can be free.
+            Kernel::Flip { .. } => 1,
+            _ => 0,
+        };
+        self.home_of(stage, free)
+    }
+
+    fn home_of(&self, stage: &Stage, place: usize) -> TokenStream {
+        let joint = stage.joints.get(place).copied().unwrap_or(0);
+        let shift = if place == 0 || matches!(stage.kernel, Kernel::Flip { .. }) {
+            stage.home
+        } else {
+            self.plan.values.get(joint).map_or(stage.home, |value| value.constant.neg())
+        };
+        if shift.is_zero() {
+            return quote!(search.home(#joint));
+        }
+        let shift = angle::tokens(shift, self.target);
+        quote!(search.home(#joint).shifted(#shift))
+    }
+
+    fn constant(&self, e: Expr) -> Option<f64> {
+        self.plan.graph.constant(e)
+    }
+
+    /// A constant range becomes an item, with its numbers worked out here.
+    fn elbow(&mut self, joint: usize, range: &ElbowRange, writer: &Writer) -> TokenStream {
+        let krate = &self.target.krate;
+        let values = [range.a, range.b, range.height].map(|e| self.constant(e));
+        let [Some(a), Some(b), Some(height)] = values else {
+            let [a, b, height] = [range.a, range.b, range.height].map(|e| writer.write(e));
+            return quote!(#krate::solve::Elbow::new(#a, #b, #height));
+        };
+        let name = ident(&format!("ELBOW{joint}"));
+        let scalar = self.target.scalar.tokens();
+        let doc = format!(" Largest and smallest distance for joint {joint}: links of {a} and {b}.");
+        let (max, min) = (number((a + b).hypot(height)), number((a - b).hypot(height)));
+        self.items.extend(quote! {
+            #[doc = #doc]
+            const #name: #krate::solve::Elbow<#scalar> = #krate::solve::Elbow { max: #max, min: #min };
+        });
+        quote!(#name)
+    }
+
+    fn cone(&mut self, joint: usize, range: &Range, writer: &Writer) -> TokenStream {
+        let krate = &self.target.krate;
+        let all = [range.along, range.across, range.cos, range.sin];
+        let [Some(along), Some(across), Some(cos), Some(sin)] = all.map(|e| self.constant(e)) else {
+            let [along, across, cos, sin] = all.map(|e| writer.write(e));
+            return quote!(#krate::solve::Cone::new(#along, #across, #cos, #sin));
+        };
+        let name = ident(&format!("CONE{joint}"));
+        let scalar = self.target.scalar.tokens();
+        let doc = format!(" Largest and smallest component for joint {joint}, each with the component across.");
+        // Rounding of a product of exact angles must not look like an angle of 1e-17.
+        let size = along.hypot(across);
+        let clean = |x: f64| if x.abs() <= 1e-15 * size { 0.0 } else { x };
+        let max = [along * cos + across * sin, across * cos - along * sin].map(|x| number(clean(x)));
+        let min = [along * cos - across * sin, across * cos + along * sin].map(|x| number(clean(x)));
+        self.items.extend(quote! {
+            #[doc = #doc]
+            const #name: #krate::solve::Cone<#scalar> =
+                #krate::solve::Cone { max: [#(#max),*], min: [#(#min),*] };
+        });
+        quote!(#name)
+    }
+}

@@ -1,0 +1,194 @@
+//! forward, link_poses, jacobian and both together.
+
+use super::block::Block;
+use super::docs;
+use super::tokens::{Writer, ident};
+use super::{Target, angle};
+use crate::kinematics::{Column, Kinematics, LinkPoses, Wanted, kinematics, link_poses};
+use crate::model::Model;
+use crate::model::chain::Chain;
+use crate::symbolic::{Angles, AngleSum, BoundAngle, Expr, Graph, Rigid};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The four kinematic functions as methods, and the expressions they use (for the dimensions to declare).
+pub struct Functions {
+    /// The methods.
+    pub tokens: TokenStream,
+    /// The graphs with their roots.
+    pub used: Vec<(Graph, Vec<Expr>)>,
+}
+
+/// Emits them.
+pub fn functions(model: &Model, chain: &Chain, target: &Target) -> Functions {
+    let n = model.joints.len();
+    let [forward, jacobian, both] =
+        [Wanted::Forward, Wanted::Jacobian, Wanted::Both].map(|wanted| kinematics(chain, wanted));
+    let poses = link_poses(chain);
+    let mut tokens = TokenStream::new();
+    let mut used = Vec::new();
+    let krate = &target.krate;
+    let scalar = target.scalar.tokens();
+    for (name, function, wanted) in [
+        ("forward", &forward, Wanted::Forward),
+        ("jacobian", &jacobian, Wanted::Jacobian),
+        ("forward_and_jacobian", &both, Wanted::Both),
+    ] {
+        let doc = docs::lines(&docs::kinematics(model, wanted, &function.cost));
+        let (returns, roots, result) = outputs(function, wanted, target, n);
+        let body = body(&function.graph, &function.angles, &roots, target, n, result);
+        let name = ident(name);
+        tokens.extend(quote! {
+            #doc
+            #[must_use]
+            pub fn #name(&self, q: &[#scalar; #n]) -> #returns {
+                #body
+            }
+        });
+        used.push((function.graph.clone(), roots));
+    }
+    let doc = docs::lines(&docs::link_poses(model, &poses.cost));
+    let roots = pose_roots(&poses);
+    let result = |writer: &Writer| {
+        let poses = poses.poses.iter().map(|pose| self::pose(writer, pose));
+        quote!([#(#poses),*])
+    };
+    let body = body(&poses.graph, &poses.angles, &roots, target, n, result);
+    tokens.extend(quote! {
+        #doc
+        #[must_use]
+        pub fn link_poses(&self, q: &[#scalar; #n]) -> [#krate::Pose<#scalar>; #n] {
+            #body
+        }
+    });
+    used.push((poses.graph.clone(), roots));
+    Functions { tokens, used }
+}
+
+type Result<'a> = Box<dyn Fn(&Writer) -> TokenStream + 'a>;
+
+fn outputs<'a>(
+    function: &'a Kinematics,
+    wanted: Wanted,
+    target: &Target,
+    n: usize,
+) -> (TokenStream, Vec<Expr>, Result<'a>) {
+    let (krate, scalar) = (&target.krate, target.scalar.tokens());
+    let pose_type = quote!(#krate::Pose<#scalar>);
+    let jacobian_type = quote!(#krate::Jacobian<#scalar, #n>);
+    let tool = Rigid { r: function.rotation, p: function.translation };
+    let pose_roots: Vec<Expr> = tool.r.iter().flatten().chain(&tool.p).copied().collect();
+    let jacobian_roots: Vec<Expr> = rows(&function.columns).concat();
+    match wanted {
+        Wanted::Forward => (pose_type, pose_roots, Box::new(move |w| pose(w, &tool))),
+        Wanted::Jacobian => (jacobian_type, jacobian_roots, Box::new(|w| jacobian(w, &function.columns))),
+        Wanted::Both => {
+            let roots = [pose_roots, jacobian_roots].concat();
+            let result = move |w: &Writer| {
+                let (pose, jacobian) = (pose(w, &tool), jacobian(w, &function.columns));
+                quote!((#pose, #jacobian))
+            };
+            (quote!((#pose_type, #jacobian_type)), roots, Box::new(result))
+        }
+    }
+}
+
+fn pose_roots(poses: &LinkPoses) -> Vec<Expr> {
+    poses.poses.iter().flat_map(|pose| pose.r.iter().flatten().chain(&pose.p)).copied().collect()
+}
+
+fn rows(columns: &[Column]) -> Vec<Vec<Expr>> {
+    let of = |pick: fn(&Column) -> [Expr; 3]| {
+        (0..3).map(move |i| columns.iter().filter_map(|c| pick(c).get(i).copied()).collect::<Vec<_>>())
+    };
+    of(|c| c.v).chain(of(|c| c.w)).collect()
+}
+
+fn pose(writer: &Writer, pose: &Rigid) -> TokenStream {
+    let krate = writer.krate;
+    let rows = pose.r.iter().map(|row| {
+        let row = row.iter().map(|e| writer.write(*e));
+        quote!([#(#row),*])
+    });
+    let translation = pose.p.iter().map(|e| writer.write(*e));
+    quote!(#krate::Pose { rotation: [#(#rows),*], translation: [#(#translation),*] })
+}
+
+fn jacobian(writer: &Writer, columns: &[Column]) -> TokenStream {
+    let krate = writer.krate;
+    let rows = rows(columns).into_iter().map(|row| {
+        let row = row.into_iter().map(|e| writer.write(e));
+        quote!([#(#row),*])
+    });
+    quote!(#krate::Jacobian { rows: [#(#rows),*] })
+}
+
+fn body(
+    graph: &Graph,
+    angles: &Angles,
+    roots: &[Expr],
+    target: &Target,
+    n: usize,
+    result: impl Fn(&Writer) -> TokenStream,
+) -> TokenStream {
+    let used = graph.reachable(roots);
+    let mut symbols: Vec<String> = Vec::new();
+    let mut sines = TokenStream::new();
+    for bound in &angles.bound {
+        let keep = [bound.pair.sin, bound.pair.cos].map(|e| used.contains(&e));
+        if keep.contains(&true) {
+            symbols.extend(bound.sum.terms.iter().map(|(joint, _)| format!("q{}", joint + 1)));
+            sines.extend(sin_cos(bound, keep, target));
+        }
+    }
+    for e in &used {
+        if let crate::symbolic::Node::Symbol(symbol) = graph.node(*e)
+            && symbol.name.starts_with('q')
+        {
+            symbols.push(symbol.name);
+        }
+    }
+    let pattern = (1..=n).map(|i| {
+        let name = format!("q{i}");
+        if symbols.contains(&name) { ident(&name) } else { ident(&format!("_{name}")) }
+    });
+    let reserved = (1..=n).map(|i| format!("q{i}")).chain(["q".to_string()]);
+    let mut block = Block::new(graph, roots, reserved);
+    let fresh = block.bind(roots);
+    let statements = fresh.iter().map(|e| block.statement(*e, &target.krate));
+    let writer = Writer { graph, bound: &block.bound, krate: &target.krate };
+    let result = result(&writer);
+    quote! {
+        let [#(#pattern),*] = *q;
+        #sines
+        #(#statements)*
+        #result
+    }
+}
+
+fn sin_cos(bound: &BoundAngle, keep: [bool; 2], target: &Target) -> TokenStream {
+    let krate = &target.krate;
+    let [sin, cos] = [0, 1].map(|i| {
+        let name = bound.names.get(i).map(String::as_str).unwrap_or_default();
+        if keep.get(i) == Some(&true) { ident(name) } else { ident(&format!("_{name}")) }
+    });
+    let angle = sum(&bound.sum, target);
+    quote!(let (#sin, #cos) = #krate::math::sin_cos(#angle);)
+}
+
+fn sum(sum: &AngleSum, target: &Target) -> TokenStream {
+    let mut tokens = TokenStream::new();
+    for (index, (joint, negative)) in sum.terms.iter().enumerate() {
+        let q = ident(&format!("q{}", joint + 1));
+        tokens.extend(match (index, negative) {
+            (0, false) => quote!(#q),
+            (_, false) => quote!(+ #q),
+            (_, true) => quote!(- #q),
+        });
+    }
+    if !sum.constant.is_zero() {
+        let constant = angle::tokens(sum.constant, target);
+        tokens.extend(quote!(+ #constant));
+    }
+    tokens
+}

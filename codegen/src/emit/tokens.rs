@@ -1,0 +1,112 @@
+//! Expressions as tokens, with only the parentheses they need.
+
+use crate::symbolic::{Expr, Graph, Node};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::quote;
+use std::collections::HashMap;
+
+/// Identifier at the call site.
+pub fn ident(name: &str) -> Ident {
+    Ident::new(name, Span::call_site())
+}
+
+/// A floating point literal; negative ones as minus and the positive literal.
+pub fn number(value: f64) -> TokenStream {
+    let literal = Literal::f64_unsuffixed(value.abs());
+    if value.is_sign_negative() && value != 0.0 { quote!(-#literal) } else { quote!(#literal) }
+}
+
+/// The names under which expressions are bound.
+pub type Bound = HashMap<Expr, String>;
+
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+enum Level {
+    Sum,
+    Product,
+    Unary,
+    Atom,
+}
+
+/// Writes expressions, using the names of those that are bound.
+pub struct Writer<'a> {
+    /// The arena.
+    pub graph: &'a Graph,
+    /// The bound ones.
+    pub bound: &'a Bound,
+    /// Path of the runtime crate.
+    pub krate: &'a TokenStream,
+}
+
+impl Writer<'_> {
+    /// An expression.
+    pub fn write(&self, e: Expr) -> TokenStream {
+        self.at(e, Level::Sum)
+    }
+
+    /// An expression that is to be bound: written out even if it has a name.
+    pub fn definition(&self, e: Expr) -> TokenStream {
+        self.node(e, Level::Sum)
+    }
+
+    fn at(&self, e: Expr, level: Level) -> TokenStream {
+        match self.bound.get(&e) {
+            Some(name) => {
+                let name = ident(name);
+                quote!(#name)
+            }
+            None => self.node(e, level),
+        }
+    }
+
+    fn node(&self, e: Expr, level: Level) -> TokenStream {
+        let (tokens, own) = match self.graph.node(e) {
+            Node::Number(bits) => (number(f64::from_bits(bits)), Level::Atom),
+            Node::Symbol(symbol) => {
+                let name = ident(&symbol.name);
+                (quote!(#name), Level::Atom)
+            }
+            Node::Neg(a) => {
+                let a = self.at(a, Level::Product);
+                (quote!(-#a), Level::Unary)
+            }
+            Node::Add(a, b) => {
+                let (a, b) = (self.at(a, Level::Sum), self.at(b, Level::Product));
+                (quote!(#a + #b), Level::Sum)
+            }
+            Node::Sub(a, b) => {
+                let (a, b) = (self.at(a, Level::Sum), self.at(b, Level::Product));
+                (quote!(#a - #b), Level::Sum)
+            }
+            Node::Mul(a, b) => {
+                let (a, b) = (self.at(a, Level::Product), self.at(b, Level::Unary));
+                (quote!(#a * #b), Level::Product)
+            }
+            Node::Sqrt(a) => {
+                let (a, krate) = (self.at(a, Level::Sum), self.krate);
+                (quote!(#krate::math::sqrt(#a)), Level::Atom)
+            }
+        };
+        if own < level { quote!((#tokens)) } else { tokens }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_needed_parentheses() {
+        let mut g = Graph::default();
+        let [a, b, c] = ["a", "b", "c"].map(|name| g.symbol(name));
+        let sum = g.add(a, b);
+        let product = g.mul(sum, c);
+        let difference = g.sub(a, sum);
+        let negative = g.neg(product);
+        let krate = quote!(::denhart);
+        let bound = Bound::new();
+        let writer = Writer { graph: &g, bound: &bound, krate: &krate };
+        assert_eq!(writer.write(product).to_string(), quote!(c * (a + b)).to_string());
+        assert_eq!(writer.write(difference).to_string(), quote!(a - (a + b)).to_string());
+        assert_eq!(writer.write(negative).to_string(), quote!(-(c * (a + b))).to_string());
+    }
+}

@@ -1,0 +1,200 @@
+//! What is said to the user when an arm file is wrong.
+//!
+//! A [`Diagnostic`] is one mistake (or one warning) with its place; [`Errors`] are all the mistakes of one file,
+//! in the order of the file. Both display as plain text with the source line and a caret line under the place.
+
+use std::fmt;
+
+/// A place in an arm file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Location {
+    /// The file as the user named it.
+    pub file: String,
+    /// The line, counted from 1.
+    pub line: usize,
+    /// The column in characters, counted from 1.
+    pub column: usize,
+    /// The text of that line, for the excerpt.
+    pub source_line: String,
+    /// How many characters from `column` on are meant, at least 1.
+    pub width: usize,
+}
+
+impl fmt::Display for Location {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}:{}", self.file, self.line, self.column)
+    }
+}
+
+/// Whether a diagnostic stops the generation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Severity {
+    /// Nothing is generated.
+    Error,
+    /// The file is used as it stands.
+    Warning,
+}
+
+/// One mistake or one warning: what was found, where, what was expected, and the fix where it is plain.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// What was found and what was expected, without the place.
+    pub message: String,
+    /// The place, where there is one.
+    pub at: Option<Location>,
+    /// A few words beside the caret, or nothing.
+    pub label: String,
+    /// What to write instead.
+    pub help: Option<String>,
+    /// Error or warning.
+    pub severity: Severity,
+}
+
+impl Diagnostic {
+    /// A mistake without a place.
+    pub fn error(message: impl Into<String>) -> Self {
+        Self { message: message.into(), at: None, label: String::new(), help: None, severity: Severity::Error }
+    }
+
+    /// A warning without a place.
+    pub fn warning(message: impl Into<String>) -> Self {
+        Self { severity: Severity::Warning, ..Self::error(message) }
+    }
+
+    /// The same with a place.
+    pub fn at(self, at: impl Into<Option<Location>>) -> Self {
+        Self { at: at.into(), ..self }
+    }
+
+    /// The same with a few words beside the caret.
+    pub fn label(self, label: impl Into<String>) -> Self {
+        Self { label: label.into(), ..self }
+    }
+
+    /// The same with advice.
+    pub fn help(self, help: impl Into<String>) -> Self {
+        Self { help: Some(help.into()), ..self }
+    }
+}
+
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(at) = &self.at {
+            write!(f, "{at}: ")?;
+        }
+        if self.severity == Severity::Warning {
+            f.write_str("warning: ")?;
+        }
+        f.write_str(&self.message)?;
+        let number = self.at.as_ref().map(|at| at.line.to_string()).unwrap_or_default();
+        let gutter = " ".repeat(number.len());
+        if let Some(at) = &self.at {
+            // A tab counts as one character in `column`, so it must also be one wide in the excerpt.
+            let line = at.source_line.replace('\t', " ");
+            let indent = " ".repeat(at.column.saturating_sub(1));
+            let caret = "^".repeat(at.width.max(1));
+            write!(f, "\n {gutter} |\n {number} | {}\n {gutter} | {indent}{caret}", line.trim_end())?;
+            if !self.label.is_empty() {
+                write!(f, " {}", self.label)?;
+            }
+        }
+        if let Some(help) = &self.help {
+            let continued = format!("\n {gutter}   {}", " ".repeat("help: ".len()));
+            write!(f, "\n {gutter} = help: {}", help.replace('\n', &continued))?;
+        }
+        Ok(())
+    }
+}
+
+/// All mistakes of one file, in the order of the file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Errors(Vec<Diagnostic>);
+
+impl Errors {
+    /// The mistakes, sorted by their places; those without a place come first. A mistake said twice is kept once.
+    pub fn new(mut mistakes: Vec<Diagnostic>) -> Self {
+        mistakes.sort_by_key(|mistake| mistake.at.as_ref().map(|at| (at.line, at.column)));
+        mistakes.dedup();
+        Self(mistakes)
+    }
+
+    /// The mistakes one by one.
+    pub fn iter(&self) -> std::slice::Iter<'_, Diagnostic> {
+        self.0.iter()
+    }
+}
+
+impl From<Diagnostic> for Errors {
+    fn from(mistake: Diagnostic) -> Self {
+        Self(vec![mistake])
+    }
+}
+
+impl<'a> IntoIterator for &'a Errors {
+    type Item = &'a Diagnostic;
+    type IntoIter = std::slice::Iter<'a, Diagnostic>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+impl fmt::Display for Errors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, mistake) in self.0.iter().enumerate() {
+            let gap = if i == 0 { "" } else { "\n\n" };
+            write!(f, "{gap}{mistake}")?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Errors {}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::panic)]
+    use super::*;
+
+    fn place(line: usize, column: usize) -> Location {
+        let source_line = "  - {type: revolute, a: 0, alfa: 90, d: 0, theta: 0}".to_owned();
+        Location { file: "specs/bad.yaml".to_owned(), line, column, source_line, width: 4 }
+    }
+
+    #[test]
+    fn shows_the_source_line_with_a_caret() {
+        let shown = Diagnostic::error("unknown key `alfa` in a joint row")
+            .at(place(7, 28))
+            .help("did you mean `alpha`?\nsecond line")
+            .to_string();
+        let expected = "\
+specs/bad.yaml:7:28: unknown key `alfa` in a joint row
+   |
+ 7 |   - {type: revolute, a: 0, alfa: 90, d: 0, theta: 0}
+   |                            ^^^^
+   = help: did you mean `alpha`?
+           second line";
+        assert_eq!(shown, expected);
+    }
+
+    #[test]
+    fn sorts_by_place_and_separates_by_a_blank_line() {
+        let errors = Errors::new(vec![
+            Diagnostic::error("second").at(place(12, 1)).label("here"),
+            Diagnostic::error("first").at(place(7, 3)),
+            Diagnostic::error("no place"),
+        ]);
+        let shown = errors.to_string();
+        let order: Vec<_> = ["no place\n\n", "first", "\n\nspecs/bad.yaml:12:1: second", "^^^^ here"]
+            .iter()
+            .map(|part| shown.find(part).unwrap_or_else(|| panic!("{part} in {shown}")))
+            .collect();
+        assert!(order.is_sorted(), "{shown}");
+        assert_eq!(errors.iter().count(), 3);
+    }
+
+    #[test]
+    fn a_warning_says_so() {
+        assert_eq!(Diagnostic::warning("mind this").to_string(), "warning: mind this");
+    }
+}

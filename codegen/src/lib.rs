@@ -1,0 +1,28 @@
+//! The code generator of denhart: from an arm file to Rust code.
+//!
+//! The pipeline, one direction only:
+//!
+//! ```text
+//! spec (YAML text) -> model (checked chain) -> symbolic (expressions) -> kinematics, solve -> emit (Rust tokens)
+//! ```
+//!
+//! [`generate`] is what the derive macro, the [`Builder`] of a build script and the command `denhart expand` all call.
+
+mod arm_file;
+mod builder;
+mod emit;
+pub mod error;
+mod generate;
+mod kinematics;
+pub mod model;
+mod report;
+mod solve;
+pub mod spec;
+mod symbolic;
+
+pub use arm_file::{ReadError, read as read_file};
+pub use builder::{BuildError, Builder, UnknownScalar};
+pub use emit::Scalar as ScalarKind;
+pub use error::{Diagnostic, Errors, Location, Severity};
+pub use generate::{Generated, Options, check, generate};
+pub use report::Report;

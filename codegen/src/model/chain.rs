@@ -1,0 +1,138 @@
+//! The chain as a product of elementary transforms, the same for both conventions.
+
+use super::{Angle, Convention, Frame, Model, RowKind};
+
+/// One factor of `T = base . rows . tool`, with the name its dimension has in the generated code.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Step {
+    /// `R_x(angle)`
+    RotateX {
+        /// The twist.
+        angle: Angle,
+        /// Its name, such as `ALPHA2`.
+        name: String,
+    },
+    /// `R_z(angle)`, constant.
+    RotateZ {
+        /// The angle.
+        angle: Angle,
+        /// Its name, such as `THETA2`.
+        name: String,
+    },
+    /// `T_x(length)`
+    ShiftX {
+        /// In the file's unit.
+        length: f64,
+        /// Its name, such as `A2`.
+        name: String,
+    },
+    /// `T_z(length)`
+    ShiftZ {
+        /// In the file's unit.
+        length: f64,
+        /// Its name, such as `D4`.
+        name: String,
+    },
+    /// `R_z(q + offset)`
+    Revolute {
+        /// Which joint, from 0.
+        joint: usize,
+        /// The row's theta.
+        offset: Angle,
+    },
+    /// `T_z(q)`
+    Prismatic {
+        /// Which joint, from 0.
+        joint: usize,
+    },
+    /// A general constant frame: base or tool.
+    Frame {
+        /// The frame.
+        frame: Frame,
+        /// `BASE` or `TOOL`.
+        name: &'static str,
+    },
+}
+
+impl Step {
+    /// The moving joint, if the step is one.
+    pub fn joint(&self) -> Option<usize> {
+        match self {
+            Step::Revolute { joint, .. } | Step::Prismatic { joint } => Some(*joint),
+            _ => None,
+        }
+    }
+}
+
+/// The factors in order. Factors that change nothing are left out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chain {
+    /// The factors, left to right.
+    pub steps: Vec<Step>,
+    /// For every joint the number of steps up to the end of its link: the row of the joint and the fixed rows after.
+    pub link_ends: Vec<usize>,
+}
+
+impl Chain {
+    /// The chain of a checked model.
+    pub fn of(model: &Model) -> Chain {
+        let mut steps = Vec::new();
+        let mut link_ends = Vec::new();
+        push_frame(&mut steps, &model.base, "BASE");
+        for (index, row) in model.rows.iter().enumerate() {
+            let name = |letter: &str| format!("{letter}{}", index + 1);
+            let mut twist = Vec::new();
+            if row.a != 0.0 {
+                twist.push(Step::ShiftX { length: row.a, name: name("A") });
+            }
+            if !row.alpha.is_zero() {
+                twist.push(Step::RotateX { angle: row.alpha, name: name("ALPHA") });
+            }
+            let mut motion = Vec::new();
+            match (row.kind, row.joint) {
+                (RowKind::Revolute, Some(joint)) => motion.push(Step::Revolute { joint, offset: row.theta }),
+                _ if !row.theta.is_zero() => motion.push(Step::RotateZ { angle: row.theta, name: name("THETA") }),
+                _ => {}
+            }
+            if let (RowKind::Prismatic, Some(joint)) = (row.kind, row.joint) {
+                motion.push(Step::Prismatic { joint });
+            }
+            if row.d != 0.0 {
+                motion.push(Step::ShiftZ { length: row.d, name: name("D") });
+            }
+            match model.convention {
+                Convention::Standard => steps.extend(motion.into_iter().chain(twist)),
+                Convention::Modified => steps.extend(twist.into_iter().chain(motion)),
+            }
+            match row.joint {
+                Some(_) => link_ends.push(steps.len()),
+                None => {
+                    if let Some(end) = link_ends.last_mut() {
+                        *end = steps.len();
+                    }
+                }
+            }
+        }
+        push_frame(&mut steps, &model.tool, "TOOL");
+        Chain { steps, link_ends }
+    }
+
+    /// The constant factors before, between and after the joints: one more list than joints.
+    pub fn links(&self) -> Vec<Vec<Step>> {
+        let mut links = vec![Vec::new()];
+        for step in &self.steps {
+            match (step.joint(), links.last_mut()) {
+                (None, Some(link)) => link.push(step.clone()),
+                _ => links.push(Vec::new()),
+            }
+        }
+        links
+    }
+}
+
+fn push_frame(steps: &mut Vec<Step>, frame: &Frame, name: &'static str) {
+    let moves = frame.xyz.iter().any(|x| *x != 0.0) || frame.rpy.iter().any(|a| !a.is_zero());
+    if moves {
+        steps.push(Step::Frame { frame: *frame, name });
+    }
+}

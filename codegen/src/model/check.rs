@@ -1,0 +1,144 @@
+//! From the file as written to the checked chain.
+
+use super::{Angle, Frame, InverseRequest, Joint, JointKind, MOST_JOINTS, Model, Row};
+use crate::error::{Diagnostic, Errors};
+use crate::spec::{FrameSpec, LimitsSpec, Place, RowKind, RowSpec, Spec, nearest};
+
+/// Checks what the values mean together, and converts them: angles exact, limits in rad, names filled in.
+///
+/// # Errors
+/// All mistakes of the file, those of form that were found on reading it among them.
+pub fn check(spec: &Spec) -> Result<Model, Errors> {
+    let mut mistakes = spec.mistakes.clone();
+    let joints = joints(spec, &mut mistakes);
+    count(spec, &joints, &mut mistakes);
+    unique_names(spec, &joints, &mut mistakes);
+    let inverse = inverse(spec, &joints, &mut mistakes);
+    if !mistakes.is_empty() {
+        return Err(Errors::new(mistakes));
+    }
+    let row = |(index, row): (usize, &RowSpec)| Row {
+        kind: row.kind,
+        a: row.a,
+        alpha: row.alpha.into(),
+        d: row.d,
+        theta: row.theta.into(),
+        name: row.name.as_ref().map(|(name, _)| name.clone()),
+        joint: joints.iter().position(|joint| joint.row == index),
+    };
+    Ok(Model {
+        name: spec.name.clone(),
+        source: spec.source.leading_comment(),
+        convention: spec.convention,
+        length_unit: spec.length_unit,
+        rows: spec.rows.iter().enumerate().map(row).collect(),
+        base: frame(spec.base),
+        tool: frame(spec.tool),
+        joints,
+        inverse,
+    })
+}
+
+fn frame(spec: FrameSpec) -> Frame {
+    Frame { xyz: spec.xyz, rpy: spec.rpy.map(Angle::from) }
+}
+
+/// The moving joints, named.
+fn joints(spec: &Spec, mistakes: &mut Vec<Diagnostic>) -> Vec<Joint> {
+    let mut joints = Vec::new();
+    for (index, row) in spec.rows.iter().enumerate() {
+        let kind = match row.kind {
+            RowKind::Revolute => JointKind::Revolute,
+            RowKind::Prismatic => JointKind::Prismatic,
+            RowKind::Fixed => continue,
+        };
+        let name = row.name.as_ref().map_or_else(|| format!("q{}", joints.len() + 1), |(name, _)| name.clone());
+        let limits = row.limits.as_ref().and_then(|(limits, place)| ordered(spec, *limits, place, mistakes));
+        joints.push(Joint { name, row: index, kind, limits });
+    }
+    joints
+}
+
+/// The limits in rad or length, the lowest first.
+fn ordered(spec: &Spec, limits: LimitsSpec, place: &Place, mistakes: &mut Vec<Diagnostic>) -> Option<[f64; 2]> {
+    let [low, high] = match limits {
+        LimitsSpec::Angles(ends) => ends.map(|end| end.map(|angle| Angle::from(angle).rad())),
+        LimitsSpec::Lengths(ends) => ends,
+    };
+    if low.is_none() && high.is_none() {
+        return None;
+    }
+    let (low, high) = (low.unwrap_or(f64::NEG_INFINITY), high.unwrap_or(f64::INFINITY));
+    if low > high {
+        let [first, second] = spec.source.written_ends(place);
+        let message = format!("`limits`: the lowest value {first} is greater than the highest value {second}");
+        let help = format!("write [{second}, {first}]");
+        mistakes.push(spec.source.mistake(place, message).help(help));
+    }
+    Some([low, high])
+}
+
+/// At least one joint moves, and not too many.
+fn count(spec: &Spec, joints: &[Joint], mistakes: &mut Vec<Diagnostic>) {
+    let at = |row: usize| spec.rows.get(row).map(|row| spec.source.location(&row.place));
+    // An empty table is a mistake of form and known already.
+    if joints.is_empty() && !spec.rows.is_empty() {
+        let message = "no joint moves: expected at least one row of type revolute or prismatic";
+        mistakes.push(Diagnostic::error(message).at(at(0)));
+    }
+    if let Some(joint) = joints.get(MOST_JOINTS) {
+        let message = format!("{} moving joints: expected at most {MOST_JOINTS}", joints.len());
+        mistakes.push(Diagnostic::error(message).at(at(joint.row)).label(format!("joint {}", MOST_JOINTS + 1)));
+    }
+}
+
+/// No two joints have one name, given or filled in.
+fn unique_names(spec: &Spec, joints: &[Joint], mistakes: &mut Vec<Diagnostic>) {
+    let given = |joint: &Joint| spec.rows.get(joint.row).and_then(|row| row.name.as_ref()).map(|(_, place)| place);
+    for (index, joint) in joints.iter().enumerate() {
+        let Some(first) = joints.iter().take(index).position(|earlier| earlier.name == joint.name) else { continue };
+        let (name, number) = (&joint.name, index + 1);
+        // A default name is nowhere in the file; then the given name is the one to change.
+        let place = given(joint).or_else(|| joints.get(first).and_then(given));
+        let nameless = [joints.get(first), Some(joint)].into_iter().flatten().any(|joint| given(joint).is_none());
+        let default = if nameless { ": a joint without a name is called by its number" } else { "" };
+        let message = format!("joints {} and {number} have the same name `{name}`{default}", first + 1);
+        let mistake = Diagnostic::error(message).at(place.map(|place| spec.source.location(place)));
+        mistakes.push(mistake.help("give each joint a name of its own"));
+    }
+}
+
+fn inverse(spec: &Spec, joints: &[Joint], mistakes: &mut Vec<Diagnostic>) -> InverseRequest {
+    let request = &spec.inverse;
+    InverseRequest {
+        task: request.task,
+        require: request.require,
+        redundant: request.redundant.as_ref().and_then(|(name, place)| redundant(spec, joints, name, place, mistakes)),
+        axis: request.axis,
+        tolerance_length: request.tolerance_length,
+        tolerance_angle: request.tolerance_angle.map(|angle| Angle::from(angle).rad()),
+        at: request.place.as_ref().map(|place| spec.source.location(place)),
+        present: request.place.is_some(),
+    }
+}
+
+/// The joint of that name; `qK` also means the K-th joint where no joint has that name.
+fn redundant(
+    spec: &Spec,
+    joints: &[Joint],
+    name: &str,
+    place: &Place,
+    mistakes: &mut Vec<Diagnostic>,
+) -> Option<usize> {
+    let by_name = joints.iter().position(|joint| joint.name == name);
+    let by_number = || (0..joints.len()).find(|index| name == format!("q{}", index + 1));
+    let found = by_name.or_else(by_number);
+    // Without a table there is no joint to name, and that is known already.
+    if found.is_none() && !joints.is_empty() {
+        let names: Vec<&str> = joints.iter().map(|joint| joint.name.as_str()).collect();
+        let meant = nearest(name, names.iter().copied()).map(|word| format!("did you mean `{word}`? "));
+        let help = format!("{}the joints are {}", meant.unwrap_or_default(), names.join(", "));
+        mistakes.push(spec.source.mistake(place, format!("`redundant`: no joint is named `{name}`")).help(help));
+    }
+    found
+}

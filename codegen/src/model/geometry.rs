@@ -1,0 +1,173 @@
+//! How the joint axes lie: which are parallel, which meet, decided on numbers at a generic configuration.
+//!
+//! Lengths are compared relative to the reach of the arm, angles in rad; see [`TOLERANCE`].
+
+use super::chain::{Chain, Step};
+use super::numeric::{Transform, cross, distance, dot, length, scaled, sub};
+use super::{JointKind, Model};
+
+/// Structure is decided within this, relative to reach for lengths and in rad for angles.
+pub const TOLERANCE: f64 = 1e-10;
+
+/// A joint axis as a line in the base frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Line {
+    /// A point on the axis: the origin of the joint's frame.
+    pub point: [f64; 3],
+    /// Its unit direction.
+    pub direction: [f64; 3],
+}
+
+/// What two axes do.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Relation {
+    /// The same line.
+    Coincident,
+    /// Parallel or anti-parallel, at a distance.
+    Parallel {
+        /// Distance between the lines.
+        distance: f64,
+    },
+    /// They meet in a point at an angle.
+    Meeting {
+        /// The angle between the directions, rad.
+        angle: f64,
+    },
+    /// Neither.
+    Skew {
+        /// Distance between the lines.
+        distance: f64,
+        /// The angle between the directions, rad.
+        angle: f64,
+    },
+}
+
+/// What makes three consecutive axes solvable in closed form.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum TripleKind {
+    /// All three meet in one point.
+    Meeting,
+    /// All three are parallel.
+    Parallel,
+}
+
+/// Three consecutive revolute axes that meet in a point or are parallel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Triple {
+    /// The first of the three joints, from 0.
+    pub first: usize,
+    /// Which kind.
+    pub kind: TripleKind,
+}
+
+/// The axes of an arm and what they do.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Geometry {
+    /// Sum of all lengths of the chain, and of the longest strokes; 1 if that is zero. In the file's length unit.
+    pub reach: f64,
+    /// The axes at a generic configuration.
+    pub axes: Vec<Line>,
+    /// The relation of each pair of consecutive axes.
+    pub relations: Vec<Relation>,
+    /// All triples.
+    pub triples: Vec<Triple>,
+    /// For every three consecutive revolute axes: the first joint and by how much they miss a common point.
+    pub misses: Vec<(usize, f64)>,
+}
+
+/// Analyzes the axes of a chain.
+pub fn geometry(model: &Model, chain: &Chain) -> Geometry {
+    let reach = reach(model);
+    let axes = axes(chain, reach);
+    let relations: Vec<Relation> =
+        axes.iter().zip(axes.iter().skip(1)).map(|(a, b)| relation(a, b, reach)).collect();
+    let mut triples = Vec::new();
+    let mut misses = Vec::new();
+    for (first, lines) in axes.windows(3).enumerate() {
+        let revolute = model.joints.iter().skip(first).take(3).all(|j| j.kind == JointKind::Revolute);
+        let ([a, b, c], true) = (lines, revolute) else { continue };
+        let parallel = |u: &Line, v: &Line| {
+            matches!(relation(u, v, reach), Relation::Parallel { .. } | Relation::Coincident)
+        };
+        let miss = common_point_miss(a, b, c);
+        if let Some(miss) = miss {
+            misses.push((first, miss));
+        }
+        if parallel(a, b) && parallel(b, c) {
+            triples.push(Triple { first, kind: TripleKind::Parallel });
+        } else if miss.is_some_and(|m| m <= TOLERANCE * reach) {
+            triples.push(Triple { first, kind: TripleKind::Meeting });
+        }
+    }
+    Geometry { reach, axes, relations, triples, misses }
+}
+
+/// `sum(|a| + |d|) + |base| + |tool| + sum of max |limit|` of the sliding joints; 1 if that is zero.
+pub fn reach(model: &Model) -> f64 {
+    let rows: f64 = model.rows.iter().map(|row| row.a.abs() + row.d.abs()).sum();
+    let strokes: f64 = model
+        .joints
+        .iter()
+        .filter(|joint| joint.kind == JointKind::Prismatic)
+        .filter_map(|joint| joint.limits)
+        .map(|ends| ends.iter().filter(|end| end.is_finite()).fold(0.0, |m: f64, end| m.max(end.abs())))
+        .sum();
+    let total = rows + strokes + length(model.base.xyz) + length(model.tool.xyz);
+    if total > 0.0 { total } else { 1.0 }
+}
+
+/// The axes with every joint at a value that is special for no arm.
+fn axes(chain: &Chain, reach: f64) -> Vec<Line> {
+    let mut current = Transform::IDENTITY;
+    let mut axes = Vec::new();
+    for step in &chain.steps {
+        if let Some(joint) = step.joint() {
+            axes.push(Line { point: current.p, direction: current.axis(2) });
+            // Multiples of the golden angle have no special relation to each other.
+            let generic = 0.618_033_988_749_895 * (joint as f64 + 1.0) + 0.271_828;
+            current = match step {
+                Step::Revolute { .. } => current.then(&Transform::rotate_z(generic.sin(), generic.cos())),
+                _ => current.then(&Transform::shift([0.0, 0.0, reach * (0.3 + 0.1 * generic.sin())])),
+            };
+        }
+        current = current.then(&Transform::of(step));
+    }
+    axes
+}
+
+/// The relation of two lines.
+pub fn relation(a: &Line, b: &Line, reach: f64) -> Relation {
+    let between = sub(b.point, a.point);
+    let normal = cross(a.direction, b.direction);
+    let (sine, cosine) = (length(normal), dot(a.direction, b.direction));
+    if sine <= TOLERANCE {
+        let apart = length(cross(between, a.direction));
+        return if apart <= TOLERANCE * reach { Relation::Coincident } else { Relation::Parallel { distance: apart } };
+    }
+    let angle = sine.atan2(cosine);
+    let apart = dot(between, normal).abs() / sine;
+    if apart <= TOLERANCE * reach { Relation::Meeting { angle } } else { Relation::Skew { distance: apart, angle } }
+}
+
+/// How far three lines are from meeting in one point: the largest distance among the feet of the common normals on
+/// the middle line, and the outer lines from them. `None` if two of them are parallel.
+fn common_point_miss(a: &Line, b: &Line, c: &Line) -> Option<f64> {
+    let (on_a, from_a) = nearest(a, b)?;
+    let (on_c, from_c) = nearest(c, b)?;
+    Some(distance(on_a, from_a).max(distance(on_c, from_c)).max(distance(from_a, from_c)))
+}
+
+/// The feet of the common normal, on the first line and on the second.
+fn nearest(a: &Line, b: &Line) -> Option<([f64; 3], [f64; 3])> {
+    let between = sub(b.point, a.point);
+    let cosine = dot(a.direction, b.direction);
+    let normal = cross(a.direction, b.direction);
+    let sine2 = dot(normal, normal);
+    if sine2 <= TOLERANCE * TOLERANCE {
+        return None;
+    }
+    let (along_a, along_b) = (dot(between, a.direction), dot(between, b.direction));
+    let s = (along_a - cosine * along_b) / sine2;
+    let t = (cosine * along_a - along_b) / sine2;
+    Some((scaled(a.point, a.direction, s), scaled(b.point, b.direction, t)))
+}

@@ -1,0 +1,115 @@
+//! What `denhart check` prints.
+
+use crate::error::Diagnostic;
+use crate::model::geometry::{Geometry, Relation, TripleKind};
+use crate::model::{JointKind, LengthUnit, Model};
+use crate::solve::{Plan, Refusal, describe};
+use crate::symbolic::Cost;
+use std::fmt;
+
+/// What the generator found about an arm.
+#[derive(Debug, Clone)]
+pub struct Report {
+    /// Name of the arm.
+    pub name: String,
+    /// Number of moving joints.
+    pub dof: usize,
+    /// The largest number of inverse solutions, if there is an inverse.
+    pub max_solutions: Option<usize>,
+    /// Why there is no inverse, if there is none.
+    pub refusal: Option<String>,
+    /// Operations of forward, jacobian, and both together.
+    pub costs: [Cost; 3],
+    /// Advice about the file.
+    pub warnings: Vec<Diagnostic>,
+    lines: Vec<String>,
+}
+
+impl Report {
+    pub(crate) fn new(
+        model: &Model,
+        geometry: &Geometry,
+        costs: [Cost; 3],
+        inverse: &Result<Plan, Refusal>,
+        warnings: Vec<Diagnostic>,
+    ) -> Report {
+        let mut lines = vec![summary(model)];
+        lines.push("axes:".into());
+        lines.extend(relations(geometry, unit(model)).map(|line| format!("  {line}")));
+        for triple in &geometry.triples {
+            let first = triple.first + 1;
+            let what = match triple.kind {
+                TripleKind::Meeting => "meet in a point",
+                TripleKind::Parallel => "are parallel",
+            };
+            lines.push(format!("  {}, {}, {} {what}", first, first + 1, first + 2));
+        }
+        lines.push("operations:".into());
+        for (name, cost) in ["forward", "jacobian", "forward_and_jacobian"].iter().zip(&costs) {
+            lines.push(format!(
+                "  {name}: {} additions, {} multiplications, {} sin_cos",
+                cost.additions, cost.multiplications, cost.sin_cos
+            ));
+        }
+        match inverse {
+            Ok(plan) => {
+                lines.push(format!("inverse (task pose): at most {} solutions", plan.max_solutions()));
+                lines.extend(describe(plan).into_iter().map(|line| format!("  {line}")));
+            }
+            Err(refusal) => lines.push(format!("no inverse: {}", refusal.reason)),
+        }
+        Report {
+            name: model.name.clone(),
+            dof: model.joints.len(),
+            max_solutions: inverse.as_ref().ok().map(Plan::max_solutions),
+            refusal: inverse.as_ref().err().map(|refusal| refusal.reason.clone()),
+            costs,
+            warnings,
+            lines,
+        }
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for line in &self.lines {
+            writeln!(f, "{line}")?;
+        }
+        Ok(())
+    }
+}
+
+fn unit(model: &Model) -> &'static str {
+    match model.length_unit {
+        LengthUnit::Meter => "m",
+        LengthUnit::Centimeter => "cm",
+        LengthUnit::Millimeter => "mm",
+        LengthUnit::Inch => "in",
+    }
+}
+
+fn summary(model: &Model) -> String {
+    let kinds: String =
+        model.joints.iter().map(|j| if j.kind == JointKind::Revolute { 'R' } else { 'P' }).collect();
+    format!("{}: {} moving joints ({kinds}), lengths in {}", model.name, model.joints.len(), unit(model))
+}
+
+fn relations<'a>(geometry: &'a Geometry, unit: &'a str) -> impl Iterator<Item = String> + 'a {
+    geometry.relations.iter().enumerate().map(move |(index, relation)| {
+        let pair = format!("{} and {}", index + 1, index + 2);
+        match relation {
+            Relation::Coincident => format!("{pair} are the same line"),
+            Relation::Parallel { distance } => format!("{pair} are parallel, {} {unit} apart", short(*distance)),
+            Relation::Meeting { angle } => format!("{pair} meet at {} deg", short(angle.to_degrees())),
+            Relation::Skew { distance, angle } => {
+                format!("{pair} are skew: {} {unit} apart, at {} deg", short(*distance), short(angle.to_degrees()))
+            }
+        }
+    })
+}
+
+/// Up to six significant decimals, without trailing zeros.
+fn short(value: f64) -> String {
+    let text = format!("{value:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_string()
+}

@@ -1,0 +1,359 @@
+//! The closed chain around the target, and what is known while it is being solved.
+
+use super::plan::{Branching, Kernel, Plan, PlanStep, Stage, Unit, Value};
+use super::probe::{POSITION, Probe, ROTATION};
+use super::{is_revolute, plan::Phase};
+use crate::kinematics;
+use crate::model::chain::{Chain, Step};
+use crate::model::geometry::{Geometry, Triple, TripleKind};
+use crate::model::{Angle, Model};
+use crate::symbolic::{Expr, Graph, Pair, Rigid, Vec3};
+
+/// A constant link (or the target), both ways.
+#[derive(Debug, Clone, Copy)]
+pub struct Link {
+    /// From the frame after it to the frame before it.
+    pub forward: Rigid,
+    /// The inverse.
+    pub back: Rigid,
+    /// Whether the target is part of it.
+    pub target: bool,
+}
+
+/// The joints in cyclic order: the triple a, b, c, then x, y, z. Link `i` follows joint `i`; the target's inverse is
+/// part of the link after joint 6.
+pub struct Closure {
+    /// The arena.
+    pub g: Graph,
+    /// Decides what vanishes.
+    pub probe: Probe,
+    /// The six joints in cyclic order from the triple's first.
+    pub order: [usize; 6],
+    /// The link after each joint, by joint.
+    links: Vec<Link>,
+    revolute: Vec<bool>,
+    offsets: Vec<Angle>,
+    /// Sine and cosine of each solved joint's angle (its DH theta, offset included).
+    pairs: Vec<Option<Pair>>,
+    values: Vec<Option<Value>>,
+    steps: Vec<PlanStep>,
+    reach: f64,
+}
+
+impl Closure {
+    /// The closed chain of a six-joint arm.
+    pub fn new(model: &Model, chain: &Chain, geometry: &Geometry, triple: Triple) -> Closure {
+        let mut g = Graph::default();
+        let constants: Vec<Rigid> = chain
+            .links()
+            .iter()
+            .map(|steps| {
+                steps.iter().fold(Rigid::identity(), |sum, step| {
+                    let factor = kinematics::step(&mut g, step);
+                    sum.then(&mut g, &factor)
+                })
+            })
+            .collect();
+        let constant = |i: usize| constants.get(i).copied().unwrap_or_else(Rigid::identity);
+        let target = Rigid {
+            r: ROTATION.map(|row| row.map(|name| g.symbol(name))),
+            p: POSITION.map(|name| g.symbol(name)),
+        };
+        // The target without base and tool: where the frame of the last joint has to be, in the first joint's frame.
+        let base = constant(0).inverse(&mut g);
+        let tool = constant(6).inverse(&mut g);
+        let flange = target.then(&mut g, &tool);
+        let flange = base.then(&mut g, &flange);
+        name_target(&mut g, &flange);
+        let mut links: Vec<Link> = (1..6)
+            .map(|i| {
+                let forward = constant(i);
+                Link { forward, back: forward.inverse(&mut g), target: false }
+            })
+            .collect();
+        links.push(Link { forward: flange.inverse(&mut g), back: flange, target: true });
+        let offsets = offsets(chain);
+        let order = [0, 1, 2, 3, 4, 5].map(|k| (triple.first + k) % 6);
+        let mut closure = Closure {
+            g,
+            probe: Probe::new(geometry.reach),
+            order,
+            links,
+            revolute: (0..6).map(|j| is_revolute(model, j)).collect(),
+            offsets,
+            pairs: vec![None; 6],
+            values: vec![None; 6],
+            steps: Vec::new(),
+            reach: geometry.reach,
+        };
+        if triple.kind == TripleKind::Meeting {
+            closure.move_to_meeting_point();
+        }
+        closure
+    }
+
+    /// Reach of the arm.
+    pub fn reach(&self) -> f64 {
+        self.reach
+    }
+
+    /// The link after a joint.
+    pub fn link(&self, joint: usize) -> Link {
+        let identity = Link { forward: Rigid::identity(), back: Rigid::identity(), target: false };
+        self.links.get(joint).copied().unwrap_or(identity)
+    }
+
+    /// Whether a joint turns.
+    pub fn turns(&self, joint: usize) -> bool {
+        self.revolute.get(joint).copied().unwrap_or(true)
+    }
+
+    /// Whether expressions vanish for every target.
+    pub fn vanish(&self, expressions: &[Expr], unit: Unit) -> bool {
+        self.probe.vanish(&self.g, expressions, unit == Unit::Length)
+    }
+
+    /// Zero if an expression vanishes for every target, else the expression.
+    pub fn clean(&self, e: Expr, unit: Unit) -> Expr {
+        if self.vanish(&[e], unit) { Expr::ZERO } else { e }
+    }
+
+    /// A vector with its vanishing components exactly zero.
+    pub fn clean3(&self, v: Vec3, unit: Unit) -> Vec3 {
+        v.map(|e| self.clean(e, unit))
+    }
+
+    /// The sine and cosine of a solved joint.
+    pub fn pair(&self, joint: usize) -> Pair {
+        self.pairs.get(joint).copied().flatten().unwrap_or(Pair { sin: Expr::ZERO, cos: Expr::ONE })
+    }
+
+    /// The position symbol of a sliding joint.
+    pub fn position(&mut self, joint: usize) -> Expr {
+        self.g.symbol(format!("q{}", joint + 1))
+    }
+
+    /// Joint `joint`'s motion applied to a vector (a point if it slides).
+    pub fn move_by(&mut self, joint: usize, v: Vec3) -> Vec3 {
+        if self.turns(joint) {
+            let pair = self.pair(joint);
+            return self.g.rotate_z(pair, v);
+        }
+        let along = self.position(joint);
+        self.g.add3(v, [Expr::ZERO, Expr::ZERO, along])
+    }
+
+    /// The inverse motion.
+    pub fn move_back(&mut self, joint: usize, v: Vec3) -> Vec3 {
+        if self.turns(joint) {
+            let pair = self.pair(joint).opposite(&mut self.g);
+            return self.g.rotate_z(pair, v);
+        }
+        let along = self.position(joint);
+        self.g.sub3(v, [Expr::ZERO, Expr::ZERO, along])
+    }
+
+    /// The same for a direction: a sliding joint leaves it.
+    pub fn turn_by(&mut self, joint: usize, v: Vec3) -> Vec3 {
+        if self.turns(joint) { self.move_by(joint, v) } else { v }
+    }
+
+    /// The inverse for a direction.
+    pub fn turn_back(&mut self, joint: usize, v: Vec3) -> Vec3 {
+        if self.turns(joint) { self.move_back(joint, v) } else { v }
+    }
+
+    /// Adds a stage. Its kernel's variable for joint `i` is the joint's angle minus `shift`.
+    pub fn stage(
+        &mut self,
+        joints: &[(usize, Angle)],
+        free: usize,
+        unit: Unit,
+        branching: Branching,
+        meaning: String,
+        kernel: Kernel,
+    ) {
+        for (joint, shift) in joints {
+            self.bind(*joint, *shift);
+        }
+        let shift = joints.iter().find(|(j, _)| *j == free).map_or(Angle::ZERO, |(_, shift)| *shift);
+        let home = self.offset(free).add(shift.neg());
+        let joints = joints.iter().map(|(joint, _)| *joint).collect();
+        self.steps.push(PlanStep::Stage(Stage { joints, kernel, unit, meaning, branching, home }));
+    }
+
+    fn offset(&self, joint: usize) -> Angle {
+        self.offsets.get(joint).copied().unwrap_or(Angle::ZERO)
+    }
+
+    /// The symbols of a joint's root: value, sine and cosine of the kernel's variable.
+    fn bind(&mut self, joint: usize, shift: Angle) {
+        let number = joint + 1;
+        let sliding = !self.turns(joint);
+        let constant = if sliding { Angle::ZERO } else { shift.add(self.offset(joint).neg()) };
+        let symbol = kernel_value(joint, constant);
+        let value = Value { terms: vec![(symbol, false)], constant, sliding };
+        if let Some(slot) = self.values.get_mut(joint) {
+            *slot = Some(value);
+        }
+        if sliding {
+            return;
+        }
+        let (sin, cos) = if shift.is_zero() || shift.quarter_turns().is_some() {
+            (format!("s{number}"), format!("c{number}"))
+        } else {
+            (format!("sin_t{number}"), format!("cos_t{number}"))
+        };
+        let raw = Pair { sin: self.g.symbol(sin), cos: self.g.symbol(cos) };
+        let constant = self.g.constant_pair(shift, &format!("PHASE{number}"));
+        let pair = if shift.is_zero() { raw } else { raw.plus(&mut self.g, constant) };
+        self.g.name(pair.sin, format!("s{number}"));
+        self.g.name(pair.cos, format!("c{number}"));
+        if let Some(slot) = self.pairs.get_mut(joint) {
+            *slot = Some(pair);
+        }
+    }
+
+    /// Adds an angle that several joints add up to.
+    pub fn angle(&mut self, name: &str, meaning: String, y: Expr, x: Expr) {
+        self.steps.push(PlanStep::Angle { name: name.into(), meaning, y, x });
+    }
+
+    /// A joint value that is a signed sum of symbols; `constant` before the joint's offset is taken off.
+    pub fn sum(&mut self, joint: usize, terms: Vec<(String, bool)>, constant: Angle) {
+        let constant = constant.add(self.offset(joint).neg());
+        if let Some(slot) = self.values.get_mut(joint) {
+            *slot = Some(Value { terms, constant, sliding: false });
+        }
+    }
+
+    /// The solved angle of a joint (its DH theta) as terms and constant.
+    pub fn solved(&self, joint: usize) -> (Vec<(String, bool)>, Angle) {
+        match self.values.get(joint) {
+            Some(Some(value)) => (value.terms.clone(), value.constant.add(self.offset(joint))),
+            _ => (Vec::new(), Angle::ZERO),
+        }
+    }
+
+    /// The angle of a plane vector: a constant one, or a run-time phase.
+    pub fn direction(&mut self, [x, y]: [Expr; 2]) -> Result<Angle, Phase> {
+        match (self.g.constant(x), self.g.constant(y)) {
+            (Some(x), Some(y)) => Ok(constant_angle(y, x)),
+            _ => Err(Phase { y, x }),
+        }
+    }
+
+    /// Where an angle `from -> to` is counted from: a constant shift, or a run-time phase.
+    pub fn between(&mut self, from: [Expr; 2], to: [Expr; 2]) -> (Angle, Option<Phase>) {
+        match (self.direction(from), self.direction(to)) {
+            (Ok(from), Ok(to)) => (to.add(from.neg()), None),
+            _ => {
+                let ([ux, uy], [vx, vy]) = (from, to);
+                let (a, b) = (self.g.mul(ux, vx), self.g.mul(uy, vy));
+                let (c, d) = (self.g.mul(ux, vy), self.g.mul(uy, vx));
+                (Angle::ZERO, Some(Phase { y: self.g.sub(c, d), x: self.g.add(a, b) }))
+            }
+        }
+    }
+
+    /// For a meeting triple, frames are moved along the outer axes of the triple so that both have the meeting point
+    /// as their origin.
+    fn move_to_meeting_point(&mut self) {
+        let [a, b, c, .., z] = self.order;
+        let (on_a, on_c) = (self.meeting(a, false), self.meeting(b, true));
+        let shift = |g: &mut Graph, link: Link, before: Expr, after: Expr| {
+            let along = |e: Expr| Rigid { p: [Expr::ZERO, Expr::ZERO, e], ..Rigid::identity() };
+            let opposite = |g: &mut Graph, e: Expr| g.neg(e);
+            let (b, a) = (along(before), along(after));
+            let (b_back, a_back) = (along(opposite(g, before)), along(opposite(g, after)));
+            let forward = link.forward.then(g, &a);
+            let forward = b.then(g, &forward);
+            let back = link.back.then(g, &b_back);
+            let back = a_back.then(g, &back);
+            Link { forward, back, target: link.target }
+        };
+        let (minus_a, minus_c) = (self.g.neg(on_a), self.g.neg(on_c));
+        for (joint, before, after) in
+            [(z, Expr::ZERO, on_a), (a, minus_a, Expr::ZERO), (b, Expr::ZERO, on_c), (c, minus_c, Expr::ZERO)]
+        {
+            let link = self.link(joint);
+            let moved = shift(&mut self.g, link, before, after);
+            if let Some(slot) = self.links.get_mut(joint) {
+                *slot = moved;
+            }
+        }
+        // The links inside the triple now only turn.
+        for joint in [a, b] {
+            if let Some(link) = self.links.get_mut(joint) {
+                link.forward.p = [Expr::ZERO; 3];
+                link.back.p = [Expr::ZERO; 3];
+            }
+        }
+    }
+
+    /// Where the axes before and after a link meet: its place on the axis before (`far = false`) or after it.
+    fn meeting(&mut self, joint: usize, far: bool) -> Expr {
+        let link = self.link(joint);
+        let rigid = if far { link.back } else { link.forward };
+        // The other axis is p + t h; it meets the z axis where x and y vanish.
+        let (p, h) = (rigid.p, rigid.z());
+        let values: Vec<f64> = p.iter().chain(&h).map(|e| self.g.constant(*e).unwrap_or(0.0)).collect();
+        let [px, py, pz, hx, hy, hz] = values.as_slice() else { return Expr::ZERO };
+        let t = -(px * hx + py * hy) / (hx * hx + hy * hy);
+        let height = pz + t * hz;
+        if (height - pz).abs() <= 1e-12 * self.reach {
+            return p.get(2).copied().unwrap_or(Expr::ZERO);
+        }
+        if height.abs() <= 1e-12 * self.reach {
+            return Expr::ZERO;
+        }
+        self.g.dimension(format!("MEET{}{}", joint + 1, if far { "B" } else { "A" }), height)
+    }
+
+    /// The plan.
+    pub fn finish(self, triple: Triple) -> Plan {
+        let values = self.values.into_iter().map(|value| {
+            value.unwrap_or(Value { terms: Vec::new(), constant: Angle::ZERO, sliding: true })
+        });
+        Plan { graph: self.g, steps: self.steps, values: values.collect(), triple, reach: self.reach }
+    }
+}
+
+/// The symbol of a joint's value as its kernel gives it: the joint's own if nothing is to be added.
+fn kernel_value(joint: usize, constant: Angle) -> String {
+    format!("{}{}", if constant.is_zero() { "q" } else { "t" }, joint + 1)
+}
+
+/// The angle of a constant vector, exact where it is a multiple of a quarter turn.
+pub fn constant_angle(y: f64, x: f64) -> Angle {
+    let angle = y.atan2(x);
+    let quarters = (angle / std::f64::consts::FRAC_PI_2).round();
+    if (angle - quarters * std::f64::consts::FRAC_PI_2).abs() <= 1e-14 {
+        Angle::degrees(90.0 * quarters)
+    } else {
+        Angle::radians(angle)
+    }
+}
+
+fn offsets(chain: &Chain) -> Vec<Angle> {
+    chain
+        .steps
+        .iter()
+        .filter_map(|step| match step {
+            Step::Revolute { offset, .. } => Some(*offset),
+            Step::Prismatic { .. } => Some(Angle::ZERO),
+            _ => None,
+        })
+        .collect()
+}
+
+fn name_target(g: &mut Graph, flange: &Rigid) {
+    for (e, axis) in flange.p.iter().zip(["x", "y", "z"]) {
+        g.name(*e, format!("flange_{axis}"));
+    }
+    for (row, i) in flange.r.iter().zip(1..) {
+        for (e, j) in row.iter().zip(1..) {
+            g.name(*e, format!("f{i}{j}"));
+        }
+    }
+}

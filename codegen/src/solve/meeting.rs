@@ -1,0 +1,362 @@
+//! The outer joints x, y, z when the triple meets in a point W.
+//!
+//! `R_z(y) B(z) = A(x)`, where A and B are the point W seen from joint y over either side: equal components along y's
+//! axis and equal distances from a point on it are two equations in x and z.
+
+use super::Refusal;
+use super::closure::Closure;
+use super::plan::{Branching, Kernel, Unit};
+use super::rows::Row;
+use super::sides::Side;
+use crate::model::Angle;
+use crate::symbolic::{Expr, Vec3};
+
+const W: &str = "the wrist center";
+
+/// Adds the stages for x, z and y.
+pub fn outer(c: &mut Closure) -> Result<(), Refusal> {
+    let [_, _, third, x, y, z] = c.order;
+    let (link_c, link_x, link_y, link_z) = (c.link(third), c.link(x), c.link(y), c.link(z));
+    let a = Side {
+        joint: x,
+        undone: true,
+        turns: c.turns(x),
+        moved: c.clean3(link_c.back.p, Unit::Length),
+        origin: c.clean3(link_x.forward.p, Unit::Length),
+        axis: c.clean3(link_x.forward.z(), Unit::Direction),
+    };
+    let b = Side {
+        joint: z,
+        undone: false,
+        turns: c.turns(z),
+        moved: c.clean3(link_z.forward.p, Unit::Length),
+        origin: c.clean3(link_y.back.p, Unit::Length),
+        axis: c.clean3(link_y.back.z(), Unit::Direction),
+    };
+    for (side, what) in [(&a, "wrist"), (&b, "wrist")] {
+        for (e, axis) in side.moved.iter().zip(["x", "y", "z"]) {
+            c.g.name(*e, format!("{what}_{axis}"));
+        }
+    }
+    if c.turns(y) { turning(c, y, a, b) } else { sliding(c, y, a, b) }
+}
+
+fn turning(c: &mut Closure, y: usize, a: Side, b: Side) -> Result<(), Refusal> {
+    let (moves_a, moves_b) = (a.moves_along(c, a.axis, Unit::Direction), b.moves_along(c, b.axis, Unit::Direction));
+    let (nx, ny, nz) = (a.joint + 1, y + 1, b.joint + 1);
+    let (a, b) = if !moves_a && !moves_b {
+        return Err(Refusal::new(format!(
+            "the arm is singular everywhere: joints {nx}, {ny} and {nz} all move {W} across one direction only"
+        )));
+    } else if !moves_b {
+        first_by_component(c, &a, &b, ny);
+        (a, b)
+    } else if !moves_a {
+        first_by_component(c, &b, &a, ny);
+        (a, b)
+    } else if let Some((a, b)) = meeting_origin(c, &a, &b, true) {
+        second_by_distance(c, &a, &b, ny);
+        (a, b)
+    } else if let Some((a, b)) = meeting_origin(c, &a, &b, false) {
+        second_by_distance(c, &b, &a, ny);
+        (a, b)
+    } else {
+        together(c, &a, &b, ny)?;
+        (a, b)
+    };
+    let (from, to) = (seen(c, &b), seen(c, &a));
+    let meaning = format!(
+        "Joint {ny}: turns {W} as seen over joint {nz}, `[{{from}}]`, onto where joint {nx} puts it, `[{{to}}]`."
+    );
+    let kernel = Kernel::Align { from: Side::plane(from), to: Side::plane(to) };
+    c.stage(&[(y, Angle::ZERO)], y, Unit::Length, Branching::None, meaning, kernel);
+    Ok(())
+}
+
+/// W in the frame of joint y, over one (solved) side.
+fn seen(c: &mut Closure, side: &Side) -> Vec3 {
+    let [_, _, _, x, y, _] = c.order;
+    let point = side.point(c);
+    let rigid = if side.undone { c.link(x).back } else { c.link(y).forward };
+    // The origin may have been moved along y's axis; components across it are the same.
+    let seen = rigid.point(&mut c.g, point);
+    let name = if side.undone { "over" } else { "reach" };
+    for (e, axis) in seen.iter().zip(["x", "y", "z"]) {
+        c.g.name(*e, format!("{name}_{axis}"));
+    }
+    seen
+}
+
+/// W over one solved side relative to the side's origin: components across y's axis, and along it.
+fn relative(c: &mut Closure, side: &Side) -> ([Expr; 2], Expr) {
+    let [_, _, _, x, y, _] = c.order;
+    let point = side.point(c);
+    let from = c.g.sub3(point, side.origin);
+    let rigid = if side.undone { c.link(x).back } else { c.link(y).forward };
+    let seen = c.g.apply3(&rigid.r, from);
+    let name = if side.undone { "over" } else { "reach" };
+    for (e, axis) in seen.iter().zip(["x", "y", "z"]) {
+        c.g.name(*e, format!("{name}_{axis}"));
+    }
+    (Side::plane(seen), Side::along(seen))
+}
+
+/// The component along y's axis as a row of the side's joint; for a sliding joint the slope in `c`.
+fn component(c: &mut Closure, side: &Side) -> Row {
+    let k = {
+        let dot = c.g.dot3(side.axis, side.origin);
+        c.g.neg(dot)
+    };
+    if side.turns {
+        let row = side.row(c, side.axis, k);
+        return Row { c: row.c, s: row.s, k: c.clean(row.k, Unit::Length) };
+    }
+    let dot = c.g.dot3(side.axis, side.moved);
+    let constant = c.g.add(dot, k);
+    let slope = Side::along(side.axis);
+    let slope = if side.stroke() { c.g.neg(slope) } else { slope };
+    Row { c: slope, s: Expr::ZERO, k: c.clean(constant, Unit::Length) }
+}
+
+/// The component along y's axis does not depend on `other`: `first` follows from it, then `other` from the distance
+/// to y's axis.
+fn first_by_component(c: &mut Closure, first: &Side, other: &Side, ny: usize) {
+    let row = component(c, first);
+    let value = component(c, other).k;
+    let n = first.joint + 1;
+    let meaning = format!("Joint {n}: {W} keeps its offset along axis {ny}, `{{a}} cos + {{b}} sin = {{d}}`.");
+    if first.turns {
+        first.offset(c, row, value, Unit::Length, Branching::Shoulder, meaning);
+    } else {
+        let numerator = c.g.sub(value, row.k);
+        let meaning = format!("Joint {n}: {W} keeps its offset along axis {ny}.");
+        first.slide_to(c, row.c, numerator, meaning);
+    }
+    let (across, _) = relative(c, first);
+    let rho = c.g.norm(&across);
+    c.g.name(rho, format!("rho{}", other.joint + 1));
+    let m = other.joint + 1;
+    if other.turns {
+        let meaning = format!(
+            "Joint {m}: {W} is `{{rho}}` from axis {ny}, `{{rho}}^2 = a^2 + b^2 + 2 a b cos(t)` with \
+             `a = {{a}}`, `b = {{b}}`{{shift}}."
+        );
+        other.distance(c, rho, true, meaning);
+    } else {
+        let meaning = format!("Joint {m}: slides until {W} is `{{rho}}` from axis {ny}.");
+        other.slide(c, rho, true, meaning);
+    }
+}
+
+/// Both sides with the point where y's axis meets the axis of x (or z) as origin, if they meet.
+fn meeting_origin(c: &mut Closure, a: &Side, b: &Side, with_a: bool) -> Option<(Side, Side)> {
+    let side = if with_a { a } else { b };
+    if !side.turns {
+        return None;
+    }
+    let height = side.meeting_height(c)?;
+    let height = if height.abs() <= 1e-12 * c.reach() { Expr::ZERO } else { c.g.dimension("MEET_Y", height) };
+    let (a, b) = (a.from_height(c, height), b.from_height(c, height));
+    let side = if with_a { &a } else { &b };
+    c.vanish(&Side::plane(side.origin), Unit::Length).then_some((a, b))
+}
+
+/// The distance from the meeting point does not depend on `still`: `other` follows from it, then `still` from the
+/// component along y's axis.
+fn second_by_distance(c: &mut Closure, still: &Side, other: &Side, ny: usize) {
+    let from = c.g.sub3(still.moved, still.origin);
+    let from = c.clean3(from, Unit::Length);
+    let rho = c.g.norm(&from);
+    c.g.name(rho, format!("rho{}", other.joint + 1));
+    let (n, m) = (still.joint + 1, other.joint + 1);
+    let place = format!("the point where axes {} and {} meet", n.min(ny), n.max(ny));
+    if other.turns {
+        let meaning = format!(
+            "Joint {m}: {W} is `{{rho}}` from {place}, \
+             `{{rho}}^2 = a^2 + b^2 + h^2 + 2 a b cos(t)` with `a = {{a}}`, `b = {{b}}`, `h = {{h}}`{{shift}}."
+        );
+        other.distance(c, rho, false, meaning);
+    } else {
+        let meaning = format!("Joint {m}: slides until {W} is `{{rho}}` from {place}.");
+        other.slide(c, rho, false, meaning);
+    }
+    let (across, d) = relative(c, other);
+    let rho = c.g.norm(&across);
+    c.g.name(rho, format!("across{n}"));
+    let meaning = format!("Joint {n}: {W} has the component `{{d}}` along axis {ny}{{shift}}.");
+    still.cone(c, d, rho, Unit::Length, Branching::Shoulder, meaning);
+}
+
+/// Neither equation separates: a pair.
+fn together(c: &mut Closure, a: &Side, b: &Side, ny: usize) -> Result<(), Refusal> {
+    let (rows_a, rows_b) = (component(c, a), component(c, b));
+    let (n, m) = (a.joint + 1, b.joint + 1);
+    let meaning = format!("Joints {n} and {m} together: equal components along axis {ny}, equal distances from it.");
+    if a.turns && b.turns {
+        let (square_a, square_b) = (square(c, a), square(c, b));
+        let kernel =
+            Kernel::Pair { p: [rows_a.array(), square_a.array()], q: [rows_b.array(), square_b.array()] };
+        let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
+        c.stage(&joints, a.joint, Unit::Length, Branching::Root, meaning, kernel);
+        return Ok(());
+    }
+    let (slides, other, row, other_row) = if a.turns { (b, a, rows_b, rows_a) } else { (a, b, rows_a, rows_b) };
+    // slope s + k = other's component: s = (component - k) / slope
+    let [m1, n1] = stroke_square(c, slides);
+    if other.turns {
+        let square = square(c, other);
+        let k = c.g.sub(other_row.k, row.k);
+        let kernel = Kernel::PairSliding {
+            line: [other_row.c, other_row.s, k],
+            scale: row.c,
+            square: [m1, n1],
+            q: square.array(),
+        };
+        let joints = [(slides.joint, Angle::ZERO), (other.joint, Angle::ZERO)];
+        c.stage(&joints, slides.joint, Unit::Length, Branching::Root, meaning, kernel);
+        return Ok(());
+    }
+    // Both slide: u = slides, v = other; slope_u u + k_u = slope_v v + k_v, u^2 + m u + n = v^2 + m' v + n'.
+    let [m2, n2] = stroke_square(c, other);
+    let (su, sv) = (row.c, other_row.c);
+    let k = c.g.sub(other_row.k, row.k);
+    // u = (sv v + k) / su, multiplied through by su^2.
+    let (su2, sv2) = (c.g.mul(su, su), c.g.mul(sv, sv));
+    let quadratic = c.g.sub(sv2, su2);
+    if c.vanish(&[quadratic, k], Unit::Direction) {
+        return Err(Refusal::new("the two sliding joints move in step: the arm is singular everywhere"));
+    }
+    let linear = {
+        let svk = c.g.mul(sv, k);
+        let twice = c.g.add(svk, svk);
+        let msu = c.g.mul(m1, su);
+        let msusv = c.g.mul(msu, sv);
+        let left = c.g.add(twice, msusv);
+        let right = c.g.mul(m2, su2);
+        c.g.sub(left, right)
+    };
+    let constant = {
+        let kk = c.g.mul(k, k);
+        let msu = c.g.mul(m1, su);
+        let msuk = c.g.mul(msu, k);
+        let difference = c.g.sub(n1, n2);
+        let scaled = c.g.mul(difference, su2);
+        let sum = c.g.add(kk, msuk);
+        c.g.add(sum, scaled)
+    };
+    let meaning = format!("Joint {}: equal components along axis {ny} and equal distances from it.", other.joint + 1);
+    let kernel = Kernel::Quadratic { coefficients: [c.clean(quadratic, Unit::Direction), linear, constant] };
+    c.stage(&[(other.joint, Angle::ZERO)], other.joint, Unit::Length, Branching::Root, meaning, kernel);
+    let v = c.position(other.joint);
+    let svv = c.g.mul(sv, v);
+    let numerator = c.g.add(svv, k);
+    slides.slide_to(c, su, numerator, format!("Joint {}: follows from it.", slides.joint + 1));
+    Ok(())
+}
+
+/// `|moved - origin|^2` as a row of the side's (turning) joint.
+fn square(c: &mut Closure, side: &Side) -> Row {
+    let (mm, oo) = (c.g.dot3(side.moved, side.moved), c.g.dot3(side.origin, side.origin));
+    let k = c.g.add(mm, oo);
+    let two = c.g.number(-2.0);
+    let doubled = c.g.scale3(two, side.origin);
+    side.row(c, doubled, k)
+}
+
+/// `|moved +- s e_z - origin|^2 = s^2 + m s + n` for a sliding joint.
+fn stroke_square(c: &mut Closure, side: &Side) -> [Expr; 2] {
+    let from = c.g.sub3(side.moved, side.origin);
+    let two = c.g.number(if side.stroke() { -2.0 } else { 2.0 });
+    [c.g.mul(two, Side::along(from)), c.g.dot3(from, from)]
+}
+
+/// Joint y slides: the components across its axis are equal, and its stroke is the difference along it.
+fn sliding(c: &mut Closure, y: usize, a: Side, b: Side) -> Result<(), Refusal> {
+    let [_, _, _, x, _, _] = c.order;
+    let (link_x, link_y) = (c.link(x), c.link(y));
+    let (n, m, ny) = (a.joint + 1, b.joint + 1, y + 1);
+    // The two directions across y's axis, seen by either joint.
+    let across_a = [link_x.forward.axis(0), link_x.forward.axis(1)];
+    let across_b = [link_y.back.axis(0), link_y.back.axis(1)];
+    let meaning = format!("Joints {n} and {m} together: {W} has equal components across axis {ny}.");
+    if a.turns && b.turns {
+        let row = |c: &mut Closure, side: &Side, direction: Vec3| {
+            let dot = c.g.dot3(direction, side.origin);
+            let k = c.g.neg(dot);
+            side.row(c, direction, k).array()
+        };
+        let p = across_a.map(|direction| row(c, &a, direction));
+        let q = across_b.map(|direction| row(c, &b, direction));
+        let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
+        c.stage(&joints, a.joint, Unit::Length, Branching::Root, meaning, Kernel::Pair { p, q });
+    } else {
+        one_slides(c, [&a, &b], [across_a, across_b], ny);
+    }
+    let (from, to) = (seen(c, &b), seen(c, &a));
+    let numerator = c.g.sub(Side::along(to), Side::along(from));
+    let kernel = Kernel::SlideTo { denominator: Expr::ONE, numerator };
+    let meaning = format!("Joint {ny}: the difference along its axis.");
+    c.stage(&[(y, Angle::ZERO)], y, Unit::Length, Branching::None, meaning, kernel);
+    Ok(())
+}
+
+/// With y and one more joint sliding: the direction across both gives the third joint. With all three sliding both
+/// components are linear.
+fn one_slides(c: &mut Closure, sides: [&Side; 2], across: [[Vec3; 2]; 2], ny: usize) {
+    let [a, b] = sides;
+    let [across_a, across_b] = across;
+    let (slides, other, across_s, across_o) =
+        if a.turns { (b, a, across_b, across_a) } else { (a, b, across_a, across_b) };
+    // The stroke in the plane across y's axis, and the still parts of both sides.
+    let signed = |c: &mut Closure, side: &Side, e: Expr| if side.stroke() { c.g.neg(e) } else { e };
+    let stroke = across_s.map(|direction| signed(c, slides, Side::along(direction)));
+    let still = |c: &mut Closure, side: &Side, directions: [Vec3; 2]| {
+        let from = c.g.sub3(side.moved, side.origin);
+        directions.map(|direction| c.g.dot3(direction, from))
+    };
+    let still_s = still(c, slides, across_s);
+    let [sx, sy] = stroke;
+    // n is across the stroke: n . (plane part) does not depend on it.
+    let normal = [c.g.neg(sy), sx];
+    let combine = |c: &mut Closure, n: [Expr; 2], v: [Expr; 2]| {
+        let ([nx, ny], [vx, vy]) = (n, v);
+        let (p, q) = (c.g.mul(nx, vx), c.g.mul(ny, vy));
+        c.g.add(p, q)
+    };
+    let value = combine(c, normal, still_s);
+    let (m, n) = (other.joint + 1, slides.joint + 1);
+    let meaning = format!("Joint {m}: {W} has equal components across axes {ny} and {n}.");
+    let plane_of_other = if other.turns {
+        let direction = {
+            let [first, second] = across_o;
+            let [nx, ny] = normal;
+            let (p, q) = (c.g.scale3(nx, first), c.g.scale3(ny, second));
+            c.g.add3(p, q)
+        };
+        let dot = c.g.dot3(direction, other.origin);
+        let k = c.g.neg(dot);
+        let row = other.row(c, direction, k);
+        other.offset(c, row, value, Unit::Length, Branching::Shoulder, meaning);
+        let point = other.point(c);
+        let from = c.g.sub3(point, other.origin);
+        across_o.map(|direction| c.g.dot3(direction, from))
+    } else {
+        let still_o = still(c, other, across_o);
+        let stroke_o = across_o.map(|direction| signed(c, other, Side::along(direction)));
+        let slope = combine(c, normal, stroke_o);
+        let constant = combine(c, normal, still_o);
+        let numerator = c.g.sub(value, constant);
+        other.slide_to(c, slope, numerator, meaning);
+        let position = c.position(other.joint);
+        let [ox, oy] = stroke_o;
+        let moved = [c.g.mul(ox, position), c.g.mul(oy, position)];
+        let ([px, py], [qx, qy]) = (still_o, moved);
+        [c.g.add(px, qx), c.g.add(py, qy)]
+    };
+    let ([px, py], [qx, qy]) = (plane_of_other, still_s);
+    let difference = [c.g.sub(px, qx), c.g.sub(py, qy)];
+    let numerator = combine(c, stroke, difference);
+    let denominator = combine(c, stroke, stroke);
+    let meaning = format!("Joint {n}: the difference along its stroke.");
+    slides.slide_to(c, denominator, numerator, meaning);
+}

@@ -1,0 +1,283 @@
+//! The outer joints x, y, z when the triple's axes are parallel, with common direction h.
+//!
+//! Seen from joint y over either side: `R_z(y) b(z) = a(x)` for the direction h, and equal distances along h between
+//! the triple and joint y's axis. The components along y's axis and those distances are two equations in x and z.
+
+use super::Refusal;
+use super::closure::Closure;
+use super::plan::{Branching, Kernel, Unit};
+use super::rows::Row;
+use super::sides::Side;
+use crate::model::Angle;
+use crate::symbolic::{Expr, Rigid, Vec3};
+
+const H: &str = "the direction of the parallel axes";
+
+/// Adds the stages for x, z and y.
+pub fn outer(c: &mut Closure) -> Result<(), Refusal> {
+    let [first, second, third, x, y, z] = c.order;
+    let (link_a, link_b) = (c.link(first), c.link(second));
+    let (link_c, link_x, link_y, link_z) = (c.link(third), c.link(x), c.link(y), c.link(z));
+    let sign = |c: &Closure, r: &Rigid| c.g.constant(Side::along(r.z())).unwrap_or(1.0).signum();
+    let (sign_a, sign_b) = (sign(c, &link_a.forward), sign(c, &link_b.forward));
+    // h in the frame of joint c, and how far the origin of c is from that of a along h.
+    let h = link_c.back.z().map(|e| if sign_a * sign_b < 0.0 { c.g.neg(e) } else { e });
+    let rise_b = Side::along(link_b.forward.p);
+    let rise_b = if sign_a < 0.0 { c.g.neg(rise_b) } else { rise_b };
+    let rise = c.g.add(Side::along(link_a.forward.p), rise_b);
+    let a = Side {
+        joint: x,
+        undone: true,
+        turns: c.turns(x),
+        moved: c.clean3(h, Unit::Direction),
+        origin: c.clean3(link_x.forward.p, Unit::Length),
+        axis: c.clean3(link_x.forward.z(), Unit::Direction),
+    };
+    let b = Side {
+        joint: z,
+        undone: false,
+        turns: c.turns(z),
+        moved: c.clean3(link_z.forward.z(), Unit::Direction),
+        origin: c.clean3(link_y.back.p, Unit::Length),
+        axis: c.clean3(link_y.back.z(), Unit::Direction),
+    };
+    let height_c = c.g.dot3(a.moved, link_c.back.p);
+    let height_a = c.g.sub(height_c, rise);
+    let height_b = c.g.dot3(b.moved, link_z.forward.p);
+    let heights = [c.clean(height_a, Unit::Length), c.clean(height_b, Unit::Length)];
+    if c.turns(y) { turning(c, y, [a, b], heights) } else { sliding(c, y, [a, b], heights) }
+}
+
+/// `-origin . (turned h) + height`: the distance along h from y's origin to the triple. For a sliding joint the slope
+/// is in `c`.
+fn distance_row(c: &mut Closure, side: &Side, height: Expr) -> Row {
+    let back = side.origin.map(|e| c.g.neg(e));
+    if side.turns {
+        let row = side.row(c, back, height);
+        return Row { c: c.clean(row.c, Unit::Length), s: c.clean(row.s, Unit::Length), k: row.k };
+    }
+    let dot = c.g.dot3(back, side.moved);
+    let slope = Side::along(side.moved);
+    let slope = if side.stroke() { c.g.neg(slope) } else { slope };
+    Row { c: slope, s: Expr::ZERO, k: c.g.add(dot, height) }
+}
+
+fn direction_row(c: &mut Closure, side: &Side) -> Row {
+    if side.turns {
+        return side.row(c, side.axis, Expr::ZERO);
+    }
+    Row { c: Expr::ZERO, s: Expr::ZERO, k: c.g.dot3(side.axis, side.moved) }
+}
+
+/// h over one (solved) side, in the frame of joint y.
+fn seen(c: &mut Closure, side: &Side) -> Vec3 {
+    let [_, _, _, x, y, _] = c.order;
+    let direction = side.direction(c);
+    let rigid = if side.undone { c.link(x).back } else { c.link(y).forward };
+    let seen = c.g.apply3(&rigid.r, direction);
+    for (e, axis) in seen.iter().zip(["x", "y", "z"]) {
+        c.g.name(*e, format!("h{}_{axis}", side.joint + 1));
+    }
+    seen
+}
+
+/// Whether the joint of a side enters the distance along h, and the component of h along y's axis.
+fn enters(c: &Closure, side: &Side) -> (bool, bool) {
+    let turned = side.turns && !c.vanish(&Side::plane(side.moved), Unit::Direction);
+    let distance = if side.turns {
+        turned && !c.vanish(&Side::plane(side.origin), Unit::Length)
+    } else {
+        !c.vanish(&[Side::along(side.moved)], Unit::Direction)
+    };
+    (distance, turned && !c.vanish(&Side::plane(side.axis), Unit::Direction))
+}
+
+/// Both sides with the point where y's axis meets the axis of x (or z) as origin, if they meet.
+fn meeting_origin(c: &mut Closure, sides: [Side; 2], with_a: bool) -> Option<[Side; 2]> {
+    let [a, b] = sides;
+    let side = if with_a { &a } else { &b };
+    if !side.turns {
+        return None;
+    }
+    let height = side.meeting_height(c)?;
+    let height = if height.abs() <= 1e-12 * c.reach() { Expr::ZERO } else { c.g.dimension("MEET_Y", height) };
+    let (a, b) = (a.from_height(c, height), b.from_height(c, height));
+    let side = if with_a { &a } else { &b };
+    c.vanish(&Side::plane(side.origin), Unit::Length).then_some([a, b])
+}
+
+fn turning(c: &mut Closure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> Result<(), Refusal> {
+    let ny = y + 1;
+    for with_a in [true, false] {
+        let sides = meeting_origin(c, sides, with_a).unwrap_or(sides);
+        let [a, b] = &sides;
+        let (still, other) = if with_a { (a, b) } else { (b, a) };
+        let (distance_still, direction_still) = enters(c, still);
+        let (distance_other, _) = enters(c, other);
+        if !distance_still && distance_other && direction_still {
+            by_distance(c, other, (still, false), heights, ny);
+            if !flipped(c, y, still, other) {
+                by_direction(c, still, other, ny);
+                aligned(c, y, a, b);
+            }
+            return Ok(());
+        }
+    }
+    let [a, b] = &sides;
+    let ((distance_a, direction_a), (distance_b, direction_b)) = (enters(c, a), enters(c, b));
+    for (first, other, first_turns_h, other_turns_h, other_distance) in
+        [(b, a, direction_b, direction_a, distance_a), (a, b, direction_a, direction_b, distance_b)]
+    {
+        if first_turns_h && !other_turns_h && other_distance {
+            by_direction(c, first, other, ny);
+            by_distance(c, other, (first, true), heights, ny);
+            aligned(c, y, a, b);
+            return Ok(());
+        }
+    }
+    if !(a.turns && b.turns && direction_a && direction_b && (distance_a || distance_b)) {
+        return Err(Refusal::new(format!(
+            "the arm is singular everywhere: joints {}, {ny} and {} leave {H} or its distance unchanged",
+            a.joint + 1,
+            b.joint + 1
+        )));
+    }
+    let rows = sides.map(|side| direction_row(c, &side).array());
+    let mut heights = heights.into_iter();
+    let distances = sides.map(|side| {
+        let height = heights.next().unwrap_or(Expr::ZERO);
+        distance_row(c, &side, height).array()
+    });
+    let ([p1, q1], [p2, q2]) = (rows, distances);
+    let meaning = format!(
+        "Joints {} and {} together: {H} has equal components along axis {ny}, and equal distances from it.",
+        a.joint + 1,
+        b.joint + 1
+    );
+    let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
+    let kernel = Kernel::Pair { p: [p1, p2], q: [q1, q2] };
+    c.stage(&joints, a.joint, Unit::Length, Branching::Root, meaning, kernel);
+    aligned(c, y, a, b);
+    Ok(())
+}
+
+/// One joint from the distance along h. The other joint is solved already, or does not enter.
+fn by_distance(c: &mut Closure, side: &Side, (other, solved): (&Side, bool), heights: [Expr; 2], ny: usize) {
+    let [height_a, height_b] = heights;
+    let (own, others) = if side.undone { (height_a, height_b) } else { (height_b, height_a) };
+    let row = distance_row(c, side, own);
+    let value = if solved {
+        let turned = other.direction(c);
+        let dot = c.g.dot3(other.origin, turned);
+        c.g.sub(others, dot)
+    } else {
+        distance_row(c, other, others).k
+    };
+    let value = c.clean(value, Unit::Length);
+    let n = side.joint + 1;
+    if side.turns {
+        let meaning =
+            format!("Joint {n}: axis {ny} keeps its offset along {H}, `{{a}} cos + {{b}} sin = {{d}}`.");
+        side.offset(c, row, value, Unit::Length, Branching::Shoulder, meaning);
+    } else {
+        let numerator = c.g.sub(value, row.k);
+        side.slide_to(c, row.c, numerator, format!("Joint {n}: axis {ny} keeps its offset along {H}."));
+    }
+}
+
+/// One joint from the component of h along y's axis, the other side being known.
+fn by_direction(c: &mut Closure, side: &Side, known: &Side, ny: usize) {
+    let seen = seen(c, known);
+    let rho = c.g.norm(&Side::plane(seen));
+    c.g.name(rho, format!("across{}", side.joint + 1));
+    let meaning = format!("Joint {}: {H} has the component `{{d}}` along axis {ny}{{shift}}.", side.joint + 1);
+    side.cone(c, Side::along(seen), rho, Unit::Direction, Branching::Wrist, meaning);
+}
+
+/// Joint y turns h as z leaves it onto h as x needs it.
+fn aligned(c: &mut Closure, y: usize, a: &Side, b: &Side) {
+    let (from, to) = (seen(c, b), seen(c, a));
+    let meaning = format!("Joint {}: turns {H} from `[{{from}}]` to `[{{to}}]`.", y + 1);
+    let kernel = Kernel::Align { from: Side::plane(from), to: Side::plane(to) };
+    c.stage(&[(y, Angle::ZERO)], y, Unit::Direction, Branching::None, meaning, kernel);
+}
+
+/// If h is at right angles to the inner joint and that one to joint y, both follow at once, with two roots half a
+/// turn apart in y.
+fn flipped(c: &mut Closure, y: usize, inner: &Side, known: &Side) -> bool {
+    let right_angles = [Side::along(inner.moved), Side::along(inner.axis)];
+    if !c.vanish(&right_angles, Unit::Direction) {
+        return false;
+    }
+    let [_, _, _, x, _, _] = c.order;
+    // The link between the inner joint and y, from the inner joint's frame to y's (undone side) or the other way.
+    let link = if inner.undone { c.link(x).forward } else { c.link(y).forward };
+    let ([fx, fy, _], [bx, by, _]) = (link.z(), link.transposed().map(Side::along));
+    let values = [fx, fy, bx, by].map(|e| c.g.constant(e));
+    let ([Some(fx), Some(fy), Some(bx), Some(by)], Ok(eta)) = (values, c.direction(Side::plane(inner.moved))) else {
+        return false;
+    };
+    // link = R_z(phi) X R_z(-psi), X the half turn about x + z; see the runtime's `flip` for the form solved.
+    let (phi, psi) = (super::closure::constant_angle(fy, fx), super::closure::constant_angle(by, bx));
+    let quarter = Angle::degrees(90.0);
+    let seen = seen(c, known);
+    let [hx, hy, hz] = seen;
+    let (m, shift) = if inner.undone {
+        // h = R_z(-y) R_z(psi - 90) R_y(eta - phi - x) e_z, mirrored so that both angles count forward.
+        let turn = c.g.constant_pair(psi.add(quarter), "FLIP");
+        let mirrored = [hx, c.g.neg(hy), hz];
+        (c.g.rotate_z(turn, mirrored), eta.add(phi.neg()))
+    } else {
+        // h = R_z(y) R_z(phi - 90) R_y(z + eta - psi) e_z
+        let turn = c.g.constant_pair(quarter.add(phi.neg()), "FLIP");
+        (c.g.rotate_z(turn, seen), psi.add(eta.neg()))
+    };
+    let (n, ny) = (inner.joint + 1, y + 1);
+    let meaning = format!(
+        "Joints {n} and {ny}: point {H}, `[{{m}}]` = `R_z(y) R_y(x) e_z`; with `x = 0` joint {ny} is free."
+    );
+    let joints = [(inner.joint, shift), (y, Angle::ZERO)];
+    c.stage(&joints, y, Unit::Direction, Branching::Wrist, meaning, Kernel::Flip { m });
+    true
+}
+
+/// Joint y slides: h itself is equal on both sides (two components give x and z, the third drops false roots), and
+/// the stroke closes the distance along h.
+fn sliding(c: &mut Closure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> Result<(), Refusal> {
+    let [a, b] = &sides;
+    let ny = y + 1;
+    if !(a.turns && b.turns) {
+        return Err(Refusal::new(format!(
+            "the arm is singular everywhere: with joints {ny} and {} sliding, {H} has too few joints to turn it",
+            if a.turns { b.joint + 1 } else { a.joint + 1 }
+        )));
+    }
+    let [_, _, _, x, _, _] = c.order;
+    let across_a = [c.link(x).forward.axis(0), c.link(x).forward.axis(1)];
+    let across_b = [c.link(y).back.axis(0), c.link(y).back.axis(1)];
+    let p = across_a.map(|direction| a.row(c, direction, Expr::ZERO).array());
+    let q = across_b.map(|direction| b.row(c, direction, Expr::ZERO).array());
+    let meaning = format!(
+        "Joints {} and {} together: {H} has equal components across axis {ny}.",
+        a.joint + 1,
+        b.joint + 1
+    );
+    let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
+    c.stage(&joints, a.joint, Unit::Direction, Branching::Root, meaning, Kernel::Pair { p, q });
+    let (over_a, over_b) = (a.direction(c), b.direction(c));
+    let [height_a, height_b] = heights;
+    let left = {
+        let dot = c.g.dot3(a.origin, over_a);
+        c.g.sub(height_a, dot)
+    };
+    let right = {
+        let dot = c.g.dot3(b.origin, over_b);
+        c.g.sub(height_b, dot)
+    };
+    let numerator = c.g.sub(left, right);
+    let denominator = c.g.dot3(a.axis, over_a);
+    let kernel = Kernel::SlideTo { denominator, numerator };
+    let meaning = format!("Joint {ny}: closes the distance along {H}.");
+    c.stage(&[(y, Angle::ZERO)], y, Unit::Length, Branching::None, meaning, kernel);
+    Ok(())
+}

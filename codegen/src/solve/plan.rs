@@ -1,0 +1,284 @@
+//! The plan as data: a sequence of steps over one expression graph.
+
+use crate::model::Angle;
+use crate::model::geometry::Triple;
+use crate::symbolic::{Expr, Graph};
+
+/// A plan: the steps in order. A step may use the sines, cosines and values of the joints before it.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    /// The arena of all expressions.
+    pub graph: Graph,
+    /// The steps; each stage but the first is solved for every root of those before it.
+    pub steps: Vec<PlanStep>,
+    /// How each joint follows from the symbols of the stages, by joint.
+    pub values: Vec<Value>,
+    /// The triple that makes it possible.
+    pub triple: Triple,
+    /// Reach of the arm.
+    pub reach: f64,
+}
+
+impl Plan {
+    /// The stages, in order.
+    pub fn stages(&self) -> impl Iterator<Item = &Stage> {
+        self.steps.iter().filter_map(|step| match step {
+            PlanStep::Stage(stage) => Some(stage),
+            PlanStep::Angle { .. } => None,
+        })
+    }
+
+    /// The largest number of solutions.
+    pub fn max_solutions(&self) -> usize {
+        self.stages().map(|stage| stage.kernel.roots()).product()
+    }
+
+    /// A rough cost, to choose among several triples: general pairs are dear, arithmetic breaks ties.
+    pub fn effort(&self) -> usize {
+        let stages: usize = self.stages().map(|stage| if stage.kernel.roots() > 2 { 10_000 } else { 100 }).sum();
+        stages + crate::symbolic::cost(&self.graph, &self.inputs()).arithmetic()
+    }
+
+    /// Every expression a step reads.
+    pub fn inputs(&self) -> Vec<Expr> {
+        self.steps.iter().flat_map(PlanStep::inputs).collect()
+    }
+}
+
+/// One step.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PlanStep {
+    /// An equation for one or more joints.
+    Stage(Stage),
+    /// `name = atan2(y, x)`: an angle that several joints add up to.
+    Angle {
+        /// Its symbol.
+        name: String,
+        /// What it is.
+        meaning: String,
+        /// Sine times a positive factor.
+        y: Expr,
+        /// Cosine times the same factor.
+        x: Expr,
+    },
+}
+
+impl PlanStep {
+    /// The expressions it reads.
+    pub fn inputs(&self) -> Vec<Expr> {
+        match self {
+            PlanStep::Stage(stage) => stage.kernel.inputs(),
+            PlanStep::Angle { y, x, .. } => vec![*y, *x],
+        }
+    }
+}
+
+/// One equation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stage {
+    /// The joints it gives, from 0, in the kernel's order.
+    pub joints: Vec<usize>,
+    /// How to solve it.
+    pub kernel: Kernel,
+    /// What is compared.
+    pub unit: Unit,
+    /// The equation in words and formula.
+    pub meaning: String,
+    /// What its two roots are called.
+    pub branching: Branching,
+    /// What is added to the free joint's value to give its kernel's variable.
+    pub home: Angle,
+}
+
+/// Names of two roots.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Branching {
+    /// No name.
+    None,
+    /// Shoulder right, left.
+    Shoulder,
+    /// Elbow up, down.
+    Elbow,
+    /// Wrist not flipped, flipped.
+    Wrist,
+    /// Numbered roots.
+    Root,
+}
+
+/// What an equation's numbers measure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unit {
+    /// Lengths.
+    Length,
+    /// Components of unit vectors.
+    Direction,
+}
+
+/// The range of a distance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ElbowRange {
+    /// Distance of the first point from the axis.
+    pub a: Expr,
+    /// Distance of the second.
+    pub b: Expr,
+    /// How far apart they are along the axis.
+    pub height: Expr,
+}
+
+/// The range of a component: see the runtime's `Cone`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// Component of the vector along the turning axis.
+    pub along: Expr,
+    /// Component across it.
+    pub across: Expr,
+    /// Cosine of the other axis to the turning axis.
+    pub cos: Expr,
+    /// Sine of it, not negative.
+    pub sin: Expr,
+}
+
+/// A run-time direction that an angle is counted from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Phase {
+    /// Sine times a positive factor.
+    pub y: Expr,
+    /// Cosine times the same factor.
+    pub x: Expr,
+}
+
+/// The equations there are; each is one kernel of the runtime.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Kernel {
+    /// `a cos + b sin = d`
+    Offset {
+        /// Of the cosine.
+        a: Expr,
+        /// Of the sine.
+        b: Expr,
+        /// Right side.
+        d: Expr,
+    },
+    /// Two points at a given distance.
+    Distance {
+        /// The distance.
+        rho: Expr,
+        /// Its range.
+        range: ElbowRange,
+        /// Where the angle is counted from, if only known at run time.
+        about: Option<Phase>,
+    },
+    /// A component along another axis.
+    Cone {
+        /// The component.
+        d: Expr,
+        /// The component across.
+        rho: Expr,
+        /// The range.
+        range: Range,
+        /// Where the angle is counted from, if only known at run time.
+        about: Option<Phase>,
+    },
+    /// Turn a plane vector onto another.
+    Align {
+        /// The vector turned.
+        from: [Expr; 2],
+        /// The direction it takes.
+        to: [Expr; 2],
+    },
+    /// Two orthogonal axes point a direction: inner joint, outer joint.
+    Flip {
+        /// The direction.
+        m: [Expr; 3],
+    },
+    /// Three orthogonal axes give a rotation.
+    Wrist {
+        /// The rotation, by rows.
+        m: [[Expr; 3]; 3],
+    },
+    /// A sliding joint at a given distance.
+    Slide {
+        /// The distance.
+        rho: Expr,
+        /// Distance of the line.
+        across: Expr,
+        /// The position nearest.
+        middle: Expr,
+    },
+    /// `denominator x = numerator`, sliding.
+    SlideTo {
+        /// Left factor.
+        denominator: Expr,
+        /// Right side.
+        numerator: Expr,
+    },
+    /// Two equations in two revolute joints.
+    Pair {
+        /// Rows of the first joint: of the cosine, of the sine, constant.
+        p: [[Expr; 3]; 2],
+        /// Rows of the second.
+        q: [[Expr; 3]; 2],
+    },
+    /// `x = line`, `x^2 + m x + n = q`: a sliding and a revolute joint.
+    PairSliding {
+        /// Of the cosine, of the sine, constant; over `scale`.
+        line: [Expr; 3],
+        /// Common denominator of the line, a constant.
+        scale: Expr,
+        /// `m` and `n`.
+        square: [Expr; 2],
+        /// Of the cosine, of the sine, constant.
+        q: [Expr; 3],
+    },
+    /// `a x^2 + b x + c = 0`, sliding.
+    Quadratic {
+        /// `a`, `b` and `c`.
+        coefficients: [Expr; 3],
+    },
+}
+
+impl Kernel {
+    /// The largest number of roots.
+    pub fn roots(&self) -> usize {
+        match self {
+            Kernel::Align { .. } | Kernel::SlideTo { .. } => 1,
+            Kernel::Pair { .. } | Kernel::PairSliding { .. } => 4,
+            _ => 2,
+        }
+    }
+
+    /// The expressions it reads.
+    pub fn inputs(&self) -> Vec<Expr> {
+        let phase = |about: &Option<Phase>| about.iter().flat_map(|p| [p.y, p.x]).collect::<Vec<_>>();
+        match self {
+            Kernel::Offset { a, b, d } => vec![*a, *b, *d],
+            Kernel::Distance { rho, range, about } => {
+                [vec![*rho, range.a, range.b, range.height], phase(about)].concat()
+            }
+            Kernel::Cone { d, rho, range, about } => {
+                [vec![*d, *rho, range.along, range.across, range.cos, range.sin], phase(about)].concat()
+            }
+            Kernel::Align { from, to } => [*from, *to].concat(),
+            Kernel::Flip { m } => m.to_vec(),
+            Kernel::Wrist { m } => m.concat(),
+            Kernel::Slide { rho, across, middle } => vec![*rho, *across, *middle],
+            Kernel::SlideTo { denominator, numerator } => vec![*denominator, *numerator],
+            Kernel::Pair { p, q } => [p.concat(), q.concat()].concat(),
+            Kernel::PairSliding { line, scale, square, q } => {
+                [line.to_vec(), vec![*scale], square.to_vec(), q.to_vec()].concat()
+            }
+            Kernel::Quadratic { coefficients } => coefficients.to_vec(),
+        }
+    }
+}
+
+/// How a joint value follows: a signed sum of symbols and a constant angle, brought into (-pi, pi].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Value {
+    /// `(symbol, negative)`.
+    pub terms: Vec<(String, bool)>,
+    /// The constant part.
+    pub constant: Angle,
+    /// A sliding joint: the symbol as it is.
+    pub sliding: bool,
+}

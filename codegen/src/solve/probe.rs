@@ -1,0 +1,47 @@
+//! Deciding on numbers whether an expression vanishes for every target.
+
+use crate::model::geometry::TOLERANCE;
+use crate::symbolic::{Expr, Graph};
+use std::collections::HashMap;
+
+/// A few generic targets, as values of the target's symbols.
+#[derive(Debug, Clone)]
+pub struct Probe {
+    samples: Vec<HashMap<String, f64>>,
+    reach: f64,
+}
+
+/// Names of the target's rotation entries and position components.
+pub const ROTATION: [[&str; 3]; 3] = [["r11", "r12", "r13"], ["r21", "r22", "r23"], ["r31", "r32", "r33"]];
+/// Names of the target's position components.
+pub const POSITION: [&str; 3] = ["px", "py", "pz"];
+
+impl Probe {
+    /// Targets within the reach of an arm, with no special orientation.
+    pub fn new(reach: f64) -> Probe {
+        let samples = [0.37, 1.91, -2.63]
+            .map(|seed: f64| {
+                // A rotation from a quaternion that is special for no arm.
+                let q = [seed.sin(), (1.3 * seed).cos(), (2.1 * seed).sin() + 0.2, (0.7 * seed).cos()];
+                let norm = q.iter().map(|x| x * x).sum::<f64>().sqrt();
+                let [w, x, y, z] = q.map(|c| c / norm);
+                let r = [
+                    [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
+                    [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
+                    [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
+                ];
+                let p = [0.31 * reach * seed.cos(), 0.27 * reach * (seed + 1.0).sin(), 0.23 * reach];
+                let rotation = ROTATION.iter().zip(r).flat_map(|(names, row)| names.iter().zip(row));
+                let position = POSITION.iter().zip(p);
+                rotation.chain(position).map(|(name, value)| (name.to_string(), value)).collect()
+            })
+            .to_vec();
+        Probe { samples, reach }
+    }
+
+    /// Whether every one of the expressions vanishes for every target; `length` expressions are compared to reach.
+    pub fn vanish(&self, g: &Graph, expressions: &[Expr], length: bool) -> bool {
+        let small = if length { TOLERANCE * self.reach } else { TOLERANCE };
+        self.samples.iter().all(|sample| g.evaluate(expressions, sample).iter().all(|value| value.abs() <= small))
+    }
+}

@@ -1,0 +1,163 @@
+//! The two sides of the closure as seen from joint y: what joint x moves, and what joint z moves.
+
+use super::closure::Closure;
+use super::plan::{Branching, ElbowRange, Kernel, Range, Unit};
+use super::rows::{Row, turned, turned_back};
+use crate::model::Angle;
+use crate::symbolic::{Expr, Vec3};
+
+/// One side: joint `joint` moves the vector `moved`; joint y sees it from `origin`, along `axis`.
+///
+/// For x the motion is undone (`R_z(-x) moved`), for z it is applied (`R_z(z) moved`); both are in the frame of the
+/// joint, in which y's axis passes through `origin` with direction `axis`.
+#[derive(Debug, Clone, Copy)]
+pub struct Side {
+    /// The joint.
+    pub joint: usize,
+    /// Whether the motion is undone.
+    pub undone: bool,
+    /// Whether the joint turns.
+    pub turns: bool,
+    /// The vector it moves.
+    pub moved: Vec3,
+    /// A point on y's axis.
+    pub origin: Vec3,
+    /// The direction of y's axis.
+    pub axis: Vec3,
+}
+
+impl Side {
+    /// `n . (motion of moved) + k` as a row in the joint's cosine and sine.
+    pub fn row(&self, c: &mut Closure, n: Vec3, k: Expr) -> Row {
+        if self.undone { turned_back(&mut c.g, n, self.moved, k) } else { turned(&mut c.g, n, self.moved, k) }
+    }
+
+    /// The components of a vector in the plane of the joint.
+    pub fn plane(v: Vec3) -> [Expr; 2] {
+        let [x, y, _] = v;
+        [x, y]
+    }
+
+    /// The component along the joint.
+    pub fn along(v: Vec3) -> Expr {
+        let [.., z] = v;
+        z
+    }
+
+    /// Whether the joint moves the component of `moved` along `n` (a direction in the joint's frame).
+    pub fn moves_along(&self, c: &Closure, n: Vec3, unit: Unit) -> bool {
+        if self.turns {
+            !c.vanish(&Self::plane(n), unit) && !c.vanish(&Self::plane(self.moved), Unit::Length)
+        } else {
+            !c.vanish(&[Self::along(n)], unit)
+        }
+    }
+
+    /// Distance stage: the joint brings `moved` to distance `rho` from `origin`, both at their heights (`flat`: only
+    /// the parts in the joint's plane count).
+    pub fn distance(&self, c: &mut Closure, rho: Expr, flat: bool, meaning: String) {
+        let (moved, origin) = (Self::plane(self.moved), Self::plane(self.origin));
+        let height = if flat {
+            Expr::ZERO
+        } else {
+            let difference = c.g.sub(Self::along(self.moved), Self::along(self.origin));
+            c.clean(difference, Unit::Length)
+        };
+        let range = ElbowRange { a: c.g.norm(&origin), b: c.g.norm(&moved), height };
+        // Stretched: the turned vector points away from the other. The angle turns one onto the other's opposite.
+        let away = |c: &mut Closure, v: [Expr; 2]| v.map(|e| c.g.neg(e));
+        let (shift, about) = if self.undone {
+            let from = away(c, origin);
+            c.between(from, moved)
+        } else {
+            let to = away(c, origin);
+            c.between(moved, to)
+        };
+        let kernel = Kernel::Distance { rho, range, about };
+        c.stage(&[(self.joint, shift)], self.joint, Unit::Length, Branching::Elbow, meaning, kernel);
+    }
+
+    /// Sliding stage: the joint brings `moved` to distance `rho` from `origin`; with `flat` the parts along y's axis
+    /// do not count (the stroke is across it).
+    pub fn slide(&self, c: &mut Closure, rho: Expr, flat: bool, meaning: String) {
+        let between = c.g.sub3(self.moved, self.origin);
+        let [bx, by, bz] = between;
+        let across = if flat {
+            let [ax, ay, _] = self.axis;
+            let (p, q) = (c.g.mul(ax, by), c.g.mul(ay, bx));
+            let e = c.g.sub(p, q);
+            c.g.norm(&[e])
+        } else {
+            c.g.norm(&[bx, by])
+        };
+        let middle = if self.undone { bz } else { c.g.neg(bz) };
+        let kernel = Kernel::Slide { rho, across, middle };
+        c.stage(&[(self.joint, Angle::ZERO)], self.joint, Unit::Length, Branching::Elbow, meaning, kernel);
+    }
+
+    /// Cone stage: the joint gives `moved` (seen from where y's axis and this joint's meet) the component `d` along
+    /// y's axis, `rho` across it.
+    pub fn cone(&self, c: &mut Closure, d: Expr, rho: Expr, unit: Unit, branching: Branching, meaning: String) {
+        let along = match unit {
+            Unit::Length => c.g.sub(Self::along(self.moved), Self::along(self.origin)),
+            Unit::Direction => Self::along(self.moved),
+        };
+        let (moved, axis) = (Self::plane(self.moved), Self::plane(self.axis));
+        let range = Range {
+            along: c.clean(along, unit),
+            across: c.g.norm(&moved),
+            cos: Self::along(self.axis),
+            sin: c.g.norm(&axis),
+        };
+        let (shift, about) = if self.undone { c.between(axis, moved) } else { c.between(moved, axis) };
+        let kernel = Kernel::Cone { d, rho, range, about };
+        c.stage(&[(self.joint, shift)], self.joint, unit, branching, meaning, kernel);
+    }
+
+    /// Offset stage: `row = value` for a turning joint.
+    pub fn offset(&self, c: &mut Closure, row: Row, value: Expr, unit: Unit, branching: Branching, meaning: String) {
+        let d = c.g.sub(value, row.k);
+        let kernel = Kernel::Offset { a: row.c, b: row.s, d };
+        c.stage(&[(self.joint, Angle::ZERO)], self.joint, unit, branching, meaning, kernel);
+    }
+
+    /// Linear stage: `slope x = value`, for a sliding joint.
+    pub fn slide_to(&self, c: &mut Closure, slope: Expr, value: Expr, meaning: String) {
+        let kernel = Kernel::SlideTo { denominator: slope, numerator: value };
+        c.stage(&[(self.joint, Angle::ZERO)], self.joint, Unit::Length, Branching::None, meaning, kernel);
+    }
+
+    /// `moved` after the (solved) motion, as a point.
+    pub fn point(&self, c: &mut Closure) -> Vec3 {
+        if self.undone { c.move_back(self.joint, self.moved) } else { c.move_by(self.joint, self.moved) }
+    }
+
+    /// `moved` after the (solved) motion, as a direction.
+    pub fn direction(&self, c: &mut Closure) -> Vec3 {
+        if self.undone { c.turn_back(self.joint, self.moved) } else { c.turn_by(self.joint, self.moved) }
+    }
+
+    /// The unsolved stroke's direction as it enters `moved`: plus or minus z.
+    pub fn stroke(&self) -> bool {
+        self.undone
+    }
+
+    /// A point on y's axis that this joint does not move: where the axes meet, if they do.
+    pub fn meeting_height(&self, c: &Closure) -> Option<f64> {
+        let [ox, oy, _] = self.origin.map(|e| c.g.constant(e));
+        let [ax, ay, _] = self.axis.map(|e| c.g.constant(e));
+        let (ox, oy, ax, ay) = (ox?, oy?, ax?, ay?);
+        let size = ax * ax + ay * ay;
+        if size <= 1e-20 {
+            return None;
+        }
+        Some(-(ox * ax + oy * ay) / size)
+    }
+
+    /// The same side with another point on y's axis as origin.
+    pub fn from_height(&self, c: &mut Closure, height: Expr) -> Side {
+        let along = c.g.scale3(height, self.axis);
+        let origin = c.g.add3(self.origin, along);
+        Side { origin: c.clean3(origin, Unit::Length), ..*self }
+    }
+}

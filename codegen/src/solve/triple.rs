@@ -1,0 +1,272 @@
+//! The triple itself, once the joints outside it are known.
+
+use super::closure::{Closure, constant_angle};
+use super::plan::{Branching, ElbowRange, Kernel, Range, Unit};
+use super::sides::Side;
+use crate::model::Angle;
+use crate::symbolic::{Expr, Graph, Mat3, Pair, Rigid, transpose};
+
+/// A factor of `M = (links and joints from c to the triple)^-1`, left to right.
+#[derive(Debug, Clone, Copy)]
+enum Factor {
+    Link(usize),
+    Joint(usize),
+}
+
+/// `M = R_z(a) C_a R_z(b) C_b R_z(c)` for a triple that meets in a point: only the rotation counts.
+pub fn meeting(c: &mut Closure) {
+    let m = triple_rotation(c);
+    let [first, second, third, ..] = c.order;
+    let (link_a, link_b) = (c.link(first).forward, c.link(second).forward);
+    let (na, nb, nc) = (first + 1, second + 1, third + 1);
+    let cosines = [Side::along(link_a.z()), Side::along(link_b.z())];
+    if c.vanish(&cosines, Unit::Direction)
+        && let (Some([fa, ba]), Some([fb, bb])) = (decomposed(c, &link_a), decomposed(c, &link_b))
+    {
+        // Each link is R_z(f) X R_z(-b), X the half turn about x + z, so M is R_z(a + fa - 90) R_y(b + fb - ba)
+        // R_z(c + 90 - bb); the constant turns outside are taken to the other side.
+        let quarter = Angle::degrees(90.0);
+        let left = c.g.constant_pair(quarter.add(fa.neg()), "WRIST_LEFT");
+        let right = c.g.constant_pair(bb.add(quarter.neg()), "WRIST_RIGHT");
+        let columns = transpose(&m).map(|column| c.g.rotate_z(left, column));
+        // R_z(t) on the right turns the rows by -t.
+        let right = right.opposite(&mut c.g);
+        let m = transpose(&columns).map(|row| c.g.rotate_z(right, row));
+        let joints = [(first, Angle::ZERO), (second, ba.add(fb.neg())), (third, Angle::ZERO)];
+        let meaning = format!(
+            "Joints {na}, {nb}, {nc}: three axes at right angles in a point, `R_z(a) R_y(b) R_z(c)` equals the \
+             remaining rotation; with `b = 0` joint {na} is free."
+        );
+        c.stage(&joints, first, Unit::Direction, Branching::Wrist, meaning, Kernel::Wrist { m });
+        return;
+    }
+    oblique(c, &m, [link_a, link_b]);
+}
+
+/// Axes at other angles: the middle joint from the cosine between the outer axes, then the outer ones.
+fn oblique(c: &mut Closure, m: &Mat3, [link_a, link_b]: [Rigid; 2]) {
+    let [first, second, third, ..] = c.order;
+    let (na, nb, nc) = (first + 1, second + 1, third + 1);
+    let approach = m.map(Side::along);
+    let rho = c.g.norm(&Side::plane(approach));
+    c.g.name(rho, format!("across{nb}"));
+    // e_z . C_a R_z(b) C_b e_z
+    let axis = transpose(&link_a.r).map(Side::along);
+    let moved = link_b.z();
+    let middle = Side { joint: second, undone: false, turns: true, moved, origin: [Expr::ZERO; 3], axis };
+    let (moved_plane, axis_plane) = (Side::plane(moved), Side::plane(axis));
+    let range = Range {
+        along: Side::along(moved),
+        across: c.g.norm(&moved_plane),
+        cos: Side::along(axis),
+        sin: c.g.norm(&axis_plane),
+    };
+    let (shift, about) = c.between(moved_plane, axis_plane);
+    let kernel = Kernel::Cone { d: Side::along(approach), rho, range, about };
+    let meaning = format!("Joint {nb}: axes {na} and {nc} have the cosine `{{d}}`{{shift}}.");
+    c.stage(&[(middle.joint, shift)], second, Unit::Direction, Branching::Wrist, meaning, kernel);
+    // G = C_a R_z(b) C_b
+    let pair = c.pair(second);
+    let columns = [0, 1, 2].map(|j| {
+        let column = c.g.rotate_z(pair, link_b.axis(j));
+        c.g.apply3(&link_a.r, column)
+    });
+    let [gx, gy, gz] = columns;
+    let kernel = Kernel::Align { from: Side::plane(gz), to: Side::plane(approach) };
+    let meaning = format!("Joint {na}: turns axis {nc} where it has to point.");
+    c.stage(&[(first, Angle::ZERO)], first, Unit::Direction, Branching::None, meaning, kernel);
+    // R_z(c) = G^T R_z(-a) M, first column.
+    let back = c.pair(first).opposite(&mut c.g);
+    let normal = c.g.rotate_z(back, m.map(|[x, _, _]| x));
+    let (cos, sin) = (c.g.dot3(gx, normal), c.g.dot3(gy, normal));
+    let kernel = Kernel::Align { from: [Expr::ONE, Expr::ZERO], to: [cos, sin] };
+    let meaning = format!("Joint {nc}: what remains of the rotation.");
+    c.stage(&[(third, Angle::ZERO)], third, Unit::Direction, Branching::None, meaning, kernel);
+}
+
+/// `link = R_z(f) X R_z(-b)` for axes at a right angle: `f` and `b`.
+fn decomposed(c: &Closure, link: &Rigid) -> Option<[Angle; 2]> {
+    let [fx, fy, _] = link.z();
+    let [bx, by, _] = transpose(&link.r).map(Side::along);
+    let value = |e: Expr| c.g.constant(e);
+    Some([constant_angle(value(fy)?, value(fx)?), constant_angle(value(by)?, value(bx)?)])
+}
+
+/// The rotation the triple has to make, with joint turns about parallel axes added up.
+fn triple_rotation(c: &mut Closure) -> Mat3 {
+    let factors = factors(c);
+    let (mut rotations, mut target) = (Vec::<Mat3>::new(), 0);
+    let mut index = 0;
+    while let Some(factor) = factors.get(index) {
+        index += 1;
+        match factor {
+            Factor::Link(joint) => {
+                let link = c.link(*joint);
+                if link.target {
+                    target = rotations.len();
+                }
+                rotations.push(link.back.r);
+            }
+            Factor::Joint(joint) => {
+                if !c.turns(*joint) {
+                    continue;
+                }
+                let mut pair = c.pair(*joint);
+                // R_z(-p) K R_z(-q) = R_z(-p -+ q) K for a link K that keeps the axis parallel.
+                if let (Some(Factor::Link(between)), Some(Factor::Joint(next))) =
+                    (factors.get(index), factors.get(index + 1))
+                    && let Some(sign) = keeps_parallel(c, *between)
+                    && c.turns(*next)
+                {
+                    let other = c.pair(*next);
+                    let other = if sign < 0.0 { other.opposite(&mut c.g) } else { other };
+                    pair = pair.plus(&mut c.g, other);
+                    let (low, high) = (joint.min(next) + 1, joint.max(next) + 1);
+                    c.g.name(pair.sin, format!("s{low}{high}"));
+                    c.g.name(pair.cos, format!("c{low}{high}"));
+                    rotations.push(turn(c, pair));
+                    rotations.push(c.link(*between).back.r);
+                    index += 2;
+                } else {
+                    rotations.push(turn(c, pair));
+                }
+            }
+        }
+    }
+    outward(c, rotations, target)
+}
+
+/// `R_z(-t)`
+fn turn(c: &mut Closure, pair: Pair) -> Mat3 {
+    let back = pair.opposite(&mut c.g);
+    transpose(&Graph::identity().map(|axis| c.g.rotate_z(back, axis)))
+}
+
+/// 1 or -1 if a link without the target keeps the joint axis parallel or anti-parallel.
+fn keeps_parallel(c: &Closure, joint: usize) -> Option<f64> {
+    let link = c.link(joint);
+    if link.target {
+        return None;
+    }
+    let cosine = c.g.constant(Side::along(link.forward.z()))?;
+    (cosine.abs() >= 1.0 - 1e-12).then(|| cosine.signum())
+}
+
+/// The product, from the target outward, so that what depends on the fewest joints comes first.
+fn outward(c: &mut Closure, rotations: Vec<Mat3>, target: usize) -> Mat3 {
+    let mut product = rotations.get(target).copied().unwrap_or_else(Graph::identity);
+    for right in rotations.iter().skip(target + 1) {
+        product = c.g.matmul(&product, right);
+    }
+    for left in rotations.iter().take(target).rev() {
+        product = c.g.matmul(left, &product);
+    }
+    let [third, ..] = [c.order[2]];
+    for (row, i) in product.iter().zip(1..) {
+        for (e, j) in row.iter().zip(1..) {
+            c.g.name(*e, format!("w{i}{j}_{}", third + 1));
+        }
+    }
+    product
+}
+
+fn factors(c: &Closure) -> [Factor; 7] {
+    let [.., third, x, y, z] = c.order;
+    [
+        Factor::Link(z),
+        Factor::Joint(z),
+        Factor::Link(y),
+        Factor::Joint(y),
+        Factor::Link(x),
+        Factor::Joint(x),
+        Factor::Link(third),
+    ]
+}
+
+/// `M = R_z(a) C_a R_z(b) C_b R_z(c)` for parallel axes: a planar arm of two links, then the angle that remains.
+pub fn parallel(c: &mut Closure) {
+    let m = triple_rigid(c);
+    let [first, second, third, ..] = c.order;
+    let (na, nb, nc) = (first + 1, second + 1, third + 1);
+    let (link_a, link_b) = (c.link(first), c.link(second));
+    let wrist = Side::plane(m.p);
+    for (e, axis) in wrist.iter().zip(["x", "y"]) {
+        c.g.name(*e, format!("wrist_{axis}"));
+    }
+    let rho = c.g.norm(&wrist);
+    c.g.name(rho, format!("rho{nb}"));
+    let (own, other) = (Side::plane(link_b.forward.p), Side::plane(link_a.back.p));
+    let range = ElbowRange { a: c.g.norm(&other), b: c.g.norm(&own), height: Expr::ZERO };
+    let away = other.map(|e| c.g.neg(e));
+    let (shift, about) = c.between(own, away);
+    let meaning = format!(
+        "Joint {nb}: axis {nc} is `{{rho}}` from axis {na}, `{{rho}}^2 = a^2 + b^2 + 2 a b cos(t)` with \
+         `a = {{a}}`, `b = {{b}}`{{shift}}."
+    );
+    let kernel = Kernel::Distance { rho, range, about };
+    c.stage(&[(second, shift)], second, Unit::Length, Branching::Elbow, meaning, kernel);
+    let pair = c.pair(second);
+    let turned = c.g.rotate_z(pair, link_b.forward.p);
+    let reach = link_a.forward.point(&mut c.g, turned);
+    for (e, axis) in reach.iter().zip(["x", "y"]) {
+        c.g.name(*e, format!("reach_{axis}"));
+    }
+    let kernel = Kernel::Align { from: Side::plane(reach), to: wrist };
+    let meaning = format!("Joint {na}: turns axis {nc} from `[{{from}}]` to `[{{to}}]`.");
+    c.stage(&[(first, Angle::ZERO)], first, Unit::Length, Branching::None, meaning, kernel);
+    // The total angle: a + ka + sa (b + kb + sb c).
+    let name = format!("t{na}{nb}{nc}");
+    let [[x, ..], [y, ..], _] = m.r;
+    c.angle(&name, format!("Angles {na}, {nb} and {nc} together: the direction of frame {nc} in the plane."), y, x);
+    let part = |c: &Closure, rigid: &Rigid| {
+        let value = |e: Expr| c.g.constant(e).unwrap_or(0.0);
+        let [[rx, ..], [ry, ..], [.., rz]] = rigid.r;
+        (constant_angle(value(ry), value(rx)), value(rz) < 0.0)
+    };
+    let ((ka, negative_a), (kb, negative_b)) = (part(c, &link_a.forward), part(c, &link_b.forward));
+    let (terms_a, constant_a) = c.solved(first);
+    let (terms_b, constant_b) = c.solved(second);
+    // c = sb (sa (total - a - ka) - b - kb)
+    let negative_ab = negative_a != negative_b;
+    let mut terms = vec![(name, negative_ab)];
+    terms.extend(terms_a.into_iter().map(|(t, n)| (t, n == negative_ab)));
+    terms.extend(terms_b.into_iter().map(|(t, n)| (t, n == negative_b)));
+    let signed = |angle: Angle, negative: bool| if negative { angle.neg() } else { angle };
+    let constant =
+        signed(constant_a.add(ka), !negative_ab).add(signed(constant_b.add(kb), !negative_b));
+    c.sum(third, terms, constant);
+}
+
+/// `M` with its translation.
+fn triple_rigid(c: &mut Closure) -> Rigid {
+    let mut parts = Vec::new();
+    let mut target = 0;
+    for factor in factors(c) {
+        match factor {
+            Factor::Link(joint) => {
+                let link = c.link(joint);
+                if link.target {
+                    target = parts.len();
+                }
+                parts.push(link.back);
+            }
+            Factor::Joint(joint) if c.turns(joint) => {
+                let pair = c.pair(joint);
+                parts.push(Rigid { r: turn(c, pair), p: [Expr::ZERO; 3] });
+            }
+            Factor::Joint(joint) => {
+                let along = c.position(joint);
+                let back = c.g.neg(along);
+                parts.push(Rigid { p: [Expr::ZERO, Expr::ZERO, back], ..Rigid::identity() });
+            }
+        }
+    }
+    let mut product = parts.get(target).copied().unwrap_or_else(Rigid::identity);
+    for right in parts.iter().skip(target + 1) {
+        product = product.then(&mut c.g, right);
+    }
+    for left in parts.iter().take(target).rev() {
+        product = left.then(&mut c.g, &product);
+    }
+    product
+}

@@ -1,0 +1,128 @@
+//! `inverse:`, what the inverse kinematics is asked for.
+
+use super::angle::{AngleUnit, WrittenAngle};
+use super::angle_field::AngleRole;
+use super::place::Place;
+use super::reader::{Field, Fields, Reader};
+use super::yaml::Node;
+
+/// What an inverse solves for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Task {
+    /// `pose`: the whole pose of the tool.
+    Pose,
+    /// `position_angle`: a point, and the tool's rotation in the arm's own plane.
+    PositionAngle,
+    /// `position_axis`: a point, and the direction of one axis of the tool.
+    PositionAxis,
+    /// `position`: a point.
+    Position,
+    /// `planar_pose`: x, y and an angle in the plane of the base.
+    PlanarPose,
+    /// `planar_position`: x and y in the plane of the base.
+    PlanarPosition,
+}
+
+/// An axis of the tool frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Axis {
+    /// `x`
+    X,
+    /// `y`
+    Y,
+    /// `z`
+    Z,
+}
+
+/// The request as written.
+#[derive(Debug, Clone, Default)]
+pub struct InverseSpec {
+    /// The task, where one is named.
+    pub task: Option<Task>,
+    /// Whether an arm without an inverse is a mistake.
+    pub require: bool,
+    /// The joint whose value is given: its name, or `qK`.
+    pub redundant: Option<(String, Place)>,
+    /// The tool's axis for [`Task::PositionAxis`].
+    pub axis: Option<Axis>,
+    /// Length unit of the file, positive.
+    pub tolerance_length: Option<f64>,
+    /// Positive.
+    pub tolerance_angle: Option<WrittenAngle>,
+    /// Where the request stands: at `task`, or else at `inverse`. `None` where there is no request.
+    pub place: Option<Place>,
+}
+
+const KEYS: &[&str] = &["task", "require", "redundant", "axis", "tolerance"];
+const TASKS: &[(&str, Task)] = &[
+    ("pose", Task::Pose),
+    ("position_angle", Task::PositionAngle),
+    ("position_axis", Task::PositionAxis),
+    ("position", Task::Position),
+    ("planar_pose", Task::PlanarPose),
+    ("planar_position", Task::PlanarPosition),
+];
+const AXES: &[(&str, Axis)] = &[("x", Axis::X), ("y", Axis::Y), ("z", Axis::Z)];
+
+impl Reader<'_> {
+    pub fn inverse(&mut self, root: &Fields<'_>, unit: Option<AngleUnit>) -> InverseSpec {
+        let mut inverse = InverseSpec::default();
+        let Some(field) = root.get("inverse") else { return inverse };
+        inverse.place = Some(field.place.clone());
+        if let Node::Text(word) = field.node {
+            let task = TASKS.iter().find(|(task, _)| *task == word.trim());
+            let help = task.map(|(task, _)| format!("write `inverse: {{task: {task}}}`"));
+            self.unexpected(&field, &format!("a mapping with {}", KEYS.join(", ")), help);
+            return inverse;
+        }
+        let Some(fields) = self.mapping(&field, "`inverse`", KEYS) else { return inverse };
+        if let Some(field) = fields.get("task") {
+            inverse.task = self.choice(&field, TASKS, &[]);
+            inverse.place = Some(field.place);
+        }
+        inverse.require = fields.get("require").and_then(|field| self.boolean(&field)).unwrap_or(false);
+        if let Some(field) = fields.get("redundant").filter(|field| *field.node != Node::Null) {
+            let number = matches!(field.node, Node::Number(_)).then(|| self.source.written(&field.place));
+            match number {
+                Some(number) => self.unexpected(&field, "a joint's name", Some(format!("did you mean `q{number}`?"))),
+                None => inverse.redundant = self.text(&field, "a joint's name").map(|name| (name, field.place)),
+            }
+        }
+        if let Some(field) = fields.get("axis") {
+            inverse.axis = self.choice(&field, AXES, &[]);
+            if inverse.task.is_some_and(|task| task != Task::PositionAxis) {
+                let warning =
+                    self.source.warning(&field.place, "`axis` has no effect: it belongs to the task position_axis");
+                self.warnings.push(warning);
+            }
+        }
+        if let Some(field) = fields.get("tolerance") {
+            self.tolerance(&field, unit, &mut inverse);
+        }
+        inverse
+    }
+
+    fn tolerance(&mut self, field: &Field<'_>, unit: Option<AngleUnit>, inverse: &mut InverseSpec) {
+        let Some(fields) = self.mapping(field, "`tolerance`", &["length", "angle"]) else { return };
+        if let Some(field) = fields.get("length") {
+            inverse.tolerance_length = self.number(&field).filter(|&value| self.positive(&field, value));
+        }
+        if let Some(field) = fields.get("angle") {
+            let angle = self.angle(&field, unit, AngleRole::Tolerance);
+            inverse.tolerance_angle = angle.filter(|&angle| {
+                let value = match angle {
+                    WrittenAngle::Degrees(value) | WrittenAngle::Radians(value) => value,
+                    WrittenAngle::PiFraction(numerator, _) => numerator as f64,
+                };
+                self.positive(&field, value)
+            });
+        }
+    }
+
+    fn positive(&mut self, field: &Field<'_>, value: f64) -> bool {
+        if value <= 0.0 {
+            self.unexpected(field, "a tolerance greater than zero", None);
+        }
+        value > 0.0
+    }
+}

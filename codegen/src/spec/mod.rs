@@ -1,0 +1,154 @@
+//! The arm file as types, each value as it was written and with its place.
+//!
+//! [`read`] goes through the whole file and collects every mistake of form: an unknown key, a wrong type, a missing
+//! value. What the values mean together is checked by the next stage, `model`.
+
+mod angle;
+mod angle_field;
+mod frame;
+mod inverse;
+mod nearest;
+mod place;
+mod reader;
+mod row;
+mod source;
+#[cfg(test)]
+mod tests;
+mod units;
+mod yaml;
+
+pub use angle::{WrittenAngle, pi_times};
+pub use frame::FrameSpec;
+pub use inverse::{Axis, InverseSpec, Task};
+pub use nearest::nearest;
+pub use place::Place;
+pub use row::{LimitsSpec, RowKind, RowSpec};
+pub use source::Source;
+pub use units::{Convention, LengthUnit};
+
+use crate::error::{Diagnostic, Errors};
+use place::Step;
+use reader::{Field, Fields, Reader};
+use row::RowContext;
+use yaml::Node;
+
+/// An arm file as written.
+#[derive(Debug, Clone)]
+pub struct Spec {
+    /// The text, to locate what is found to be wrong later.
+    pub source: Source,
+    /// The arm's name, or the file's without its extension.
+    pub name: String,
+    /// Which frame a row belongs to.
+    pub convention: Convention,
+    /// The unit of all lengths.
+    pub length_unit: LengthUnit,
+    /// `joints`; empty only if that is among the mistakes.
+    pub rows: Vec<RowSpec>,
+    /// The frame before the first row.
+    pub base: FrameSpec,
+    /// The frame after the last row.
+    pub tool: FrameSpec,
+    /// What the inverse is asked for.
+    pub inverse: InverseSpec,
+    /// The mistakes of form. They are reported together with those of meaning, so that one run shows all.
+    pub mistakes: Vec<Diagnostic>,
+}
+
+const KEYS: &[&str] = &["name", "convention", "units", "inverse", "joints", "base", "tool"];
+const SMALLEST: &str = "\
+an arm file is a mapping such as
+name: arm
+convention: standard
+units: {length: m, angle: deg}
+joints:
+  - {type: revolute, a: 0.5, alpha: 0, d: 0, theta: 0}";
+
+/// Reads an arm file; `file` is its name for messages. Also returns the warnings.
+///
+/// # Errors
+/// Text that is not YAML or no mapping. Smaller mistakes are in [`Spec::mistakes`], which `model::check` reports.
+pub fn read(text: &str, file: &str) -> Result<(Spec, Vec<Diagnostic>), Errors> {
+    let source = Source::new(file, text);
+    let root = root(&source)?;
+    let mut reader = Reader::new(&source);
+    let field = Field { node: &root, place: Place::default(), key: "arm file".to_owned() };
+    let Some(fields) = reader.mapping(&field, "an arm file", KEYS) else { return Err(Errors::new(reader.mistakes)) };
+    let parameters = parameter_names(&root);
+    let units = reader.units(&fields);
+    let context = RowContext { angle: units.angle, parameters: &parameters };
+    let name = match fields.get("name") {
+        Some(field) => reader.text(&field, "the arm's name"),
+        None => None,
+    };
+    let convention = reader.convention(&fields);
+    let rows = reader.rows(&fields, context);
+    let base = reader.frame(&fields, "base", context);
+    let tool = reader.frame(&fields, "tool", context);
+    let inverse = reader.inverse(&fields, units.angle);
+    let Reader { mistakes, warnings, .. } = reader;
+    let name = name.unwrap_or_else(|| source.stem());
+    let spec = Spec { name, convention, length_unit: units.length, rows, base, tool, inverse, mistakes, source };
+    Ok((spec, warnings))
+}
+
+/// The tree of the file, which must be a mapping.
+fn root(source: &Source) -> Result<Node, Errors> {
+    let start = source.location_at(1, 1);
+    let content =
+        source.text().lines().map(str::trim).any(|line| !line.is_empty() && !line.starts_with('#') && line != "---");
+    if !content {
+        return Err(Diagnostic::error("the file is empty: expected an arm").at(start).help(SMALLEST).into());
+    }
+    let root = yaml::parse(source.text()).map_err(|broken| {
+        let at = broken.at.map_or(start, |(line, column)| source.location_at(line, column));
+        let tab = at.source_line.contains('\t').then(|| "YAML is indented with spaces, not with tabs".to_owned());
+        let message = format!("this is not YAML: {}", broken.message);
+        Diagnostic { help: tab, ..Diagnostic::error(message).at(at) }
+    })?;
+    if matches!(root, Node::Mapping(_)) {
+        return Ok(root);
+    }
+    let at = source.location(&Place::default());
+    Err(Diagnostic::error("expected an arm, a mapping of keys and values").at(at).help(SMALLEST).into())
+}
+
+/// The names under `parameters`: that key is refused once, and not again where the names are used.
+fn parameter_names(root: &Node) -> Vec<String> {
+    let entries = |node: &Node| if let Node::Mapping(entries) = node { entries.clone() } else { Vec::new() };
+    let is = |key: &Node, word: &str| matches!(key, Node::Text(text) if text == word);
+    let parameters = entries(root).into_iter().filter(|(key, _)| is(key, "parameters"));
+    let names = parameters.flat_map(|(_, node)| entries(&node));
+    names.filter_map(|(name, _)| if let Node::Text(name) = name { Some(name) } else { None }).collect()
+}
+
+impl Reader<'_> {
+    fn rows(&mut self, root: &Fields<'_>, context: RowContext<'_>) -> Vec<RowSpec> {
+        let help = "write one row a joint, such as\njoints:\n  - {type: revolute, a: 0.5, alpha: 0, d: 0, theta: 0}";
+        let Some(field) = root.get("joints") else {
+            if !root.has("joints") {
+                self.mistakes
+                    .push(self.source.mistake(&root.place, "no `joints`: expected at least one joint").help(help));
+            }
+            return Vec::new();
+        };
+        match field.node {
+            Node::List(rows) if !rows.is_empty() => {
+                let row = |(index, node)| {
+                    let key = format!("row {}", index + 1);
+                    self.row(&Field { node, place: field.place.to(Step::Item(index)), key }, index + 1, context)
+                };
+                rows.iter().enumerate().map(row).collect()
+            }
+            Node::List(_) | Node::Null => {
+                let mistake = self.source.mistake(&field.place, "`joints` is empty: expected at least one joint");
+                self.mistakes.push(mistake.help(help));
+                Vec::new()
+            }
+            _ => {
+                self.unexpected(&field, "a list of rows", Some(help.to_owned()));
+                Vec::new()
+            }
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! Reads nodes as what they should be and collects what is wrong instead of stopping at the first mistake.
+
+use super::nearest::nearest;
+use super::place::{Place, Step};
+use super::source::Source;
+use super::yaml::Node;
+use crate::error::Diagnostic;
+
+/// Keys that are planned: refused by name, not as unknown.
+const LATER: &[&str] = &["parameters", "actuator", "coupling"];
+
+/// A node and where it stands.
+#[derive(Debug, Clone)]
+pub struct Field<'n> {
+    pub node: &'n Node,
+    pub place: Place,
+    /// Its key as written, to name it in messages.
+    pub key: String,
+}
+
+/// The mistakes and warnings found so far, and the text they are found in.
+pub struct Reader<'s> {
+    pub source: &'s Source,
+    pub mistakes: Vec<Diagnostic>,
+    pub warnings: Vec<Diagnostic>,
+}
+
+/// The entries of a mapping with known keys.
+pub struct Fields<'n> {
+    entries: Vec<Field<'n>>,
+    /// Known keys that an unknown key was probably meant to be; they are not reported as missing too.
+    meant: Vec<&'static str>,
+    pub place: Place,
+}
+
+impl<'n> Fields<'n> {
+    pub fn get(&self, key: &str) -> Option<Field<'n>> {
+        self.entries.iter().find(|field| field.key == key).cloned()
+    }
+
+    /// Whether the key is there, or a misspelling of it.
+    pub fn has(&self, key: &str) -> bool {
+        self.meant.contains(&key) || self.entries.iter().any(|field| field.key == key)
+    }
+}
+
+impl<'s> Reader<'s> {
+    pub fn new(source: &'s Source) -> Self {
+        Self { source, mistakes: Vec::new(), warnings: Vec::new() }
+    }
+
+    /// Records that `field` is not what was expected.
+    pub fn unexpected(&mut self, field: &Field<'_>, expected: &str, help: Option<String>) {
+        let found = describe(field.node, &self.source.written(&field.place));
+        let message = format!("`{}`: expected {expected}, found {found}", field.key);
+        let mistake = self.source.mistake(&field.place, message);
+        self.mistakes.push(Diagnostic { help, ..mistake });
+    }
+
+    /// A mapping whose keys are all among `known`. `what` names it in messages ("a joint row").
+    pub fn mapping<'n>(&mut self, field: &Field<'n>, what: &str, known: &[&'static str]) -> Option<Fields<'n>> {
+        let Node::Mapping(entries) = field.node else {
+            self.unexpected(field, &format!("a mapping with {}", known.join(", ")), None);
+            return None;
+        };
+        let mut fields = Fields { entries: Vec::new(), meant: Vec::new(), place: field.place.clone() };
+        for (index, (key, node)) in entries.iter().enumerate() {
+            let at_key = field.place.to(Step::Key(index));
+            let Node::Text(name) = key else {
+                let found = describe(key, &self.source.written(&at_key));
+                let message = format!("expected a key of {what}, found {found}");
+                let mistake = self.source.mistake(&at_key, message);
+                self.mistakes.push(mistake.help(format!("{what} has {}", known.join(", "))));
+                continue;
+            };
+            // An empty value has no text to point at.
+            let place = if *node == Node::Null { at_key.clone() } else { field.place.to(Step::Value(index)) };
+            let entry = Field { node, place, key: name.clone() };
+            if let Some(first) = entries.iter().take(index).position(|(earlier, _)| earlier == key) {
+                let line = self.source.location(&field.place.to(Step::Key(first))).line;
+                let mistake = self.source.mistake(&at_key, format!("the key `{name}` occurs twice in {what}"));
+                self.mistakes.push(mistake.help(format!("the first one is in line {line}: remove one of them")));
+            } else if known.contains(&name.as_str()) {
+                fields.entries.push(entry);
+            } else if LATER.contains(&name.as_str()) {
+                let mistake = self.source.mistake(&at_key, format!("`{name}` is not supported yet"));
+                self.mistakes.push(mistake.help(format!("remove it; {what} has {}", known.join(", "))));
+            } else {
+                let meant = nearest(name, known.iter().copied());
+                let advice = meant.map(|word| format!("did you mean `{word}`? ")).unwrap_or_default();
+                let mistake = self.source.mistake(&at_key, format!("unknown key `{name}` in {what}"));
+                self.mistakes.push(mistake.help(format!("{advice}{what} has {}", known.join(", "))));
+                fields.meant.extend(known.iter().copied().filter(|word| Some(*word) == meant));
+            }
+        }
+        Some(fields)
+    }
+
+    /// Text, trimmed and not empty.
+    pub fn text(&mut self, field: &Field<'_>, expected: &str) -> Option<String> {
+        match field.node {
+            Node::Text(text) if !text.trim().is_empty() => Some(text.trim().to_owned()),
+            Node::Number(_) | Node::Bool(_) => {
+                let written = self.source.written(&field.place);
+                self.unexpected(
+                    field,
+                    expected,
+                    Some(format!("write it in quotes if it is meant as text: \"{written}\"")),
+                );
+                None
+            }
+            _ => {
+                self.unexpected(field, expected, None);
+                None
+            }
+        }
+    }
+
+    /// One of a few words. `synonyms` are what people write for them instead.
+    pub fn choice<T: Copy>(
+        &mut self,
+        field: &Field<'_>,
+        choices: &[(&str, T)],
+        synonyms: &[(&str, &str)],
+    ) -> Option<T> {
+        let words: Vec<&str> = choices.iter().map(|&(word, _)| word).collect();
+        let expected = format!("one of {}", words.join(", "));
+        let Node::Text(text) = field.node else {
+            self.unexpected(field, &expected, None);
+            return None;
+        };
+        let found = choices.iter().find(|(word, _)| *word == text.trim()).map(|&(_, value)| value);
+        if found.is_none() {
+            let lower = text.trim().to_lowercase();
+            let synonym = synonyms.iter().find(|(other, _)| *other == lower).map(|&(_, word)| word);
+            let meant = synonym.or_else(|| nearest(&lower, words));
+            self.unexpected(field, &expected, meant.map(|word| format!("did you mean `{word}`?")));
+        }
+        found
+    }
+
+    pub fn boolean(&mut self, field: &Field<'_>) -> Option<bool> {
+        if let Node::Bool(value) = *field.node {
+            return Some(value);
+        }
+        self.unexpected(field, "true or false", None);
+        None
+    }
+
+    /// A finite number without a unit; lengths are in the file's length unit.
+    pub fn number(&mut self, field: &Field<'_>) -> Option<f64> {
+        match field.node {
+            Node::Number(value) if value.is_finite() => return Some(*value),
+            Node::Number(_) => self.unexpected(field, "a finite number", None),
+            Node::Text(text) => {
+                let help = text.trim().parse::<f64>().ok().filter(|value| value.is_finite());
+                let help = help.map(|_| format!("write {} without quotes", text.trim()));
+                self.unexpected(field, "a number in the file's length unit", help);
+            }
+            _ => self.unexpected(field, "a number in the file's length unit", None),
+        }
+        None
+    }
+
+    /// A list of exactly `N` entries, each with the key of the list.
+    pub fn list<'n, const N: usize>(&mut self, field: &Field<'n>, expected: &str) -> Option<[Field<'n>; N]> {
+        let Node::List(nodes) = field.node else {
+            self.unexpected(field, expected, None);
+            return None;
+        };
+        let entry = |(index, node)| Field { node, place: field.place.to(Step::Item(index)), key: field.key.clone() };
+        let entries: Vec<Field<'n>> = nodes.iter().enumerate().map(entry).collect();
+        let found = entries.len();
+        let entries = entries.try_into().ok();
+        if entries.is_none() {
+            let entries = if found == 1 { "entry" } else { "entries" };
+            let message = format!("`{}`: expected {expected}, found a list of {found} {entries}", field.key);
+            self.mistakes.push(self.source.mistake(&field.place, message));
+        }
+        entries
+    }
+}
+
+/// What a node is, in the words of a message.
+fn describe(node: &Node, written: &str) -> String {
+    match node {
+        Node::Null => "nothing".to_owned(),
+        Node::Bool(value) => format!("`{value}`"),
+        Node::Number(_) => format!("the number {written}"),
+        Node::Text(text) if text.trim().is_empty() => "an empty text".to_owned(),
+        Node::Text(text) => format!("`{text}`"),
+        Node::List(_) => "a list".to_owned(),
+        Node::Mapping(_) => "a mapping".to_owned(),
+        Node::Tagged(tag) => format!("the tag `{tag}`, and tags mean nothing here"),
+    }
+}

@@ -1,0 +1,154 @@
+//! One row of the joint table.
+
+use super::angle::{AngleUnit, WrittenAngle};
+use super::angle_field::AngleRole;
+use super::place::Place;
+use super::reader::{Field, Fields, Reader};
+use super::yaml::Node;
+
+/// What the joint of a row does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RowKind {
+    /// `q` is added to `theta`.
+    Revolute,
+    /// `q` is added to `d`.
+    Prismatic,
+    /// Nothing moves.
+    Fixed,
+}
+
+/// A row as written. What could not be read is zero; the mistake is on record.
+#[derive(Debug, Clone)]
+pub struct RowSpec {
+    /// `type`
+    pub kind: RowKind,
+    /// The name, where there is one, and its place.
+    pub name: Option<(String, Place)>,
+    /// Length unit of the file.
+    pub a: f64,
+    /// Angle between the axes.
+    pub alpha: WrittenAngle,
+    /// Length unit of the file.
+    pub d: f64,
+    /// Angle about the joint's axis.
+    pub theta: WrittenAngle,
+    /// The range, where there is one, and its place.
+    pub limits: Option<(LimitsSpec, Place)>,
+    /// The row itself.
+    pub place: Place,
+}
+
+/// The ends of a joint's range; `None` where there is no end on that side.
+#[derive(Debug, Clone, Copy)]
+pub enum LimitsSpec {
+    /// Of a revolute joint.
+    Angles([Option<WrittenAngle>; 2]),
+    /// Of a prismatic joint, length unit of the file.
+    Lengths([Option<f64>; 2]),
+}
+
+const KEYS: &[&str] = &["type", "name", "a", "alpha", "d", "theta", "limits"];
+const KINDS: &[(&str, RowKind)] =
+    &[("revolute", RowKind::Revolute), ("prismatic", RowKind::Prismatic), ("fixed", RowKind::Fixed)];
+const KIND_SYNONYMS: &[(&str, &str)] = &[
+    ("r", "revolute"),
+    ("rotary", "revolute"),
+    ("rotational", "revolute"),
+    ("hinge", "revolute"),
+    ("continuous", "revolute"),
+    ("p", "prismatic"),
+    ("linear", "prismatic"),
+    ("sliding", "prismatic"),
+    ("constant", "fixed"),
+];
+
+/// What the rows have in common.
+#[derive(Clone, Copy)]
+pub struct RowContext<'c> {
+    pub angle: Option<AngleUnit>,
+    /// The names of `parameters`, which are refused once and not again where they are used.
+    pub parameters: &'c [String],
+}
+
+impl Reader<'_> {
+    /// Reads row `number` (from 1).
+    pub fn row(&mut self, field: &Field<'_>, number: usize, context: RowContext<'_>) -> RowSpec {
+        let mut row = RowSpec {
+            kind: RowKind::Revolute,
+            name: None,
+            a: 0.0,
+            alpha: WrittenAngle::ZERO,
+            d: 0.0,
+            theta: WrittenAngle::ZERO,
+            limits: None,
+            place: field.place.clone(),
+        };
+        let Some(fields) = self.mapping(field, "a joint row", KEYS) else { return row };
+        self.missing(&fields, number);
+        let kind = fields.get("type").map(|field| (self.choice(&field, KINDS, KIND_SYNONYMS), field.place));
+        row.kind = kind.as_ref().map_or(Some(RowKind::Revolute), |(kind, _)| *kind).unwrap_or(RowKind::Revolute);
+        // With an unknown type nothing is said about the limits: their unit is not known either.
+        let kind_known = kind.is_none_or(|(kind, _)| kind.is_some());
+        if let Some(field) = fields.get("name") {
+            row.name = self.text(&field, "a name").map(|name| (name, field.place));
+        }
+        row.a = fields.get("a").and_then(|field| self.length(&field, context.parameters)).unwrap_or(0.0);
+        row.d = fields.get("d").and_then(|field| self.length(&field, context.parameters)).unwrap_or(0.0);
+        let mut angle = |key, role| fields.get(key).and_then(|field| self.angle(&field, context.angle, role));
+        row.alpha = angle("alpha", AngleRole::Twist).unwrap_or(WrittenAngle::ZERO);
+        row.theta = angle("theta", AngleRole::Offset).unwrap_or(WrittenAngle::ZERO);
+        if let Some(field) = fields.get("limits").filter(|_| kind_known) {
+            row.limits = self.limits(&field, row.kind, context.angle).map(|limits| (limits, field.place));
+        }
+        row
+    }
+
+    fn missing(&mut self, fields: &Fields<'_>, number: usize) {
+        let missing: Vec<String> =
+            ["a", "alpha", "d", "theta"].iter().filter(|key| !fields.has(key)).map(|key| format!("`{key}`")).collect();
+        if missing.is_empty() {
+            return;
+        }
+        let list = missing.join(", ");
+        let mistake = self.source.mistake(&fields.place, format!("row {number} of `joints` has no {list}"));
+        self.mistakes.push(mistake.help("every row has a, alpha, d and theta; write 0 where there is none"));
+    }
+
+    /// A length; a parameter's name is passed over because `parameters` itself is already refused.
+    pub fn length(&mut self, field: &Field<'_>, parameters: &[String]) -> Option<f64> {
+        match field.node {
+            Node::Text(text) if parameters.iter().any(|name| name == text.trim()) => None,
+            _ => self.number(field),
+        }
+    }
+
+    fn limits(&mut self, field: &Field<'_>, kind: RowKind, unit: Option<AngleUnit>) -> Option<LimitsSpec> {
+        if *field.node == Node::Null {
+            return None;
+        }
+        if kind == RowKind::Fixed {
+            let mistake = self.source.mistake(&field.place, "`limits` on a fixed row: nothing moves there");
+            self.mistakes.push(mistake.help("remove `limits`, or make the row revolute or prismatic"));
+            return None;
+        }
+        let ends: [Field<'_>; 2] = self.list(field, "null or [lowest, highest]")?;
+        let mut whole = true;
+        let mut end = |field: Field<'_>, reader: &mut Self| -> (Option<WrittenAngle>, Option<f64>) {
+            if *field.node == Node::Null {
+                return (None, None);
+            }
+            let read = match kind {
+                RowKind::Prismatic => (None, reader.number(&field)),
+                _ => (reader.angle(&field, unit, AngleRole::Limit), None),
+            };
+            whole &= read != (None, None);
+            read
+        };
+        let [low, high] = ends.map(|field| end(field, self));
+        let limits = match kind {
+            RowKind::Prismatic => LimitsSpec::Lengths([low.1, high.1]),
+            _ => LimitsSpec::Angles([low.0, high.0]),
+        };
+        whole.then_some(limits)
+    }
+}

@@ -1,0 +1,223 @@
+//! Every mistake of form: its place and the words that matter.
+
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use super::*;
+
+/// An arm of one row in line 5, with more lines from line 6 on.
+fn arm(row: &str, more: &str) -> String {
+    format!("name: arm\nconvention: standard\nunits: {{length: m, angle: deg}}\njoints:\n  - {row}\n{more}")
+}
+
+const ROW: &str = "{a: 1, alpha: 0, d: 0, theta: 0}";
+
+fn mistakes(text: &str) -> Vec<String> {
+    match read(text, "f") {
+        Ok((spec, _)) => spec.mistakes.iter().map(ToString::to_string).collect(),
+        Err(errors) => errors.iter().map(ToString::to_string).collect(),
+    }
+}
+
+fn warnings(text: &str) -> Vec<String> {
+    let (spec, warnings) = read(text, "f").unwrap();
+    assert_eq!(spec.mistakes, []);
+    warnings.iter().map(ToString::to_string).collect()
+}
+
+/// Exactly one mistake, at `place`, with all the words.
+#[track_caller]
+fn only(found: &[String], place: &str, words: &[&str]) {
+    let [mistake] = found else { panic!("expected one, found {found:#?}") };
+    assert!(mistake.starts_with(&format!("f:{place}: ")), "{mistake}");
+    for word in words {
+        assert!(mistake.contains(word), "`{word}` is not in\n{mistake}");
+    }
+}
+
+#[track_caller]
+fn row_mistake(row: &str, place: &str, words: &[&str]) {
+    only(&mistakes(&arm(row, "")), place, words);
+}
+
+#[track_caller]
+fn more_mistake(more: &str, place: &str, words: &[&str]) {
+    only(&mistakes(&arm(ROW, more)), place, words);
+}
+
+#[test]
+fn a_whole_arm_is_read() {
+    let row = "{name: slide, type: prismatic, a: 1, alpha: pi/2, d: 2.5, theta: -90 deg, limits: [null, 3]}";
+    let more = "base: {xyz: [1, 2, 3]}\ntool: {rpy: [0, 0, 1 rad]}\n\
+                inverse: {task: position, require: true, redundant: slide, tolerance: {length: 1e-3, angle: 0.1}}\n";
+    let (spec, warnings) = read(&arm(row, more), "f").unwrap();
+    assert_eq!((spec.mistakes.as_slice(), warnings.as_slice()), (&[][..], &[][..]));
+    let row = spec.rows.first().unwrap();
+    assert_eq!((row.kind, row.a, row.d), (RowKind::Prismatic, 1.0, 2.5));
+    assert_eq!((row.alpha, row.theta), (WrittenAngle::PiFraction(1, 2), WrittenAngle::Degrees(-90.0)));
+    assert!(matches!(row.limits, Some((LimitsSpec::Lengths([None, Some(3.0)]), _))));
+    assert_eq!((spec.base.xyz, spec.tool.rpy[2]), ([1.0, 2.0, 3.0], WrittenAngle::Radians(1.0)));
+    let inverse = spec.inverse;
+    assert_eq!((inverse.task, inverse.require, inverse.axis), (Some(Task::Position), true, None));
+    assert_eq!(inverse.tolerance_length, Some(1e-3));
+    assert_eq!(inverse.tolerance_angle, Some(WrittenAngle::Degrees(0.1)));
+}
+
+#[test]
+fn text_that_is_no_arm() {
+    only(&mistakes(""), "1:1", &["the file is empty", "convention: standard"]);
+    only(&mistakes("# only a comment\n\n"), "1:1", &["the file is empty"]);
+    only(&mistakes("- 1\n"), "1:1", &["a mapping of keys and values"]);
+    only(&mistakes("name: x\njoints:\n\t- 1\n"), "3:1", &["not YAML", "spaces"]);
+    only(&mistakes("joints:\n  - {a: 1\n  - {a: 2}\n"), "3:5", &["not YAML", "expected ',' or '}'"]);
+    only(&mistakes(&arm(ROW, "---\nname: y\n")), "6:1", &["more than one document"]);
+}
+
+#[test]
+fn keys() {
+    row_mistake(
+        "{a: 0, alfa: 90, d: 0, theta: 0}",
+        "5:12",
+        &["unknown key `alfa` in a joint row", "did you mean `alpha`?"],
+    );
+    row_mistake(
+        "{a: 0, alpha: 9, d: 0, theta: 0, x: 1}",
+        "5:38",
+        &["unknown key `x`", "a joint row has type, name, a"],
+    );
+    row_mistake("{a: 0, alpha: 9, d: 0, a: 1, theta: 0}", "5:28", &["`a` occurs twice", "line 5"]);
+    row_mistake("{a: 0, alpha: 9, d: 0, theta: 0, 7: 1}", "5:38", &["expected a key", "the number 7"]);
+    row_mistake("{a: 0}", "5:5", &["row 1 of `joints` has no `alpha`, `d`, `theta`", "write 0"]);
+    more_mistake("colour: red\n", "6:1", &["unknown key `colour` in an arm file"]);
+    more_mistake("name: again\n", "6:1", &["`name` occurs twice", "line 1"]);
+    more_mistake("tool: {xzy: [0, 0, 0]}\n", "6:8", &["unknown key `xzy` in `tool`", "did you mean `xyz`?"]);
+    more_mistake("inverse: {taks: pose}\n", "6:11", &["unknown key `taks`", "did you mean `task`?"]);
+}
+
+#[test]
+fn keys_that_come_later() {
+    row_mistake("{a: 0, alpha: 9, d: 0, theta: 0, actuator: {home: 0}}", "5:38", &["`actuator` is not supported yet"]);
+    more_mistake("coupling: []\n", "6:1", &["`coupling` is not supported yet"]);
+    // The names are refused once, where they are defined.
+    let used = arm("{a: l2, alpha: 0, d: 0, theta: 0}", "parameters: {l2: 1}\ntool: {xyz: [0, l2, 0]}\n");
+    only(&mistakes(&used), "6:1", &["`parameters` is not supported yet"]);
+    row_mistake("{a: l2, alpha: 0, d: 0, theta: 0}", "5:9", &["`a`: expected a number", "found `l2`"]);
+}
+
+#[test]
+fn wrong_types() {
+    row_mistake("42", "5:5", &["`row 1`: expected a mapping with type", "the number 42"]);
+    row_mistake("{a: [1], alpha: 0, d: 0, theta: 0}", "5:9", &["`a`: expected a number", "found a list"]);
+    row_mistake("{a: \"0.4\", alpha: 0, d: 0, theta: 0}", "5:9", &["write 0.4 without quotes"]);
+    row_mistake("{a: , alpha: 0, d: 0, theta: 0}", "5:6", &["`a`: expected a number", "found nothing"]);
+    row_mistake("{a: !len 1, alpha: 0, d: 0, theta: 0}", "5:9", &["the tag `len`"]);
+    row_mistake("{a: 0, alpha: true, d: 0, theta: 0}", "5:19", &["`alpha`: expected an angle", "found `true`"]);
+    row_mistake("{a: 0, alpha: '90', d: 0, theta: 0}", "5:19", &["found `90`", "write 90 without quotes"]);
+    row_mistake("{a: 0, alpha: pie, d: 0, theta: 0}", "5:19", &["`alpha`: expected an angle", "pi/2", "found `pie`"]);
+    row_mistake("{name: 3, a: 0, alpha: 0, d: 0, theta: 0}", "5:12", &["expected a name", "in quotes", "\"3\""]);
+    row_mistake("{name: '', a: 0, alpha: 0, d: 0, theta: 0}", "5:12", &["expected a name", "an empty text"]);
+}
+
+#[test]
+fn numbers_that_are_not_finite() {
+    row_mistake("{a: .nan, alpha: 0, d: 0, theta: 0}", "5:9", &["`a`: expected a finite number", ".nan"]);
+    row_mistake("{a: 0, alpha: -.inf, d: 0, theta: 0}", "5:19", &["`alpha`: expected a finite angle", "-.inf"]);
+    more_mistake("tool: {xyz: [0, 0, .inf]}\n", "6:20", &["`xyz`: expected a finite number"]);
+}
+
+#[test]
+fn words_from_a_list() {
+    let words = ["expected one of revolute, prismatic, fixed", "found `linear`", "did you mean `prismatic`?"];
+    row_mistake("{type: linear, a: 0, alpha: 0, d: 0, theta: 0, limits: [a]}", "5:12", &words);
+    let text = |line: &str, with: &str| arm(ROW, "").replace(line, with);
+    only(&mistakes(&text("standard", "craig")), "2:13", &["standard, modified", "did you mean `modified`?"]);
+    only(&mistakes(&text("length: m", "length: miles")), "3:17", &["m, cm, mm, in", "found `miles`"]);
+    only(&mistakes(&text("angle: deg", "angle: degrees")), "3:27", &["deg, rad", "did you mean `deg`?"]);
+    only(&mistakes(&text("convention: standard\n", "")), "1:1", &["no `convention`", "standard", "(Craig)"]);
+    more_mistake("inverse: {task: poze}\n", "6:17", &["position_angle", "did you mean `pose`?"]);
+    more_mistake("inverse: {axis: w}\n", "6:17", &["x, y, z"]);
+}
+
+#[test]
+fn joints_that_are_no_table() {
+    let text = |joints: &str| format!("convention: standard\nunits: {{length: m, angle: deg}}\n{joints}");
+    only(&mistakes(&text("")), "1:1", &["no `joints`"]);
+    only(&mistakes(&text("joints: []\n")), "3:9", &["`joints` is empty"]);
+    only(&mistakes(&text("joints:\n")), "3:1", &["`joints` is empty"]);
+    only(&mistakes(&text("joints: 6\n")), "3:9", &["expected a list of rows", "the number 6"]);
+    only(&mistakes(&text("joint: []\n")), "3:1", &["did you mean `joints`?"]);
+}
+
+#[test]
+fn limits() {
+    let row = |limits: &str| format!("{{a: 0, alpha: 0, d: 0, theta: 0, limits: {limits}}}");
+    row_mistake(&row("[1, 2, 3]"), "5:46", &["null or [lowest, highest]", "a list of 3 entries"]);
+    row_mistake(&row("5"), "5:46", &["null or [lowest, highest]", "the number 5"]);
+    row_mistake(&row("[1, x]"), "5:50", &["`limits`: expected an angle"]);
+    let fixed = row("[1, 2]").replace("{a", "{type: fixed, a");
+    row_mistake(&fixed, "5:59", &["`limits` on a fixed row", "remove `limits`"]);
+    let prismatic = row("[1, 90 deg]").replace("{a", "{type: prismatic, a");
+    row_mistake(&prismatic, "5:67", &["`limits`: expected a number in the file's length unit"]);
+    assert_eq!(mistakes(&arm(&row("null"), "")), [""; 0]);
+}
+
+#[test]
+fn frames_and_requests() {
+    more_mistake("tool: {xyz: [0, 1]}\n", "6:13", &["`xyz`: expected three lengths", "a list of 2 entries"]);
+    more_mistake("base: {rpy: 5}\n", "6:13", &["`rpy`: expected three angles"]);
+    more_mistake("base: [1, 2, 3]\n", "6:7", &["expected a mapping with xyz, rpy"]);
+    more_mistake("inverse: pose\n", "6:10", &["write `inverse: {task: pose}`"]);
+    more_mistake("inverse: {redundant: 3}\n", "6:22", &["did you mean `q3`?"]);
+    more_mistake("inverse: {require: maybe}\n", "6:20", &["true or false"]);
+    more_mistake("inverse: {tolerance: {length: 0}}\n", "6:31", &["greater than zero"]);
+    more_mistake("inverse: {tolerance: {angle: -pi}}\n", "6:30", &["greater than zero"]);
+    let warned = warnings(&arm(ROW, "inverse: {task: pose, axis: z}\n"));
+    only(&warned, "6:29", &["warning: ", "`axis` has no effect"]);
+}
+
+#[test]
+fn angles_in_the_wrong_unit() {
+    let row = |angles: &str| format!("{{a: 0, d: 0, {angles}}}");
+    row_mistake(&row("alpha: 1.5708, theta: 0"), "5:25", &["looks like radians", "write 90", "\"1.5708 rad\""]);
+    row_mistake(&row("alpha: -0.7854, theta: 0"), "5:25", &["looks like radians", "write -45"]);
+    only(&warnings(&arm(&row("alpha: 0, theta: 3.1416"), "")), "5:35", &["warning", "write 180"]);
+    let radians = |angles: &str| arm(&row(angles), "").replace("angle: deg", "angle: rad");
+    only(&mistakes(&radians("alpha: 90, theta: 0")), "5:25", &["more than two turns", "`angle: deg`", "`90 deg`"]);
+    only(&mistakes(&radians("alpha: 0, theta: -180")), "5:35", &["`theta`", "more than two turns"]);
+    let limits = radians("alpha: 0, theta: 0, limits: [-2, 170]");
+    only(&warnings(&limits), "5:51", &["warning", "170 rad is more than two turns"]);
+    assert_eq!(mistakes(&radians("alpha: 90 deg, theta: 12.5")), [""; 0]);
+    // One degree is a twist that exists.
+    assert_eq!(mistakes(&arm(&row("alpha: 1, theta: 0"), "")), [""; 0]);
+}
+
+#[test]
+fn angles_that_are_nearly_exact() {
+    let row = |angles: &str| format!("{{a: 0, d: 0, {angles}}}");
+    only(&warnings(&arm(&row("alpha: 89.9999, theta: 0"), "")), "5:25", &["nearly 90", "write 90"]);
+    let radians = |alpha: &str| arm(&row(&format!("alpha: {alpha}, theta: 0")), "").replace("angle: deg", "angle: rad");
+    only(&warnings(&radians("-1.5708")), "5:25", &["-1.5708 is nearly -pi/2", "write -pi/2", "used as written"]);
+    for exact in ["pi/2", "90 deg", "1.5707963267948966", "1.58", "0"] {
+        assert_eq!(warnings(&radians(exact)), [""; 0], "{exact}");
+    }
+}
+
+#[test]
+fn what_is_left_out() {
+    let text = arm(ROW, "").replace("units: {length: m, angle: deg}\n", "").replace("name: arm\n", "");
+    only(&warnings(&text), "1:1", &["warning: no `units`", "m and angles as degrees"]);
+    assert_eq!(read(&text, "specs/some_arm.yaml").unwrap().0.name, "some_arm");
+    only(&warnings(&arm(ROW, "").replace(", angle: deg", "")), "3:8", &["no `angle` in `units`"]);
+    only(&mistakes(&arm(ROW, "").replace("name: arm", "name: ''")), "1:7", &["the arm's name", "an empty text"]);
+}
+
+#[test]
+fn mistakes_come_together() {
+    let text =
+        "nam: x\nconvention: new\nunits: {length: ft, angle: deg}\njoints:\n  - {a: x, alpha: 1.57, theta: 0}\n  - 1\n";
+    let found = mistakes(text);
+    let places = ["f:1:1: ", "f:2:13: ", "f:3:17: ", "f:5:5: ", "f:5:9: ", "f:5:19: ", "f:6:5: "];
+    for place in places {
+        assert!(found.iter().any(|mistake| mistake.starts_with(place)), "{place} {found:#?}");
+    }
+    assert_eq!(found.len(), places.len());
+}

@@ -1,0 +1,287 @@
+//! The only file that knows the YAML library.
+//!
+//! The text becomes a tree of [`Node`]s that keeps everything, also keys that occur twice, so that all mistakes can
+//! be found in one go. The library gives a place only with an error, so a node is located when a mistake needs it:
+//! the text is walked again to that node, which is then refused, and the refusal carries the place.
+
+use super::place::{Place, Step};
+use serde::Deserialize;
+use serde::de::{self, Deserializer, EnumAccess, IgnoredAny, MapAccess, SeqAccess, VariantAccess, Visitor};
+use std::fmt;
+
+/// A YAML value.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Node {
+    Null,
+    Bool(bool),
+    Number(f64),
+    Text(String),
+    List(Vec<Node>),
+    /// The entries in the order of the file, a key may occur twice.
+    Mapping(Vec<(Node, Node)>),
+    /// A value with a tag such as `!length`.
+    Tagged(String),
+}
+
+/// Text that is not YAML.
+#[derive(Debug)]
+pub struct Broken {
+    pub message: String,
+    /// Line and column, from 1.
+    pub at: Option<(usize, usize)>,
+}
+
+/// Reads a text of one YAML document.
+pub fn parse(text: &str) -> Result<Node, Broken> {
+    serde_yaml::from_str::<Node>(text).map_err(|error| {
+        let at = position(&error).or_else(|| second_document(text));
+        let mut message = error.to_string();
+        if let Some((line, column)) = at {
+            // The place is shown in front of the message; a second place in the text ("while parsing ... at") stays.
+            message = message.replacen(&format!(" at line {line} column {column}"), "", 1);
+        }
+        Broken { message, at }
+    })
+}
+
+/// Where a second document begins, which the library refuses without a place.
+fn second_document(text: &str) -> Option<(usize, usize)> {
+    let lines = text.lines().map(str::trim_end).enumerate();
+    let mut after_content =
+        lines.skip_while(|(_, line)| line.is_empty() || line.starts_with(['#', '%']) || *line == "---");
+    after_content.find(|(_, line)| line.starts_with("---")).map(|(index, _)| (index + 1, 1))
+}
+
+/// Line and column, from 1, of the node at `place`.
+pub fn locate(text: &str, place: &Place) -> Option<(usize, usize)> {
+    let walk = Walk { steps: place.steps() };
+    position(&de::DeserializeSeed::deserialize(walk, serde_yaml::Deserializer::from_str(text)).err()?)
+}
+
+fn position(error: &serde_yaml::Error) -> Option<(usize, usize)> {
+    error.location().map(|at| (at.line(), at.column()))
+}
+
+impl<'de> Deserialize<'de> for Node {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(Build)
+    }
+}
+
+/// Builds a node from whatever stands there.
+struct Build;
+
+impl<'de> Visitor<'de> for Build {
+    type Value = Node;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a YAML value")
+    }
+
+    fn visit_unit<E>(self) -> Result<Node, E> {
+        Ok(Node::Null)
+    }
+
+    fn visit_none<E>(self) -> Result<Node, E> {
+        Ok(Node::Null)
+    }
+
+    fn visit_bool<E>(self, value: bool) -> Result<Node, E> {
+        Ok(Node::Bool(value))
+    }
+
+    fn visit_i64<E>(self, value: i64) -> Result<Node, E> {
+        Ok(Node::Number(value as f64))
+    }
+
+    fn visit_u64<E>(self, value: u64) -> Result<Node, E> {
+        Ok(Node::Number(value as f64))
+    }
+
+    fn visit_i128<E>(self, value: i128) -> Result<Node, E> {
+        Ok(Node::Number(value as f64))
+    }
+
+    fn visit_u128<E>(self, value: u128) -> Result<Node, E> {
+        Ok(Node::Number(value as f64))
+    }
+
+    fn visit_f64<E>(self, value: f64) -> Result<Node, E> {
+        Ok(Node::Number(value))
+    }
+
+    fn visit_str<E>(self, value: &str) -> Result<Node, E> {
+        Ok(Node::Text(value.to_owned()))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut access: A) -> Result<Node, A::Error> {
+        let mut list = Vec::new();
+        while let Some(node) = access.next_element()? {
+            list.push(node);
+        }
+        Ok(Node::List(list))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut access: A) -> Result<Node, A::Error> {
+        let mut entries = Vec::new();
+        while let Some(entry) = access.next_entry()? {
+            entries.push(entry);
+        }
+        Ok(Node::Mapping(entries))
+    }
+
+    fn visit_enum<A: EnumAccess<'de>>(self, access: A) -> Result<Node, A::Error> {
+        let (tag, content) = access.variant::<String>()?;
+        content.newtype_variant::<IgnoredAny>()?;
+        Ok(Node::Tagged(tag))
+    }
+}
+
+/// Walks along the steps and refuses the node at their end.
+#[derive(Clone, Copy)]
+struct Walk<'p> {
+    steps: &'p [Step],
+}
+
+impl Walk<'_> {
+    fn scalar<E: de::Error>(self) -> Result<(), E> {
+        if self.steps.is_empty() { Err(E::custom("here")) } else { Ok(()) }
+    }
+}
+
+impl<'de> de::DeserializeSeed<'de> for Walk<'_> {
+    type Value = ();
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+        deserializer.deserialize_any(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Walk<'_> {
+    type Value = ();
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the node looked for")
+    }
+
+    fn visit_unit<E: de::Error>(self) -> Result<(), E> {
+        self.scalar()
+    }
+
+    fn visit_none<E: de::Error>(self) -> Result<(), E> {
+        self.scalar()
+    }
+
+    fn visit_bool<E: de::Error>(self, _: bool) -> Result<(), E> {
+        self.scalar()
+    }
+
+    fn visit_i64<E: de::Error>(self, _: i64) -> Result<(), E> {
+        self.scalar()
+    }
+
+    fn visit_u64<E: de::Error>(self, _: u64) -> Result<(), E> {
+        self.scalar()
+    }
+
+    fn visit_i128<E: de::Error>(self, _: i128) -> Result<(), E> {
+        self.scalar()
+    }
+
+    fn visit_u128<E: de::Error>(self, _: u128) -> Result<(), E> {
+        self.scalar()
+    }
+
+    fn visit_f64<E: de::Error>(self, _: f64) -> Result<(), E> {
+        self.scalar()
+    }
+
+    fn visit_str<E: de::Error>(self, _: &str) -> Result<(), E> {
+        self.scalar()
+    }
+
+    fn visit_enum<A: EnumAccess<'de>>(self, access: A) -> Result<(), A::Error> {
+        self.scalar()?;
+        let (_, content) = access.variant::<IgnoredAny>()?;
+        content.newtype_variant::<IgnoredAny>().map(drop)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut access: A) -> Result<(), A::Error> {
+        let Some((first, rest)) = self.steps.split_first() else { return self.scalar() };
+        let mut index = 0;
+        if let Step::Item(wanted) = *first {
+            while index < wanted && access.next_element::<IgnoredAny>()?.is_some() {
+                index += 1;
+            }
+            access.next_element_seed(Walk { steps: rest })?;
+        }
+        while access.next_element::<IgnoredAny>()?.is_some() {}
+        Ok(())
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut access: A) -> Result<(), A::Error> {
+        let Some((first, rest)) = self.steps.split_first() else { return self.scalar() };
+        let mut index = 0;
+        if let Step::Key(wanted) | Step::Value(wanted) = *first {
+            while index < wanted && access.next_entry::<IgnoredAny, IgnoredAny>()?.is_some() {
+                index += 1;
+            }
+            if matches!(first, Step::Key(_)) {
+                access.next_key_seed(Walk { steps: &[] })?;
+            } else if access.next_key::<IgnoredAny>()?.is_some() {
+                access.next_value_seed(Walk { steps: rest })?;
+            }
+        }
+        while access.next_entry::<IgnoredAny, IgnoredAny>()?.is_some() {}
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, clippy::panic)]
+    use super::*;
+
+    const TEXT: &str =
+        "# an arm\nname: x\njoints:\n  - {a: 1, b: [2, pi/2, !t 3], 'c': }\n  - a: .inf\n    d: {e: null}\n";
+
+    fn at(steps: &[Step]) -> Option<(usize, usize)> {
+        locate(TEXT, &steps.iter().copied().collect())
+    }
+
+    #[test]
+    fn keeps_every_entry() {
+        let Node::Mapping(entries) = parse("{a: 1, a: x, b: [true, null, -2.5e1]}").unwrap() else { panic!("mapping") };
+        let text = |t: &str| Node::Text(t.to_owned());
+        let list = Node::List(vec![Node::Bool(true), Node::Null, Node::Number(-25.0)]);
+        assert_eq!(entries, [(text("a"), Node::Number(1.0)), (text("a"), text("x")), (text("b"), list)]);
+        assert_eq!(parse("!t 3").unwrap(), Node::Tagged("t".to_owned()));
+    }
+
+    #[test]
+    fn locates_every_kind_of_node() {
+        assert_eq!(at(&[]), Some((2, 1)));
+        assert_eq!(at(&[Step::Key(1)]), Some((3, 1)));
+        assert_eq!(at(&[Step::Value(0)]), Some((2, 7)));
+        let row = [Step::Value(1), Step::Item(0)];
+        assert_eq!(at(&row), Some((4, 5)));
+        let in_row = |more: &[Step]| at(&[&row, more].concat());
+        assert_eq!(in_row(&[Step::Value(0)]), Some((4, 9)));
+        assert_eq!(in_row(&[Step::Key(1)]), Some((4, 12)));
+        assert_eq!(in_row(&[Step::Value(1), Step::Item(1)]), Some((4, 19)));
+        assert_eq!(in_row(&[Step::Value(1), Step::Item(2)]), Some((4, 25)));
+        assert_eq!(in_row(&[Step::Key(2)]), Some((4, 32)));
+        let second = [Step::Value(1), Step::Item(1), Step::Value(1)];
+        assert_eq!(at(&second), Some((6, 8)));
+        assert_eq!(at(&[&second[..], &[Step::Value(0)]].concat()), Some((6, 12)));
+        assert_eq!(at(&[Step::Value(7)]), None);
+    }
+
+    #[test]
+    fn broken_text_has_a_place_and_says_it_once() {
+        let broken = parse("joints:\n  - {a: 1\n  - {a: 2}\n").unwrap_err();
+        assert_eq!(broken.at, Some((3, 5)));
+        assert!(!broken.message.contains("line 3 column 5"), "{}", broken.message);
+        assert_eq!(parse("# x\n---\na: 1\n---\nb: 2\n").unwrap_err().at, Some((4, 1)));
+    }
+}

@@ -1,0 +1,130 @@
+//! `#[arm(..)]` as a type. Reading goes on after a mistake, so that all of them are reported together.
+
+use denhart_codegen::ScalarKind;
+use syn::meta::ParseNestedMeta;
+use syn::{Attribute, Error, LitStr, Path, Result, Token};
+
+const KEYS: &str = "the keys of #[arm(..)] are `spec`, `yaml`, `scalar`, `crate` and `warn`";
+
+/// Where the arm file is: the literal also carries the place of its messages.
+pub enum Source {
+    /// `spec = "specs/ur5.yaml"`
+    File(LitStr),
+    /// `yaml = "..."`
+    Inline(LitStr),
+}
+
+/// What `#[arm(..)]` says, with defaults in place of what it does not say or says wrongly.
+pub struct ArmAttribute {
+    /// None only after an error.
+    pub source: Option<Source>,
+    pub scalar: ScalarKind,
+    pub crate_path: Path,
+    pub warn: bool,
+}
+
+/// The values as written, each at most once.
+#[derive(Default)]
+struct Written {
+    spec: Option<LitStr>,
+    yaml: Option<LitStr>,
+    scalar: Option<LitStr>,
+    crate_path: Option<LitStr>,
+    warn: bool,
+}
+
+impl ArmAttribute {
+    /// Reads every `#[arm(..)]` among the attributes of the struct; mistakes go to `errors`.
+    pub fn read(attributes: &[Attribute], errors: &mut Vec<Error>) -> Self {
+        let mut written = Written::default();
+        let mut found = false;
+        for attribute in attributes.iter().filter(|attribute| attribute.path().is_ident("arm")) {
+            found = true;
+            let read = attribute.parse_nested_meta(|meta| written.read_key(&meta, errors));
+            errors.extend(read.err());
+        }
+        if !found {
+            let text = "#[derive(Arm)] needs to know the arm\nhelp: add #[arm(spec = \"specs/arm.yaml\")]";
+            errors.push(Error::new(proc_macro2::Span::call_site(), text));
+        }
+        let silent = found && errors.is_empty();
+        written.finish(attributes, silent, errors)
+    }
+}
+
+impl Written {
+    fn read_key(&mut self, meta: &ParseNestedMeta<'_>, errors: &mut Vec<Error>) -> Result<()> {
+        let slot = match meta.path.get_ident().map(ToString::to_string).as_deref() {
+            Some("spec") => &mut self.spec,
+            Some("yaml") => &mut self.yaml,
+            Some("scalar") => &mut self.scalar,
+            Some("crate") => &mut self.crate_path,
+            Some("warn") => {
+                if self.warn {
+                    errors.push(Error::new_spanned(&meta.path, "`warn` is given twice"));
+                }
+                self.warn = true;
+                return Ok(());
+            }
+            _ => {
+                errors.push(Error::new_spanned(&meta.path, format!("unknown key\nhelp: {KEYS}")));
+                return skip_value(meta);
+            }
+        };
+        let value: LitStr = meta.value()?.parse()?;
+        if slot.is_some() {
+            let key = &meta.path;
+            errors.push(Error::new_spanned(key, "this key is given twice"));
+        }
+        slot.get_or_insert(value);
+        Ok(())
+    }
+
+    fn finish(self, attributes: &[Attribute], silent: bool, errors: &mut Vec<Error>) -> ArmAttribute {
+        let source = match (self.spec, self.yaml) {
+            (Some(spec), None) => Some(Source::File(spec)),
+            (None, Some(yaml)) => Some(Source::Inline(yaml)),
+            (Some(spec), Some(yaml)) => {
+                errors.push(Error::new(yaml.span(), "`yaml` beside `spec`: an arm has one of them"));
+                Some(Source::File(spec))
+            }
+            (None, None) => {
+                // After another mistake in the attribute this one would only repeat it.
+                if silent {
+                    let attribute = attributes.iter().find(|attribute| attribute.path().is_ident("arm"));
+                    let text = "no arm file is named\nhelp: add `spec = \"specs/arm.yaml\"`, or `yaml = \"...\"` with its text";
+                    errors.push(Error::new_spanned(attribute, text));
+                }
+                None
+            }
+        };
+        let scalar = self.scalar.map_or(Ok(ScalarKind::F64), |written| {
+            ScalarKind::try_from(written.value().as_str()).map_err(|error| Error::new(written.span(), error))
+        });
+        let default_path = || syn::parse_quote!(::denhart);
+        let crate_path = self.crate_path.map_or_else(
+            || Ok(default_path()),
+            |written| {
+                let text = "not a path to the crate denhart\nhelp: write a path, such as `crate = \"::denhart\"`";
+                written.parse_with(Path::parse_mod_style).map_err(|_| Error::new(written.span(), text))
+            },
+        );
+        let mut report = |error: Error| errors.push(error);
+        ArmAttribute {
+            source,
+            scalar: scalar.map_err(&mut report).unwrap_or(ScalarKind::F64),
+            crate_path: crate_path.map_err(&mut report).unwrap_or_else(|()| default_path()),
+            warn: self.warn,
+        }
+    }
+}
+
+/// Steps over the value of a key that is not known, to read on behind it.
+fn skip_value(meta: &ParseNestedMeta<'_>) -> Result<()> {
+    if meta.input.peek(Token![=]) {
+        meta.value()?.parse::<syn::Expr>()?;
+    } else if meta.input.peek(syn::token::Paren) {
+        meta.input.parse::<proc_macro2::Group>()?;
+    }
+    Ok(())
+}

@@ -1,0 +1,152 @@
+//! The expansion: read the attribute, call the generator, put each error in its place.
+
+use std::path::Path;
+
+use denhart_codegen::{Diagnostic, Generated, Options, ScalarKind};
+use proc_macro2::{Span, TokenStream};
+use quote::{quote, quote_spanned};
+use syn::{Data, DeriveInput, Error, LitStr};
+
+use crate::attribute::{ArmAttribute, Source};
+use crate::fallback::{self, Outline};
+
+/// What an arm file given as `yaml = "..."` is called in messages.
+const INLINE: &str = "<inline>";
+
+/// The impls of the arm; or the errors, and impls in which every call of a function of an arm type-checks.
+/// `package`: the directory that relative paths start from.
+pub fn expand(input: &DeriveInput, package: Option<&Path>) -> TokenStream {
+    let mut errors = Vec::new();
+    let attribute = ArmAttribute::read(&input.attrs, &mut errors);
+    check_shape(input, &mut errors);
+    let mut outline = Outline::default();
+    let generated = match &attribute.source {
+        None => None,
+        Some(source) => match read(source, package).and_then(|arm| {
+            outline = Outline::of(&arm.text);
+            generate(input, &attribute, &arm)
+        }) {
+            Ok(tokens) => Some(tokens),
+            Err(error) => {
+                errors.push(error);
+                None
+            }
+        },
+    };
+    let rebuild = attribute.source.as_ref().and_then(|source| rebuild_on_change(source, package));
+    // Impls for a generic type would need its parameters: the stub has them.
+    let impls = match generated {
+        Some(impls) if input.generics.params.is_empty() => impls,
+        _ => fallback::stub(input, &outline, &attribute.crate_path, attribute.scalar),
+    };
+    let errors = errors.iter().map(Error::to_compile_error);
+    quote! { #(#errors)* #rebuild #impls }
+}
+
+/// The text of the arm file, its name in messages, and the literal in the attribute that messages point at.
+struct ArmText<'a> {
+    text: String,
+    file: String,
+    at: &'a LitStr,
+}
+
+fn read<'a>(source: &'a Source, package: Option<&Path>) -> Result<ArmText<'a>, Error> {
+    match source {
+        Source::Inline(at) => Ok(ArmText { text: at.value(), file: INLINE.to_owned(), at }),
+        Source::File(at) => {
+            let file = at.value();
+            let package = package.ok_or_else(|| {
+                let text = "CARGO_MANIFEST_DIR is not set, so there is no directory for the path to start from\nhelp: \
+                            build with cargo, or give the arm as `yaml = \"...\"`";
+                Error::new(at.span(), text)
+            })?;
+            let text =
+                denhart_codegen::read_file(package, Path::new(&file)).map_err(|error| Error::new(at.span(), error))?;
+            Ok(ArmText { text, file, at })
+        }
+    }
+}
+
+fn generate(input: &DeriveInput, attribute: &ArmAttribute, arm: &ArmText<'_>) -> Result<TokenStream, Error> {
+    let options = Options {
+        type_name: input.ident.to_string(),
+        scalar: attribute.scalar,
+        crate_path: attribute.crate_path.clone(),
+    };
+    let Generated { impls, warnings, .. } = denhart_codegen::generate(&arm.text, &arm.file, &options)
+        .map_err(|errors| Error::new(arm.at.span(), errors))?;
+    let advice = warnings.iter().filter(|_| attribute.warn).map(|advice| warning(advice, arm.at.span()));
+    Ok(quote! { #impls #(#advice)* })
+}
+
+/// A derive cannot warn on stable Rust, but the use of a deprecated item can.
+fn warning(advice: &Diagnostic, at: Span) -> TokenStream {
+    let note = advice.to_string();
+    let usage = quote_spanned!(at=> ADVICE);
+    quote! {
+        const _: () = {
+            #[deprecated(note = #note)]
+            const ADVICE: () = ();
+            #usage
+        };
+    }
+}
+
+/// A constant that holds the file: cargo builds again when the file changes. Nothing where the file is missing, as
+/// that has its own error.
+fn rebuild_on_change(source: &Source, package: Option<&Path>) -> Option<TokenStream> {
+    let Source::File(path) = source else { return None };
+    let written = path.value();
+    if !package?.join(&written).is_file() {
+        return None;
+    }
+    let path = if Path::new(&written).is_absolute() {
+        quote! { #written }
+    } else {
+        quote! { ::core::concat!(::core::env!("CARGO_MANIFEST_DIR"), "/", #written) }
+    };
+    Some(quote! { const _: &[::core::primitive::u8] = ::core::include_bytes!(#path); })
+}
+
+/// An arm is a struct without fields and without parameters.
+fn check_shape(input: &DeriveInput, errors: &mut Vec<Error>) {
+    let name = &input.ident;
+    let as_struct = format!("help: write `struct {name};`");
+    match &input.data {
+        Data::Struct(data) => {
+            for field in &data.fields {
+                let (at, text) = match &field.ident {
+                    Some(field) => (
+                        field.span(),
+                        format!(
+                            "a field binds the run-time parameter of its name, and the arm file has no parameter `{field}`"
+                        ),
+                    ),
+                    None => (
+                        syn::spanned::Spanned::span(&field.ty),
+                        "a field binds the run-time parameter of its name, and this field has no name".to_owned(),
+                    ),
+                };
+                errors.push(Error::new(at, format!("{text}\n{as_struct}")));
+            }
+        }
+        Data::Enum(data) => {
+            errors.push(Error::new(data.enum_token.span, format!("an arm is a struct, not an enum\n{as_struct}")));
+        }
+        Data::Union(data) => {
+            errors.push(Error::new(data.union_token.span, format!("an arm is a struct, not a union\n{as_struct}")));
+        }
+    }
+    if !input.generics.params.is_empty() {
+        let text = format!("an arm is one type: it has no parameters\n{as_struct}");
+        errors.push(Error::new_spanned(&input.generics, text));
+    }
+}
+
+/// The number type of the generated code.
+pub fn scalar_type(scalar: ScalarKind) -> TokenStream {
+    match scalar {
+        ScalarKind::F64 => quote!(::core::primitive::f64),
+        ScalarKind::F32 => quote!(::core::primitive::f32),
+    }
+}

@@ -1,0 +1,158 @@
+//! What is derived for an arm that has a mistake: impls in which the calls a user writes type-check, so that the
+//! mistake
+//! is the only error. They are never run, as the crate does not compile; still they are total.
+
+use denhart_codegen::ScalarKind;
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{DeriveInput, Ident, Path};
+
+use crate::expand::scalar_type;
+
+/// Joints of an arm whose file says nothing of them: by far the most arms have six.
+const USUAL_JOINTS: usize = 6;
+
+/// What can be seen of an arm without a reader of YAML, in a file that may be broken.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub struct Outline {
+    /// The number of moving rows; None if there is no row to be seen.
+    pub joints: Option<usize>,
+    /// `task` of `inverse`.
+    pub task: Option<String>,
+}
+
+impl Outline {
+    /// Counts the list items that are mappings (the rows: no other list in an arm file is one) and not `fixed`.
+    pub fn of(text: &str) -> Self {
+        let lines = || text.lines().map(|line| line.split(" #").next().unwrap_or(line));
+        let mut rows = Vec::new();
+        for line in lines().filter(|line| !line.trim_start().starts_with('#')) {
+            let begins_row = line.trim_start().starts_with("- ") && line.contains(':');
+            match rows.last_mut() {
+                _ if begins_row => rows.push(line.to_owned()),
+                Some(row) => *row += line,
+                None => {}
+            }
+        }
+        let moving = rows.iter().filter(|row| !row.contains("fixed")).count();
+        let task = lines().find_map(|line| {
+            let after = line.split_once("task:")?.1;
+            after.split(|c: char| !(c.is_alphanumeric() || c == '_')).find(|word| !word.is_empty()).map(str::to_owned)
+        });
+        Self { joints: (moving > 0).then_some(moving), task }
+    }
+
+    /// Whether `inverse` takes a pose, as far as can be seen.
+    fn takes_pose(&self) -> bool {
+        match &self.task {
+            Some(task) => task == "pose",
+            None => self.joints == Some(USUAL_JOINTS),
+        }
+    }
+}
+
+/// The impls. Where the number of joints is not known the functions take any; what they return has six.
+pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: ScalarKind) -> TokenStream {
+    let name = &input.ident;
+    let (generics, parameters, conditions) = input.generics.split_for_impl();
+    let number = scalar_type(scalar);
+    let joints = outline.joints.unwrap_or(USUAL_JOINTS);
+    let q = outline.joints.map_or_else(|| quote!(N), |known| quote!(#known));
+    let any = outline.joints.is_none().then(|| quote!(const N: ::core::primitive::usize));
+    let any_list = any.as_ref().map(|any| quote!(<#any>));
+    let (target, any_target) = if outline.takes_pose() {
+        (quote!(#krate::Pose<#number>), None)
+    } else {
+        (quote!(Target), Some(quote!(Target: ?::core::marker::Sized)))
+    };
+    let any_target_list = any_target.as_ref().map(|any| quote!(<#any>));
+    let near = [any_target, any].into_iter().flatten();
+    let solutions = quote!(#krate::Solutions<#number, #joints, 8>);
+    let traits = input.generics.params.is_empty().then(|| traits(name, outline, krate, &number));
+    quote! {
+        #[automatically_derived]
+        #[allow(dead_code, missing_docs, clippy::all)]
+        impl #generics #name #parameters #conditions {
+            pub const DOF: ::core::primitive::usize = #joints;
+            pub const MAX_SOLUTIONS: ::core::primitive::usize = 8;
+            pub const JOINT_NAMES: [&'static ::core::primitive::str; #joints] = [""; #joints];
+            pub const LIMITS: [[#number; 2]; #joints] = [[0.0; 2]; #joints];
+            pub const LENGTH_UNIT: #krate::LengthUnit = #krate::LengthUnit::Meter;
+            pub const DH: #krate::DhTable = #krate::DhTable {
+                convention: #krate::Convention::Standard,
+                rows: &[],
+                base: #krate::DhFrame::IDENTITY,
+                tool: #krate::DhFrame::IDENTITY,
+            };
+            pub fn forward #any_list (&self, _: &[#number; #q]) -> #krate::Pose<#number> {
+                #krate::Pose::identity()
+            }
+            pub fn link_poses #any_list (&self, _: &[#number; #q]) -> [#krate::Pose<#number>; #q] {
+                [#krate::Pose::identity(); #q]
+            }
+            pub fn jacobian #any_list (&self, _: &[#number; #q]) -> #krate::Jacobian<#number, #q> {
+                #krate::Jacobian { rows: [[0.0; #q]; 6] }
+            }
+            pub fn forward_and_jacobian #any_list (
+                &self,
+                _: &[#number; #q],
+            ) -> (#krate::Pose<#number>, #krate::Jacobian<#number, #q>) {
+                (#krate::Pose::identity(), #krate::Jacobian { rows: [[0.0; #q]; 6] })
+            }
+            pub fn inverse #any_target_list (&self, _: &#target) -> #solutions {
+                #krate::Solutions::new(#krate::Status::BadTarget)
+            }
+            pub fn inverse_near <#(#near),*> (&self, _: &#target, _: &[#number; #q]) -> #solutions {
+                #krate::Solutions::new(#krate::Status::BadTarget)
+            }
+        }
+        #traits
+    }
+}
+
+/// The traits, for calls from code that is generic over arms.
+fn traits(name: &Ident, outline: &Outline, krate: &Path, number: &TokenStream) -> TokenStream {
+    let (q, any) = match outline.joints {
+        Some(known) => (quote!(#known), None),
+        None => (quote!(N), Some(quote!(<const N: ::core::primitive::usize>))),
+    };
+    let solutions = quote!(#krate::Solutions<#number, #q, 8>);
+    quote! {
+        #[automatically_derived]
+        impl #any #krate::Arm<#number, #q> for #name {
+            const LIMITS: [[#number; 2]; #q] = [[0.0; 2]; #q];
+            const JOINT_NAMES: [&'static ::core::primitive::str; #q] = [""; #q];
+            const JOINT_KINDS: [#krate::JointKind; #q] = [#krate::JointKind::Revolute; #q];
+            fn forward(&self, _: &[#number; #q]) -> #krate::Pose<#number> {
+                #krate::Pose::identity()
+            }
+            fn link_poses(&self, _: &[#number; #q]) -> [#krate::Pose<#number>; #q] {
+                [#krate::Pose::identity(); #q]
+            }
+            fn jacobian(&self, _: &[#number; #q]) -> #krate::Jacobian<#number, #q> {
+                #krate::Jacobian { rows: [[0.0; #q]; 6] }
+            }
+            fn forward_and_jacobian(
+                &self,
+                _: &[#number; #q],
+            ) -> (#krate::Pose<#number>, #krate::Jacobian<#number, #q>) {
+                (#krate::Pose::identity(), #krate::Jacobian { rows: [[0.0; #q]; 6] })
+            }
+        }
+        #[automatically_derived]
+        impl #any #krate::InverseKinematics<#number, #q> for #name {
+            type Target = #krate::Pose<#number>;
+            type Solutions = #solutions;
+            const MAX_SOLUTIONS: ::core::primitive::usize = 8;
+            fn inverse(&self, _: &Self::Target) -> Self::Solutions {
+                #krate::Solutions::new(#krate::Status::BadTarget)
+            }
+            fn inverse_near(&self, _: &Self::Target, _: &[#number; #q]) -> Self::Solutions {
+                #krate::Solutions::new(#krate::Status::BadTarget)
+            }
+            fn status(_: &Self::Solutions) -> #krate::Status<#number> {
+                #krate::Status::BadTarget
+            }
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! `#[derive(Arm)]`: a robot arm's kinematics from its table, at compile time.
+//!
+//! Use it through the crate `denhart`, which re-exports it beside the trait of the same name.
+
+use proc_macro::TokenStream;
+use syn::{DeriveInput, parse_macro_input};
+
+mod attribute;
+mod expand;
+mod fallback;
+#[cfg(test)]
+mod tests;
+
+/// Implements the kinematics of the arm in `#[arm(..)]` for a unit struct: `forward`, `link_poses`, `jacobian`,
+/// `forward_and_jacobian`, and `inverse`, `inverse_near` where the arm has a closed form; the constants `DOF`,
+/// `LIMITS`,
+/// `JOINT_NAMES`, `LENGTH_UNIT`, `DH`, `MAX_SOLUTIONS`; and the trait `denhart::Arm`.
+///
+/// ```text
+/// use denhart::Arm;
+///
+/// #[derive(Arm)]
+/// #[arm(spec = "specs/ur5.yaml")]
+/// struct Ur5;
+///
+/// let tool = Ur5.forward(&[0.0; 6]);
+/// ```
+///
+/// # `#[arm(..)]`
+/// - `spec = "specs/ur5.yaml"`: the arm file, relative to the directory of the package's `Cargo.toml`. Editing it
+///   rebuilds.
+/// - `yaml = "..."`: the text of an arm file in its place. Messages call it `<inline>` and count lines inside the
+///   string.
+/// - `scalar = "f32"`: the number type; `"f64"` if left out.
+/// - `crate = "path"`: where the crate `denhart` is, if it is renamed or re-exported; `"::denhart"` if left out.
+/// - `warn`: show the generator's advice on the arm file, as warnings of a deprecated item.
+///
+/// Every mistake in the file is an error at the path, which gives `file:line:column` and what to write.
+#[proc_macro_derive(Arm, attributes(arm))]
+pub fn derive_arm(input: TokenStream) -> TokenStream {
+    let input = parse_macro_input!(input as DeriveInput);
+    let package = std::env::var_os("CARGO_MANIFEST_DIR");
+    expand::expand(&input, package.as_deref().map(std::path::Path::new)).into()
+}

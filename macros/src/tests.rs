@@ -1,0 +1,255 @@
+//! The expansion as tokens. What rustc makes of it is tested in the package denhart-tests.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use std::path::{Path, PathBuf};
+
+use denhart_codegen::{Options, ScalarKind};
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{File, Item, LitStr};
+
+use crate::expand::expand;
+use crate::fallback::Outline;
+
+const PLANAR: &str = "\
+name: planar
+convention: standard
+units: {length: m, angle: deg}
+joints:
+  - {type: revolute, a: 1, alpha: 0, d: 0, theta: 0}
+  - {type: revolute, a: 1, alpha: 0, d: 0, theta: 0}
+";
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize().unwrap()
+}
+
+fn derive(input: TokenStream) -> File {
+    syn::parse2(expand(&syn::parse2(input).unwrap(), Some(&root()))).unwrap()
+}
+
+/// The texts of the errors, in order.
+fn errors(input: TokenStream) -> Vec<String> {
+    let texts = derive(input).items.into_iter().filter_map(|item| match item {
+        Item::Macro(item) if item.mac.path.segments.last().is_some_and(|name| name.ident == "compile_error") => {
+            Some(item.mac.parse_body::<LitStr>().unwrap().value())
+        }
+        _ => None,
+    });
+    texts.map(|text| text.replace(&root().display().to_string(), "$ROOT")).collect()
+}
+
+#[test]
+fn the_impls_are_those_of_the_generator() {
+    for (scalar, kind) in [("f64", ScalarKind::F64), ("f32", ScalarKind::F32)] {
+        for arm in ["ur5", "planar2r", "stanford"] {
+            let file = format!("specs/{arm}.yaml");
+            let input = quote!(
+                #[arm(spec = #file, scalar = #scalar, crate = "crate::kinematics")]
+                struct Robot;
+            );
+            let options = Options {
+                type_name: "Robot".to_owned(),
+                scalar: kind,
+                crate_path: syn::parse_quote!(crate::kinematics),
+            };
+            let text = std::fs::read_to_string(root().join(&file)).unwrap();
+            let impls = denhart_codegen::generate(&text, &file, &options).unwrap().impls;
+            let rebuild = quote! {
+                const _: &[::core::primitive::u8] =
+                    ::core::include_bytes!(::core::concat!(::core::env!("CARGO_MANIFEST_DIR"), "/", #file));
+            };
+            let derived = expand(&syn::parse2(input).unwrap(), Some(&root()));
+            assert_eq!(derived.to_string(), quote!(#rebuild #impls).to_string());
+        }
+    }
+}
+
+#[test]
+fn an_inline_arm_needs_no_file() {
+    let derived = expand(
+        &syn::parse2(quote!(
+            #[arm(yaml = #PLANAR)]
+            struct Planar;
+        ))
+        .unwrap(),
+        None,
+    )
+    .to_string();
+    assert!(!derived.contains("compile_error") && !derived.contains("include_bytes"), "{derived}");
+    assert!(derived.contains("impl Planar"), "{derived}");
+}
+
+#[test]
+fn advice_is_shown_only_when_asked_for() {
+    let bent = PLANAR.replacen("alpha: 0", "alpha: 1.5708 rad", 1);
+    let silent = expand(
+        &syn::parse2(quote!(
+            #[arm(yaml = #bent)]
+            struct Bent;
+        ))
+        .unwrap(),
+        None,
+    )
+    .to_string();
+    assert!(!silent.contains("deprecated"), "{silent}");
+    let warned = expand(
+        &syn::parse2(quote!(
+            #[arm(yaml = #bent, warn)]
+            struct Bent;
+        ))
+        .unwrap(),
+        None,
+    )
+    .to_string();
+    assert!(warned.contains("# [deprecated (note = \"<inline>:5:"), "{warned}");
+}
+
+#[test]
+fn a_missing_file_is_named_and_the_nearest_suggested() {
+    assert_eq!(
+        errors(quote!(
+            #[arm(spec = "specs/pumma560.yaml")]
+            struct Puma;
+        )),
+        ["no arm file at `$ROOT/specs/pumma560.yaml`\nhelp: did you mean `specs/puma560.yaml`?"]
+    );
+}
+
+#[test]
+fn every_mistake_of_the_attribute_and_of_the_struct_is_told() {
+    let inline = quote!(yaml = #PLANAR);
+    for (input, expected) in [
+        (
+            quote!(
+                struct A;
+            ),
+            &["#[derive(Arm)] needs to know the arm\nhelp: add #[arm(spec = \"specs/arm.yaml\")]"][..],
+        ),
+        (
+            quote!(
+                #[arm(scalar = "f32")]
+                struct A;
+            ),
+            &["no arm file is named\nhelp: add `spec = \"specs/arm.yaml\"`, or `yaml = \"...\"` with its text"],
+        ),
+        (
+            quote!(
+                #[arm(file = "ur5.yaml", scalar = "f16")]
+                struct A;
+            ),
+            &[
+                "unknown key\nhelp: the keys of #[arm(..)] are `spec`, `yaml`, `scalar`, `crate` and `warn`",
+                "unknown scalar `f16`\nhelp: write `f64` or `f32`",
+            ],
+        ),
+        (
+            quote!(
+                #[arm(#inline, spec = "specs/ur5.yaml")]
+                struct A;
+            ),
+            &["`yaml` beside `spec`: an arm has one of them"],
+        ),
+        (
+            quote!(
+                #[arm(#inline, #inline)]
+                struct A;
+            ),
+            &["this key is given twice"],
+        ),
+        (
+            quote!(
+                #[arm(#inline)]
+                #[arm(warn)]
+                #[arm(warn)]
+                struct A;
+            ),
+            &["`warn` is given twice"],
+        ),
+        (
+            quote!(
+                #[arm(#inline, crate = "den hart")]
+                struct A;
+            ),
+            &["not a path to the crate denhart\nhelp: write a path, such as `crate = \"::denhart\"`"],
+        ),
+        (
+            quote!(
+                #[arm(spec = 5)]
+                struct A;
+            ),
+            &["expected string literal"],
+        ),
+        (
+            quote!(
+                #[arm(#inline)]
+                struct A {
+                    x: f64,
+                    y: f64,
+                }
+            ),
+            &[
+                "a field binds the run-time parameter of its name, and the arm file has no parameter `x`\nhelp: write `struct A;`",
+                "a field binds the run-time parameter of its name, and the arm file has no parameter `y`\nhelp: write `struct A;`",
+            ],
+        ),
+        (
+            quote!(
+                #[arm(#inline)]
+                struct A(f64);
+            ),
+            &["a field binds the run-time parameter of its name, and this field has no name\nhelp: write `struct A;`"],
+        ),
+        (
+            quote!(
+                #[arm(#inline)]
+                enum A {}
+            ),
+            &["an arm is a struct, not an enum\nhelp: write `struct A;`"],
+        ),
+        (quote!(#[arm(#inline)] union A { x: f64 }), &["an arm is a struct, not a union\nhelp: write `struct A;`"]),
+        (
+            quote!(
+                #[arm(#inline)]
+                struct A<'a>;
+            ),
+            &["an arm is one type: it has no parameters\nhelp: write `struct A;`"],
+        ),
+    ] {
+        assert_eq!(errors(input.clone()), expected, "{input}");
+    }
+}
+
+#[test]
+fn mistakes_of_all_kinds_come_together() {
+    let broken = PLANAR.replace("standard", "standrad");
+    let texts = errors(quote!(
+        #[arm(yaml = #broken, color = "red")]
+        struct A {
+            x: f64,
+        }
+    ));
+    assert_eq!(texts.len(), 3, "{texts:?}");
+    assert!(texts.iter().any(|text| text.starts_with("<inline>:2:13: ")), "{texts:?}");
+}
+
+#[test]
+fn without_cargo_a_path_starts_nowhere() {
+    let input = syn::parse2(quote!(
+        #[arm(spec = "specs/ur5.yaml")]
+        struct Ur5;
+    ))
+    .unwrap();
+    assert!(expand(&input, None).to_string().contains("CARGO_MANIFEST_DIR is not set"));
+}
+
+#[test]
+fn the_outline_of_a_file_is_seen_without_a_reader_of_yaml() {
+    let outline = |text: &str| Outline::of(text);
+    let of = |joints: Option<usize>, task: Option<&str>| Outline { joints, task: task.map(str::to_owned) };
+    assert_eq!(outline(PLANAR), of(Some(2), None));
+    assert_eq!(outline(""), of(None, None));
+    assert_eq!(outline("inverse: {task: position_axis, axis: z}\njoints: ]["), of(None, Some("position_axis")));
+    let broken = "joints:\n  - a: 1\n    type: fixed\n  # - {a: 1}\n  - {a: 1, type: [}\n  - d: 1\n    limits:\n      - 1\n      - 2\n";
+    assert_eq!(outline(broken), of(Some(2), None));
+}

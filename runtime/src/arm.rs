@@ -1,0 +1,127 @@
+//! What every generated arm can do, for code that is generic over the arm.
+
+use crate::dh::JointKind;
+use crate::jacobian::Jacobian;
+use crate::pose::Pose;
+use crate::solution::{Solution, Status};
+
+/// Forward kinematics of an arm with `N` joints in scalar `T`.
+///
+/// The functions are the arm's own of the same names. They never panic; a joint value that is not finite gives a result
+/// that is not finite.
+///
+/// ```
+/// use denhart::{Arm, Pose};
+/// # use denhart::{Jacobian, JointKind, math};
+/// #
+/// # /// One revolute joint about z and a link of 0.5 m along x.
+/// # struct Lever;
+/// #
+/// # impl Arm<f64, 1> for Lever {
+/// #     const LIMITS: [[f64; 2]; 1] = [[-1.0, 1.0]];
+/// #     const JOINT_NAMES: [&'static str; 1] = ["q1"];
+/// #     const JOINT_KINDS: [JointKind; 1] = [JointKind::Revolute];
+/// #     fn forward(&self, &[q1]: &[f64; 1]) -> Pose<f64> {
+/// #         let (s1, c1) = math::sin_cos(q1);
+/// #         Pose {
+/// #             rotation: [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
+/// #             translation: [0.5 * c1, 0.5 * s1, 0.0],
+/// #         }
+/// #     }
+/// #     fn link_poses(&self, q: &[f64; 1]) -> [Pose<f64>; 1] {
+/// #         [self.forward(q)]
+/// #     }
+/// #     fn jacobian(&self, &[q1]: &[f64; 1]) -> Jacobian<f64, 1> {
+/// #         let (s1, c1) = math::sin_cos(q1);
+/// #         Jacobian { rows: [[-0.5 * s1], [0.5 * c1], [0.0], [0.0], [0.0], [1.0]] }
+/// #     }
+/// #     fn forward_and_jacobian(&self, q: &[f64; 1]) -> (Pose<f64>, Jacobian<f64, 1>) {
+/// #         (self.forward(q), self.jacobian(q))
+/// #     }
+/// # }
+///
+/// /// Velocity of the tool point for given joint rates.
+/// fn tool_velocity<A: Arm<f64, N>, const N: usize>(arm: &A, q: &[f64; N], rates: &[f64; N]) -> [f64; 3] {
+///     let [vx, vy, vz, ..] = arm.jacobian(q).mul(rates);
+///     [vx, vy, vz]
+/// }
+///
+/// assert_eq!(tool_velocity(&Lever, &[0.0], &[2.0]), [0.0, 1.0, 0.0]);
+/// let Pose { translation, .. } = Lever.forward(&[0.0]);
+/// assert_eq!(translation, [0.5, 0.0, 0.0]);
+/// ```
+pub trait Arm<T, const N: usize> {
+    /// Lowest and highest value of every joint, rad or length unit; infinite where the arm's file has none.
+    const LIMITS: [[T; 2]; N];
+
+    /// Names of the joints in order.
+    const JOINT_NAMES: [&'static str; N];
+
+    /// Kinds of the joints in order, revolute or prismatic.
+    const JOINT_KINDS: [JointKind; N];
+
+    /// Pose of the tool in the base frame, through base, all rows and tool.
+    ///
+    /// `q`: joint values `[N]`, rad or length unit.
+    #[must_use]
+    fn forward(&self, q: &[T; N]) -> Pose<T>;
+
+    /// Poses of the links in the base frame, `[N]`.
+    ///
+    /// Link i stands after the base, the rows up to and including joint i, and the fixed rows between joint i and the
+    /// next joint. The last link is without the tool.
+    #[must_use]
+    fn link_poses(&self, q: &[T; N]) -> [Pose<T>; N];
+
+    /// Geometric Jacobian `[6, N]` in the base frame, at the tool point.
+    #[must_use]
+    fn jacobian(&self, q: &[T; N]) -> Jacobian<T, N>;
+
+    /// [`forward`](Self::forward) and [`jacobian`](Self::jacobian), sharing their terms.
+    #[must_use]
+    fn forward_and_jacobian(&self, q: &[T; N]) -> (Pose<T>, Jacobian<T, N>);
+}
+
+/// Inverse kinematics in closed form of an arm with `N` joints in scalar `T`.
+///
+/// ```
+/// use denhart::{InverseKinematics, Solution, Status};
+///
+/// /// The joint vector nearest to `q` that reaches the target within the limits.
+/// fn next<A, const N: usize>(arm: &A, target: &A::Target, q: &[f64; N]) -> Option<[f64; N]>
+/// where
+///     A: InverseKinematics<f64, N>,
+/// {
+///     let solutions = arm.inverse_near(target, q);
+///     let reachable = A::status(&solutions) == Status::Reachable;
+///     let usable = |s: &&Solution<f64, N>| s.is_exact() && s.is_within_limits();
+///     solutions.as_ref().iter().find(usable).map(|s| s.q).filter(|_| reachable)
+/// }
+/// ```
+pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
+    /// What is asked of the tool: a [`Pose`], or less where the arm has fewer freedoms.
+    type Target;
+
+    /// The list of solutions.
+    type Solutions: AsRef<[Solution<T, N>]>;
+
+    /// Largest number of solutions of one target.
+    const MAX_SOLUTIONS: usize;
+
+    /// Every branch that reaches the target, each once, in the arm's documented order.
+    ///
+    /// Angles are in `(-pi, pi]`, prismatic values in the length unit.
+    #[must_use]
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions;
+
+    /// The same solutions with angles unwound next to `q_ref`, the nearest first.
+    ///
+    /// Joints that the target does not determine take their value from `q_ref`. A `q_ref` that is not finite gives
+    /// [`Status::BadTarget`].
+    #[must_use]
+    fn inverse_near(&self, target: &Self::Target, q_ref: &[T; N]) -> Self::Solutions;
+
+    /// Outcome of the call that gave `solutions`.
+    #[must_use]
+    fn status(solutions: &Self::Solutions) -> Status<T>;
+}

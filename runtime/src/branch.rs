@@ -1,0 +1,236 @@
+//! Names of the branches of an inverse.
+
+use core::fmt;
+
+/// Side on which the arm stands, of the two that its shoulder allows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[repr(u8)]
+pub enum Shoulder {
+    /// The first solution of the shoulder.
+    Left = 1,
+    /// The second solution of the shoulder.
+    Right = 2,
+}
+
+impl Shoulder {
+    /// The name of a stage's root: the first one or any other.
+    #[inline]
+    #[must_use]
+    pub const fn of_root(index: usize) -> Self {
+        if index == 0 { Self::Left } else { Self::Right }
+    }
+}
+
+/// Side to which the elbow bends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[repr(u8)]
+pub enum Elbow {
+    /// The elbow above the line from shoulder to wrist.
+    Up = 1,
+    /// The elbow below that line.
+    Down = 2,
+}
+
+impl Elbow {
+    /// The name of a stage's root: the first one or any other.
+    #[inline]
+    #[must_use]
+    pub const fn of_root(index: usize) -> Self {
+        if index == 0 { Self::Up } else { Self::Down }
+    }
+}
+
+/// Which of the two wrist solutions: they differ by half a turn of the first and the last wrist joint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[repr(u8)]
+pub enum Wrist {
+    /// The first solution of the wrist.
+    NoFlip = 1,
+    /// The second solution of the wrist.
+    Flip = 2,
+}
+
+impl Wrist {
+    /// The name of a stage's root: the first one or any other.
+    #[inline]
+    #[must_use]
+    pub const fn of_root(index: usize) -> Self {
+        if index == 0 { Self::NoFlip } else { Self::Flip }
+    }
+}
+
+/// Name of the branch that a solution lies on; each part only where it means something for the arm.
+// Packed, with all bits zero for `NONE`: an empty array of solutions is then plain zeros.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct Branch {
+    /// Two bits each, from the lowest: shoulder, elbow, wrist. 0 is none.
+    labels: u8,
+    root: u8,
+}
+
+impl Branch {
+    /// A branch without a name.
+    pub const NONE: Self = Self { labels: 0, root: 0 };
+
+    /// The same branch with the number of a root, given its index from 0.
+    #[inline]
+    #[must_use]
+    pub const fn with_root_index(self, index: usize) -> Self {
+        self.with_root(if index < 15 { index as u8 + 1 } else { 0 })
+    }
+
+    const ELBOW: u8 = 2;
+    const WRIST: u8 = 4;
+
+    /// The same branch with the side of the shoulder.
+    #[inline]
+    #[must_use]
+    pub const fn with_shoulder(self, shoulder: Shoulder) -> Self {
+        self.with(0, shoulder as u8)
+    }
+
+    /// The same branch with the side of the elbow.
+    #[inline]
+    #[must_use]
+    pub const fn with_elbow(self, elbow: Elbow) -> Self {
+        self.with(Self::ELBOW, elbow as u8)
+    }
+
+    /// The same branch with the solution of the wrist.
+    #[inline]
+    #[must_use]
+    pub const fn with_wrist(self, wrist: Wrist) -> Self {
+        self.with(Self::WRIST, wrist as u8)
+    }
+
+    /// The same branch with the number of the polynomial's root, counted from 1; 0 for none.
+    #[inline]
+    #[must_use]
+    pub const fn with_root(self, root: u8) -> Self {
+        Self { root, ..self }
+    }
+
+    /// Side of the shoulder, where the arm has one.
+    #[inline]
+    #[must_use]
+    pub const fn shoulder(self) -> Option<Shoulder> {
+        match self.get(0) {
+            1 => Some(Shoulder::Left),
+            2 => Some(Shoulder::Right),
+            _ => None,
+        }
+    }
+
+    /// Side of the elbow, where the arm has one.
+    #[inline]
+    #[must_use]
+    pub const fn elbow(self) -> Option<Elbow> {
+        match self.get(Self::ELBOW) {
+            1 => Some(Elbow::Up),
+            2 => Some(Elbow::Down),
+            _ => None,
+        }
+    }
+
+    /// Solution of the wrist, where the arm has one.
+    #[inline]
+    #[must_use]
+    pub const fn wrist(self) -> Option<Wrist> {
+        match self.get(Self::WRIST) {
+            1 => Some(Wrist::NoFlip),
+            2 => Some(Wrist::Flip),
+            _ => None,
+        }
+    }
+
+    /// Number of the root, counted from 1, where the branches are the roots of a polynomial.
+    #[inline]
+    #[must_use]
+    pub const fn root(self) -> Option<u8> {
+        if self.root == 0 { None } else { Some(self.root) }
+    }
+
+    #[inline]
+    const fn with(self, shift: u8, label: u8) -> Self {
+        Self { labels: self.labels & !(3 << shift) | label << shift, ..self }
+    }
+
+    #[inline]
+    const fn get(self, shift: u8) -> u8 {
+        self.labels >> shift & 3
+    }
+}
+
+/// The parts that have a meaning, as in `shoulder left, elbow up, wrist no-flip` or `root 2`; `-` where none has.
+impl fmt::Display for Branch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let shoulder = self.shoulder().map(|shoulder| match shoulder {
+            Shoulder::Left => "shoulder left",
+            Shoulder::Right => "shoulder right",
+        });
+        let elbow = self.elbow().map(|elbow| match elbow {
+            Elbow::Up => "elbow up",
+            Elbow::Down => "elbow down",
+        });
+        let wrist = self.wrist().map(|wrist| match wrist {
+            Wrist::NoFlip => "wrist no-flip",
+            Wrist::Flip => "wrist flip",
+        });
+        if *self == Self::NONE {
+            return f.write_str("-");
+        }
+        let mut separator = "";
+        for part in [shoulder, elbow, wrist].into_iter().flatten() {
+            write!(f, "{separator}{part}")?;
+            separator = ", ";
+        }
+        match self.root() {
+            Some(root) => write!(f, "{separator}root {root}"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl fmt::Debug for Branch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Branch({self})")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::format;
+
+    #[test]
+    fn every_name_is_kept() {
+        for shoulder in [Shoulder::Left, Shoulder::Right] {
+            for elbow in [Elbow::Up, Elbow::Down] {
+                for wrist in [Wrist::NoFlip, Wrist::Flip] {
+                    let branch = Branch::NONE.with_wrist(wrist).with_shoulder(shoulder).with_elbow(elbow).with_root(7);
+                    assert_eq!(branch.shoulder(), Some(shoulder));
+                    assert_eq!(branch.elbow(), Some(elbow));
+                    assert_eq!(branch.wrist(), Some(wrist));
+                    assert_eq!(branch.root(), Some(7));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_last_label_counts() {
+        let branch = Branch::NONE.with_elbow(Elbow::Down).with_elbow(Elbow::Up);
+        assert_eq!(branch, Branch::NONE.with_elbow(Elbow::Up));
+        assert_eq!(branch.with_root(3).with_root(0), branch);
+        assert_eq!((branch.shoulder(), branch.wrist(), branch.root()), (None, None, None));
+    }
+
+    #[test]
+    fn display_names_what_there_is() {
+        let branch = Branch::NONE.with_shoulder(Shoulder::Left).with_elbow(Elbow::Up).with_wrist(Wrist::NoFlip);
+        assert_eq!(format!("{branch}"), "shoulder left, elbow up, wrist no-flip");
+        assert_eq!(format!("{}", Branch::NONE.with_root(2)), "root 2");
+        assert_eq!(format!("{}", Branch::NONE.with_wrist(Wrist::Flip).with_root(1)), "wrist flip, root 1");
+        assert_eq!(format!("{} {:?}", Branch::NONE, Branch::default()), "- Branch(-)");
+    }
+}

@@ -1,0 +1,58 @@
+//! Kinematics of serial robot arms, generated from their Denavit-Hartenberg table.
+//!
+//! An arm is described once, by its table. From it come plain Rust functions for the pose of the tool, the Jacobian
+//! and every branch of the inverse kinematics: straight-line arithmetic, no allocation, no panic, no `std` needed.
+//! This crate holds what that code and its callers share: poses, Jacobians, solutions with their status, the traits
+//! [`Arm`](trait@Arm) and [`InverseKinematics`], and the scalar kernels that the generated code calls.
+//!
+//! # Conventions
+//! - Angles are radians. Lengths are in the unit of the arm's table, see [`LengthUnit`].
+//! - A [`Pose`] maps tool coordinates to base coordinates. A [`Jacobian`] is geometric, in the base frame, at the tool
+//!   point, with rows `vx vy vz wx wy wz`.
+//! - Joints count from 0 in code and from 1 in printed text (`q1` is `q[0]`).
+//!
+//! # Features
+//! | feature | default | gives |
+//! |---|---|---|
+//! | `std` | yes | the elementary functions of the standard library |
+//! | `derive` | yes | `#[derive(Arm)]` |
+//! | `nalgebra` | yes | conversions to and from nalgebra; with `std` also `Chain`, an arm from its table at run time |
+//! | `libm` | no | the elementary functions of the `libm` crate, for targets without `std` |
+//!
+//! Only `Chain` allocates.
+
+#![no_std]
+
+#[cfg(any(feature = "std", test))]
+extern crate std;
+
+mod arm;
+mod branch;
+#[cfg(all(feature = "nalgebra", feature = "std"))]
+mod chain;
+mod dh;
+mod flags;
+mod jacobian;
+pub mod math;
+#[cfg(feature = "nalgebra")]
+mod nalgebra_convert;
+mod pose;
+mod solution;
+mod solutions;
+pub mod solve;
+
+pub use arm::{Arm, InverseKinematics};
+pub use branch::{Branch, Elbow, Shoulder, Wrist};
+#[cfg(all(feature = "nalgebra", feature = "std"))]
+pub use chain::{Chain, ChainError};
+pub use dh::{Convention, DhFrame, DhRow, DhTable, JointKind, LengthUnit};
+pub use flags::{Flags, JointMask};
+pub use jacobian::Jacobian;
+pub use math::Scalar;
+pub use pose::Pose;
+pub use solution::{Residual, Solution, Status};
+pub use solutions::Solutions;
+
+/// Derives [`Arm`](trait@Arm), and where the arm has a closed form [`InverseKinematics`], from a table in YAML.
+#[cfg(feature = "derive")]
+pub use denhart_macros::Arm;

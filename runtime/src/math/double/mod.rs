@@ -1,0 +1,10 @@
+//! Kernels for `f64`. Plain multiplications and additions only: no fused operation, so the bits are the same everywhere.
+
+pub(super) mod atan2;
+mod far;
+pub(super) mod sin_cos;
+
+/// Bits of an `f64` without its sign.
+const MAGNITUDE: u64 = i64::MAX as u64;
+/// The sign bit of an `f64`.
+const SIGN: u64 = !MAGNITUDE;

@@ -1,0 +1,39 @@
+//! Angles brought into (-pi, pi].
+
+use super::Scalar;
+
+/// The angle of (-pi, pi] that differs from `angle` (rad) by whole turns; not a number for one that is not finite.
+///
+/// Within three half turns it is one exact addition or subtraction of `TAU`. Beyond, the turns are those of the real
+/// number 2 pi: at most 1 ulp of pi off for every finite angle. The result is never `-PI` itself.
+#[inline]
+pub fn wrap<T: Scalar>(angle: T) -> T {
+    if angle > T::PI {
+        if angle <= T::from_f64(9.42) { angle - T::TAU } else { turns(angle) }
+    } else if angle > -T::PI {
+        angle
+    } else if angle >= T::from_f64(-9.42) {
+        angle + T::TAU
+    } else {
+        turns(angle)
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn turns<T: Scalar>(angle: T) -> T {
+    if !angle.is_finite() {
+        return T::NAN;
+    }
+    let (hi, lo, quarters) = angle.reduce();
+    let half_pi_lo = T::PI_LO * T::HALF;
+    let magnitude = match quarters {
+        0 => hi + lo,
+        1 => T::FRAC_PI_2 + (hi + (half_pi_lo + lo)),
+        2 if hi > T::ZERO => (hi - T::PI) + (lo - T::PI_LO),
+        2 => (T::PI + hi) + (T::PI_LO + lo),
+        _ => (hi - T::FRAC_PI_2) + (lo - half_pi_lo),
+    };
+    let wrapped = if angle < T::ZERO { -magnitude } else { magnitude };
+    if wrapped <= -T::PI || wrapped > T::PI { T::PI } else { wrapped }
+}

@@ -1,0 +1,214 @@
+//! One solution of the inverse kinematics, and the outcome of a call.
+
+use core::fmt;
+
+use crate::branch::Branch;
+use crate::dh::JointKind;
+use crate::flags::{Flags, JointMask};
+use crate::math::Scalar;
+
+/// How far a pose misses its target.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Residual<T> {
+    /// Distance of the tool point from the target, in the length unit.
+    pub position: T,
+    /// Angle between tool and target, rad.
+    pub orientation: T,
+}
+
+impl<T: Scalar> Residual<T> {
+    /// No deviation.
+    pub const ZERO: Self = Self { position: T::ZERO, orientation: T::ZERO };
+}
+
+/// As in `position 2.0e-16, orientation 1.1e-16 rad`.
+impl<T: fmt::LowerExp> fmt::Display for Residual<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let precision = f.precision().unwrap_or(1);
+        write!(f, "position {:.precision$e}, orientation {:.precision$e} rad", self.position, self.orientation)
+    }
+}
+
+/// One joint vector that answers a target.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Solution<T, const N: usize> {
+    /// Joint values: rad for revolute joints, the length unit for prismatic ones.
+    pub q: [T; N],
+    /// What is known about the solution.
+    pub flags: Flags,
+    /// The joints whose value the solver chose because the target does not determine it, see [`Flags::FREE`].
+    pub free: JointMask,
+    /// The branch that the solution lies on.
+    pub branch: Branch,
+    /// How far the tool is from the target by the gaps of the closed form: zero where none of its stages was clamped.
+    pub residual: Residual<T>,
+}
+
+impl<T: Scalar, const N: usize> Solution<T, N> {
+    /// What stands in the unused places of [`Solutions`](crate::Solutions).
+    pub(crate) const EMPTY: Self = Self {
+        q: [T::ZERO; N],
+        flags: Flags::NONE,
+        free: JointMask::NONE,
+        branch: Branch::NONE,
+        residual: Residual::ZERO,
+    };
+}
+
+impl<T, const N: usize> Solution<T, N> {
+    /// Whether the solution reaches the target up to rounding.
+    #[inline]
+    #[must_use]
+    pub const fn is_exact(&self) -> bool {
+        self.flags.contains(Flags::EXACT)
+    }
+
+    /// Whether every joint is within the arm's limits.
+    #[inline]
+    #[must_use]
+    pub const fn is_within_limits(&self) -> bool {
+        !self.flags.contains(Flags::OUT_OF_LIMITS)
+    }
+}
+
+impl<T: Scalar, const N: usize> Solution<T, N> {
+    /// The solution as text for people: revolute joints in degrees, prismatic ones in the length unit.
+    ///
+    /// `kinds`: the arm's [`JOINT_KINDS`](crate::Arm::JOINT_KINDS). A precision in the format applies to every joint
+    /// value; the default is 3 decimals for degrees and 6 for lengths.
+    pub fn display<'a>(&'a self, kinds: &'a [JointKind; N]) -> impl fmt::Display + 'a {
+        InDegrees { solution: self, kinds }
+    }
+}
+
+struct InDegrees<'a, T, const N: usize> {
+    solution: &'a Solution<T, N>,
+    kinds: &'a [JointKind; N],
+}
+
+impl<T: Scalar, const N: usize> fmt::Display for InDegrees<'_, T, N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let precision = f.precision();
+        let mut separator = "[";
+        for (q, kind) in self.solution.q.iter().zip(self.kinds) {
+            let q = q.to_f64();
+            match kind {
+                JointKind::Revolute => {
+                    write!(f, "{separator}{:.1$} deg", q.to_degrees(), precision.unwrap_or(3))?;
+                }
+                JointKind::Prismatic | JointKind::Fixed => write!(f, "{separator}{q:.0$}", precision.unwrap_or(6))?,
+            }
+            separator = ", ";
+        }
+        write_facts(f, self.solution)
+    }
+}
+
+/// The joint values as they are (rad, length unit), the flags, the branch. The default precision is 6 decimals.
+/// [`Solution::display`] gives degrees.
+impl<T: fmt::Display, const N: usize> fmt::Display for Solution<T, N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let precision = f.precision().unwrap_or(6);
+        let mut separator = "[";
+        for q in &self.q {
+            write!(f, "{separator}{q:.precision$}")?;
+            separator = ", ";
+        }
+        write_facts(f, self)
+    }
+}
+
+fn write_facts<T, const N: usize>(f: &mut fmt::Formatter<'_>, solution: &Solution<T, N>) -> fmt::Result {
+    write!(f, "]  {}", solution.flags)?;
+    if !solution.free.is_empty() {
+        write!(f, " {}", solution.free)?;
+    }
+    write!(f, "  {}", solution.branch)
+}
+
+/// Outcome of an inverse.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Status<T> {
+    /// At least one solution is [`EXACT`](Flags::EXACT).
+    Reachable,
+    /// No solution is exact. Those that come within the tolerance are still listed, as
+    /// [`APPROXIMATE`](Flags::APPROXIMATE).
+    Unreachable {
+        /// The least stage gap over all branches: how far the target is out of reach of the branch that comes closest,
+        /// in the length unit where a length stops it, in rad where an angle does.
+        residual: T,
+    },
+    /// The target, or the reference joint vector, is not finite, or the rotation is none: its rows deviate from an
+    /// orthonormal frame by more than 1e-6 (1e-3 in single precision), or its determinant is -1.
+    BadTarget,
+}
+
+impl<T> Status<T> {
+    /// Whether the target is reached.
+    #[inline]
+    #[must_use]
+    pub const fn is_reachable(&self) -> bool {
+        matches!(self, Self::Reachable)
+    }
+}
+
+impl<T: fmt::LowerExp> fmt::Display for Status<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Reachable => f.write_str("reachable"),
+            Self::Unreachable { residual } => write!(f, "unreachable: the closest branch misses by {residual:.1e}"),
+            Self::BadTarget => f.write_str("bad target: not finite, or not a rotation"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::branch::Elbow;
+    use std::format;
+
+    const SOLUTION: Solution<f64, 2> = Solution {
+        q: [core::f64::consts::FRAC_PI_2, 0.25],
+        flags: Flags::EXACT.union(Flags::FREE),
+        free: JointMask::single(1),
+        branch: Branch::NONE.with_elbow(Elbow::Up),
+        residual: Residual::ZERO,
+    };
+
+    #[test]
+    fn display_keeps_the_units_of_q() {
+        assert_eq!(format!("{SOLUTION}"), "[1.570796, 0.250000]  EXACT | FREE {q2}  elbow up");
+        assert_eq!(format!("{SOLUTION:.2}"), "[1.57, 0.25]  EXACT | FREE {q2}  elbow up");
+    }
+
+    #[test]
+    fn display_with_kinds_is_in_degrees_only_for_angles() {
+        let mut plain = SOLUTION;
+        plain.flags = Flags::EXACT;
+        plain.free = JointMask::NONE;
+        let kinds = [JointKind::Revolute, JointKind::Prismatic];
+        assert_eq!(format!("{}", plain.display(&kinds)), "[90.000 deg, 0.250000]  EXACT  elbow up");
+        assert_eq!(format!("{:.1}", plain.display(&[JointKind::Revolute; 2])), "[90.0 deg, 14.3 deg]  EXACT  elbow up");
+    }
+
+    #[test]
+    fn flags_read_as_questions() {
+        assert!(SOLUTION.is_exact() && SOLUTION.is_within_limits());
+        let mut outside = SOLUTION;
+        outside.flags = Flags::APPROXIMATE | Flags::OUT_OF_LIMITS;
+        assert!(!outside.is_exact() && !outside.is_within_limits());
+    }
+
+    #[test]
+    fn status_and_residual_read_as_text() {
+        let far = Status::Unreachable { residual: 0.0123 };
+        assert!(Status::<f64>::Reachable.is_reachable() && !far.is_reachable());
+        assert_eq!(format!("{far}"), "unreachable: the closest branch misses by 1.2e-2");
+        assert_eq!(format!("{}", Status::<f32>::Reachable), "reachable");
+        assert_eq!(
+            format!("{}", Residual { position: 2e-16, orientation: 0.0 }),
+            "position 2.0e-16, orientation 0.0e0 rad"
+        );
+    }
+}

@@ -1,0 +1,350 @@
+//! All branches of one inverse, in an array of fixed capacity.
+
+use core::cmp::Ordering;
+use core::fmt;
+use core::ops::Deref;
+use core::{array, iter, mem, slice};
+
+use crate::arm::Arm;
+use crate::flags::Flags;
+use crate::math::Scalar;
+use crate::pose::Pose;
+use crate::solution::{Residual, Solution, Status};
+
+/// The solutions of one call, at most `M`, of an arm with `N` joints, and the status of the call.
+///
+/// Derefs to a slice of [`Solution`]. `inverse` lists the branches in the order that its documentation states,
+/// `inverse_near` the nearest first. Limits never remove a solution: [`within_limits`](Self::within_limits) filters.
+#[derive(Clone, Copy)]
+pub struct Solutions<T, const N: usize, const M: usize> {
+    /// The first `len` are solutions.
+    items: [Solution<T, N>; M],
+    len: usize,
+    status: Status<T>,
+}
+
+impl<T: Scalar, const N: usize, const M: usize> Solutions<T, N, M> {
+    /// One constant, all bits zero, so that making a list is a single fill of memory. (Struct update from it would
+    /// compile to a slower copy of read-only data.)
+    const EMPTY: Self = Self { items: [Solution::EMPTY; M], len: 0, status: Status::Reachable };
+
+    /// An empty list.
+    #[inline]
+    #[must_use]
+    pub const fn new(status: Status<T>) -> Self {
+        let mut empty = Self::EMPTY;
+        empty.status = status;
+        empty
+    }
+
+    /// The residual of every solution, in order, from the arm's own `forward`.
+    ///
+    /// [`Solution::residual`] holds the gaps of the closed form; this is the full check, one forward kinematics for
+    /// each solution.
+    pub fn verify<A: Arm<T, N>>(&self, arm: &A, target: &Pose<T>) -> impl Iterator<Item = Residual<T>> {
+        self.iter().map(|solution| target.residual(&arm.forward(&solution.q)))
+    }
+}
+
+impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
+    /// Appends a solution. Returns whether there was room.
+    #[inline]
+    pub fn push(&mut self, solution: Solution<T, N>) -> bool {
+        match self.items.get_mut(self.len) {
+            Some(place) => {
+                *place = solution;
+                self.len += 1;
+                true
+            }
+            None => false,
+        }
+    }
+
+    /// The solutions.
+    #[inline]
+    #[must_use]
+    pub fn as_slice(&self) -> &[Solution<T, N>] {
+        self.items.get(..self.len).unwrap_or(&[])
+    }
+
+    /// The solutions, to change in place.
+    #[inline]
+    #[must_use]
+    pub fn as_mut_slice(&mut self) -> &mut [Solution<T, N>] {
+        self.items.get_mut(..self.len).unwrap_or(&mut [])
+    }
+
+    /// Outcome of the call.
+    #[inline]
+    #[must_use]
+    pub const fn status(&self) -> Status<T>
+    where
+        T: Copy,
+    {
+        self.status
+    }
+
+    /// Sets the outcome of the call.
+    #[inline]
+    pub fn set_status(&mut self, status: Status<T>) {
+        self.status = status;
+    }
+
+    /// The solutions with every joint within the arm's limits.
+    #[inline]
+    pub fn within_limits(&self) -> impl Iterator<Item = &Solution<T, N>> + Clone {
+        self.as_slice().iter().filter(|solution| solution.is_within_limits())
+    }
+
+    /// The solutions that reach the target up to rounding.
+    #[inline]
+    pub fn exact(&self) -> impl Iterator<Item = &Solution<T, N>> + Clone {
+        self.as_slice().iter().filter(|solution| solution.flags.contains(Flags::EXACT))
+    }
+
+    /// The first solution: after `inverse_near`, the one nearest to the reference.
+    #[inline]
+    #[must_use]
+    pub fn nearest(&self) -> Option<&Solution<T, N>> {
+        self.as_slice().first()
+    }
+
+    /// Keeps the first `len` solutions.
+    #[inline]
+    pub fn truncate(&mut self, len: usize) {
+        self.len = self.len.min(len);
+    }
+
+    /// Keeps the solutions for which `keep` holds, in order.
+    #[inline]
+    pub fn retain(&mut self, mut keep: impl FnMut(&Solution<T, N>) -> bool) {
+        let mut kept = 0;
+        for index in 0..self.len {
+            if self.items.get(index).is_some_and(&mut keep) {
+                // Split, so that no index is taken on trust: `kept <= index < M`.
+                if let Some((front, [item, ..])) = self.items.split_at_mut_checked(index)
+                    && let Some(place) = front.get_mut(kept)
+                {
+                    mem::swap(place, item);
+                }
+                kept += 1;
+            }
+        }
+        self.len = kept;
+    }
+
+    /// Sorts by `compare`, keeping the order of equal solutions.
+    ///
+    /// Insertion: the list is short, and an inconsistent comparison gives some order, never a panic.
+    #[inline]
+    pub fn sort_by(&mut self, mut compare: impl FnMut(&Solution<T, N>, &Solution<T, N>) -> Ordering) {
+        let items = self.as_mut_slice();
+        for end in 1..=items.len() {
+            let mut sorted = items.get_mut(..end).unwrap_or(&mut []);
+            while let Some((last, front)) = sorted.split_last_mut() {
+                match front.last_mut() {
+                    Some(before) if compare(before, last) == Ordering::Greater => mem::swap(before, last),
+                    _ => break,
+                }
+                sorted = front;
+            }
+        }
+    }
+}
+
+impl<T, const N: usize, const M: usize> Deref for Solutions<T, N, M> {
+    type Target = [Solution<T, N>];
+
+    #[inline]
+    fn deref(&self) -> &Self::Target {
+        self.as_slice()
+    }
+}
+
+impl<T, const N: usize, const M: usize> AsRef<[Solution<T, N>]> for Solutions<T, N, M> {
+    #[inline]
+    fn as_ref(&self) -> &[Solution<T, N>] {
+        self.as_slice()
+    }
+}
+
+impl<T, const N: usize, const M: usize> IntoIterator for Solutions<T, N, M> {
+    type Item = Solution<T, N>;
+    type IntoIter = iter::Take<array::IntoIter<Solution<T, N>, M>>;
+
+    #[inline]
+    fn into_iter(self) -> Self::IntoIter {
+        self.items.into_iter().take(self.len)
+    }
+}
+
+impl<'a, T, const N: usize, const M: usize> IntoIterator for &'a Solutions<T, N, M> {
+    type Item = &'a Solution<T, N>;
+    type IntoIter = slice::Iter<'a, Solution<T, N>>;
+
+    #[inline]
+    fn into_iter(self) -> Self::IntoIter {
+        self.as_slice().iter()
+    }
+}
+
+/// Equal solutions in the same order, and the same status.
+impl<T: PartialEq, const N: usize, const M: usize> PartialEq for Solutions<T, N, M> {
+    fn eq(&self, other: &Self) -> bool {
+        self.status == other.status && self.as_slice() == other.as_slice()
+    }
+}
+
+impl<T: fmt::Debug, const N: usize, const M: usize> fmt::Debug for Solutions<T, N, M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Solutions").field("status", &self.status).field("solutions", &self.as_slice()).finish()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+
+    use super::*;
+    use crate::dh::JointKind;
+    use crate::flags::JointMask;
+    use crate::jacobian::Jacobian;
+    use std::format;
+    use std::vec::Vec;
+
+    type Three = Solutions<f64, 1, 3>;
+
+    fn solution(q: f64, flags: Flags) -> Solution<f64, 1> {
+        Solution { q: [q], flags, ..Solution::EMPTY }
+    }
+
+    fn list(values: &[f64]) -> Solutions<f64, 1, 8> {
+        let mut list = Solutions::new(Status::Reachable);
+        for q in values {
+            assert!(list.push(solution(*q, Flags::EXACT)));
+        }
+        list
+    }
+
+    fn values<const M: usize>(list: &Solutions<f64, 1, M>) -> Vec<f64> {
+        list.iter().map(|solution| solution.q[0]).collect()
+    }
+
+    #[test]
+    fn a_new_list_is_empty() {
+        let empty = Three::new(Status::BadTarget);
+        assert!(empty.is_empty() && empty.nearest().is_none() && empty.into_iter().next().is_none());
+        assert_eq!(empty.status(), Status::BadTarget);
+        assert_eq!(Solution::<f32, 2>::EMPTY.free, JointMask::NONE);
+    }
+
+    #[test]
+    fn a_full_list_refuses() {
+        let mut list = Three::new(Status::Reachable);
+        for q in [1.0, 2.0, 3.0] {
+            assert!(list.push(solution(q, Flags::EXACT)));
+        }
+        assert!(!list.push(solution(4.0, Flags::EXACT)));
+        assert_eq!(values(&list), [1.0, 2.0, 3.0]);
+        assert_eq!(list.len(), 3);
+        let mut none = Solutions::<f64, 1, 0>::new(Status::Reachable);
+        assert!(!none.push(solution(4.0, Flags::EXACT)) && none.is_empty());
+    }
+
+    #[test]
+    fn filters_do_not_remove() {
+        let mut list = Three::new(Status::Reachable);
+        list.push(solution(1.0, Flags::EXACT | Flags::OUT_OF_LIMITS));
+        list.push(solution(2.0, Flags::APPROXIMATE));
+        list.push(solution(3.0, Flags::EXACT));
+        assert_eq!(list.within_limits().map(|s| s.q[0]).collect::<Vec<_>>(), [2.0, 3.0]);
+        assert_eq!(list.exact().map(|s| s.q[0]).collect::<Vec<_>>(), [1.0, 3.0]);
+        assert_eq!(list.nearest().unwrap().q, [1.0]);
+        assert_eq!(list.len(), 3);
+    }
+
+    #[test]
+    fn retain_keeps_the_order() {
+        let mut some = list(&[1.0, -2.0, 3.0, -4.0, 5.0]);
+        some.retain(|s| s.q[0] > 0.0);
+        assert_eq!(values(&some), [1.0, 3.0, 5.0]);
+        some.retain(|_| true);
+        assert_eq!(values(&some), [1.0, 3.0, 5.0]);
+        some.retain(|s| s.q[0] > 1.0);
+        assert_eq!(values(&some), [3.0, 5.0]);
+        some.retain(|_| false);
+        assert!(some.is_empty());
+        assert!(some.push(solution(9.0, Flags::EXACT)));
+        assert_eq!(values(&some), [9.0]);
+    }
+
+    #[test]
+    fn sort_is_stable_and_total() {
+        let mut some = list(&[3.5, 1.0, 2.0, 3.0, 1.5, 0.0]);
+        some.sort_by(|a, b| a.q[0].floor().total_cmp(&b.q[0].floor()));
+        assert_eq!(values(&some), [0.0, 1.0, 1.5, 2.0, 3.5, 3.0]);
+        some.sort_by(|_, _| Ordering::Greater);
+        assert_eq!(some.len(), 6);
+        let mut none = list(&[]);
+        none.sort_by(|_, _| Ordering::Greater);
+        assert!(none.is_empty());
+    }
+
+    #[test]
+    fn truncate_and_change_in_place() {
+        let mut some = list(&[1.0, 2.0, 3.0]);
+        some.truncate(5);
+        assert_eq!(some.len(), 3);
+        some.truncate(2);
+        some.set_status(Status::Unreachable { residual: 0.5 });
+        for s in some.as_mut_slice() {
+            s.q[0] *= 10.0;
+        }
+        assert_eq!(some.into_iter().map(|s| s.q[0]).collect::<Vec<_>>(), [10.0, 20.0]);
+        assert_eq!(some.status(), Status::Unreachable { residual: 0.5 });
+    }
+
+    /// A prismatic joint along x.
+    struct Slide;
+
+    impl Arm<f64, 1> for Slide {
+        const LIMITS: [[f64; 2]; 1] = [[0.0, 1.0]];
+        const JOINT_NAMES: [&'static str; 1] = ["q1"];
+        const JOINT_KINDS: [JointKind; 1] = [JointKind::Prismatic];
+
+        fn forward(&self, &[q1]: &[f64; 1]) -> Pose<f64> {
+            Pose { translation: [q1, 0.0, 0.0], ..Pose::identity() }
+        }
+
+        fn link_poses(&self, q: &[f64; 1]) -> [Pose<f64>; 1] {
+            [self.forward(q)]
+        }
+
+        fn jacobian(&self, _: &[f64; 1]) -> Jacobian<f64, 1> {
+            Jacobian { rows: [[1.0], [0.0], [0.0], [0.0], [0.0], [0.0]] }
+        }
+
+        fn forward_and_jacobian(&self, q: &[f64; 1]) -> (Pose<f64>, Jacobian<f64, 1>) {
+            (self.forward(q), self.jacobian(q))
+        }
+    }
+
+    #[test]
+    fn verify_recomputes_every_residual() {
+        let target = Pose { translation: [0.5, 0.0, 2.0], ..Pose::from_xyz_rpy([0.0; 3], [0.0, 0.0, 0.25]) };
+        let residuals = list(&[0.5, 2.0]).verify(&Slide, &target).collect::<Vec<_>>();
+        assert_eq!(residuals.iter().map(|r| r.position).collect::<Vec<_>>(), [2.0, 2.5]);
+        assert!(residuals.iter().all(|r| (r.orientation - 0.25).abs() < 1e-15), "{residuals:?}");
+    }
+
+    #[test]
+    fn equality_and_debug_ignore_what_was_removed() {
+        let mut some = list(&[1.0, 2.0]);
+        some.truncate(1);
+        assert_eq!(some, list(&[1.0]));
+        assert_ne!(some, list(&[2.0]));
+        some.set_status(Status::BadTarget);
+        assert_ne!(some, list(&[1.0]));
+        assert_eq!(format!("{some:?}").matches("Solution {").count(), 1);
+    }
+}

@@ -1,0 +1,63 @@
+//! A direction or point, turned about one axis, with a given component along another.
+
+use super::tolerances::Tolerances;
+use super::{Home, Measure, Stage, Turn};
+
+/// The range of that component. The vector's length is fixed, so each end also has a component across.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cone<T> {
+    /// Largest component along the other axis, and the (signed) component across it there.
+    pub max: [T; 2],
+    /// Smallest component along the other axis, and the (signed) component across it there.
+    pub min: [T; 2],
+}
+
+impl<T: Tolerances> Cone<T> {
+    /// A vector with component `along` the turning axis and `across` (not negative) it; the other axis has cosine
+    /// `cos` and sine `sin` (not negative) to the turning axis.
+    #[inline]
+    pub fn new(along: T, across: T, cos: T, sin: T) -> Self {
+        Self {
+            max: [along * cos + across * sin, across * cos - along * sin],
+            min: [along * cos - across * sin, across * cos + along * sin],
+        }
+    }
+}
+
+/// Solves for the turn `t` from the position nearest the other axis at which the component along it is `d`; `rho` is
+/// the component across it (not negative, `d^2 + rho^2` the squared length): `t = +-2 atan2(sqrt(max - d),
+/// sqrt(d - min))`. Where `d` is near the length, `max - d` is taken from `rho`, which is accurate there.
+///
+/// Two roots, positive first; one at the ends of the range or outside it, then with the gap to the range.
+#[inline]
+pub fn cone<T: Tolerances>(home: Home<T>, measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> Stage<T, 1, 2> {
+    let ([max, max_across], [min, min_across]) = (cone.max, cone.min);
+    let range = max - min;
+    if !(range > measure.vanishing()) {
+        return Stage::free([Turn::ZERO], home, gap(d, rho, max, max_across), measure);
+    }
+    let below = |end: T, across: T| {
+        // end - d, by whichever form does not cancel.
+        if end * d > T::ZERO { (rho - across) * (rho + across) / (d + end) } else { end - d }
+    };
+    let (top, bottom) = (below(max, max_across), -below(min, min_across));
+    let close = measure.rounding();
+    let met = |end: T, across: T| (end - d).abs() <= close && (rho - across.abs()).abs() <= close;
+    if !(top > T::ZERO) || met(max, max_across) {
+        return Stage::edge([Turn::ZERO], gap(d, rho, max, max_across), measure);
+    }
+    if !(bottom > T::ZERO) || met(min, min_across) {
+        let half = Turn { value: T::PI, sin: T::ZERO, cos: -T::ONE };
+        return Stage::edge([half], gap(d, rho, min, min_across), measure);
+    }
+    let product = (top * bottom).sqrt();
+    let turn = Turn::towards(product + product, bottom - top);
+    Stage::solved([[turn], [turn.reversed()]], measure).with_amplitude((product / range).min(range / measure.scale))
+}
+
+/// The angle (times length, for points) between `(d, rho)` and an end of the range, zero within rounding.
+#[inline]
+fn gap<T: Tolerances>(d: T, rho: T, end: T, across: T) -> T {
+    let length = (d * d + rho * rho).sqrt();
+    if length > T::ZERO { (rho * end - d * across.abs()).abs() / length } else { T::ZERO }
+}

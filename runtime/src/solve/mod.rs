@@ -1,0 +1,48 @@
+//! The kernels that generated inverse kinematics calls.
+//!
+//! A generated `inverse` is a cascade of stages. Each stage is one scalar equation solved in closed form by one of the
+//! kernels here; it has at most two roots (four for [`pair`]), and the next stage is solved for each of them. No kernel
+//! divides by something that vanishes at an ordinary pose, and none uses `acos` or `asin`: an angle is never taken from
+//! its stationary component.
+//!
+//! | kernel | equation |
+//! |---|---|
+//! | [`offset`] | `a cos + b sin = d` |
+//! | [`distance`] | two points on links, one turned about an axis, are a given distance apart |
+//! | [`cone`] | a direction or point, turned about an axis, has a given component along another axis |
+//! | [`align`] | turn one plane vector onto another |
+//! | [`flip`], [`wrist`] | an orthogonal pair or triple of axes: two roots half a turn apart |
+//! | [`slide`], [`slide_to`], [`quadratic`] | a sliding joint reaches a given distance |
+//! | [`pair`], [`pair_sliding`] | two equations in two joints that no other kernel separates (a quartic) |
+//!
+//! [`Search`] follows the branches, collects the solutions, and gives every doubtful one (near a singularity or at
+//! the edge of reach) a full check and, if needed, a few damped Newton steps.
+
+mod align;
+mod circle;
+mod cone;
+mod distance;
+mod offset;
+mod pair;
+mod refine;
+mod search;
+mod settle;
+mod slide;
+mod stage;
+mod tolerances;
+mod turn;
+mod wrist;
+
+pub use align::align;
+pub use cone::{Cone, cone};
+pub use distance::{Elbow, distance};
+pub use offset::offset;
+pub use pair::{pair, pair_sliding};
+pub use search::{Facts, Search};
+pub use slide::{quadratic, slide, slide_to};
+pub use stage::{Measure, Root, Roots, Stage, Trail};
+pub use tolerances::Tolerances;
+pub use turn::{Home, Turn};
+pub use wrist::{flip, wrist};
+
+pub use crate::math::wrap;

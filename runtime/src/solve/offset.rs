@@ -1,0 +1,27 @@
+//! One trigonometric equation: a point turned about an axis keeps a given offset.
+
+use super::tolerances::Tolerances;
+use super::{Home, Measure, Stage, Turn};
+
+/// Solves `a cos(t) + b sin(t) = d` for `t`: `t = atan2(b, a) +- atan2(sqrt(r^2 - d^2), d)`, `r = |(a, b)|`.
+///
+/// Two roots, in this order; one where they meet (`|d| = r`) or where the equation has no solution, then with the gap
+/// `|d| - r`. With `r` vanishing the joint is free.
+#[inline]
+pub fn offset<T: Tolerances>(home: Home<T>, measure: Measure<T>, a: T, b: T, d: T) -> Stage<T, 1, 2> {
+    let r2 = a * a + b * b;
+    let r = r2.sqrt();
+    if !(r > measure.vanishing()) {
+        return Stage::free([Turn::ZERO], home, d.abs(), measure);
+    }
+    let h2 = (r - d) * (r + d);
+    if !(h2 > T::ROUNDING * r2) {
+        let side = if d < T::ZERO { -T::ONE / r } else { T::ONE / r };
+        return Stage::edge([Turn::of(b * side, a * side)], (d.abs() - r).max(T::ZERO), measure);
+    }
+    let h = h2.sqrt();
+    let k = T::ONE / r2;
+    let first = Turn::of((b * d + a * h) * k, (a * d - b * h) * k);
+    let second = Turn::of((b * d - a * h) * k, (a * d + b * h) * k);
+    Stage::solved([[first], [second]], measure).with_amplitude((h / r).min(r / measure.scale))
+}

@@ -1,0 +1,200 @@
+//! Following the branches of the cascade and collecting the solutions.
+
+use super::refine::Evaluate;
+use super::{Home, Measure, Root, Roots, Stage, Tolerances, Trail};
+use crate::{Branch, Flags, JointMask, Pose, Residual, Solution, Solutions, Status};
+
+/// What the search needs to know about an arm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Facts<T, const N: usize> {
+    /// Lower and upper limit of every joint, infinite where there is none.
+    pub limits: [[T; 2]; N],
+    /// Whether any joint has limits.
+    pub limited: bool,
+    /// The sliding joints.
+    pub prismatic: JointMask,
+    /// Reach of the arm, in its length unit.
+    pub reach: T,
+    /// Residuals up to this are listed as approximate solutions.
+    pub tolerance: Residual<T>,
+}
+
+/// One run of the inverse kinematics.
+#[derive(Debug, Clone)]
+pub struct Search<'a, T, const N: usize, const M: usize> {
+    pub(super) facts: &'a Facts<T, N>,
+    pub(super) target: &'a Pose<T>,
+    pub(super) near: Option<&'a [T; N]>,
+    pub(super) solutions: Solutions<T, N, M>,
+    /// Bit i: solution i is to be checked in full.
+    pub(super) doubtful: u32,
+    /// The target's deviation from a rotation.
+    pub(super) deviation: T,
+    /// The least gap at which a branch ended.
+    pub(super) least_gap: Option<T>,
+}
+
+impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
+    /// Starts a search.
+    ///
+    /// # Errors
+    /// The empty solutions with [`Status::BadTarget`] if the target (or the reference) is not finite or its rotation
+    /// is not one within 1e-6 (f32: 1e-3).
+    #[inline]
+    pub fn new(
+        facts: &'a Facts<T, N>,
+        target: &'a Pose<T>,
+        near: Option<&'a [T; N]>,
+    ) -> Result<Self, Solutions<T, N, M>> {
+        let deviation = deviation(target);
+        let finite = target.translation.iter().all(|x| x.is_finite())
+            && near.is_none_or(|q| q.iter().all(|x| x.is_finite()));
+        if !(deviation <= T::NOT_A_ROTATION) || !finite {
+            return Err(Solutions::new(Status::BadTarget));
+        }
+        let solutions = Solutions::new(Status::Unreachable { residual: T::INFINITY });
+        Ok(Self { facts, target, near, solutions, doubtful: 0, deviation, least_gap: None })
+    }
+
+    /// The start of every branch.
+    #[inline]
+    pub fn start(&self) -> Trail<T> {
+        Trail { doubt: self.deviation > T::EXACT * T::HALF, ..Trail::START }
+    }
+
+    /// Where a joint stays if it is free: its reference value; without one 0, or the limit nearest to 0.
+    #[inline]
+    pub fn home(&self, joint: usize) -> Home<T> {
+        let value = match self.near.and_then(|q| q.get(joint)) {
+            Some(value) => *value,
+            None => match self.facts.limits.get(joint) {
+                Some([low, high]) => T::ZERO.max(*low).min(*high),
+                None => T::ZERO,
+            },
+        };
+        Home { value, joint: JointMask::single(joint) }
+    }
+
+    /// The roots of a stage, on a branch. A stage that misses by more than the tolerance ends the branch; its gap is
+    /// remembered.
+    #[inline]
+    pub fn branch<const K: usize, const R: usize>(
+        &mut self,
+        trail: &Trail<T>,
+        stage: &Stage<T, K, R>,
+    ) -> Roots<T, K, R> {
+        let mut roots = Roots { roots: stage.roots, len: stage.len, next: 0, trail: *trail };
+        if stage.doubt {
+            match self.doubtful_trail(trail, stage.gap, stage.angular, stage.amplitude, stage.boundary, stage.free) {
+                Some(trail) => roots.trail = trail,
+                None => roots.len = 0,
+            }
+        }
+        roots
+    }
+
+    /// The root of a stage that has just one: it never ends a branch.
+    #[inline]
+    pub fn only<const K: usize>(&mut self, trail: &Trail<T>, stage: &Stage<T, K, 1>) -> Root<T, K> {
+        let [turns] = stage.roots;
+        let mut next = *trail;
+        if stage.doubt {
+            next.note(stage.gap, stage.angular, stage.amplitude, stage.boundary, stage.free);
+        }
+        Root { turns, trail: next, index: 0 }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn doubtful_trail(
+        &mut self,
+        trail: &Trail<T>,
+        gap: T,
+        angular: bool,
+        amplitude: T,
+        boundary: bool,
+        free: JointMask,
+    ) -> Option<Trail<T>> {
+        let measure = if angular { Measure::DIRECTION } else { Measure::length(self.facts.reach) };
+        let tolerance = if angular { self.facts.tolerance.orientation } else { self.facts.tolerance.position };
+        // What an earlier stage of small amplitude leaves uncertain shows up here magnified.
+        let rounding = measure.rounding() / trail.amplitude;
+        // With a free joint earlier on the branch the gap may close by moving that joint.
+        if gap > tolerance.max(rounding) && trail.free.is_empty() {
+            self.least_gap = Some(self.least_gap.map_or(gap, |least| least.min(gap)));
+            return None;
+        }
+        let mut next = *trail;
+        next.note(gap, angular, amplitude, boundary, free);
+        Some(next)
+    }
+
+    /// Adds a solution. `q`: joint angles in (-pi, pi], rad; strokes in the length unit.
+    #[inline]
+    pub fn push(&mut self, trail: &Trail<T>, q: [T; N], branch: Branch) {
+        let at = self.solutions.len();
+        let orientation = trail.gap.orientation + self.deviation;
+        let solution = Solution {
+            q,
+            flags: trail.flags | Flags::EXACT,
+            free: trail.free,
+            branch,
+            residual: Residual { position: trail.gap.position, orientation },
+        };
+        if self.solutions.push(solution) && trail.doubt {
+            self.doubtful |= 1u32.checked_shl(at as u32).unwrap_or(0);
+        }
+    }
+
+    /// Checks what is doubtful, sorts by distance if there is a reference, marks limits, and sets the status.
+    /// `evaluate` gives the tool's pose and the Jacobian.
+    #[inline]
+    pub fn finish(mut self, evaluate: impl Evaluate<T, N>) -> Solutions<T, N, M> {
+        if self.doubtful != 0 {
+            self.settle(&evaluate);
+        }
+        if let Some(near) = self.near {
+            self.approach(near, &evaluate);
+        }
+        if self.facts.limited {
+            self.mark_limits();
+        }
+        let exact = self.solutions.iter().any(|s| s.flags.contains(Flags::EXACT));
+        let status = if exact { Status::Reachable } else { self.unreachable() };
+        self.solutions.set_status(status);
+        self.solutions
+    }
+
+    #[inline]
+    fn mark_limits(&mut self) {
+        for solution in self.solutions.as_mut_slice() {
+            let inside = solution.q.iter().zip(&self.facts.limits).all(|(q, [low, high])| q >= low && q <= high);
+            if !inside {
+                solution.flags |= Flags::OUT_OF_LIMITS;
+            }
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn unreachable(&self) -> Status<T> {
+        let listed = self.solutions.iter().map(|s| s.residual.position.max(s.residual.orientation));
+        let residual = listed.chain(self.least_gap).fold(T::INFINITY, |least, gap| least.min(gap));
+        Status::Unreachable { residual }
+    }
+}
+
+/// The largest entry by which the columns of the rotation fail to be a right-handed orthonormal triple. NaN if any
+/// entry is.
+#[inline]
+fn deviation<T: Tolerances>(target: &Pose<T>) -> T {
+    let [[a, d, g], [b, e, h], [c, f, i]] = target.rotation;
+    // Columns x = (a, b, c), y = (d, e, f), z = (g, h, i).
+    let unit_x = a * a + b * b + c * c - T::ONE;
+    let unit_y = d * d + e * e + f * f - T::ONE;
+    let right = a * d + b * e + c * f;
+    let handed = [b * f - c * e - g, c * d - a * f - h, a * e - b * d - i];
+    let squares = unit_x * unit_x + unit_y * unit_y + right * right;
+    let [u, v, w] = handed;
+    (squares + u * u + v * v + w * w).sqrt()
+}

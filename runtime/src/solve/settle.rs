@@ -1,0 +1,156 @@
+//! The end of a search: doubtful solutions are checked in full, coinciding ones merged, and with a reference the
+//! joints are unwound next to it.
+
+use super::refine::{Evaluate, refine, relative};
+use super::{Search, Tolerances};
+use crate::math::wrap;
+use crate::{Flags, Solution, Solutions};
+
+/// Newton steps for a solution that is already close.
+const STEPS: usize = 12;
+/// Steps for one whose free joint has to move.
+const FREE_STEPS: usize = 40;
+
+impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
+    /// Checks every doubtful solution with forward kinematics; refines it if that closes it. What stays beyond the
+    /// tolerance is no solution; its residual counts as the gap of its branch.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn settle(&mut self, evaluate: &impl Evaluate<T, N>) {
+        let found = self.solutions;
+        self.solutions = Solutions::new(found.status());
+        for (index, solution) in found.iter().enumerate() {
+            let doubtful = self.doubtful.checked_shr(index as u32).unwrap_or(0) & 1 == 1;
+            let checked = if doubtful { self.checked(solution, evaluate) } else { Some(*solution) };
+            let Some(checked) = checked else { continue };
+            let twin = self.solutions.as_mut_slice().iter_mut().find(|other| {
+                coincident(&other.q, &checked.q, self.facts.reach, |joint| self.facts.prismatic.contains(joint))
+            });
+            match twin {
+                Some(other) => other.flags |= Flags::BOUNDARY,
+                None => {
+                    self.solutions.push(checked);
+                }
+            }
+        }
+    }
+
+    fn checked(&mut self, solution: &Solution<T, N>, evaluate: &impl Evaluate<T, N>) -> Option<Solution<T, N>> {
+        let mut checked = *solution;
+        let (facts, target) = (self.facts, self.target);
+        let mut residual = evaluate(&solution.q).0.residual(target);
+        if !(relative(facts, &residual) <= T::EXACT) {
+            let steps = if solution.free.is_empty() { STEPS } else { FREE_STEPS };
+            let (q, refined) = refine(facts, target, &solution.q, evaluate, steps);
+            // A clamped branch of an unreachable target stays as it is, so that its residual is the distance missed.
+            let beyond = residual.position > facts.tolerance.position
+                || residual.orientation > facts.tolerance.orientation;
+            if relative(facts, &refined) <= T::EXACT || beyond {
+                (checked.q, residual) = (q, refined);
+            }
+        }
+        residual.orientation += self.deviation;
+        checked.residual = residual;
+        if relative(facts, &residual) <= T::EXACT {
+            return Some(checked);
+        }
+        checked.flags.remove(Flags::EXACT);
+        checked.flags |= Flags::APPROXIMATE;
+        let tolerance = facts.tolerance;
+        if residual.position <= tolerance.position && residual.orientation <= tolerance.orientation + self.deviation {
+            return Some(checked);
+        }
+        let gap = residual.position.max(residual.orientation);
+        self.least_gap = Some(self.least_gap.map_or(gap, |least| least.min(gap)));
+        None
+    }
+
+    /// Unwinds the joints next to the reference (inside the limits where a turn allows it), keeps the reference's own
+    /// place on a singular family, and sorts nearest first.
+    #[inline(never)]
+    pub(super) fn approach(&mut self, near: &[T; N], evaluate: &impl Evaluate<T, N>) {
+        if self.doubtful != 0 {
+            self.hold(near, evaluate);
+        }
+        let facts = self.facts;
+        for solution in self.solutions.as_mut_slice() {
+            for (joint, ((value, reference), limits)) in
+                solution.q.iter_mut().zip(near).zip(&facts.limits).enumerate()
+            {
+                if !facts.prismatic.contains(joint) {
+                    *value = unwound(*value, *reference, *limits);
+                }
+            }
+        }
+        let distance = |q: &[T; N]| {
+            q.iter().zip(near).enumerate().fold(T::ZERO, |sum, (joint, (a, b))| {
+                let step = if facts.prismatic.contains(joint) { (*a - *b) / facts.reach } else { *a - *b };
+                sum + step * step
+            })
+        };
+        self.solutions
+            .sort_by(|a, b| distance(&a.q).partial_cmp(&distance(&b.q)).unwrap_or(core::cmp::Ordering::Equal));
+    }
+
+    /// Near a singularity a whole family of joint vectors closes within rounding. The member next to the reference is
+    /// what a controller wants: it is found from the reference itself, and listed if no solution lies there yet.
+    #[cold]
+    #[inline(never)]
+    fn hold(&mut self, near: &[T; N], evaluate: &impl Evaluate<T, N>) {
+        let facts = self.facts;
+        let mut start = *near;
+        for (joint, value) in start.iter_mut().enumerate() {
+            if !facts.prismatic.contains(joint) {
+                *value = wrap(*value);
+            }
+        }
+        // Only from a reference that already is close: farther away there is no "same place" to keep.
+        let close = relative(facts, &evaluate(&start).0.residual(self.target)) <= T::DOUBTFUL;
+        let (q, mut residual) =
+            if close { refine(facts, self.target, &start, evaluate, STEPS) } else { return };
+        residual.orientation += self.deviation;
+        let is_prismatic = |joint: usize| facts.prismatic.contains(joint);
+        let listed = self.solutions.iter().any(|other| coincident(&other.q, &q, facts.reach, is_prismatic));
+        if listed || !(relative(facts, &residual) <= T::EXACT) {
+            return;
+        }
+        let apart = |other: &Solution<T, N>| {
+            other.q.iter().zip(&q).fold(T::ZERO, |sum, (a, b)| sum + wrap(*a - *b) * wrap(*a - *b))
+        };
+        let slots = self.solutions.as_mut_slice().iter_mut();
+        let nearest = slots.min_by(|a, b| apart(a).partial_cmp(&apart(b)).unwrap_or(core::cmp::Ordering::Equal));
+        let Some(nearest) = nearest else { return };
+        let held = Solution { q, residual, ..*nearest };
+        let full = !self.solutions.push(held);
+        if full && let Some(nearest) = self.solutions.as_mut_slice().iter_mut().min_by(|a, b| {
+            apart(a).partial_cmp(&apart(b)).unwrap_or(core::cmp::Ordering::Equal)
+        }) {
+            *nearest = held;
+        }
+    }
+}
+
+fn coincident<T: Tolerances, const N: usize>(
+    a: &[T; N],
+    b: &[T; N],
+    reach: T,
+    is_prismatic: impl Fn(usize) -> bool,
+) -> bool {
+    a.iter().zip(b).enumerate().all(|(joint, (a, b))| {
+        let apart = if is_prismatic(joint) { (*a - *b) / reach } else { wrap(*a - *b) };
+        apart.abs() <= T::COINCIDENT
+    })
+}
+
+/// The angle plus a multiple of a full turn that lies nearest the reference; if that is outside the limits and one
+/// turn towards them is inside, that one.
+fn unwound<T: Tolerances>(value: T, reference: T, [low, high]: [T; 2]) -> T {
+    let nearest = reference + wrap(value - reference);
+    if nearest < low && nearest + T::TAU <= high {
+        nearest + T::TAU
+    } else if nearest > high && nearest - T::TAU >= low {
+        nearest - T::TAU
+    } else {
+        nearest
+    }
+}

@@ -1,0 +1,51 @@
+//! Sliding joints.
+
+use super::tolerances::Tolerances;
+use super::{Home, Measure, Stage, Turn};
+
+/// Solves for the position `x` of a point on a line at which its distance from another point is `rho`; the line passes
+/// that point at distance `across` (not negative), at `middle`: `x = middle +- sqrt(rho^2 - across^2)`.
+///
+/// Two roots, the longer position first; one at the nearest approach, then with the gap `across - rho`.
+#[inline]
+pub fn slide<T: Tolerances>(measure: Measure<T>, rho: T, across: T, middle: T) -> Stage<T, 1, 2> {
+    let beyond = rho - across;
+    if !(beyond > measure.rounding()) {
+        return Stage::edge([Turn::position(middle)], (-beyond).max(T::ZERO), measure);
+    }
+    let half = (beyond * (rho + across)).sqrt();
+    let roots = [[Turn::position(middle + half)], [Turn::position(middle - half)]];
+    Stage::solved(roots, measure).with_amplitude(half / measure.scale)
+}
+
+/// Solves `denominator x = numerator`. One root. With the denominator (dimensionless) vanishing the joint is free.
+#[inline]
+pub fn slide_to<T: Tolerances>(home: Home<T>, measure: Measure<T>, denominator: T, numerator: T) -> Stage<T, 1, 1> {
+    if !(denominator.abs() > T::VANISHING) {
+        let mut stage = Stage::free([Turn::ZERO], home, numerator.abs(), measure);
+        stage.roots = [[Turn::position(home.value)]];
+        return stage;
+    }
+    Stage::solved([[Turn::position(numerator / denominator)]], measure).with_amplitude(denominator.abs())
+}
+
+/// Solves `a x^2 + b x + c = 0` (`a` dimensionless, `b` a length, `c` its square) without cancellation. Two roots; one
+/// where they meet or where there is none, then with the gap; one if `a` vanishes.
+#[inline]
+pub fn quadratic<T: Tolerances>(measure: Measure<T>, [a, b, c]: [T; 3]) -> Stage<T, 1, 2> {
+    let half = b * T::HALF;
+    if !(a.abs() > T::VANISHING) {
+        let root = if half == T::ZERO { T::ZERO } else { -c / b };
+        return Stage { len: 1, doubt: true, ..Stage::solved([[Turn::position(root)]; 2], measure) };
+    }
+    let discriminant = half * half - a * c;
+    let size = measure.scale * measure.scale;
+    if !(discriminant > T::ROUNDING * size) {
+        let gap = (-discriminant).max(T::ZERO).sqrt() / a.abs();
+        return Stage::edge([Turn::position(-half / a)], gap, measure);
+    }
+    let root = discriminant.sqrt();
+    let larger = if half < T::ZERO { root - half } else { -half - root };
+    let roots = [[Turn::position(larger / a)], [Turn::position(c / larger)]];
+    Stage::solved(roots, measure).with_amplitude(root / measure.scale)
+}

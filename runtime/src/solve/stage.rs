@@ -1,0 +1,180 @@
+//! Stages, their roots, and what is remembered along a branch.
+
+use super::{Home, Tolerances, Turn};
+use crate::{Flags, JointMask, Residual};
+
+/// What the numbers of an equation measure: their typical size, and whether a gap is a length or an angle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measure<T> {
+    /// Reach of the arm for lengths, 1 for directions.
+    pub scale: T,
+    angular: bool,
+}
+
+impl<T: Tolerances> Measure<T> {
+    /// Components of unit vectors; gaps are in rad.
+    pub const DIRECTION: Self = Self { scale: T::ONE, angular: true };
+
+    /// Lengths of an arm with this reach.
+    pub const fn length(reach: T) -> Self {
+        Self { scale: reach, angular: false }
+    }
+
+    /// Amplitudes below this leave a joint free (f64 1e-12, f32 1e-6, relative).
+    #[inline]
+    pub(super) fn vanishing(self) -> T {
+        T::VANISHING * self.scale
+    }
+
+    /// Rounding of a few operations.
+    #[inline]
+    pub(super) fn rounding(self) -> T {
+        T::ROUNDING * self.scale
+    }
+}
+
+/// What a branch has met so far.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Trail<T> {
+    pub(super) gap: Residual<T>,
+    pub(super) flags: Flags,
+    pub(super) free: JointMask,
+    /// The smallest relative amplitude of the stages so far.
+    pub(super) amplitude: T,
+    pub(super) doubt: bool,
+}
+
+impl<T: Tolerances> Trail<T> {
+    /// Nothing yet.
+    pub(super) const START: Self =
+        Self {
+        gap: Residual::ZERO,
+        flags: Flags::NONE,
+        free: JointMask::NONE,
+        amplitude: T::ONE,
+        doubt: false,
+    };
+
+    /// Adds what a doubtful stage has met.
+    #[cold]
+    pub(super) fn note(&mut self, gap: T, angular: bool, amplitude: T, boundary: bool, free: JointMask) {
+        self.doubt = true;
+        self.amplitude = self.amplitude.min(amplitude);
+        if angular {
+            self.gap.orientation += gap;
+        } else {
+            self.gap.position += gap;
+        }
+        if boundary {
+            self.flags |= Flags::BOUNDARY;
+        }
+        if !free.is_empty() {
+            self.flags |= Flags::FREE;
+            self.free = self.free | free;
+        }
+    }
+}
+
+/// The roots of one equation for `K` joints, at most `R`, and how well they are determined.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stage<T, const K: usize, const R: usize> {
+    pub(super) roots: [[Turn<T>; K]; R],
+    pub(super) len: usize,
+    pub(super) gap: T,
+    pub(super) angular: bool,
+    pub(super) boundary: bool,
+    /// Relative size of what determines the joint; only told where it is doubtful, else 1.
+    pub(super) amplitude: T,
+    pub(super) doubt: bool,
+    pub(super) free: JointMask,
+}
+
+impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
+    /// Roots that solve the equation.
+    #[inline]
+    pub(super) fn solved(roots: [[Turn<T>; K]; R], measure: Measure<T>) -> Self {
+        Self {
+            roots,
+            len: R,
+            gap: T::ZERO,
+            angular: measure.angular,
+            boundary: false,
+            amplitude: T::ONE,
+            doubt: false,
+            free: JointMask::NONE,
+        }
+    }
+
+    /// Marks the stage as doubtful if its relative amplitude is small.
+    #[inline]
+    pub(super) fn with_amplitude(mut self, amplitude: T) -> Self {
+        if amplitude < T::DOUBTFUL {
+            self.amplitude = amplitude;
+            self.doubt = true;
+        }
+        self
+    }
+
+    /// The one place where two roots meet, or the nearest to a solution, missing it by `gap`.
+    #[inline]
+    pub(super) fn edge(root: [Turn<T>; K], gap: T, measure: Measure<T>) -> Self {
+        Self { len: 1, gap, boundary: true, doubt: true, ..Self::solved([root; R], measure) }
+    }
+
+    /// The equation leaves its first joint free: it stays at its reference value.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn free(mut root: [Turn<T>; K], home: Home<T>, gap: T, measure: Measure<T>) -> Self {
+        if let Some(first) = root.first_mut() {
+            *first = Turn::at(home.value);
+        }
+        Self { len: 1, gap, doubt: true, free: home.joint, ..Self::solved([root; R], measure) }
+    }
+
+    /// The roots turned by a further angle (first joint).
+    #[inline]
+    pub fn about(mut self, phase: Turn<T>) -> Self {
+        if self.free.is_empty() {
+            for root in &mut self.roots {
+                if let Some(first) = root.first_mut() {
+                    *first = first.plus(phase);
+                }
+            }
+        }
+        self
+    }
+}
+
+/// A root of a stage on a branch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Root<T, const K: usize> {
+    /// The joint values.
+    pub turns: [Turn<T>; K],
+    /// What the branch has met, this stage included.
+    pub trail: Trail<T>,
+    /// Which root of the stage, from 0.
+    pub index: usize,
+}
+
+/// Iterator over the roots of a stage.
+#[derive(Debug, Clone)]
+pub struct Roots<T, const K: usize, const R: usize> {
+    pub(super) roots: [[Turn<T>; K]; R],
+    pub(super) len: usize,
+    pub(super) next: usize,
+    pub(super) trail: Trail<T>,
+}
+
+impl<T: Tolerances, const K: usize, const R: usize> Iterator for Roots<T, K, R> {
+    type Item = Root<T, K>;
+
+    #[inline]
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.next >= self.len {
+            return None;
+        }
+        let index = self.next;
+        self.next += 1;
+        self.roots.get(index).map(|turns| Root { turns: *turns, trail: self.trail, index })
+    }
+}

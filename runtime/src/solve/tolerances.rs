@@ -1,0 +1,38 @@
+//! The thresholds of the cascade, per scalar type.
+
+use crate::math::Scalar;
+
+/// Thresholds relative to the size of the quantities compared (reach for lengths, 1 for directions).
+pub trait Tolerances: Scalar {
+    /// Amplitude below which an equation does not determine its joint.
+    const VANISHING: Self;
+    /// Amplitude below which a solution is checked in full, by forward kinematics.
+    const DOUBTFUL: Self;
+    /// 64 units of rounding.
+    const ROUNDING: Self;
+    /// A residual up to this (relative to reach, and in rad) is exact.
+    const EXACT: Self;
+    /// Largest deviation of a target's rotation from orthonormal.
+    const NOT_A_ROTATION: Self;
+    /// Joint vectors closer than this in every joint (rad, relative to reach) are one solution: two roots merge when
+    /// the sine of their half difference falls below the root of [`Self::ROUNDING`].
+    const COINCIDENT: Self;
+}
+
+impl Tolerances for f64 {
+    const VANISHING: f64 = 1e-12;
+    const DOUBTFUL: f64 = 1e-2;
+    const ROUNDING: f64 = 64.0 * f64::EPSILON;
+    const EXACT: f64 = 5e-13;
+    const NOT_A_ROTATION: f64 = 1e-6;
+    const COINCIDENT: f64 = 2.4e-7;
+}
+
+impl Tolerances for f32 {
+    const VANISHING: f32 = 1e-6;
+    const DOUBTFUL: f32 = 5e-2;
+    const ROUNDING: f32 = 64.0 * f32::EPSILON;
+    const EXACT: f32 = 2e-5;
+    const NOT_A_ROTATION: f32 = 1e-3;
+    const COINCIDENT: f32 = 5.5e-3;
+}

@@ -1,0 +1,92 @@
+//! A joint angle together with its sine and cosine.
+
+use crate::JointMask;
+use super::Tolerances;
+use crate::math::{atan2, sin_cos};
+
+/// A joint value. For an angle also its sine and cosine, so that the next stage needs no trigonometry.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Turn<T> {
+    /// The angle in (-pi, pi], rad; for a sliding joint its position in the length unit.
+    pub value: T,
+    /// Its sine (0 for a sliding joint).
+    pub sin: T,
+    /// Its cosine (1 for a sliding joint).
+    pub cos: T,
+}
+
+impl<T: Tolerances> Turn<T> {
+    /// No turn.
+    pub const ZERO: Self = Self { value: T::ZERO, sin: T::ZERO, cos: T::ONE };
+
+    /// From a sine and cosine, `sin^2 + cos^2 = 1`.
+    #[inline]
+    pub fn of(sin: T, cos: T) -> Self {
+        Self { value: atan2(sin, cos), sin, cos }
+    }
+
+    /// From any vector in the plane that is not zero.
+    #[inline]
+    pub fn towards(y: T, x: T) -> Self {
+        let length = (x * x + y * y).sqrt();
+        Self { value: atan2(y, x), sin: y / length, cos: x / length }
+    }
+
+    /// From an angle.
+    pub fn at(value: T) -> Self {
+        let (sin, cos) = sin_cos(value);
+        Self { value, sin, cos }
+    }
+
+    /// Position of a sliding joint.
+    #[inline]
+    pub fn position(value: T) -> Self {
+        Self { value, sin: T::ZERO, cos: T::ONE }
+    }
+
+    /// The opposite turn.
+    #[inline]
+    pub fn reversed(self) -> Self {
+        Self { value: -self.value, sin: -self.sin, cos: self.cos }
+    }
+
+    /// Half a turn further.
+    #[inline]
+    pub fn opposite(self) -> Self {
+        let value = if self.value > T::ZERO { self.value - T::PI } else { self.value + T::PI };
+        Self { value, sin: -self.sin, cos: -self.cos }
+    }
+
+    /// One turn after the other.
+    #[inline]
+    pub fn plus(self, other: Self) -> Self {
+        Self {
+            value: crate::math::wrap(self.value + other.value),
+            sin: self.sin * other.cos + self.cos * other.sin,
+            cos: self.cos * other.cos - self.sin * other.sin,
+        }
+    }
+}
+
+/// Where a joint stays if an equation leaves it free: its reference value, and its bit in the mask of free joints.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Home<T> {
+    /// In the variable of the kernel.
+    pub value: T,
+    /// The joint.
+    pub joint: JointMask,
+}
+
+impl<T: Tolerances> Home<T> {
+    /// For a kernel whose variable is the joint value plus `by`.
+    #[inline]
+    pub fn shifted(self, by: T) -> Self {
+        Self { value: self.value + by, joint: self.joint }
+    }
+
+    /// For a kernel whose variable runs against the joint.
+    #[inline]
+    pub fn reversed(self) -> Self {
+        Self { value: -self.value, joint: self.joint }
+    }
+}

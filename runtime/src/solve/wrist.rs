@@ -1,0 +1,52 @@
+//! Orthogonal axes: two roots that differ by half a turn about the outer axes.
+
+use super::tolerances::Tolerances;
+use super::{Home, Measure, Stage, Turn};
+
+/// Solves `R_z(a) R_y(b) e_z = m` for `(b, a)`: `b = +-atan2(|(mx, my)|, mz)`, `a = atan2(my, mx)` and half a turn
+/// further. With `(mx, my)` vanishing the outer joint `a` is free.
+#[inline]
+pub fn flip<T: Tolerances>(home: Home<T>, m: [T; 3]) -> Stage<T, 2, 2> {
+    let [mx, my, mz] = m;
+    let rho = (mx * mx + my * my).sqrt();
+    if !(rho > T::VANISHING) {
+        // Order (a, b) so that the free joint comes first, then back.
+        let b = if mz < T::ZERO { Turn { value: T::PI, sin: T::ZERO, cos: -T::ONE } } else { Turn::ZERO };
+        let mut stage = Stage::<T, 2, 2>::free([Turn::ZERO, b], home, T::ZERO, Measure::DIRECTION);
+        for [first, second] in &mut stage.roots {
+            core::mem::swap(first, second);
+        }
+        return stage;
+    }
+    let a = Turn { value: crate::math::atan2(my, mx), sin: my / rho, cos: mx / rho };
+    let b = Turn::towards(rho, mz);
+    Stage::solved([[b, a], [b.reversed(), a.opposite()]], Measure::DIRECTION).with_amplitude(rho)
+}
+
+/// Solves `R_z(a) R_y(b) R_z(c) = m` for `(a, b, c)`: `b = +-atan2(|(m13, m23)|, m33)`, `a = atan2(m23, m13)`, and
+/// `c` from the second row of `R_z(-a) m`, which is a unit vector whatever `b` is. The second root is half a turn
+/// further in `a` and `c`. With `(m13, m23)` vanishing (axes a and c in line) joint `a` is free.
+#[inline]
+pub fn wrist<T: Tolerances>(home: Home<T>, m: [[T; 3]; 3]) -> Stage<T, 3, 2> {
+    let [[m11, m12, m13], [m21, m22, m23], [_, _, m33]] = m;
+    let rho = (m13 * m13 + m23 * m23).sqrt();
+    if !(rho > T::VANISHING) {
+        return in_line(home, m);
+    }
+    let (sin, cos) = (m23 / rho, m13 / rho);
+    let a = Turn { value: crate::math::atan2(m23, m13), sin, cos };
+    let b = Turn::towards(rho, m33);
+    let c = Turn::towards(cos * m21 - sin * m11, cos * m22 - sin * m12);
+    let roots = [[a, b, c], [a.opposite(), b.reversed(), c.opposite()]];
+    Stage::solved(roots, Measure::DIRECTION).with_amplitude(rho)
+}
+
+#[cold]
+#[inline(never)]
+fn in_line<T: Tolerances>(home: Home<T>, m: [[T; 3]; 3]) -> Stage<T, 3, 2> {
+    let [[m11, m12, _], [m21, m22, _], [_, _, m33]] = m;
+    let Turn { sin, cos, .. } = Turn::at(home.value);
+    let b = if m33 < T::ZERO { Turn { value: T::PI, sin: T::ZERO, cos: -T::ONE } } else { Turn::ZERO };
+    let c = Turn::towards(cos * m21 - sin * m11, cos * m22 - sin * m12);
+    Stage::free([Turn::ZERO, b, c], home, T::ZERO, Measure::DIRECTION)
+}

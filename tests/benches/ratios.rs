@@ -1,0 +1,45 @@
+//! A table of ratios: every function of three arms over six bare `f64::sin_cos`, in interleaved rounds.
+//!
+//! `cargo bench -p denhart-tests --bench ratios`
+
+use denhart::{Chain, Pose};
+use denhart_tests::arms::{AbbIrb2400, Puma560, Ur5};
+use denhart_tests::poses::Space;
+use denhart_tests::random::Random;
+use denhart_tests::subject::{Specified, reach};
+use denhart_tests::timing::{Case, compare};
+
+const INPUTS: usize = 512;
+
+fn joints<A: Specified<6>>() -> Vec<[f64; 6]> {
+    let space = Space::new(&A::JOINT_KINDS, &A::LIMITS, reach(&A::TABLE, &A::LIMITS));
+    let mut random = Random::named(A::NAME);
+    (0..INPUTS).map(|_| space.random(&mut random)).collect()
+}
+
+macro_rules! table {
+    ($Type:ident, $rounds:ident, $repeat:ident) => {{
+        let arm = $Type;
+        let q = joints::<$Type>();
+        let targets: Vec<Pose<f64>> = q.iter().map(|q| arm.forward(q)).collect();
+        let chain = Chain::from($Type::DH);
+        let cases = vec![
+            Case::new("six f64::sin_cos", &q, $repeat, |q| q.map(f64::sin_cos)),
+            Case::new("forward", &q, $repeat, |q| arm.forward(q)),
+            Case::new("link_poses", &q, $repeat, |q| arm.link_poses(q)),
+            Case::new("jacobian", &q, $repeat, |q| arm.jacobian(q)),
+            Case::new("forward_and_jacobian", &q, $repeat, |q| arm.forward_and_jacobian(q)),
+            Case::new("inverse, every branch", &targets, $repeat, |target| arm.inverse(target)),
+            Case::new("Chain forward", &q, $repeat, |q| chain.forward(q)),
+        ];
+        println!("{}", compare(<$Type as Specified<6>>::NAME, cases, $rounds));
+    }};
+}
+
+fn main() {
+    // `cargo test --benches` passes --test: one short round shows that it runs.
+    let (rounds, repeat) = if std::env::args().any(|argument| argument == "--test") { (1, 1) } else { (41, 8) };
+    table!(Puma560, rounds, repeat);
+    table!(Ur5, rounds, repeat);
+    table!(AbbIrb2400, rounds, repeat);
+}

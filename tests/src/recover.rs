@@ -1,0 +1,246 @@
+//! The rule that every reachable pose has to pass: the joint vector it was made from comes back.
+
+use std::f64::consts::{PI, TAU};
+
+use denhart::{Flags, JointKind, Pose, Solution};
+use nalgebra::Isometry3;
+
+use crate::random::Random;
+use crate::report::Report;
+use crate::singular::{self, Svd};
+use crate::subject::{Answer, Subject};
+
+/// A solution flagged EXACT reaches its target within this, in reaches and in rad: some thousand roundings, so that it
+/// holds after any chain of six joints, and far below every tolerance that lets an inexact solution pass.
+pub const CLOSES: f64 = 1e-12;
+
+/// Joint vectors closer than this, in rad and in reaches, are the same.
+const SAME: f64 = 1e-6;
+
+/// Which function an answer came from.
+#[derive(Debug, Clone, Copy)]
+pub enum Form<'a, const N: usize> {
+    /// `inverse`: angles in `(-pi, pi]`.
+    Principal,
+    /// `inverse_near` with this reference: angles within half a turn of it, nearest first.
+    Near(&'a [f64; N]),
+}
+
+/// Checks the pose of `q`: both inverse functions give `q` back by the rule of its distance from singularity.
+///
+/// With `s` the least singular value of the Jacobian scaled by reach:
+/// - `s >= 1e-9`: an EXACT solution equals `q` within `max(1e-6, 1e-14 / s)`, as one rounding of the pose moves the
+///   joints by up to `1e-16 / s`;
+/// - below, at rank 5: an EXACT solution equals `q` in every joint that stays at rest along the self-motion;
+/// - below, at rank 4 or less: whatever is EXACT closes, and something is;
+/// - always: `inverse_near` with reference `q` contains `q` within 1e-6.
+pub fn check<const N: usize>(subject: &Subject<N>, report: &mut Report, family: &'static str, q: &[f64; N]) {
+    report.count();
+    let target = subject.pose(q);
+    let pose = Pose::from(target);
+
+    let answer = subject.inverse(&pose);
+    examine(subject, report, family, &target, &answer, Form::Principal);
+    if !answer.status.is_reachable() {
+        report.fail(family, "a pose made from joints is not Reachable", || describe(subject, &target, q, &answer));
+    } else if !recovered(subject, q, &answer) {
+        report.fail(family, "inverse lost the joints", || describe(subject, &target, q, &answer));
+    }
+
+    check_near(subject, report, family, q, q);
+}
+
+/// Checks that `inverse_near` of the pose of `q` contains `q_ref`, which is `q` up to whole turns.
+fn check_near<const N: usize>(
+    subject: &Subject<N>,
+    report: &mut Report,
+    family: &'static str,
+    q: &[f64; N],
+    q_ref: &[f64; N],
+) {
+    let target = subject.pose(q);
+    let near = subject.inverse_near(&Pose::from(target), q_ref);
+    examine(subject, report, family, &target, &near, Form::Near(q_ref));
+    if !near.exact().any(|solution| subject.distance_with_turns(&solution.q, q_ref) <= SAME) {
+        report.fail(family, "inverse_near lost the reference", || describe(subject, &target, q_ref, &near));
+    }
+}
+
+/// Checks `inverse_near` with references that are whole turns away from `q`, and with one a little beside `q`: away
+/// from singularities `q` is then the nearest solution.
+pub fn check_references<const N: usize>(
+    subject: &Subject<N>,
+    report: &mut Report,
+    family: &'static str,
+    q: &[f64; N],
+    random: &mut Random,
+) {
+    let turns = |joint: usize, turns: usize| match subject.kinds[joint] {
+        JointKind::Revolute => TAU * (turns as f64 - 2.0),
+        _ => 0.0,
+    };
+    let wound = std::array::from_fn(|joint| q[joint] + turns(joint, random.below(5)));
+    check_near(subject, report, family, q, &wound);
+
+    if Svd::at(subject, q).least() > 1e-2 {
+        let beside =
+            std::array::from_fn(|joint| q[joint] + 1e-4 * subject.unit(joint) * random.uniform(-1.0, 1.0));
+        let target = subject.pose(q);
+        let near = subject.inverse_near(&Pose::from(target), &beside);
+        examine(subject, report, family, &target, &near, Form::Near(&beside));
+        if !near.solutions.first().is_some_and(|first| subject.distance_with_turns(&first.q, q) <= SAME) {
+            report.fail(family, "the nearest solution is not first", || describe(subject, &target, &beside, &near));
+        }
+    }
+}
+
+/// Whether an EXACT solution equals `q` as far as the pose determines it, see [`check`].
+fn recovered<const N: usize>(subject: &Subject<N>, q: &[f64; N], answer: &Answer<N>) -> bool {
+    let found = |tolerance: f64, counts: &dyn Fn(usize) -> bool| {
+        answer.exact().any(|solution| subject.distance(&solution.q, q, counts) <= tolerance)
+    };
+    if found(SAME, &|_| true) {
+        return true;
+    }
+    let svd = Svd::at(subject, q);
+    // The same sensitivity as above, of the joints that the pose does determine.
+    let tolerance = SAME.max(1e-14 / svd.least_nonzero());
+    if svd.rank() == N {
+        return found(tolerance, &|_| true);
+    }
+    if svd.rank() + 1 < N {
+        return answer.exact().next().is_some();
+    }
+    let moved = svd.moved();
+    if found(tolerance, &|joint| !moved[joint]) {
+        return true;
+    }
+    let moved = singular::moved_along(subject, q);
+    found(tolerance, &|joint| !moved[joint])
+}
+
+/// Checks what holds for every answer, whether its target can be reached or not: solutions are finite, distinct, in
+/// range, in order, and every flag says the truth.
+pub fn examine<const N: usize>(
+    subject: &Subject<N>,
+    report: &mut Report,
+    family: &'static str,
+    target: &Isometry3<f64>,
+    answer: &Answer<N>,
+    form: Form<'_, N>,
+) {
+    let mut fail = |rule: &'static str, q: &[f64; N]| {
+        report.fail(family, rule, || describe(subject, target, q, answer));
+    };
+    if answer.solutions.len() > subject.max_solutions {
+        fail("more than MAX_SOLUTIONS", &[f64::NAN; N]);
+    }
+    for (index, solution) in answer.solutions.iter().enumerate() {
+        if let Some(rule) = broken_rule(subject, target, solution, form) {
+            fail(rule, &solution.q);
+        }
+        let equal = |other: &Solution<f64, N>| subject.distance(&solution.q, &other.q, |_| true) < 1e-9;
+        if answer.solutions[..index].iter().any(equal) {
+            fail("two solutions are equal", &solution.q);
+        }
+    }
+    if answer.status.is_reachable() != answer.exact().next().is_some() {
+        fail("status and EXACT disagree", &[f64::NAN; N]);
+    }
+    if let denhart::Status::Unreachable { residual } = answer.status
+        && !(residual > 0.0 && residual.is_finite())
+    {
+        fail("the residual of Unreachable is not positive", &[f64::NAN; N]);
+    }
+    if let Form::Near(q_ref) = form
+        && !in_order(subject, q_ref, &answer.solutions)
+    {
+        fail("inverse_near is not sorted", q_ref);
+    }
+}
+
+/// The first rule that a solution breaks by itself.
+fn broken_rule<const N: usize>(
+    subject: &Subject<N>,
+    target: &Isometry3<f64>,
+    solution: &Solution<f64, N>,
+    form: Form<'_, N>,
+) -> Option<&'static str> {
+    let Solution { q, flags, free, residual, .. } = solution;
+    let is = |flag: Flags| flags.contains(flag);
+    let revolute = |joint: usize| subject.kinds[joint] == JointKind::Revolute;
+    if !(q.iter().all(|x| x.is_finite()) && residual.position >= 0.0 && residual.orientation >= 0.0) {
+        return Some("a value is not finite");
+    }
+    if !(residual.position.is_finite() && residual.orientation.is_finite()) {
+        return Some("a residual is not finite");
+    }
+    let in_range = |joint: usize| match form {
+        _ if !revolute(joint) => true,
+        Form::Principal => -PI < q[joint] && q[joint] <= PI,
+        Form::Near(q_ref) => (q[joint] - q_ref[joint]).abs() <= PI + 1e-9,
+    };
+    if !(0..N).all(in_range) {
+        return Some("an angle is out of range");
+    }
+    if is(Flags::EXACT) == is(Flags::APPROXIMATE) {
+        return Some("neither EXACT nor APPROXIMATE, or both");
+    }
+    if is(Flags::EXACT) && !subject.miss(target, q).iter().all(|miss| *miss < CLOSES) {
+        return Some("EXACT but does not close");
+    }
+    if is(Flags::FREE) == free.is_empty() || free.iter().any(|joint| joint >= N) {
+        return Some("FREE and its mask disagree");
+    }
+    // Within rounding of a limit either answer will do.
+    let beyond = |margin: f64| {
+        (0..N).any(|joint| {
+            let [low, high] = subject.limits[joint];
+            q[joint] < low - margin * subject.unit(joint) || q[joint] > high + margin * subject.unit(joint)
+        })
+    };
+    if (beyond(1e-9) && !is(Flags::OUT_OF_LIMITS)) || (!beyond(-1e-9) && is(Flags::OUT_OF_LIMITS)) {
+        return Some("OUT_OF_LIMITS is wrong");
+    }
+    None
+}
+
+/// Whether the solutions are sorted by their Euclidean distance from the reference. Whether a prismatic joint counts in
+/// its own unit or in reaches is left to the arm.
+fn in_order<const N: usize>(subject: &Subject<N>, q_ref: &[f64; N], solutions: &[Solution<f64, N>]) -> bool {
+    let sorted = |unit: f64| {
+        let distance = |solution: &Solution<f64, N>| -> f64 {
+            let scale = |joint: usize| if subject.kinds[joint] == JointKind::Revolute { 1.0 } else { unit };
+            (0..N).map(|joint| ((solution.q[joint] - q_ref[joint]) / scale(joint)).powi(2)).sum()
+        };
+        solutions.is_sorted_by(|a, b| distance(a) <= distance(b) * (1.0 + 1e-9) + 1e-12)
+    };
+    sorted(1.0) || (subject.has_prismatic() && sorted(subject.reach))
+}
+
+/// Everything needed to look into a failure: joints, singular values, and each solution with its distance from `q` and
+/// from the target.
+pub fn describe<const N: usize>(
+    subject: &Subject<N>,
+    target: &Isometry3<f64>,
+    q: &[f64; N],
+    answer: &Answer<N>,
+) -> String {
+    use std::fmt::Write;
+    let mut text = format!("q = {q:?}");
+    if q.iter().all(|x| x.is_finite()) {
+        let values = Svd::at(subject, q).values.map(|value| format!("{value:.1e}"));
+        let _ = write!(text, "\n      singular values {}", values.join(" "));
+    }
+    let pose = Pose::from(*target);
+    let _ = write!(text, "\n      target {:?} {:?}\n      {answer}", pose.rotation, pose.translation);
+    for (index, solution) in answer.solutions.iter().enumerate() {
+        let [position, orientation] = subject.miss(target, &solution.q);
+        let _ = write!(
+            text,
+            "\n      solution {index}: {:.1e} from q, misses by {position:.1e} of reach, {orientation:.1e} rad",
+            subject.distance(&solution.q, q, |_| true),
+        );
+    }
+    text
+}

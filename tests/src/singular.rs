@@ -1,0 +1,237 @@
+//! Singular poses: how singular a pose is, which joints its null space moves, and how to find more of them.
+
+use nalgebra::Isometry3;
+
+use crate::random::Random;
+use crate::subject::Subject;
+
+/// Below this a singular value of the scaled Jacobian counts as zero.
+pub const ZERO: f64 = 1e-9;
+
+/// Singular values of a `[6, N]` matrix, `N <= 6`, and the right singular vectors that belong to them.
+#[derive(Debug, Clone)]
+pub struct Svd<const N: usize> {
+    /// In falling order.
+    pub values: [f64; N],
+    /// `vectors[k]` belongs to `values[k]`.
+    pub vectors: [[f64; N]; N],
+}
+
+impl<const N: usize> Svd<N> {
+    /// One-sided Jacobi rotations (Hestenes 1958): small singular values to full relative precision of their columns,
+    /// which a threshold of 1e-9 asks for.
+    ///
+    /// `columns[j]` is column j of the matrix.
+    pub fn new(mut columns: [[f64; 6]; N]) -> Self {
+        let mut vectors: [[f64; N]; N] = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
+        for _sweep in 0..40 {
+            let mut rotated = false;
+            for i in 0..N {
+                for j in i + 1..N {
+                    let (a, b) = (columns[i], columns[j]);
+                    let (aa, bb, ab) = (dot(&a, &a), dot(&b, &b), dot(&a, &b));
+                    if ab.abs() <= f64::EPSILON * (aa * bb).sqrt() || ab == 0.0 {
+                        continue;
+                    }
+                    rotated = true;
+                    let zeta = (bb - aa) / (2.0 * ab);
+                    let t = 1.0_f64.copysign(zeta) / (zeta.abs() + zeta.hypot(1.0));
+                    let c = 1.0 / t.hypot(1.0);
+                    let s = c * t;
+                    rotate(&mut columns, i, j, c, s);
+                    rotate(&mut vectors, i, j, c, s);
+                }
+            }
+            if !rotated {
+                break;
+            }
+        }
+        let norms = columns.map(|column| dot(&column, &column).sqrt());
+        let mut order: [usize; N] = std::array::from_fn(|k| k);
+        order.sort_by(|&i, &j| norms[j].total_cmp(&norms[i]));
+        Self { values: order.map(|k| norms[k]), vectors: order.map(|k| vectors[k]) }
+    }
+
+    /// The decomposition of the scaled Jacobian at `q`.
+    pub fn at(subject: &Subject<N>, q: &[f64; N]) -> Self {
+        Self::new(columns(subject, q))
+    }
+
+    /// Smallest singular value.
+    pub fn least(&self) -> f64 {
+        self.values[N - 1]
+    }
+
+    /// Number of singular values that are not zero.
+    pub fn rank(&self) -> usize {
+        self.values.iter().filter(|&&value| value >= ZERO).count()
+    }
+
+    /// Smallest singular value that is not zero.
+    pub fn least_nonzero(&self) -> f64 {
+        self.values.iter().copied().filter(|&value| value >= ZERO).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The joints that the null space moves.
+    ///
+    /// The bound is far above the rounding of a null vector (1e-16 over the next singular value) and far below the
+    /// share of a joint that takes part.
+    pub fn moved(&self) -> [bool; N] {
+        std::array::from_fn(|joint| (self.rank()..N).any(|k| self.vectors[k][joint].abs() > 1e-6))
+    }
+
+    /// The joint motion that is orthogonal to the null space and brings about `twist`, in the least squares sense.
+    /// Singular values below `cut` count as zero.
+    fn solve(&self, columns: &[[f64; 6]; N], twist: &[f64; 6], cut: f64) -> [f64; N] {
+        let mut motion = [0.0; N];
+        for (value, vector) in self.values.iter().zip(&self.vectors).filter(|(value, _)| **value > cut) {
+            // J v = sigma u, so that the share along v is u . twist / sigma.
+            let along: [f64; 6] =
+                std::array::from_fn(|row| (0..N).map(|joint| columns[joint][row] * vector[joint]).sum());
+            let share = dot(&along, twist) / (value * value);
+            for (m, v) in motion.iter_mut().zip(vector) {
+                *m += share * v;
+            }
+        }
+        motion
+    }
+}
+
+fn rotate<const M: usize>(columns: &mut [[f64; M]], i: usize, j: usize, c: f64, s: f64) {
+    for row in 0..M {
+        let (x, y) = (columns[i][row], columns[j][row]);
+        columns[i][row] = c * x - s * y;
+        columns[j][row] = s * x + c * y;
+    }
+}
+
+fn dot<const M: usize>(a: &[f64; M], b: &[f64; M]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+/// Columns of the scaled Jacobian at `q`.
+pub fn columns<const N: usize>(subject: &Subject<N>, q: &[f64; N]) -> [[f64; 6]; N] {
+    let jacobian = subject.scaled_jacobian(q);
+    std::array::from_fn(|joint| std::array::from_fn(|row| jacobian[(row, joint)]))
+}
+
+/// The joints that move along the self-motion through `q`, followed over up to 1.5 rad both ways.
+///
+/// The null space at `q` alone may show a joint at rest only because it turns back just there. Where no motion keeps
+/// the pose (a stretched elbow) only the joints of the null space itself are returned.
+pub fn moved_along<const N: usize>(subject: &Subject<N>, q: &[f64; N]) -> [bool; N] {
+    let target = subject.pose(q);
+    let start = Svd::at(subject, q);
+    let mut moved = start.moved();
+    if start.rank() + 1 != N {
+        return moved;
+    }
+    for sign in [1.0, -1.0] {
+        let mut at = *q;
+        let mut heading = start.vectors[N - 1].map(|v| sign * v);
+        for _ in 0..15 {
+            let ahead = std::array::from_fn(|joint| at[joint] + 0.1 * subject.unit(joint) * heading[joint]);
+            let Some(next) = back_onto(subject, &target, ahead) else { break };
+            let svd = Svd::at(subject, &next);
+            let vector = svd.vectors[N - 1];
+            let progress = dot(&heading, &std::array::from_fn(|joint| (next[joint] - at[joint]) / subject.unit(joint)));
+            if svd.least() > 1e-7 || progress < 0.02 {
+                break;
+            }
+            for (m, v) in moved.iter_mut().zip(&vector) {
+                *m |= v.abs() > 1e-6;
+            }
+            let turn = 1.0_f64.copysign(dot(&heading, &vector));
+            heading = vector.map(|v| turn * v);
+            at = next;
+        }
+    }
+    moved
+}
+
+/// The joint vector near `q` that reaches `target`, by Gauss-Newton steps across the null space.
+fn back_onto<const N: usize>(subject: &Subject<N>, target: &Isometry3<f64>, mut q: [f64; N]) -> Option<[f64; N]> {
+    for _ in 0..12 {
+        let reached = subject.pose(&q);
+        let shift = (target.translation.vector - reached.translation.vector) / subject.reach;
+        let turn = (target.rotation * reached.rotation.inverse()).scaled_axis();
+        let twist = [shift.x, shift.y, shift.z, turn.x, turn.y, turn.z];
+        if dot(&twist, &twist) < 1e-24 {
+            return Some(q);
+        }
+        let columns = columns(subject, &q);
+        let motion = Svd::new(columns).solve(&columns, &twist, 1e-4);
+        for (joint, m) in motion.iter().enumerate() {
+            q[joint] += m * subject.unit(joint);
+        }
+    }
+    None
+}
+
+/// A joint vector on the singular surface, to the last place of one joint: a random vector of which joint `joint` is
+/// moved to a change of sign of the Jacobian's determinant, if there is one.
+pub fn on_surface(subject: &Subject<6>, q: &[f64; 6], joint: usize, span: [f64; 2]) -> Option<[f64; 6]> {
+    const STEPS: usize = 24;
+    let moved = |value: f64| -> [f64; 6] { std::array::from_fn(|j| if j == joint { value } else { q[j] }) };
+    let determinant = |value: f64| subject.scaled_jacobian(&moved(value)).fixed_columns::<6>(0).determinant();
+    let [low, high] = span;
+    let at = |k: usize| low + (high - low) * k as f64 / STEPS as f64;
+    let (mut left, mut right) = (0..STEPS)
+        .map(|k| (at(k), at(k + 1)))
+        .find(|&(left, right)| determinant(left) * determinant(right) < 0.0)?;
+    let sign = determinant(left).signum();
+    loop {
+        let middle = 0.5 * (left + right);
+        if middle <= left || middle >= right {
+            return Some(moved(left));
+        }
+        if determinant(middle) * sign > 0.0 { left = middle } else { right = middle }
+    }
+}
+
+/// Random joint vectors on the singular surface: stretched elbows, wrist centers on axis 1, folded wrists, and
+/// whatever else makes this arm singular. Each with the joint that was moved there.
+pub fn surface(subject: &Subject<6>, random: &mut Random, count: usize) -> Vec<([f64; 6], usize)> {
+    let space = crate::poses::Space::of(subject);
+    let mut found = Vec::new();
+    for attempt in 0..count {
+        let joint = attempt % 6;
+        let q = space.random(random);
+        found.extend(on_surface(subject, &q, joint, space.span(joint)).map(|q| (q, joint)));
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Matrix6;
+
+    #[test]
+    fn singular_values_are_those_of_nalgebra() {
+        let mut random = Random::new(1);
+        for _ in 0..200 {
+            let columns: [[f64; 6]; 6] = std::array::from_fn(|_| std::array::from_fn(|_| random.uniform(-1.0, 1.0)));
+            let svd = Svd::new(columns);
+            let matrix = Matrix6::from_fn(|row, column| columns[column][row]);
+            let expected = matrix.svd(false, false).singular_values;
+            for k in 0..6 {
+                assert!((svd.values[k] - expected[k]).abs() < 1e-13, "{:?} {expected}", svd.values);
+                let image = matrix * nalgebra::Vector6::from(svd.vectors[k]);
+                assert!((image.norm() - svd.values[k]).abs() < 1e-14);
+            }
+        }
+    }
+
+    #[test]
+    fn a_small_singular_value_keeps_its_digits() {
+        // Two columns 1e-10 apart: the smallest singular value is 1e-10 / sqrt(2) to first order.
+        let mut columns: [[f64; 6]; 6] = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
+        columns[5] = [1.0, 0.0, 0.0, 0.0, 0.0, 1e-10];
+        let svd = Svd::new(columns);
+        assert!((svd.least() / (1e-10 / 2.0_f64.sqrt()) - 1.0).abs() < 1e-6, "{:?}", svd.values);
+        assert_eq!(svd.rank(), 5);
+        assert_eq!(svd.moved(), [true, false, false, false, false, true]);
+        assert!((svd.least_nonzero() - 1.0).abs() < 1e-9);
+    }
+}

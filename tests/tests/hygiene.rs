@@ -1,0 +1,113 @@
+//! The derive in surroundings that are hard on generated code: no prelude, names taken, the crate elsewhere, lints
+//! denied.
+#![deny(missing_docs, warnings, clippy::all, clippy::pedantic)]
+
+/// No prelude, and names of the language and of `denhart` taken by other things.
+#[no_implicit_prelude]
+#[allow(non_camel_case_types, dead_code, unused_macros, missing_docs, clippy::pedantic)]
+pub mod taken {
+    pub struct Pose;
+    pub struct Jacobian;
+    pub struct Solutions;
+    pub struct Solution;
+    pub struct Status;
+    pub struct Flags;
+    pub struct Option;
+    pub struct Result;
+    pub struct Some;
+    pub struct None;
+    pub struct Ok;
+    pub struct Err;
+    pub struct f64;
+    pub struct f32;
+    pub struct usize;
+    pub struct str;
+    pub struct bool;
+    pub trait Sized {}
+    pub trait Copy {}
+    pub trait Deref {}
+    pub mod core {}
+    pub mod std {}
+    pub mod denhart {}
+    pub mod math {}
+    pub const N: () = ();
+    pub const PI: () = ();
+    pub fn sin_cos() {}
+    pub fn sqrt() {}
+    macro_rules! concat {
+        () => {};
+    }
+    macro_rules! env {
+        () => {};
+    }
+    macro_rules! include_bytes {
+        () => {};
+    }
+
+    #[derive(::denhart::Arm)]
+    #[arm(spec = "../specs/ur5.yaml")]
+    pub struct Ur5;
+
+    #[derive(::denhart::Arm)]
+    #[arm(spec = "../specs/stanford.yaml", scalar = "f32")]
+    pub struct Stanford;
+
+    #[derive(::denhart::Arm)]
+    #[arm(spec = "../specs/planar2r.yaml")]
+    pub struct Planar;
+}
+
+/// `denhart` under another name and deeper in.
+mod vendor {
+    pub mod kinematics {
+        pub use denhart::*;
+    }
+}
+
+/// An arm whose code finds `denhart` by the path it is given.
+#[derive(denhart::Arm)]
+#[arm(spec = "../specs/abb_irb2400.yaml", crate = "crate::vendor::kinematics")]
+pub struct Elsewhere;
+
+/// An arm from its text, with a raw identifier.
+#[derive(denhart::Arm)]
+#[arm(
+    scalar = "f32",
+    yaml = "
+        name: lever
+        convention: standard
+        units: {length: mm, angle: deg}
+        joints:
+          - {type: revolute, a: 500, alpha: 0, d: 0, theta: 0}
+    "
+)]
+pub struct r#Lever;
+
+#[test]
+fn arms_work_in_hard_surroundings() {
+    let pose: denhart::Pose<f64> = taken::Ur5.forward(&[0.0; 6]);
+    assert!(pose.translation.iter().all(|x| x.is_finite()));
+    assert_eq!(taken::Ur5::DOF, 6);
+    assert_eq!(taken::Stanford::DOF, 6);
+    assert_eq!(taken::Planar.jacobian(&[0.0; 2]).rows.len(), 6);
+    assert_eq!(Elsewhere::DOF, 6);
+    let tip: denhart::Pose<f32> = Lever.forward(&[0.0]);
+    assert_eq!(tip.translation, [500.0, 0.0, 0.0]);
+}
+
+/// Two arms in one function body, each in a scope of its own.
+#[test]
+fn an_arm_may_be_local() {
+    #[derive(denhart::Arm)]
+    #[arm(spec = "../specs/puma560.yaml")]
+    struct Local;
+    let target = Local.forward(&[0.1, 0.2, 0.3, 0.4, 0.5, 0.6]);
+    let inner = {
+        #[derive(denhart::Arm)]
+        #[arm(spec = "../specs/puma560.yaml")]
+        struct Local;
+        Local.forward(&[0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
+    };
+    assert_eq!(target, inner);
+    assert!(Local.inverse(&target).iter().any(|solution| solution.flags.contains(denhart::Flags::EXACT)));
+}
