@@ -10,11 +10,14 @@ use denhart_tests::poses::Space;
 use denhart_tests::random::Random;
 use denhart_tests::subject::{Specified, reach};
 
-/// Random joint vectors of an arm; a power of two of them, so that the cycle costs one `and`.
+/// More inputs than a branch predictor learns by heart; a power of two, so that the cycle costs one `and`.
+const INPUTS: usize = 2048;
+
+/// Random joint vectors of an arm.
 fn joints<A: Specified<6>>() -> Vec<[f64; 6]> {
     let space = Space::new(&A::JOINT_KINDS, &A::LIMITS, reach(&A::TABLE, &A::LIMITS));
     let mut random = Random::named(A::NAME);
-    (0..256).map(|_| space.random(&mut random)).collect()
+    (0..INPUTS).map(|_| space.random(&mut random)).collect()
 }
 
 /// One function over a cycle of inputs.
@@ -22,7 +25,7 @@ fn bench<I, O>(group: &mut BenchmarkGroup<'_, WallTime>, name: &str, inputs: &[I
     let mut index = 0;
     group.bench_function(name, |bencher| {
         bencher.iter(|| {
-            index = (index + 1) % 256;
+            index = (index + 1) % INPUTS;
             black_box(function(black_box(&inputs[index])))
         });
     });

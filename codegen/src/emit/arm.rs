@@ -2,6 +2,7 @@
 
 use super::constants::Dimensions;
 use super::inverse::{Inverse as InverseCode, inverse};
+use super::tokens::integer;
 use super::{Target, docs, kinematics, tables};
 use crate::model::Model;
 use crate::model::chain::Chain;
@@ -99,7 +100,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
 }
 
 fn arm_trait(model: &Model, target: &Target) -> TokenStream {
-    let (krate, scalar, name, n) = (&target.krate, target.scalar.tokens(), &target.type_name, model.joints.len());
+    let (krate, scalar, name, n) = (&target.krate, target.scalar.tokens(), &target.type_name, integer(model.joints.len()));
     quote! {
         #[automatically_derived]
         impl #krate::Arm<#scalar, #n> for #name {
@@ -127,7 +128,7 @@ fn arm_trait(model: &Model, target: &Target) -> TokenStream {
 
 fn inverse_trait(plan: &Plan, target: &Target) -> TokenStream {
     let (krate, scalar, name) = (&target.krate, target.scalar.tokens(), &target.type_name);
-    let (n, m) = (plan.values.len(), plan.max_solutions());
+    let (n, m) = (integer(plan.values.len()), integer(plan.max_solutions()));
     quote! {
         #[automatically_derived]
         impl #krate::InverseKinematics<#scalar, #n> for #name {
@@ -150,7 +151,7 @@ fn inverse_trait(plan: &Plan, target: &Target) -> TokenStream {
 /// An arm without an inverse has the methods all the same: a call says why it does not compile.
 fn refused(model: &Model, refusal: &Refusal, target: &Target) -> InverseCode {
     let name = &target.type_name;
-    let (scalar, n) = (target.scalar.tokens(), model.joints.len());
+    let (scalar, n) = (target.scalar.tokens(), integer(model.joints.len()));
     let message = format!("`{name}` has no inverse kinematics: {}", refusal.reason);
     let solvable = format_ident!("{name}HasInverse");
     let doc = docs::lines(&format!("Does not compile: {}.", refusal.reason));

@@ -6,9 +6,33 @@ use crate::symbolic::Cost;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+/// Widest line of a doc text.
+const WIDTH: usize = 100;
+
+/// A line broken at spaces so that no part is wider than [`WIDTH`] where that is possible; code in backticks stays
+/// whole.
+fn wrapped(line: &str) -> Vec<String> {
+    let mut out = vec![String::new()];
+    let mut code = false;
+    for word in line.split(' ') {
+        let Some(last) = out.last_mut() else { continue };
+        let breaks = !code && !last.is_empty() && last.len() + 1 + word.len() > WIDTH;
+        code ^= word.matches('`').count() % 2 == 1;
+        if breaks {
+            out.push(word.to_string());
+        } else {
+            if !last.is_empty() {
+                last.push(' ');
+            }
+            last.push_str(word);
+        }
+    }
+    out
+}
+
 /// `/// ...`, one attribute a line.
 pub fn lines(text: &str) -> TokenStream {
-    let lines = text.lines().map(|line| {
+    let lines = text.lines().flat_map(wrapped).map(|line| {
         let line = if line.is_empty() { String::new() } else { format!(" {line}") };
         quote!(#[doc = #line])
     });

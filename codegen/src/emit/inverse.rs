@@ -2,7 +2,7 @@
 
 use super::block::Block;
 use super::kernel::Calls;
-use super::tokens::{Writer, ident, number};
+use super::tokens::{Writer, ident, integer, number};
 use super::{Target, angle, docs};
 use crate::model::{JointKind, Model};
 use crate::solve::{Branching, Kernel, Plan, PlanStep, Stage};
@@ -298,7 +298,7 @@ fn unpack(inputs: &[Expr], plan: &Plan) -> TokenStream {
 }
 
 fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStream) -> TokenStream {
-    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), model.joints.len());
+    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
     let reach = number(plan.reach);
     let limited = model.joints.iter().any(|joint| joint.limits.is_some());
     let sliding = model
@@ -306,7 +306,8 @@ fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStream) -> Tok
         .iter()
         .enumerate()
         .filter(|(_, joint)| joint.kind == JointKind::Prismatic)
-        .map(|(index, _)| quote!(.union(#krate::JointMask::single(#index))));
+        .map(|(index, _)| integer(index))
+        .map(|index| quote!(.union(#krate::JointMask::single(#index))));
     let length = number(model.inverse.tolerance_length.unwrap_or(1e-6 * plan.reach));
     let angle = number(model.inverse.tolerance_angle.unwrap_or(1e-6));
     let unit = docs::unit(model);
@@ -330,12 +331,12 @@ fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStream) -> Tok
 }
 
 fn solutions(plan: &Plan, target: &Target) -> TokenStream {
-    let (krate, scalar, n, m) = (&target.krate, target.scalar.tokens(), plan.values.len(), plan.max_solutions());
+    let (krate, scalar, n, m) = (&target.krate, target.scalar.tokens(), integer(plan.values.len()), integer(plan.max_solutions()));
     quote!(#krate::Solutions<#scalar, #n, #m>)
 }
 
 fn function(plan: &Plan, target: &Target, unpack: &TokenStream, body: &TokenStream) -> TokenStream {
-    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), plan.values.len());
+    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(plan.values.len()));
     let solutions = solutions(plan, target);
     let type_name = &target.type_name;
     let lines: Vec<String> = crate::solve::describe(plan).into_iter().map(|line| format!("- {line}")).collect();
@@ -360,7 +361,7 @@ fn function(plan: &Plan, target: &Target, unpack: &TokenStream, body: &TokenStre
 }
 
 fn methods(model: &Model, plan: &Plan, target: &Target) -> TokenStream {
-    let (krate, scalar, n, m) = (&target.krate, target.scalar.tokens(), plan.values.len(), plan.max_solutions());
+    let (krate, scalar, n, m) = (&target.krate, target.scalar.tokens(), integer(plan.values.len()), integer(plan.max_solutions()));
     let solutions = solutions(plan, target);
     let unit = docs::unit(model);
     let doc = docs::lines(&format!(

@@ -1,7 +1,7 @@
 //! A stage of the plan as a call of its kernel.
 
 use super::block::Block;
-use super::tokens::{Writer, ident, number};
+use super::tokens::{Writer, ident, integer, number};
 use super::{Target, angle};
 use crate::solve::{ElbowRange, Kernel, Plan, Range, Stage, Unit};
 use crate::symbolic::Expr;
@@ -109,6 +109,7 @@ impl<'a> Calls<'a> {
         } else {
             self.plan.values.get(joint).map_or(stage.home, |value| value.constant.neg())
         };
+        let joint = integer(joint);
         if shift.is_zero() {
             return quote!(search.home(#joint));
         }

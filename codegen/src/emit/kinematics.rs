@@ -2,13 +2,13 @@
 
 use super::block::Block;
 use super::docs;
-use super::tokens::{Writer, ident};
+use super::tokens::{Writer, ident, integer};
 use super::{Target, angle};
 use crate::kinematics::{Column, Kinematics, LinkPoses, Wanted, kinematics, link_poses};
 use crate::model::Model;
 use crate::model::chain::Chain;
 use crate::symbolic::{Angles, AngleSum, BoundAngle, Expr, Graph, Rigid};
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 /// The four kinematic functions as methods, and the expressions they use (for the dimensions to declare).
@@ -21,7 +21,8 @@ pub struct Functions {
 
 /// Emits them.
 pub fn functions(model: &Model, chain: &Chain, target: &Target) -> Functions {
-    let n = model.joints.len();
+    let joints = model.joints.len();
+    let n = integer(joints);
     let [forward, jacobian, both] =
         [Wanted::Forward, Wanted::Jacobian, Wanted::Both].map(|wanted| kinematics(chain, wanted));
     let poses = link_poses(chain);
@@ -35,8 +36,8 @@ pub fn functions(model: &Model, chain: &Chain, target: &Target) -> Functions {
         ("forward_and_jacobian", &both, Wanted::Both),
     ] {
         let doc = docs::lines(&docs::kinematics(model, wanted, &function.cost));
-        let (returns, roots, result) = outputs(function, wanted, target, n);
-        let body = body(&function.graph, &function.angles, &roots, target, n, result);
+        let (returns, roots, result) = outputs(function, wanted, target, &n);
+        let body = body(&function.graph, &function.angles, &roots, target, joints, result);
         let name = ident(name);
         tokens.extend(quote! {
             #doc
@@ -53,7 +54,7 @@ pub fn functions(model: &Model, chain: &Chain, target: &Target) -> Functions {
         let poses = poses.poses.iter().map(|pose| self::pose(writer, pose));
         quote!([#(#poses),*])
     };
-    let body = body(&poses.graph, &poses.angles, &roots, target, n, result);
+    let body = body(&poses.graph, &poses.angles, &roots, target, joints, result);
     tokens.extend(quote! {
         #doc
         #[must_use]
@@ -71,7 +72,7 @@ fn outputs<'a>(
     function: &'a Kinematics,
     wanted: Wanted,
     target: &Target,
-    n: usize,
+    n: &Literal,
 ) -> (TokenStream, Vec<Expr>, Result<'a>) {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
     let pose_type = quote!(#krate::Pose<#scalar>);
@@ -128,13 +129,15 @@ fn body(
     angles: &Angles,
     roots: &[Expr],
     target: &Target,
-    n: usize,
+    joints: usize,
     result: impl Fn(&Writer) -> TokenStream,
 ) -> TokenStream {
     let used = graph.reachable(roots);
     let mut symbols: Vec<String> = Vec::new();
     let mut sines = TokenStream::new();
-    for bound in &angles.bound {
+    let mut ordered: Vec<&BoundAngle> = angles.bound.iter().collect();
+    ordered.sort_by_key(|bound| bound.sum.terms.clone());
+    for bound in ordered {
         let keep = [bound.pair.sin, bound.pair.cos].map(|e| used.contains(&e));
         if keep.contains(&true) {
             symbols.extend(bound.sum.terms.iter().map(|(joint, _)| format!("q{}", joint + 1)));
@@ -148,11 +151,11 @@ fn body(
             symbols.push(symbol.name);
         }
     }
-    let pattern = (1..=n).map(|i| {
+    let pattern = (1..=joints).map(|i| {
         let name = format!("q{i}");
         if symbols.contains(&name) { ident(&name) } else { ident(&format!("_{name}")) }
     });
-    let reserved = (1..=n).map(|i| format!("q{i}")).chain(["q".to_string()]);
+    let reserved = (1..=joints).map(|i| format!("q{i}")).chain(["q".to_string()]);
     let mut block = Block::new(graph, roots, reserved);
     let fresh = block.bind(roots);
     let statements = fresh.iter().map(|e| block.statement(*e, &target.krate));

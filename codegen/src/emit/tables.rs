@@ -1,7 +1,7 @@
 //! The constants of an arm: joint names, limits, units, and the DH table itself.
 
 use super::docs;
-use super::tokens::number;
+use super::tokens::{integer, number};
 use super::{Target, angle};
 use crate::model::{Convention, Frame, JointKind, LengthUnit, Model, RowKind};
 use proc_macro2::TokenStream;
@@ -9,7 +9,7 @@ use quote::quote;
 
 /// The constants as associated items of the type.
 pub fn associated(model: &Model, target: &Target) -> TokenStream {
-    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), model.joints.len());
+    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
     let names = model.joints.iter().map(|joint| &joint.name);
     let limits = limits(model, target);
     let kinds = kinds(model, target);
@@ -36,7 +36,7 @@ pub fn associated(model: &Model, target: &Target) -> TokenStream {
         pub const LIMITS: [[#scalar; 2]; #n] = #limits;
         #unit_doc
         pub const LENGTH_UNIT: #krate::LengthUnit = #krate::LengthUnit::#unit;
-        /// The Denavit-Hartenberg table; lengths in [`Self::LENGTH_UNIT`], angles in rad.
+        /// The Denavit-Hartenberg table, rows `(a, alpha, d, theta)`; lengths in [`Self::LENGTH_UNIT`], angles in rad.
         pub const DH: #krate::DhTable = #dh;
     }
 }
@@ -80,13 +80,13 @@ fn dh_table(model: &Model, target: &Target) -> TokenStream {
     };
     let rows = model.rows.iter().map(|row| {
         let kind = match row.kind {
-            RowKind::Revolute => quote!(Revolute),
-            RowKind::Prismatic => quote!(Prismatic),
-            RowKind::Fixed => quote!(Fixed),
+            RowKind::Revolute => quote!(revolute),
+            RowKind::Prismatic => quote!(prismatic),
+            RowKind::Fixed => quote!(fixed),
         };
         let (a, d) = (number(row.a), number(row.d));
         let (alpha, theta) = (angle::tokens(row.alpha, &exact), angle::tokens(row.theta, &exact));
-        quote!(#krate::DhRow { kind: #krate::JointKind::#kind, a: #a, alpha: #alpha, d: #d, theta: #theta })
+        quote!(#krate::DhRow::#kind(#a, #alpha, #d, #theta))
     });
     let frame = |frame: &Frame| {
         let xyz = frame.xyz.map(number);

@@ -16,6 +16,11 @@ pub fn number(value: f64) -> TokenStream {
     if value.is_sign_negative() && value != 0.0 { quote!(-#literal) } else { quote!(#literal) }
 }
 
+/// An integer literal without suffix.
+pub fn integer(value: usize) -> Literal {
+    Literal::usize_unsuffixed(value)
+}
+
 /// The names under which expressions are bound.
 pub type Bound = HashMap<Expr, String>;
 

@@ -4,7 +4,7 @@ use super::closure::{Closure, constant_angle};
 use super::plan::{Branching, ElbowRange, Kernel, Range, Unit};
 use super::sides::Side;
 use crate::model::Angle;
-use crate::symbolic::{Expr, Graph, Mat3, Pair, Rigid, transpose};
+use crate::symbolic::{Expr, Graph, Mat3, Pair, Rigid, Vec3, transpose};
 
 /// A factor of `M = (links and joints from c to the triple)^-1`, left to right.
 #[derive(Debug, Clone, Copy)]
@@ -95,7 +95,7 @@ fn decomposed(c: &Closure, link: &Rigid) -> Option<[Angle; 2]> {
 /// The rotation the triple has to make, with joint turns about parallel axes added up.
 fn triple_rotation(c: &mut Closure) -> Mat3 {
     let factors = factors(c);
-    let (mut rotations, mut target) = (Vec::<Mat3>::new(), 0);
+    let (mut parts, mut target) = (Vec::new(), 0);
     let mut index = 0;
     while let Some(factor) = factors.get(index) {
         index += 1;
@@ -103,15 +103,12 @@ fn triple_rotation(c: &mut Closure) -> Mat3 {
             Factor::Link(joint) => {
                 let link = c.link(*joint);
                 if link.target {
-                    target = rotations.len();
+                    target = parts.len();
                 }
-                rotations.push(link.back.r);
+                parts.push(Part::link(link.back.r, [Expr::ZERO; 3]));
             }
-            Factor::Joint(joint) => {
-                if !c.turns(*joint) {
-                    continue;
-                }
-                let mut pair = c.pair(*joint);
+            Factor::Joint(joint) if c.turns(*joint) => {
+                let pair = c.pair(*joint);
                 // R_z(-p) K R_z(-q) = R_z(-p -+ q) K for a link K that keeps the axis parallel.
                 if let (Some(Factor::Link(between)), Some(Factor::Joint(next))) =
                     (factors.get(index), factors.get(index + 1))
@@ -120,26 +117,75 @@ fn triple_rotation(c: &mut Closure) -> Mat3 {
                 {
                     let other = c.pair(*next);
                     let other = if sign < 0.0 { other.opposite(&mut c.g) } else { other };
-                    pair = pair.plus(&mut c.g, other);
+                    let sum = pair.plus(&mut c.g, other);
                     let (low, high) = (joint.min(next) + 1, joint.max(next) + 1);
-                    c.g.name(pair.sin, format!("s{low}{high}"));
-                    c.g.name(pair.cos, format!("c{low}{high}"));
-                    rotations.push(turn(c, pair));
-                    rotations.push(c.link(*between).back.r);
+                    c.g.name(sum.sin, format!("s{low}{high}"));
+                    c.g.name(sum.cos, format!("c{low}{high}"));
+                    parts.push(Part::turn(c, sum, *joint));
+                    parts.push(Part::link(c.link(*between).back.r, [Expr::ZERO; 3]));
                     index += 2;
                 } else {
-                    rotations.push(turn(c, pair));
+                    parts.push(Part::turn(c, pair, *joint));
                 }
             }
+            Factor::Joint(_) => {}
         }
     }
-    outward(c, rotations, target)
+    outward(c, &parts, target).r
 }
 
-/// `R_z(-t)`
-fn turn(c: &mut Closure, pair: Pair) -> Mat3 {
-    let back = pair.opposite(&mut c.g);
-    transpose(&Graph::identity().map(|axis| c.g.rotate_z(back, axis)))
+/// A factor as a transform, with the joint it turns by.
+struct Part {
+    rigid: Rigid,
+    joint: Option<usize>,
+}
+
+impl Part {
+    fn link(r: Mat3, p: Vec3) -> Part {
+        Part { rigid: Rigid { r, p }, joint: None }
+    }
+
+    /// `R_z(-t)`
+    fn turn(c: &mut Closure, pair: Pair, joint: usize) -> Part {
+        let back = pair.opposite(&mut c.g);
+        let r = transpose(&Graph::identity().map(|axis| c.g.rotate_z(back, axis)));
+        Part { rigid: Rigid { r, p: [Expr::ZERO; 3] }, joint: Some(joint) }
+    }
+}
+
+/// The product, from the target outward: what stands to its right first, then what stands to its left. The columns
+/// are named after the frame whose axes they are, the rows after the frame they are seen in.
+fn outward(c: &mut Closure, parts: &[Part], target: usize) -> Rigid {
+    let mut product = parts.get(target).map_or_else(Rigid::identity, |part| part.rigid);
+    let mut axes = ["n", "o", "a"].map(String::from);
+    let mut origin = "p".to_string();
+    for part in parts.iter().skip(target + 1) {
+        product = product.then(&mut c.g, &part.rigid);
+        if let Some(joint) = part.joint {
+            axes = ["x", "y", "z"].map(|axis| format!("{axis}{joint}"));
+            origin = format!("o{joint}");
+            name(c, &product, &axes, &origin, "");
+        }
+    }
+    for part in parts.iter().take(target).rev() {
+        product = part.rigid.then(&mut c.g, &product);
+        if let Some(joint) = part.joint {
+            name(c, &product, &axes, &origin, &(joint + 1).to_string());
+        }
+    }
+    product
+}
+
+/// `n_1x`: x of the vector n seen in frame 1.
+fn name(c: &mut Closure, rigid: &Rigid, axes: &[String; 3], origin: &str, frame: &str) {
+    for (column, axis) in transpose(&rigid.r).iter().zip(axes) {
+        for (e, component) in column.iter().zip(["x", "y", "z"]) {
+            c.g.name(*e, format!("{axis}_{frame}{component}"));
+        }
+    }
+    for (e, component) in rigid.p.iter().zip(["x", "y", "z"]) {
+        c.g.name(*e, format!("{origin}_{frame}{component}"));
+    }
 }
 
 /// 1 or -1 if a link without the target keeps the joint axis parallel or anti-parallel.
@@ -150,24 +196,6 @@ fn keeps_parallel(c: &Closure, joint: usize) -> Option<f64> {
     }
     let cosine = c.g.constant(Side::along(link.forward.z()))?;
     (cosine.abs() >= 1.0 - 1e-12).then(|| cosine.signum())
-}
-
-/// The product, from the target outward, so that what depends on the fewest joints comes first.
-fn outward(c: &mut Closure, rotations: Vec<Mat3>, target: usize) -> Mat3 {
-    let mut product = rotations.get(target).copied().unwrap_or_else(Graph::identity);
-    for right in rotations.iter().skip(target + 1) {
-        product = c.g.matmul(&product, right);
-    }
-    for left in rotations.iter().take(target).rev() {
-        product = c.g.matmul(left, &product);
-    }
-    let [third, ..] = [c.order[2]];
-    for (row, i) in product.iter().zip(1..) {
-        for (e, j) in row.iter().zip(1..) {
-            c.g.name(*e, format!("w{i}{j}_{}", third + 1));
-        }
-    }
-    product
 }
 
 fn factors(c: &Closure) -> [Factor; 7] {
@@ -237,36 +265,35 @@ pub fn parallel(c: &mut Closure) {
     c.sum(third, terms, constant);
 }
 
-/// `M` with its translation.
+/// `M` with its translation. Only its part in the plane counts, so the point of axis c that is tracked may be any;
+/// without the length along that axis the least arithmetic is left.
 fn triple_rigid(c: &mut Closure) -> Rigid {
-    let mut parts = Vec::new();
-    let mut target = 0;
+    let [_, _, third, ..] = c.order;
+    let (mut parts, mut target) = (Vec::new(), 0);
     for factor in factors(c) {
         match factor {
             Factor::Link(joint) => {
                 let link = c.link(joint);
+                let mut p = link.back.p;
                 if link.target {
                     target = parts.len();
+                } else if joint == third {
+                    let along = c.g.scale3(Side::along(link.forward.p), link.back.z());
+                    let moved = c.g.add3(p, along);
+                    p = c.clean3(moved, Unit::Length);
                 }
-                parts.push(link.back);
+                parts.push(Part::link(link.back.r, p));
             }
             Factor::Joint(joint) if c.turns(joint) => {
                 let pair = c.pair(joint);
-                parts.push(Rigid { r: turn(c, pair), p: [Expr::ZERO; 3] });
+                parts.push(Part::turn(c, pair, joint));
             }
             Factor::Joint(joint) => {
                 let along = c.position(joint);
                 let back = c.g.neg(along);
-                parts.push(Rigid { p: [Expr::ZERO, Expr::ZERO, back], ..Rigid::identity() });
+                parts.push(Part::link(Graph::identity(), [Expr::ZERO, Expr::ZERO, back]));
             }
         }
     }
-    let mut product = parts.get(target).copied().unwrap_or_else(Rigid::identity);
-    for right in parts.iter().skip(target + 1) {
-        product = product.then(&mut c.g, right);
-    }
-    for left in parts.iter().take(target).rev() {
-        product = left.then(&mut c.g, &product);
-    }
-    product
+    outward(c, &parts, target)
 }

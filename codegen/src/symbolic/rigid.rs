@@ -52,10 +52,4 @@ impl Rigid {
         let rotated = g.apply3(&self.r, v);
         g.add3(rotated, self.p)
     }
-
-    /// The point that `self` moves to `v`.
-    pub fn point_back(&self, g: &mut Graph, v: Vec3) -> Vec3 {
-        let shifted = g.sub3(v, self.p);
-        g.apply3(&self.transposed(), shifted)
-    }
 }

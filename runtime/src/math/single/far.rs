@@ -3,8 +3,7 @@
 use super::sin_cos::Reduced;
 
 /// 32 zero bits, then the bits of 2/pi after the binary point.
-const TWO_OVER_PI: [u32; 8] =
-    [0, 0xa2f9836e, 0x4e441529, 0xfc2757d1, 0xf534ddc0, 0xdb629599, 0x3c439041, 0xfe5163ab];
+const TWO_OVER_PI: [u32; 8] = [0, 0xa2f9836e, 0x4e441529, 0xfc2757d1, 0xf534ddc0, 0xdb629599, 0x3c439041, 0xfe5163ab];
 /// pi/2 * 2^31.
 const PI_2: u32 = 0xc90fdaa2;
 

@@ -1,0 +1,105 @@
+use super::double_double::two_product;
+use super::random::Random;
+use crate::math::{self, Scalar, sqrt::integer};
+
+/// The exact square of the root lies within half a unit of the argument, on both sides.
+#[test]
+fn integer_root_is_correctly_rounded() {
+    let mut random = Random(21);
+    for _ in 0..100_000 {
+        let x = f64::from_bits((random.bits() >> 12) | ((1000 + random.bits() % 50) << 52));
+        let root = integer::double(x);
+        let half = (f64::from_bits(root.to_bits() + 1) - root) * 0.5;
+        let square = two_product(root, root);
+        // (root + half)^2 - x > 0 > (root - half)^2 - x, half^2 being far below the product's own precision.
+        let excess = (square.hi - x) + square.lo;
+        assert!(excess + 2.0 * root * half > 0.0 && excess - 2.0 * root * half < 0.0, "{x:e}");
+    }
+}
+
+#[test]
+fn roots_agree() {
+    let mut random = Random(22);
+    for _ in 0..100_000 {
+        let x = random.finite().abs();
+        assert_eq!(integer::double(x).to_bits(), math::sqrt(x).to_bits(), "{x:e}");
+        let x = random.finite_single().abs();
+        assert_eq!(integer::single(x).to_bits(), math::sqrt(x).to_bits(), "{x:e}");
+        let x = f64::from_bits(random.bits() >> (12 + random.bits() % 50));
+        assert_eq!(integer::double(x).to_bits(), math::sqrt(x).to_bits(), "{x:e}");
+        let x = f32::from_bits((random.bits() >> (41 + random.bits() % 20)) as u32);
+        assert_eq!(integer::single(x).to_bits(), math::sqrt(x).to_bits(), "{x:e}");
+    }
+    for x in [0.0, -0.0, 1.0, 4.0, f64::MAX, f64::MIN_POSITIVE, f64::from_bits(1), f64::INFINITY, 0.9999999999999999] {
+        assert_eq!(integer::double(x).to_bits(), math::sqrt(x).to_bits());
+        assert_eq!(integer::single(x as f32).to_bits(), math::sqrt(x as f32).to_bits());
+    }
+    assert!(integer::double(-1.0).is_nan() && integer::single(-1.0).is_nan() && math::sqrt(-1.0_f64).is_nan());
+    assert!(integer::double(f64::NAN).is_nan() && integer::single(f32::NAN).is_nan());
+}
+
+#[test]
+fn hypotenuse() {
+    assert_eq!(math::hypot(3.0_f64, -4.0), 5.0);
+    assert_eq!(math::hypot(3.0_f32, -4.0), 5.0);
+}
+
+#[test]
+fn wrap_keeps_the_direction_and_the_interval() {
+    let mut random = Random(23);
+    for i in 0..200_000_u32 {
+        let x = match i % 5 {
+            0 => random.signed() * 10.0,
+            1 => random.signed() * 1e4,
+            2 => f64::from(i / 5) * core::f64::consts::PI,
+            3 => -f64::from(i / 5) * core::f64::consts::PI,
+            _ => random.finite(),
+        };
+        check_wrap(x, 9e-16);
+        check_wrap(x as f32, 5e-7);
+    }
+}
+
+fn check_wrap<T: Scalar>(x: T, tolerance: f64) {
+    if !x.is_finite() {
+        return;
+    }
+    let wrapped = math::wrap(x);
+    assert!(wrapped > -T::PI && wrapped <= T::PI, "{x}");
+    let ((s, c), (sw, cw)) = (math::sin_cos(x), math::sin_cos(wrapped));
+    assert!((s - sw).abs().to_f64() < tolerance && (c - cw).abs().to_f64() < tolerance, "{x} {wrapped}");
+}
+
+#[test]
+fn wrap_ends() {
+    use core::f64::consts::{PI, TAU};
+    assert_eq!(math::wrap(PI), PI);
+    assert_eq!(math::wrap(-PI), PI);
+    assert_eq!(math::wrap(TAU), 0.0);
+    assert_eq!(math::wrap(-TAU), 0.0);
+    assert_eq!(math::wrap(1.5 * PI), -0.5 * PI);
+    assert_eq!(math::wrap(-1.25), -1.25);
+    assert_eq!(math::wrap(-0.0_f64).to_bits(), (-0.0_f64).to_bits());
+    assert_eq!(math::wrap(-core::f32::consts::PI), core::f32::consts::PI);
+    assert!(
+        math::wrap(f64::INFINITY).is_nan() && math::wrap(f64::NAN).is_nan() && math::wrap(f32::NEG_INFINITY).is_nan()
+    );
+}
+
+#[test]
+fn rounding() {
+    for (x, rounded) in [
+        (0.5_f64, 0.0_f64),
+        (1.5, 2.0),
+        (2.5, 2.0),
+        (-0.5, -0.0),
+        (-1.2, -1.0),
+        (1e300, 1e300),
+        (4503599627370495.5, 4503599627370496.0),
+    ] {
+        assert_eq!(Scalar::round_ties_even(x).to_bits(), rounded.to_bits(), "{x}");
+    }
+    assert_eq!(Scalar::round_ties_even(8388607.5_f32), 8388608.0);
+    assert_eq!(Scalar::round_ties_even(-3.5_f32), -4.0);
+    assert!(Scalar::round_ties_even(f64::NAN).is_nan());
+}
