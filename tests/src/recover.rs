@@ -111,12 +111,7 @@ fn recovered<const N: usize>(subject: &Subject<N>, q: &[f64; N], answer: &Answer
     if svd.rank() + 1 < N {
         return answer.exact().next().is_some();
     }
-    let moved = svd.moved();
-    if found(tolerance, &|joint| !moved[joint]) {
-        return true;
-    }
-    let moved = singular::moved_along(subject, q);
-    found(tolerance, &|joint| !moved[joint])
+    singular::accepts_moved(subject, q, &svd, |moved| found(tolerance, &|joint| !moved[joint]))
 }
 
 /// Checks what holds for every answer, whether its target can be reached or not: solutions are finite, distinct, in

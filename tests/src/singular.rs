@@ -30,13 +30,14 @@ impl<const N: usize> Svd<N> {
                 for j in i + 1..N {
                     let (a, b) = (columns[i], columns[j]);
                     let (aa, bb, ab) = (dot(&a, &a), dot(&b, &b), dot(&a, &b));
-                    if ab.abs() <= f64::EPSILON * (aa * bb).sqrt() || ab == 0.0 {
+                    // The second term ends the sweeps where a column is nothing but rounding.
+                    if ab.abs() <= f64::EPSILON * ((aa * bb).sqrt() + 1e-3 * aa.max(bb)) {
                         continue;
                     }
                     rotated = true;
                     let zeta = (bb - aa) / (2.0 * ab);
-                    let t = 1.0_f64.copysign(zeta) / (zeta.abs() + zeta.hypot(1.0));
-                    let c = 1.0 / t.hypot(1.0);
+                    let t = 1.0_f64.copysign(zeta) / (zeta.abs() + (1.0 + zeta * zeta).sqrt());
+                    let c = 1.0 / (1.0 + t * t).sqrt();
                     let s = c * t;
                     rotate(&mut columns, i, j, c, s);
                     rotate(&mut vectors, i, j, c, s);
@@ -115,17 +116,22 @@ pub fn columns<const N: usize>(subject: &Subject<N>, q: &[f64; N]) -> [[f64; 6];
     std::array::from_fn(|joint| std::array::from_fn(|row| jacobian[(row, joint)]))
 }
 
-/// The joints that move along the self-motion through `q`, followed over up to 1.5 rad both ways.
+/// Whether `accepts` holds for the joints that move along the self-motion through `q`, which is followed over up to
+/// 1.5 rad both ways. `start` is the decomposition at `q`, of rank `N - 1`.
 ///
 /// The null space at `q` alone may show a joint at rest only because it turns back just there. Where no motion keeps
-/// the pose (a stretched elbow) only the joints of the null space itself are returned.
-pub fn moved_along<const N: usize>(subject: &Subject<N>, q: &[f64; N]) -> [bool; N] {
-    let target = subject.pose(q);
-    let start = Svd::at(subject, q);
+/// the pose (a stretched elbow) only the joints of the null space itself count.
+pub fn accepts_moved<const N: usize>(
+    subject: &Subject<N>,
+    q: &[f64; N],
+    start: &Svd<N>,
+    accepts: impl Fn(&[bool; N]) -> bool,
+) -> bool {
     let mut moved = start.moved();
-    if start.rank() + 1 != N {
-        return moved;
+    if accepts(&moved) {
+        return true;
     }
+    let target = subject.pose(q);
     for sign in [1.0, -1.0] {
         let mut at = *q;
         let mut heading = start.vectors[N - 1].map(|v| sign * v);
@@ -138,15 +144,19 @@ pub fn moved_along<const N: usize>(subject: &Subject<N>, q: &[f64; N]) -> [bool;
             if svd.least() > 1e-7 || progress < 0.02 {
                 break;
             }
+            let before = moved;
             for (m, v) in moved.iter_mut().zip(&vector) {
                 *m |= v.abs() > 1e-6;
+            }
+            if moved != before && accepts(&moved) {
+                return true;
             }
             let turn = 1.0_f64.copysign(dot(&heading, &vector));
             heading = vector.map(|v| turn * v);
             at = next;
         }
     }
-    moved
+    false
 }
 
 /// The joint vector near `q` that reaches `target`, by Gauss-Newton steps across the null space.

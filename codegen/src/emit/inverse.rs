@@ -245,8 +245,12 @@ impl Nest<'_> {
         let mut fill = |key: &str, value: String| out = out.replace(&format!("{{{key}}}"), &value);
         match &stage.kernel {
             Kernel::Offset { a, b, d } => {
-                fill("a", text(*a));
-                fill("b", text(*b));
+                let factor = |e: Expr| {
+                    let text = text(e);
+                    if text.trim_start_matches('-').contains([' ']) { format!("({text})") } else { text }
+                };
+                fill("a", factor(*a));
+                fill("b", factor(*b));
                 fill("d", text(*d));
             }
             Kernel::Distance { rho, range, .. } => {

@@ -133,17 +133,11 @@ fn body(
     result: impl Fn(&Writer) -> TokenStream,
 ) -> TokenStream {
     let used = graph.reachable(roots);
-    let mut symbols: Vec<String> = Vec::new();
-    let mut sines = TokenStream::new();
     let mut ordered: Vec<&BoundAngle> = angles.bound.iter().collect();
     ordered.sort_by_key(|bound| bound.sum.terms.clone());
-    for bound in ordered {
-        let keep = [bound.pair.sin, bound.pair.cos].map(|e| used.contains(&e));
-        if keep.contains(&true) {
-            symbols.extend(bound.sum.terms.iter().map(|(joint, _)| format!("q{}", joint + 1)));
-            sines.extend(sin_cos(bound, keep, target));
-        }
-    }
+    let mut symbols: Vec<String> =
+        ordered.iter().flat_map(|bound| &bound.sum.terms).map(|(joint, _)| format!("q{}", joint + 1)).collect();
+    let sines = sin_cos(&ordered, &used, target);
     for e in &used {
         if let crate::symbolic::Node::Symbol(symbol) = graph.node(*e)
             && symbol.name.starts_with('q')
@@ -169,14 +163,18 @@ fn body(
     }
 }
 
-fn sin_cos(bound: &BoundAngle, keep: [bool; 2], target: &Target) -> TokenStream {
+/// All sines and cosines at once: the kernel works on several angles in parallel.
+fn sin_cos(bound: &[&BoundAngle], used: &[Expr], target: &Target) -> TokenStream {
     let krate = &target.krate;
-    let [sin, cos] = [0, 1].map(|i| {
-        let name = bound.names.get(i).map(String::as_str).unwrap_or_default();
-        if keep.get(i) == Some(&true) { ident(name) } else { ident(&format!("_{name}")) }
-    });
-    let angle = sum(&bound.sum, target);
-    quote!(let (#sin, #cos) = #krate::math::sin_cos(#angle);)
+    let name = |e: Expr, name: &str| if used.contains(&e) { ident(name) } else { ident(&format!("_{name}")) };
+    let sines = bound.iter().map(|b| name(b.pair.sin, b.names.first().map_or("", String::as_str)));
+    let cosines = bound.iter().map(|b| name(b.pair.cos, b.names.last().map_or("", String::as_str)));
+    let sums = bound.iter().map(|b| sum(&b.sum, target));
+    match bound {
+        [] => TokenStream::new(),
+        [_] => quote!(let (#(#sines),*, #(#cosines),*) = #krate::math::sin_cos(#(#sums),*);),
+        _ => quote!(let ([#(#sines),*], [#(#cosines),*]) = #krate::math::sin_cos_array([#(#sums),*]);),
+    }
 }
 
 fn sum(sum: &AngleSum, target: &Target) -> TokenStream {

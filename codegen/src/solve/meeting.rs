@@ -33,10 +33,8 @@ pub fn outer(c: &mut Closure) -> Result<(), Refusal> {
         origin: c.clean3(link_y.back.p, Unit::Length),
         axis: c.clean3(link_y.back.z(), Unit::Direction),
     };
-    for (side, what) in [(&a, "wrist"), (&b, "wrist")] {
-        for (e, axis) in side.moved.iter().zip(["x", "y", "z"]) {
-            c.g.name(*e, format!("{what}_{axis}"));
-        }
+    for (e, axis) in a.moved.iter().chain(&b.moved).zip(["x", "y", "z"].iter().cycle()) {
+        c.g.rename(*e, format!("wrist_{axis}"));
     }
     if c.turns(y) { turning(c, y, a, b) } else { sliding(c, y, a, b) }
 }

@@ -219,7 +219,7 @@ pub fn parallel(c: &mut Closure) {
     let (link_a, link_b) = (c.link(first), c.link(second));
     let wrist = Side::plane(m.p);
     for (e, axis) in wrist.iter().zip(["x", "y"]) {
-        c.g.name(*e, format!("wrist_{axis}"));
+        c.g.rename(*e, format!("wrist_{axis}"));
     }
     let rho = c.g.norm(&wrist);
     c.g.name(rho, format!("rho{nb}"));

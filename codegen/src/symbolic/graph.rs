@@ -107,6 +107,13 @@ impl Graph {
         e
     }
 
+    /// The same, replacing an earlier name: for what turns out to have a role of its own.
+    pub fn rename(&mut self, e: Expr, name: impl Into<String>) {
+        let bare = self.strip(e).0;
+        self.names.remove(&bare);
+        self.name(bare, name);
+    }
+
     /// The name an expression was given.
     pub fn given_name(&self, e: Expr) -> Option<&str> {
         self.names.get(&e).map(String::as_str)

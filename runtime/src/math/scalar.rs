@@ -5,9 +5,6 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 use super::{double, single, sqrt};
 
-#[cfg(feature = "std")]
-extern crate std;
-
 mod sealed {
     /// What only this module's functions use; it also keeps other types from being a scalar.
     pub trait Kernel: Sized {

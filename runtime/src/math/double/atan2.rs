@@ -38,7 +38,7 @@ const BASE: [(f64, f64); 8] = {
     [(0.0, 0.0), PI_4, PI_2, PI_4, PI, PI_4_3, PI_2, PI_4_3]
 };
 
-/// Angle of (x, y) in [-pi, pi], at most 1.35 ulp off; signed zeros and infinities as IEEE 754 says.
+/// Angle of (x, y) in [-pi, pi], at most 1.5 ulp off; signed zeros and infinities as IEEE 754 says.
 #[inline]
 pub(in crate::math) fn atan2(y: f64, x: f64) -> f64 {
     let (y_bits, x_bits) = (y.to_bits() & MAGNITUDE, x.to_bits() & MAGNITUDE);

@@ -1,4 +1,5 @@
-//! Kernels for `f64`. Plain multiplications and additions only: no fused operation, so the bits are the same everywhere.
+//! Kernels for `f64`. Plain multiplications and additions only: no fused operation, so the bits are the same
+//! everywhere.
 
 pub(super) mod atan2;
 mod far;

@@ -44,7 +44,7 @@ pub(in crate::math) struct Reduced {
     pub(in crate::math) quarters: u64,
 }
 
-/// Sine and cosine, at most 1.05 ulp off; not a number for one that is not finite.
+/// Sine and cosine, at most 1.1 ulp off; not a number for one that is not finite.
 #[inline]
 pub(in crate::math) fn sin_cos(x: f64) -> (f64, f64) {
     if f64::from_bits(x.to_bits() & MAGNITUDE) <= LIMIT { near(x) } else { distant(x) }

@@ -26,7 +26,7 @@ pub(in crate::math) struct Reduced {
     pub(in crate::math) quarters: u32,
 }
 
-/// Sine and cosine, at most 1.05 ulp off; not a number for one that is not finite.
+/// Sine and cosine, at most 1.04 ulp off; not a number for one that is not finite.
 #[inline]
 pub(in crate::math) fn sin_cos(x: f32) -> (f32, f32) {
     if f32::from_bits(x.to_bits() & MAGNITUDE) <= LIMIT { near(x) } else { distant(x) }

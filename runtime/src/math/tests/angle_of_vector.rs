@@ -4,7 +4,7 @@ use crate::math;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// What the documentation of [`math::atan2`] promises.
-const BOUND: f64 = 1.35;
+const BOUND: f64 = 1.5;
 
 /// Error in ulp: the direction (cos, sin) of the result, in double-double, leaves an angle against the vector.
 fn error(y: f64, x: f64) -> f64 {

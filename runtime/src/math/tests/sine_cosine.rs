@@ -4,7 +4,7 @@ use super::random::Random;
 use crate::math;
 
 /// What the documentation of [`math::sin_cos`] promises.
-const BOUND: f64 = 1.05;
+const BOUND: f64 = 1.1;
 
 fn error(x: f64) -> f64 {
     let (sine, cosine) = math::sin_cos(x);
