@@ -31,7 +31,8 @@ pub enum Form<'a, const N: usize> {
 /// With `s` the least singular value of the Jacobian scaled by reach:
 /// - `s >= 1e-9`: an EXACT solution equals `q` within `max(1e-6, 1e-14 / s)`, as one rounding of the pose moves the
 ///   joints by up to `1e-16 / s`;
-/// - below, at rank 5: an EXACT solution equals `q` in every joint that stays at rest along the self-motion;
+/// - below, at rank 5: an EXACT solution equals `q` in every joint that the null space does not move, neither along the
+///   self-motion through `q` nor at the solution;
 /// - below, at rank 4 or less: whatever is EXACT closes, and something is;
 /// - always: `inverse_near` with reference `q` contains `q` within 1e-6.
 pub fn check<const N: usize>(subject: &Subject<N>, report: &mut Report, family: &'static str, q: &[f64; N]) {
@@ -111,7 +112,14 @@ fn recovered<const N: usize>(subject: &Subject<N>, q: &[f64; N], answer: &Answer
     if svd.rank() + 1 < N {
         return answer.exact().next().is_some();
     }
-    singular::accepts_moved(subject, q, &svd, |moved| found(tolerance, &|joint| !moved[joint]))
+    // A free joint that takes another value may lead to a pose that is singular in one more way, such as a wrist that
+    // comes out straight: what moves there moves too.
+    let moved_at: Vec<[bool; N]> = answer.exact().map(|solution| Svd::at(subject, &solution.q).moved()).collect();
+    singular::accepts_moved(subject, q, &svd, |moved| {
+        answer.exact().zip(&moved_at).any(|(solution, also)| {
+            subject.distance(&solution.q, q, |joint| !moved[joint] && !also[joint]) <= tolerance
+        })
+    })
 }
 
 /// Checks what holds for every answer, whether its target can be reached or not: solutions are finite, distinct, in
@@ -176,12 +184,15 @@ fn broken_rule<const N: usize>(
         Form::Near(q_ref) => (q[joint] - q_ref[joint]).abs() <= PI + 1e-9,
     };
     if !(0..N).all(in_range) {
-        return Some("an angle is out of range");
+        return Some(match form {
+            Form::Principal => "an angle is not in (-pi, pi]",
+            Form::Near(_) => "an angle is more than half a turn from the reference",
+        });
     }
     if is(Flags::EXACT) == is(Flags::APPROXIMATE) {
         return Some("neither EXACT nor APPROXIMATE, or both");
     }
-    if is(Flags::EXACT) && !subject.miss(target, q).iter().all(|miss| *miss < CLOSES) {
+    if is(Flags::EXACT) && !subject.miss(target, q).iter().all(|miss| *miss < CLOSES * subject.extension(q)) {
         return Some("EXACT but does not close");
     }
     if is(Flags::FREE) == free.is_empty() || free.iter().any(|joint| joint >= N) {

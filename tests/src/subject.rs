@@ -129,6 +129,13 @@ impl<const N: usize> Subject<N> {
         [position, 2.0 * turn.vector().norm().atan2(turn.scalar().abs())]
     }
 
+    /// How far the slides at `q` reach beyond their travel, as a factor on the reach: a slide at a thousand reaches
+    /// cannot be given more finely than to a thousand roundings. 1 within the limits.
+    pub fn extension(&self, q: &[f64; N]) -> f64 {
+        let slides = (0..N).filter(|&joint| self.kinds[joint] == JointKind::Prismatic);
+        slides.map(|joint| q[joint].abs() / self.reach).sum::<f64>().max(1.0)
+    }
+
     /// `a - b` of joint `joint` where whole turns are the same angle; a prismatic joint in reaches.
     pub fn difference(&self, joint: usize, a: f64, b: f64) -> f64 {
         match self.kinds[joint] {

@@ -7,7 +7,7 @@ use crate::math::wrap;
 use crate::{Flags, Solution, Solutions};
 
 /// Newton steps for a solution that is already close.
-const STEPS: usize = 12;
+const STEPS: usize = 16;
 /// Steps for one whose free joint has to move.
 const FREE_STEPS: usize = 40;
 
@@ -21,24 +21,34 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         self.solutions = Solutions::new(found.status());
         for (index, solution) in found.iter().enumerate() {
             let doubtful = self.doubtful.checked_shr(index as u32).unwrap_or(0) & 1 == 1;
-            let checked = if doubtful { self.checked(solution, evaluate) } else { Some(*solution) };
+            let (checked, near) = if doubtful { self.checked(solution, evaluate) } else { (Some(*solution), true) };
             let Some(checked) = checked else { continue };
-            let twin = self.solutions.as_mut_slice().iter_mut().find(|other| {
-                coincident(&other.q, &checked.q, self.facts.reach, |joint| self.facts.prismatic.contains(joint))
-            });
-            match twin {
-                Some(other) => other.flags |= Flags::BOUNDARY,
-                None => {
-                    self.solutions.push(checked);
-                }
+            let facts = self.facts;
+            let twin = self
+                .solutions
+                .as_mut_slice()
+                .iter_mut()
+                .find(|other| coincident(&other.q, &checked.q, facts.reach, |joint| facts.prismatic.contains(joint)));
+            let Some(twin) = twin else {
+                self.solutions.push(checked);
+                continue;
+            };
+            // Of two that coincide the one that closes better stays. They mark a boundary if both came from there, not
+            // if one is a false candidate that was refined into the other.
+            let met = if near { Flags::BOUNDARY } else { Flags::NONE } | twin.flags | checked.flags;
+            if relative(facts, &checked.residual) < relative(facts, &twin.residual) {
+                *twin = checked;
             }
+            twin.flags |= if met.contains(Flags::BOUNDARY) { Flags::BOUNDARY } else { Flags::NONE };
         }
     }
 
-    fn checked(&mut self, solution: &Solution<T, N>, evaluate: &impl Evaluate<T, N>) -> Option<Solution<T, N>> {
+    /// The solution after a full check, if it is one, and whether it was close before it was refined.
+    fn checked(&mut self, solution: &Solution<T, N>, evaluate: &impl Evaluate<T, N>) -> (Option<Solution<T, N>>, bool) {
         let mut checked = *solution;
         let (facts, target) = (self.facts, self.target);
         let mut residual = evaluate(&solution.q).0.residual(target);
+        let near = relative(facts, &residual) <= T::CLOSE;
         if !(relative(facts, &residual) <= T::EXACT) {
             let steps = if solution.free.is_empty() { STEPS } else { FREE_STEPS };
             let (q, refined) = refine(facts, target, &solution.q, evaluate, steps);
@@ -52,21 +62,21 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         residual.orientation += self.deviation;
         checked.residual = residual;
         if relative(facts, &residual) <= T::EXACT {
-            return Some(checked);
+            return (Some(checked), near);
         }
         checked.flags.remove(Flags::EXACT);
         checked.flags |= Flags::APPROXIMATE;
         let tolerance = facts.tolerance;
         if residual.position <= tolerance.position && residual.orientation <= tolerance.orientation + self.deviation {
-            return Some(checked);
+            return (Some(checked), near);
         }
         let gap = residual.position.max(residual.orientation);
         self.least_gap = Some(self.least_gap.map_or(gap, |least| least.min(gap)));
-        None
+        (None, near)
     }
 
-    /// Unwinds the joints next to the reference (inside the limits where a turn allows it), keeps the reference's own
-    /// place on a singular family, and sorts nearest first.
+    /// Unwinds the joints next to the reference, keeps the reference's own place on a singular family, and sorts nearest
+    /// first.
     #[inline(never)]
     pub(super) fn approach(&mut self, near: &[T; N], evaluate: &impl Evaluate<T, N>) {
         if self.doubtful != 0 {
@@ -74,11 +84,9 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         }
         let facts = self.facts;
         for solution in self.solutions.as_mut_slice() {
-            for (joint, ((value, reference), limits)) in
-                solution.q.iter_mut().zip(near).zip(&facts.limits).enumerate()
-            {
+            for (joint, (value, reference)) in solution.q.iter_mut().zip(near).enumerate() {
                 if !facts.prismatic.contains(joint) {
-                    *value = unwound(*value, *reference, *limits);
+                    *value = *reference + wrap(*value - *reference);
                 }
             }
         }
@@ -140,17 +148,4 @@ fn coincident<T: Tolerances, const N: usize>(
         let apart = if is_prismatic(joint) { (*a - *b) / reach } else { wrap(*a - *b) };
         apart.abs() <= T::COINCIDENT
     })
-}
-
-/// The angle plus a multiple of a full turn that lies nearest the reference; if that is outside the limits and one
-/// turn towards them is inside, that one.
-fn unwound<T: Tolerances>(value: T, reference: T, [low, high]: [T; 2]) -> T {
-    let nearest = reference + wrap(value - reference);
-    if nearest < low && nearest + T::TAU <= high {
-        nearest + T::TAU
-    } else if nearest > high && nearest - T::TAU >= low {
-        nearest - T::TAU
-    } else {
-        nearest
-    }
 }

@@ -17,6 +17,8 @@ pub trait Tolerances: Scalar {
     /// Joint vectors closer than this in every joint (rad, relative to reach) are one solution: two roots merge when
     /// the sine of their half difference falls below the root of [`Self::ROUNDING`].
     const COINCIDENT: Self;
+    /// A candidate with a relative residual above this is a guess rather than a solution of small error.
+    const CLOSE: Self;
 }
 
 impl Tolerances for f64 {
@@ -26,6 +28,7 @@ impl Tolerances for f64 {
     const EXACT: f64 = 5e-13;
     const NOT_A_ROTATION: f64 = 1e-6;
     const COINCIDENT: f64 = 2.4e-7;
+    const CLOSE: f64 = 1e-4;
 }
 
 impl Tolerances for f32 {
@@ -35,4 +38,5 @@ impl Tolerances for f32 {
     const EXACT: f32 = 2e-5;
     const NOT_A_ROTATION: f32 = 1e-3;
     const COINCIDENT: f32 = 5.5e-3;
+    const CLOSE: f32 = 1e-2;
 }
