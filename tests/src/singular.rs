@@ -8,6 +8,12 @@ use crate::subject::Subject;
 /// Below this a singular value of the scaled Jacobian counts as zero.
 pub const ZERO: f64 = 1e-9;
 
+/// Below this the least singular value is one of a pose on a self-motion, found by iteration.
+const SELF_MOTION: f64 = 1e-7;
+
+/// Below this the least singular value but one means that another self-motion is near.
+const CROSSING: f64 = 1e-5;
+
 /// Singular values of a `[6, N]` matrix, `N <= 6`, and the right singular vectors that belong to them.
 #[derive(Debug, Clone)]
 pub struct Svd<const N: usize> {
@@ -73,12 +79,14 @@ impl<const N: usize> Svd<N> {
         self.values.iter().copied().filter(|&value| value >= ZERO).fold(f64::INFINITY, f64::min)
     }
 
-    /// The joints that the null space moves.
+    /// The joints that the null space moves; none where the matrix is regular.
     ///
-    /// The bound is far above the rounding of a null vector (1e-16 over the next singular value) and far below the
-    /// share of a joint that takes part.
+    /// Near a pose of one rank less, where two self-motions all but cross, one turns into the other within a short way:
+    /// there the joints of both count.
     pub fn moved(&self) -> [bool; N] {
-        std::array::from_fn(|joint| (self.rank()..N).any(|k| self.vectors[k][joint].abs() > 1e-6))
+        let null = |k: usize| self.least() < SELF_MOTION && self.values[k] < CROSSING;
+        // A joint that moves less than this changes by less than the tolerance over a turn.
+        std::array::from_fn(|joint| (0..N).any(|k| null(k) && self.vectors[k][joint].abs() > 1e-7))
     }
 
     /// The joint motion that is orthogonal to the null space and brings about `twist`, in the least squares sense.
@@ -117,9 +125,10 @@ pub fn columns<const N: usize>(subject: &Subject<N>, q: &[f64; N]) -> [[f64; 6];
 }
 
 /// Whether `accepts` holds for the joints that move along the self-motion through `q`, which is followed over up to
-/// 1.5 rad both ways. `start` is the decomposition at `q`, of rank `N - 1`.
+/// 4 rad both ways. `start` is the decomposition at `q`, of rank `N - 1`.
 ///
-/// The null space at `q` alone may show a joint at rest only because it turns back just there. Where no motion keeps
+/// The null space at `q` alone may show a joint at rest only because it turns back just there. Where another
+/// self-motion crosses this one, the joints that it moves count too: the same pose lies on both. Where no motion keeps
 /// the pose (a stretched elbow) only the joints of the null space itself count.
 pub fn accepts_moved<const N: usize>(
     subject: &Subject<N>,
@@ -131,32 +140,70 @@ pub fn accepts_moved<const N: usize>(
     if accepts(&moved) {
         return true;
     }
+    let mut merge = |also: [bool; N]| {
+        let before = moved;
+        moved = std::array::from_fn(|joint| before[joint] || also[joint]);
+        moved != before && accepts(&moved)
+    };
     let target = subject.pose(q);
     for sign in [1.0, -1.0] {
-        let mut at = *q;
-        let mut heading = start.vectors[N - 1].map(|v| sign * v);
-        for _ in 0..15 {
-            let ahead = std::array::from_fn(|joint| at[joint] + 0.1 * subject.unit(joint) * heading[joint]);
-            let Some(next) = back_onto(subject, &target, ahead) else { break };
-            let svd = Svd::at(subject, &next);
-            let vector = svd.vectors[N - 1];
-            let progress = dot(&heading, &std::array::from_fn(|joint| (next[joint] - at[joint]) / subject.unit(joint)));
-            if svd.least() > 1e-7 || progress < 0.02 {
-                break;
-            }
-            let before = moved;
-            for (m, v) in moved.iter_mut().zip(&vector) {
-                *m |= v.abs() > 1e-6;
-            }
-            if moved != before && accepts(&moved) {
+        let first = Step { q: *q, heading: start.vectors[N - 1].map(|v| sign * v), clearance: start.values[N - 2] };
+        let [mut before, mut here] = [first, first];
+        for _ in 0..40 {
+            let Some((next, also)) = here.ahead(subject, &target, STRIDE) else { break };
+            if merge(also) {
                 return true;
             }
-            let turn = 1.0_f64.copysign(dot(&heading, &vector));
-            heading = vector.map(|v| turn * v);
-            at = next;
+            if here.clearance <= before.clearance.min(next.clearance) && merge(crossing(subject, &target, &before)) {
+                return true;
+            }
+            (before, here) = (here, next);
         }
     }
     false
+}
+
+/// How far a step along a self-motion goes, in rad and reaches.
+const STRIDE: f64 = 0.1;
+
+/// A place on a self-motion.
+#[derive(Debug, Clone, Copy)]
+struct Step<const N: usize> {
+    q: [f64; N],
+    /// Unit null vector.
+    heading: [f64; N],
+    /// The least singular value but one: zero where another self-motion crosses.
+    clearance: f64,
+}
+
+impl<const N: usize> Step<N> {
+    /// The place `stride` further on, and the joints that the null space moves there.
+    fn ahead(&self, subject: &Subject<N>, target: &Isometry3<f64>, stride: f64) -> Option<(Self, [bool; N])> {
+        let guess = |joint: usize| self.q[joint] + stride * subject.unit(joint) * self.heading[joint];
+        let q = back_onto(subject, target, std::array::from_fn(guess))?;
+        let svd = Svd::at(subject, &q);
+        let vector = svd.vectors[N - 1];
+        let walked = std::array::from_fn(|joint| (q[joint] - self.q[joint]) / subject.unit(joint));
+        if svd.least() > SELF_MOTION || dot(&self.heading, &walked) < 0.2 * stride {
+            return None;
+        }
+        let turn = 1.0_f64.copysign(dot(&self.heading, &vector));
+        Some((Self { q, heading: vector.map(|v| turn * v), clearance: svd.values[N - 2] }, svd.moved()))
+    }
+}
+
+/// The joints that move where the clearance is least within two strides after `before`, by a golden section search;
+/// none besides those of the one self-motion where nothing crosses.
+fn crossing<const N: usize>(subject: &Subject<N>, target: &Isometry3<f64>, before: &Step<N>) -> [bool; N] {
+    const GOLDEN: f64 = 0.618_033_988_749_894_8;
+    let look = |stride: f64| before.ahead(subject, target, stride);
+    let clearance = |stride: f64| look(stride).map_or(f64::INFINITY, |(step, _)| step.clearance);
+    let (mut low, mut high) = (1e-3 * STRIDE, 2.0 * STRIDE);
+    for _ in 0..45 {
+        let [left, right] = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
+        if clearance(left) < clearance(right) { high = right } else { low = left }
+    }
+    look(0.5 * (low + high)).map_or([false; N], |(_, moved)| moved)
 }
 
 /// The joint vector near `q` that reaches `target`, by Gauss-Newton steps across the null space.

@@ -61,6 +61,34 @@ pub fn atan2<T: Scalar>(y: T, x: T) -> T {
     y.atan2(x)
 }
 
+/// Angle in [-pi, pi] rad of a vector of unit length, from its sine and cosine; less than half the time of [`atan2`].
+///
+/// At most BOUND ulp off where the vector has unit length (greatest found: X for `f64`, Y for `f32`). A length of
+/// `1 + e` adds at most `0.6 |e|` rad, and `0.7 |e|` of the angle from the nearest axis. Multiples of pi/2 are those
+/// of [`atan2`], save that the sign of a zero sine does not count: `angle(-0.0, -1)` is pi, `angle(-0.0, 1)` is 0. Not
+/// a number if one of the two is not. Of other vectors, the zero vector included, the result is not specified: any
+/// float or not a number, without panic.
+///
+/// ```
+/// let (sin, cos) = denhart::math::sin_cos(2.5_f64);
+/// assert!((denhart::math::angle(sin, cos) - 2.5).abs() < 1e-15);
+/// ```
+#[inline]
+pub fn angle<T: Scalar>(sin: T, cos: T) -> T {
+    sin.angle(cos)
+}
+
+/// Angles of several vectors of unit length: the same bits as [`angle`] of each, in about half the time, vectorized.
+///
+/// ```
+/// let angles = denhart::math::angle_array([0.0_f64, 1.0], [-1.0, 0.0]);
+/// assert_eq!(angles, [core::f64::consts::PI, core::f64::consts::FRAC_PI_2]);
+/// ```
+#[inline]
+pub fn angle_array<T: Scalar, const N: usize>(sines: [T; N], cosines: [T; N]) -> [T; N] {
+    T::angle_array(sines, cosines)
+}
+
 /// Square root, correctly rounded; not a number below zero.
 #[inline]
 pub fn sqrt<T: Scalar>(x: T) -> T {

@@ -88,6 +88,10 @@ pub trait Scalar:
     fn sin_cos_array<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]);
     /// [`math::atan2`](crate::math::atan2) of the ordinate `self` and the abscissa `x`.
     fn atan2(self, x: Self) -> Self;
+    /// [`math::angle`](crate::math::angle) of the sine `self` and the cosine `cos`.
+    fn angle(self, cos: Self) -> Self;
+    /// [`math::angle_array`](crate::math::angle_array).
+    fn angle_array<const N: usize>(sines: [Self; N], cosines: [Self; N]) -> [Self; N];
 }
 
 macro_rules! scalar {
@@ -169,6 +173,14 @@ macro_rules! scalar {
             #[inline]
             fn atan2(self, x: Self) -> Self {
                 $kernels::atan2::atan2(self, x)
+            }
+            #[inline]
+            fn angle(self, cos: Self) -> Self {
+                $kernels::angle::angle(self, cos)
+            }
+            #[inline]
+            fn angle_array<const N: usize>(sines: [Self; N], cosines: [Self; N]) -> [Self; N] {
+                $kernels::angle::angle_array(sines, cosines)
             }
         }
     };

@@ -134,6 +134,12 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
     pub fn push(&mut self, trail: &Trail<T>, q: [T; N], branch: Branch) {
         let at = self.solutions.len();
         let orientation = trail.gap.orientation + self.deviation;
+        let mut q = q;
+        for (joint, value) in q.iter_mut().enumerate() {
+            if *value <= -T::PI && !self.facts.prismatic.contains(joint) {
+                *value = T::PI;
+            }
+        }
         let solution = Solution {
             q,
             flags: trail.flags | Flags::EXACT,

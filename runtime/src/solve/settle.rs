@@ -67,7 +67,8 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         checked.flags.remove(Flags::EXACT);
         checked.flags |= Flags::APPROXIMATE;
         let tolerance = facts.tolerance;
-        if residual.position <= tolerance.position && residual.orientation <= tolerance.orientation + self.deviation {
+        // A guess that did not close is none of the branches of this target.
+        if near && residual.position <= tolerance.position && residual.orientation <= tolerance.orientation + self.deviation {
             return (Some(checked), near);
         }
         let gap = residual.position.max(residual.orientation);

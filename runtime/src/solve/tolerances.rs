@@ -4,7 +4,8 @@ use crate::math::Scalar;
 
 /// Thresholds relative to the size of the quantities compared (reach for lengths, 1 for directions).
 pub trait Tolerances: Scalar {
-    /// Amplitude below which an equation does not determine its joint.
+    /// Amplitude below which an equation does not determine its joint: half of [`Self::EXACT`] at most, so that a joint
+    /// left at its reference still closes.
     const VANISHING: Self;
     /// Amplitude below which a solution is checked in full, by forward kinematics.
     const DOUBTFUL: Self;
@@ -22,10 +23,10 @@ pub trait Tolerances: Scalar {
 }
 
 impl Tolerances for f64 {
-    const VANISHING: f64 = 1e-12;
+    const VANISHING: f64 = 4e-13;
     const DOUBTFUL: f64 = 1e-2;
     const ROUNDING: f64 = 64.0 * f64::EPSILON;
-    const EXACT: f64 = 5e-13;
+    const EXACT: f64 = 8e-13;
     const NOT_A_ROTATION: f64 = 1e-6;
     const COINCIDENT: f64 = 2.4e-7;
     const CLOSE: f64 = 1e-4;

@@ -1,6 +1,7 @@
 //! Kernels for `f64`. Plain multiplications and additions only: no fused operation, so the bits are the same
 //! everywhere.
 
+pub(super) mod angle;
 pub(super) mod atan2;
 mod far;
 pub(super) mod sin_cos;

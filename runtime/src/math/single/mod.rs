@@ -1,6 +1,7 @@
 //! Kernels for `f32`, without any `f64`: the small processors this is for have single precision only. Plain
 //! multiplications and additions: no fused operation, so the bits are the same everywhere.
 
+pub(super) mod angle;
 pub(super) mod atan2;
 mod far;
 pub(super) mod sin_cos;

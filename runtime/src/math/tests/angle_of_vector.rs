@@ -6,9 +6,12 @@ use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 /// What the documentation of [`math::atan2`] promises.
 const BOUND: f64 = 1.5;
 
-/// Error in ulp: the direction (cos, sin) of the result, in double-double, leaves an angle against the vector.
 fn error(y: f64, x: f64) -> f64 {
-    let angle = math::atan2(y, x);
+    error_of(math::atan2(y, x), y, x)
+}
+
+/// Error in ulp: the direction (cos, sin) of the result, in double-double, leaves an angle against the vector.
+pub(super) fn error_of(angle: f64, y: f64, x: f64) -> f64 {
     let (sine, cosine) = double_double::sin_cos(angle);
     let (y, x) = (Wide::from(y), Wide::from(x));
     let (across, along) = (y * cosine - x * sine, x * cosine + y * sine);

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::excessive_precision, clippy::approx_constant)]
 
+mod angle_of_unit_vector;
 mod angle_of_vector;
 mod bits;
 mod double_double;

@@ -1,0 +1,64 @@
+//! Angle of a unit vector, `f32`: the method of the `f64` kernel with constants for 24 bits.
+
+use super::SIGN;
+use core::f32::consts::FRAC_PI_2;
+
+/// What the nearest float to pi/2 lacks, over that float.
+const RATIO: f32 = -2.7827534e-08;
+/// f(1 - u) = 1 + u (F0 + F1 u + ...) for 0 <= u <= 1 - sqrt(1/2), relative error 2^-28.2.
+const F: [f32; 5] = [0.33333376, 0.13331243, 0.05746544, 0.02327359, 0.017612966];
+
+/// Angle of the unit vector (`cos`, `sin`) in [-pi, pi], at most 2 ulp off.
+#[inline(always)]
+pub(in crate::math) fn angle(sin: f32, cos: f32) -> f32 {
+    let (sin_size, cos_size) = (sin.abs(), cos.abs());
+    // In this form one instruction each; and what is not a number gets into one of the two.
+    let less = if sin_size < cos_size { sin_size } else { cos_size };
+    let more = if sin_size < cos_size { cos_size } else { sin_size };
+    let steep = 0u32.wrapping_sub(u32::from(cos_size < sin_size));
+    let side = cos.to_bits() & SIGN;
+    // The turn from the axis to the vector, both mirrored to the upper half plane, is positive from the x axis on the
+    // right and from the y axis on the left.
+    let less = f32::from_bits(less.to_bits() ^ side ^ (steep & SIGN));
+    // 0, pi/2 or pi.
+    let base = FRAC_PI_2 - f32::from_bits((FRAC_PI_2.to_bits() | side) & !steep);
+
+    let u = 1.0 - more;
+    let u2 = u * u;
+    // Multiplied out for fewer operations one after the other.
+    let rise = less * u;
+    let tail = (base * RATIO + rise * (F[0] + u * F[1])) + (rise * u2) * ((F[2] + u * F[3]) + u2 * F[4]);
+    let angle = (base + less) + tail;
+    // The sum makes -0 positive.
+    f32::from_bits(angle.to_bits() ^ ((sin + 0.0).to_bits() & SIGN))
+}
+
+/// Angles of several unit vectors, the same bits as [`angle`] of each.
+#[inline(always)]
+pub(in crate::math) fn angle_array<const N: usize>(sines: [f32; N], cosines: [f32; N]) -> [f32; N] {
+    let mut angles = [0.0; N];
+    // In blocks whose loops the compiler turns into vector code; it leaves loops of other lengths alone.
+    let (sines, cosines, left) = blocks::<8>(&sines, &cosines, &mut angles);
+    let (sines, cosines, left) = blocks::<4>(sines, cosines, left);
+    let (sines, cosines, left) = blocks::<2>(sines, cosines, left);
+    blocks::<1>(sines, cosines, left);
+    angles
+}
+
+/// As many blocks of `L` vectors as there are; returns what is left. The slices have the same length.
+#[inline(always)]
+fn blocks<'a, const L: usize>(
+    sines: &'a [f32],
+    cosines: &'a [f32],
+    angles: &'a mut [f32],
+) -> (&'a [f32], &'a [f32], &'a mut [f32]) {
+    let (sines, sines_left) = sines.as_chunks::<L>();
+    let (cosines, cosines_left) = cosines.as_chunks::<L>();
+    let (angles, angles_left) = angles.as_chunks_mut::<L>();
+    for ((sines, cosines), angles) in sines.iter().zip(cosines).zip(angles) {
+        for ((sin, cos), result) in sines.iter().zip(cosines).zip(angles) {
+            *result = angle(*sin, *cos);
+        }
+    }
+    (sines_left, cosines_left, angles_left)
+}
