@@ -32,7 +32,8 @@ impl<T: Tolerances> Elbow<T> {
 #[inline]
 pub fn distance<T: Tolerances>(home: Home<T>, measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<T, 1, 2> {
     let (outer, inner) = (elbow.max - rho, rho - elbow.min);
-    let close = measure.rounding();
+    // The rounding of the distance itself; roots farther apart are told apart.
+    let close = T::EPSILON * T::TWO * elbow.max;
     if elbow.max - elbow.min <= measure.vanishing() {
         return Stage::free([Turn::ZERO], home, outer.abs(), measure);
     }

@@ -4,12 +4,14 @@
 use super::refine::{Evaluate, refine, relative};
 use super::{Search, Tolerances};
 use crate::math::wrap;
-use crate::{Flags, Solution, Solutions};
+use crate::{Flags, Residual, Solution, Solutions};
 
 /// Newton steps for a solution that is already close.
 const STEPS: usize = 16;
 /// Steps for one whose free joint has to move.
 const FREE_STEPS: usize = 40;
+/// Starts beside a singular place.
+const RESTARTS: u32 = 16;
 
 impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
     /// Checks every doubtful solution with forward kinematics; refines it if that closes it. What stays beyond the
@@ -58,6 +60,14 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
             if relative(facts, &refined) <= T::EXACT || beyond {
                 (checked.q, residual) = (q, refined);
             }
+            let missed = solution.residual.position.max(solution.residual.orientation * facts.reach);
+            let singular = near && missed <= T::ROUNDING * facts.reach;
+            if !(relative(facts, &refined) <= T::EXACT)
+                && (singular || !solution.free.is_empty())
+                && let Some((q, closed)) = self.restarted(solution, evaluate)
+            {
+                (checked.q, residual) = (q, closed);
+            }
         }
         residual.orientation += self.deviation;
         checked.residual = residual;
@@ -74,6 +84,41 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         let gap = residual.position.max(residual.orientation);
         self.least_gap = Some(self.least_gap.map_or(gap, |least| least.min(gap)));
         (None, near)
+    }
+
+    /// At a singular target the first-order steps may not see the direction that is missing. From beside the place they
+    /// do: a few fixed offsets are tried, of the free joint if it is known, else of all joints. The first start that
+    /// closes is taken.
+    #[cold]
+    #[inline(never)]
+    fn restarted(
+        &self,
+        solution: &Solution<T, N>,
+        evaluate: &impl Evaluate<T, N>,
+    ) -> Option<([T; N], Residual<T>)> {
+        let facts = self.facts;
+        for attempt in 1..=RESTARTS {
+            let mut start = solution.q;
+            let sign = if attempt % 2 == 0 { -T::ONE } else { T::ONE };
+            let size = T::from_f64(f64::from(attempt.div_ceil(2)));
+            for (joint, value) in start.iter_mut().enumerate() {
+                let unit = if facts.prismatic.contains(joint) { facts.reach } else { T::ONE };
+                let offset = if solution.free.contains(joint) {
+                    // Every half of 30 degrees, both ways, nearest first.
+                    sign * size * T::PI / T::from_f64(12.0)
+                } else {
+                    // Different for every joint, so that no two stay in line.
+                    let spread = T::from_f64(0.01 + 0.007 * f64::from((joint as u32 * 5 + 2) % 7));
+                    sign * size * spread * if joint % 2 == 0 { T::ONE } else { -T::ONE }
+                };
+                *value += offset * unit;
+            }
+            let (q, residual) = refine(facts, self.target, &start, evaluate, FREE_STEPS);
+            if relative(facts, &residual) <= T::EXACT {
+                return Some((q, residual));
+            }
+        }
+        None
     }
 
     /// Unwinds the joints next to the reference, keeps the reference's own place on a singular family, and sorts nearest
