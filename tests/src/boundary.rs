@@ -103,9 +103,8 @@ pub fn check_outermost(subject: &Subject<6>, wrist: &Point3<f64>, random: &mut R
                 Status::Unreachable { .. } => fail("the residual of Unreachable is not the distance"),
                 Status::Reachable | Status::BadTarget => fail("not Unreachable"),
             }
-            let comes_close = |q: &[f64; 6]| {
-                subject.miss(&target, q).iter().all(|miss| *miss <= 2.0 * push + recover::CLOSES)
-            };
+            let comes_close =
+                |q: &[f64; 6]| subject.miss(&target, q).iter().all(|miss| *miss <= 2.0 * push + recover::CLOSES);
             let says_so = |position: f64| push < 10.0 * recover::CLOSES || says_the_distance(position);
             let listed = |s: &denhart::Solution<f64, 6>| comes_close(&s.q) && says_so(s.residual.position);
             if push < 0.5 * TOLERANCE && !answer.solutions.iter().any(listed) {
@@ -177,7 +176,8 @@ pub fn check_far(subject: &Subject<6>, random: &mut Random, report: &mut Report)
             report.count();
             let q = Space::of(subject).random(random);
             let mut target = subject.pose(&q);
-            target.translation.vector = Vector3::from(random.direction()) * subject.reach * 10.0_f64.powi(exponent) * 2.5;
+            target.translation.vector =
+                Vector3::from(random.direction()) * subject.reach * 10.0_f64.powi(exponent) * 2.5;
             for answer in [subject.inverse(&Pose::from(target)), subject.inverse_near(&Pose::from(target), &q)] {
                 let finite = answer.solutions.iter().all(|s| s.q.iter().all(|x| x.is_finite()));
                 let honest = match answer.status {
@@ -201,4 +201,3 @@ pub fn check_far(subject: &Subject<6>, random: &mut Random, report: &mut Report)
         }
     }
 }
-

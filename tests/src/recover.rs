@@ -84,8 +84,7 @@ pub fn check_references<const N: usize>(
     check_near(subject, report, family, q, &wound);
 
     if Svd::at(subject, q).least() > 1e-2 {
-        let beside =
-            std::array::from_fn(|joint| q[joint] + 1e-4 * subject.unit(joint) * random.uniform(-1.0, 1.0));
+        let beside = std::array::from_fn(|joint| q[joint] + 1e-4 * subject.unit(joint) * random.uniform(-1.0, 1.0));
         let target = subject.pose(q);
         let near = subject.inverse_near(&Pose::from(target), &beside);
         examine(subject, report, family, &target, &near, Form::Near(&beside));

@@ -107,11 +107,9 @@ impl<const N: usize> Svd<N> {
 }
 
 fn rotate<const M: usize>(columns: &mut [[f64; M]], i: usize, j: usize, c: f64, s: f64) {
-    for row in 0..M {
-        let (x, y) = (columns[i][row], columns[j][row]);
-        columns[i][row] = c * x - s * y;
-        columns[j][row] = s * x + c * y;
-    }
+    let (a, b) = (columns[i], columns[j]);
+    columns[i] = std::array::from_fn(|row| c * a[row] - s * b[row]);
+    columns[j] = std::array::from_fn(|row| s * a[row] + c * b[row]);
 }
 
 fn dot<const M: usize>(a: &[f64; M], b: &[f64; M]) -> f64 {
@@ -233,9 +231,8 @@ pub fn on_surface(subject: &Subject<6>, q: &[f64; 6], joint: usize, span: [f64; 
     let determinant = |value: f64| subject.scaled_jacobian(&moved(value)).fixed_columns::<6>(0).determinant();
     let [low, high] = span;
     let at = |k: usize| low + (high - low) * k as f64 / STEPS as f64;
-    let (mut left, mut right) = (0..STEPS)
-        .map(|k| (at(k), at(k + 1)))
-        .find(|&(left, right)| determinant(left) * determinant(right) < 0.0)?;
+    let (mut left, mut right) =
+        (0..STEPS).map(|k| (at(k), at(k + 1))).find(|&(left, right)| determinant(left) * determinant(right) < 0.0)?;
     let sign = determinant(left).signum();
     loop {
         let middle = 0.5 * (left + right);

@@ -18,7 +18,8 @@ fn pose_error(a: &Pose<f64>, b: &Pose<f64>, reach: f64) -> f64 {
 
 /// Largest difference of two Jacobians, velocities in reaches.
 fn jacobian_error<const N: usize>(a: &Jacobian<f64, N>, b: impl Fn(usize, usize) -> f64, reach: f64) -> f64 {
-    let difference = |row: usize, joint: usize| (a.rows[row][joint] - b(row, joint)) / if row < 3 { reach } else { 1.0 };
+    let difference =
+        |row: usize, joint: usize| (a.rows[row][joint] - b(row, joint)) / if row < 3 { reach } else { 1.0 };
     largest((0..6).flat_map(|row| (0..N).map(move |joint| (row, joint))).map(|(row, joint)| difference(row, joint)))
 }
 
@@ -65,7 +66,8 @@ fn check_beside_chain<A: Specified<N>, const N: usize>() {
     }
     for _ in 0..100 {
         let q = space.random(&mut random);
-        let wound = |joint: usize| if A::JOINT_KINDS[joint] == JointKind::Revolute { 100.0 * q[joint] } else { q[joint] };
+        let wound =
+            |joint: usize| if A::JOINT_KINDS[joint] == JointKind::Revolute { 100.0 * q[joint] } else { q[joint] };
         check_at::<A, N>(&chain, reach, &std::array::from_fn(wound));
     }
 }

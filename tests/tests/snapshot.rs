@@ -42,8 +42,8 @@ fn check_code(name: &str, type_name: &str) {
 }
 
 fn check_report(name: &str) {
-    let report = denhart_codegen::check(&read(name), &format!("specs/{name}.yaml"))
-        .unwrap_or_else(|errors| panic!("{errors}"));
+    let report =
+        denhart_codegen::check(&read(name), &format!("specs/{name}.yaml")).unwrap_or_else(|errors| panic!("{errors}"));
     keep("report", name, &report.to_string());
 }
 

@@ -24,7 +24,8 @@ impl GeoArm {
     /// decomposition asks for its own, such as one point on all three axes of a wrist.
     pub fn new(table: &DhTable, points: [usize; 6]) -> Self {
         let links = Chain::from(*table).link_poses(&[0.0; 6]).expect("six joints");
-        let frames: Vec<Pose<f64>> = std::iter::once(Pose::identity()).chain(links.into_iter().map(Pose::from)).collect();
+        let frames: Vec<Pose<f64>> =
+            std::iter::once(Pose::identity()).chain(links.into_iter().map(Pose::from)).collect();
         let origin = |frame: usize| Vector3::from(frames[frame].translation);
         let mut kinematics = Kinematics::<6, 7>::new();
         let mut last = Vector3::zeros();

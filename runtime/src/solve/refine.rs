@@ -27,7 +27,9 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
     let mut error = twist(facts, target, &pose);
     let mut size = square(&error);
     let mut boost = T::ONE;
-    let floor = T::EPSILON * T::EPSILON * T::from_f64(4.0);
+    // Some twenty roundings: what is left says nothing about where the solution is, and where the arm is nearly singular
+    // a step that chases it leads far away.
+    let floor = T::EPSILON * T::EPSILON * T::from_f64(400.0);
     for _ in 0..steps {
         if !(size > floor) {
             break;
@@ -76,75 +78,47 @@ fn square<T: Tolerances>(error: &[T; 6]) -> T {
     error.iter().fold(T::ZERO, |sum, e| sum + *e * *e)
 }
 
-/// Solves `(J^T J + damping I) step = J^T error` by Cholesky's factorization, with lengths over reach throughout.
+/// The step that minimizes `|J step - error|^2 + damping |step|^2`, with lengths over reach throughout: the rows of J
+/// are rotated (Givens) into the triangle that starts as `sqrt(damping) I`. Unlike the normal equations this keeps
+/// singular values down to the rounding of J itself, which is what the steps near a fold need.
 fn damped_step<T: Tolerances, const N: usize>(
     facts: &Facts<T, N>,
     jacobian: &Jacobian<T, N>,
     error: &[T; 6],
     damping: T,
 ) -> Option<[T; N]> {
+    let unit = |joint: usize| if facts.prismatic.contains(joint) { facts.reach } else { T::ONE };
     let k = T::ONE / facts.reach;
-    let mut rows = jacobian.rows;
-    for (i, row) in rows.iter_mut().enumerate() {
-        for (entry, joint) in row.iter_mut().zip(0..) {
-            if i < 3 {
-                *entry *= k;
-            }
-            if facts.prismatic.contains(joint) {
-                *entry *= facts.reach;
-            }
-        }
-    }
-    let mut matrix = [[T::ZERO; N]; N];
+    let mut triangle = [[T::ZERO; N]; N];
     let mut right = [T::ZERO; N];
-    for (row, e) in rows.iter().zip(error) {
-        for ((line, sum), a) in matrix.iter_mut().zip(&mut right).zip(row) {
-            *sum += *a * *e;
-            for (entry, b) in line.iter_mut().zip(row) {
-                *entry += *a * *b;
+    for (i, line) in triangle.iter_mut().enumerate() {
+        *line.get_mut(i)? = damping.sqrt();
+    }
+    for (i, (row, e)) in jacobian.rows.iter().zip(error).enumerate() {
+        let (mut row, mut e) = (*row, *e);
+        for (joint, entry) in row.iter_mut().enumerate() {
+            *entry = *entry * unit(joint) * if i < 3 { k } else { T::ONE };
+        }
+        for (j, (line, value)) in triangle.iter_mut().zip(&mut right).enumerate() {
+            let (diagonal, below) = (*line.get(j)?, *row.get(j)?);
+            let length = diagonal.hypot(below);
+            if !(length > T::ZERO) {
+                continue;
             }
+            let (c, s) = (diagonal / length, below / length);
+            for (upper, lower) in line.iter_mut().zip(&mut row).skip(j) {
+                (*upper, *lower) = (c * *upper + s * *lower, c * *lower - s * *upper);
+            }
+            (*value, e) = (c * *value + s * e, c * e - s * *value);
         }
     }
-    for (i, line) in matrix.iter_mut().enumerate() {
-        if let Some(diagonal) = line.get_mut(i) {
-            *diagonal += damping;
-        }
+    let mut step = [T::ZERO; N];
+    for (j, line) in triangle.iter().enumerate().rev() {
+        let known = line.iter().zip(&step).skip(j + 1).fold(T::ZERO, |sum, (a, x)| sum + *a * *x);
+        *step.get_mut(j)? = (*right.get(j)? - known) / *line.get(j)?;
     }
-    let mut step = cholesky_solve(matrix, right)?;
-    for (change, joint) in step.iter_mut().zip(0..) {
-        if facts.prismatic.contains(joint) {
-            *change *= facts.reach;
-        }
+    for (joint, change) in step.iter_mut().enumerate() {
+        *change *= unit(joint);
     }
     step.iter().all(|x| x.is_finite()).then_some(step)
-}
-
-/// Solves a symmetric positive definite system; `None` if it is not positive definite to rounding.
-fn cholesky_solve<T: Tolerances, const N: usize>(mut a: [[T; N]; N], mut b: [T; N]) -> Option<[T; N]> {
-    for j in 0..N {
-        let done = a;
-        let pivot_row = done.get(j)?;
-        let sum = pivot_row.iter().take(j).fold(T::ZERO, |sum, x| sum + *x * *x);
-        let pivot = (*pivot_row.get(j)? - sum).sqrt();
-        if !(pivot > T::ZERO) {
-            return None;
-        }
-        for (i, line) in a.iter_mut().enumerate().skip(j) {
-            let dot = line.iter().zip(pivot_row).take(j).fold(T::ZERO, |sum, (x, y)| sum + *x * *y);
-            let entry = line.get_mut(j)?;
-            *entry = if i == j { pivot } else { (*entry - dot) / pivot };
-        }
-    }
-    for j in 0..N {
-        let row = a.get(j)?;
-        let sum = row.iter().zip(&b).take(j).fold(T::ZERO, |sum, (x, y)| sum + *x * *y);
-        let value = (*b.get(j)? - sum) / *row.get(j)?;
-        *b.get_mut(j)? = value;
-    }
-    for j in (0..N).rev() {
-        let sum = a.iter().zip(&b).skip(j + 1).try_fold(T::ZERO, |sum, (row, y)| Some(sum + *row.get(j)? * *y))?;
-        let value = (*b.get(j)? - sum) / *a.get(j)?.get(j)?;
-        *b.get_mut(j)? = value;
-    }
-    Some(b)
 }

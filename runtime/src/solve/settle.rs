@@ -174,7 +174,9 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         let slots = self.solutions.as_mut_slice().iter_mut();
         let nearest = slots.min_by(|a, b| apart(a).partial_cmp(&apart(b)).unwrap_or(core::cmp::Ordering::Equal));
         let Some(nearest) = nearest else { return };
-        let held = Solution { q, residual, ..*nearest };
+        let mut held = Solution { q, residual, ..*nearest };
+        held.flags.remove(Flags::APPROXIMATE);
+        held.flags |= Flags::EXACT;
         let full = !self.solutions.push(held);
         if full && let Some(nearest) = self.solutions.as_mut_slice().iter_mut().min_by(|a, b| {
             apart(a).partial_cmp(&apart(b)).unwrap_or(core::cmp::Ordering::Equal)

@@ -307,4 +307,5 @@ joints:
     };
 }
 
+#[cfg(feature = "arms")]
 meeting_arms!(declare);

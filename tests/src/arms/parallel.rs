@@ -250,4 +250,5 @@ joints:
     };
 }
 
+#[cfg(feature = "arms")]
 parallel_arms!(declare);

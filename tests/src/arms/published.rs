@@ -64,4 +64,5 @@ macro_rules! published_arms {
     };
 }
 
+#[cfg(feature = "arms")]
 published_arms!(declare);

@@ -15,6 +15,7 @@ macro_rules! single_arms {
     };
 }
 
+#[cfg(feature = "arms")]
 macro_rules! declare_single {
     ($($name:ident $Single:ident $Double:ident { $($attribute:tt)* };)*) => {$(
         #[doc = concat!("The arm `", stringify!($name), "` in single precision.")]
@@ -24,4 +25,5 @@ macro_rules! declare_single {
     )*};
 }
 
+#[cfg(feature = "arms")]
 single_arms!(declare_single);

@@ -233,4 +233,5 @@ joints:
     };
 }
 
+#[cfg(feature = "arms")]
 sliding_arms!(declare);

@@ -191,4 +191,5 @@ joints:
     };
 }
 
+#[cfg(feature = "arms")]
 sliding_parallel_arms!(declare);

@@ -56,10 +56,7 @@ fn cases() -> Vec<(&'static str, Run)> {
         ("ur5_forward", cycle(ur_joints.clone(), |q| Ur5.forward(q))),
         ("ur5_forward_and_jacobian", cycle(ur_joints, |q| Ur5.forward_and_jacobian(q))),
         ("ur5_inverse", cycle(ur, |target| Ur5.inverse(target))),
-        (
-            "ur5_ik_geo_three_parallel",
-            cycle(parallel_targets, move |target| parallel.inverse(three_parallel, target)),
-        ),
+        ("ur5_ik_geo_three_parallel", cycle(parallel_targets, move |target| parallel.inverse(three_parallel, target))),
         (
             "ur5_ik_geo_three_parallel_two_intersecting",
             cycle(meeting_targets, move |target| meeting.inverse(three_parallel_two_intersecting, target)),

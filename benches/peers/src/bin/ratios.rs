@@ -78,12 +78,7 @@ fn ur5() {
     let cases = vec![
         Case::new("denhart", &targets, REPEAT, |target| Ur5.inverse(target)),
         geo_case("ik-geo three_parallel", &parallel, three_parallel, &parallel_targets),
-        geo_case(
-            "ik-geo three_parallel_two_intersecting",
-            &meeting,
-            three_parallel_two_intersecting,
-            &meeting_targets,
-        ),
+        geo_case("ik-geo three_parallel_two_intersecting", &meeting, three_parallel_two_intersecting, &meeting_targets),
     ];
     println!("{}", compare("ur5, inverse, every branch", cases, ROUNDS));
 

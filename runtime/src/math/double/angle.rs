@@ -25,7 +25,7 @@ const F: [f64; 11] = [
     0.00030716509450586877,
 ];
 
-/// Angle of the unit vector (`cos`, `sin`) in [-pi, pi], at most 2 ulp off.
+/// Angle of the unit vector (`cos`, `sin`) in [-pi, pi], at most 2 ulp off if both are correctly rounded.
 #[inline(always)]
 pub(in crate::math) fn angle(sin: f64, cos: f64) -> f64 {
     let (sin_size, cos_size) = (sin.abs(), cos.abs());

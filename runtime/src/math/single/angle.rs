@@ -8,7 +8,7 @@ const RATIO: f32 = -2.7827534e-08;
 /// f(1 - u) = 1 + u (F0 + F1 u + ...) for 0 <= u <= 1 - sqrt(1/2), relative error 2^-28.2.
 const F: [f32; 5] = [0.33333376, 0.13331243, 0.05746544, 0.02327359, 0.017612966];
 
-/// Angle of the unit vector (`cos`, `sin`) in [-pi, pi], at most 2 ulp off.
+/// Angle of the unit vector (`cos`, `sin`) in [-pi, pi], at most 2 ulp off if both are correctly rounded.
 #[inline(always)]
 pub(in crate::math) fn angle(sin: f32, cos: f32) -> f32 {
     let (sin_size, cos_size) = (sin.abs(), cos.abs());

@@ -71,7 +71,7 @@ fn single_vectors() {
 #[test]
 fn axes_and_diagonals() {
     let diagonal = FRAC_PI_4.sin();
-    let table = [
+    let table: [(f64, f64, f64); 15] = [
         (0.0, 1.0, 0.0),
         (-0.0, 1.0, 0.0),
         (0.0, -1.0, PI),
@@ -110,8 +110,8 @@ fn not_a_number_and_no_unit_vector() {
             assert!(math::angle(nan, other).is_nan() && math::angle(other, nan).is_nan());
         }
     }
-    // The documented value of the zero vector.
-    for (zero, angle) in [(0.0, 0.0), (-0.0, PI)] {
+    // The zero vector: unspecified, but kept.
+    for (zero, angle) in [(0.0_f64, 0.0_f64), (-0.0, PI)] {
         assert_eq!(math::angle(0.0, zero).to_bits(), angle.to_bits());
         assert_eq!(math::angle(0.0, zero as f32).to_bits(), (angle as f32).to_bits());
     }

@@ -75,6 +75,35 @@ fn atan2_single() {
     }
 }
 
+#[test]
+fn angle_double() {
+    let table = [
+        (0.6, 0.8, 0x3fe4978f_a3269ee1),
+        (-0.8, 0.6, 0xbfedac67_0561bb50),
+        (0.28, -0.96, 0x4006dcc5_7bb565fc),
+        (-0.96, -0.28, 0xbffdac67_0561bb50),
+        (0.007999744, 0.9999680015359508, 0x3f806236_eaaf595f),
+        (0.9, -0.8, 0x40033049_66e1dfb5),
+    ];
+    for (sin, cos, angle) in table {
+        assert_eq!(math::angle::<f64>(sin, cos).to_bits(), angle, "{sin} {cos}");
+    }
+}
+
+#[test]
+fn angle_single() {
+    let table = [
+        (0.6, 0.8, 0x3f24bc7e),
+        (-0.8, 0.6, 0xbf6d6338),
+        (0.28, -0.96, 0x4036e62c),
+        (-0.96, -0.28, 0xbfed6338),
+        (0.9, -0.8, 0x4019824c),
+    ];
+    for (sin, cos, angle) in table {
+        assert_eq!(math::angle::<f32>(sin, cos).to_bits(), angle, "{sin} {cos}");
+    }
+}
+
 /// One number from the bits of ten thousand results (FNV-1a, word by word).
 #[test]
 fn digest_of_many() {
