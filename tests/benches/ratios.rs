@@ -1,27 +1,38 @@
 //! A table of ratios: every function of three arms over six bare `f64::sin_cos`, in interleaved rounds.
 //!
-//! `cargo bench -p denhart-tests --bench ratios`
+//! `cargo bench -p denhart-tests --no-default-features --bench ratios`
 
-use denhart::{Chain, Pose};
-use denhart_tests::arms::{AbbIrb2400, Puma560, Ur5};
-use denhart_tests::poses::Space;
+use std::f64::consts::PI;
+
+use denhart::{Arm, Chain, Pose};
 use denhart_tests::random::Random;
-use denhart_tests::subject::{Specified, reach};
 use denhart_tests::timing::{Case, compare};
+
+#[derive(Arm)]
+#[arm(spec = "../specs/puma560.yaml")]
+struct Puma560;
+
+#[derive(Arm)]
+#[arm(spec = "../specs/ur5.yaml")]
+struct Ur5;
+
+#[derive(Arm)]
+#[arm(spec = "../specs/abb_irb2400.yaml")]
+struct AbbIrb2400;
 
 /// More than a branch predictor learns by heart.
 const INPUTS: usize = 2048;
 
-fn joints<A: Specified<6>>() -> Vec<[f64; 6]> {
-    let space = Space::new(&A::JOINT_KINDS, &A::LIMITS, reach(&A::TABLE, &A::LIMITS));
-    let mut random = Random::named(A::NAME);
-    (0..INPUTS).map(|_| space.random(&mut random)).collect()
+fn joints(name: &str) -> Vec<[f64; 6]> {
+    let mut random = Random::named(name);
+    (0..INPUTS).map(|_| std::array::from_fn(|_| random.uniform(-PI, PI))).collect()
 }
 
 macro_rules! table {
     ($Type:ident, $rounds:ident, $repeat:ident) => {{
         let arm = $Type;
-        let q = joints::<$Type>();
+        let name = stringify!($Type);
+        let q = joints(name);
         let targets: Vec<Pose<f64>> = q.iter().map(|q| arm.forward(q)).collect();
         let chain = Chain::from($Type::DH);
         let cases = vec![
@@ -33,7 +44,7 @@ macro_rules! table {
             Case::new("inverse, every branch", &targets, $repeat, |target| arm.inverse(target)),
             Case::new("Chain forward", &q, $repeat, |q| chain.forward(q)),
         ];
-        println!("{}", compare(<$Type as Specified<6>>::NAME, cases, $rounds));
+        println!("{}", compare(name, cases, $rounds));
     }};
 }
 

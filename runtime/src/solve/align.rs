@@ -16,5 +16,5 @@ pub fn align<T: Tolerances>(home: Home<T>, measure: Measure<T>, from: [T; 2], to
     let turn = Turn::towards(ux * vy - uy * vx, ux * vx + uy * vy);
     let doubtful = T::DOUBTFUL * measure.scale;
     let stage = Stage::solved([[turn]], measure);
-    if smaller < doubtful * doubtful { stage.with_amplitude(smaller.sqrt() / measure.scale) } else { stage }
+    if smaller < doubtful * doubtful { stage.with_weak(home, smaller.sqrt() / measure.scale) } else { stage }
 }

@@ -1,6 +1,7 @@
 //! Following the branches of the cascade and collecting the solutions.
 
 use super::refine::Evaluate;
+use super::stage::Met;
 use super::{Home, Measure, Root, Roots, Stage, Tolerances, Trail};
 use crate::{Branch, Flags, JointMask, Pose, Residual, Solution, Solutions, Status};
 
@@ -28,6 +29,8 @@ pub struct Search<'a, T, const N: usize, const M: usize> {
     pub(super) solutions: Solutions<T, N, M>,
     /// Bit i: solution i is to be checked in full.
     pub(super) doubtful: u32,
+    /// For each solution the joints that are free or nearly so.
+    pub(super) loose: [JointMask; M],
     /// The target's deviation from a rotation.
     pub(super) deviation: T,
     /// The least gap at which a branch ended.
@@ -53,7 +56,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
             return Err(Solutions::new(Status::BadTarget));
         }
         let solutions = Solutions::new(Status::Unreachable { residual: T::INFINITY });
-        Ok(Self { facts, target, near, solutions, doubtful: 0, deviation, least_gap: None })
+        Ok(Self { facts, target, near, solutions, doubtful: 0, loose: [JointMask::NONE; M], deviation, least_gap: None })
     }
 
     /// The start of every branch.
@@ -85,7 +88,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
     ) -> Roots<T, K, R> {
         let mut roots = Roots { roots: stage.roots, len: stage.len, next: 0, trail: *trail };
         if stage.doubt {
-            match self.doubtful_trail(trail, stage.gap, stage.angular, stage.amplitude, stage.boundary, stage.free) {
+            match self.doubtful_trail(trail, stage.met()) {
                 Some(trail) => roots.trail = trail,
                 None => roots.len = 0,
             }
@@ -99,7 +102,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
         let [turns] = stage.roots;
         let mut next = *trail;
         if stage.doubt {
-            next.note(stage.gap, stage.angular, stage.amplitude, stage.boundary, stage.free);
+            next.note(stage.met());
         }
         Root { turns, trail: next, index: 0 }
     }
@@ -109,23 +112,20 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
     fn doubtful_trail(
         &mut self,
         trail: &Trail<T>,
-        gap: T,
-        angular: bool,
-        amplitude: T,
-        boundary: bool,
-        free: JointMask,
+        met: Met<T>,
     ) -> Option<Trail<T>> {
+        let Met { gap, angular, .. } = met;
         let measure = if angular { Measure::DIRECTION } else { Measure::length(self.facts.reach) };
         let tolerance = if angular { self.facts.tolerance.orientation } else { self.facts.tolerance.position };
         // What an earlier stage of small amplitude leaves uncertain shows up here magnified.
         let rounding = measure.rounding() / trail.amplitude;
-        // With a free joint earlier on the branch the gap may close by moving that joint.
-        if gap > tolerance.max(rounding) && trail.free.is_empty() {
+        // With a joint earlier on the branch that is free, or nearly, the gap may close by moving that joint.
+        if gap > tolerance.max(rounding) && trail.free.is_empty() && trail.weak.is_empty() {
             self.least_gap = Some(self.least_gap.map_or(gap, |least| least.min(gap)));
             return None;
         }
         let mut next = *trail;
-        next.note(gap, angular, amplitude, boundary, free);
+        next.note(met);
         Some(next)
     }
 
@@ -149,6 +149,9 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
         };
         if self.solutions.push(solution) && trail.doubt {
             self.doubtful |= 1u32.checked_shl(at as u32).unwrap_or(0);
+            if let Some(loose) = self.loose.get_mut(at) {
+                *loose = trail.free | trail.weak;
+            }
         }
     }
 

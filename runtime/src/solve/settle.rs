@@ -4,7 +4,7 @@
 use super::refine::{Evaluate, refine, relative};
 use super::{Search, Tolerances};
 use crate::math::wrap;
-use crate::{Flags, Residual, Solution, Solutions};
+use crate::{Flags, JointMask, Residual, Solution, Solutions};
 
 /// Newton steps for a solution that is already close.
 const STEPS: usize = 16;
@@ -23,7 +23,8 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         self.solutions = Solutions::new(found.status());
         for (index, solution) in found.iter().enumerate() {
             let doubtful = self.doubtful.checked_shr(index as u32).unwrap_or(0) & 1 == 1;
-            let (checked, near) = if doubtful { self.checked(solution, evaluate) } else { (Some(*solution), true) };
+            let loose = self.loose.get(index).copied().unwrap_or(JointMask::NONE);
+            let (checked, near) = if doubtful { self.checked(solution, loose, evaluate) } else { (Some(*solution), true) };
             let Some(checked) = checked else { continue };
             let facts = self.facts;
             let twin = self
@@ -46,13 +47,18 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
     }
 
     /// The solution after a full check, if it is one, and whether it was close before it was refined.
-    fn checked(&mut self, solution: &Solution<T, N>, evaluate: &impl Evaluate<T, N>) -> (Option<Solution<T, N>>, bool) {
+    fn checked(
+        &mut self,
+        solution: &Solution<T, N>,
+        loose: JointMask,
+        evaluate: &impl Evaluate<T, N>,
+    ) -> (Option<Solution<T, N>>, bool) {
         let mut checked = *solution;
         let (facts, target) = (self.facts, self.target);
         let mut residual = evaluate(&solution.q).0.residual(target);
         let near = relative(facts, &residual) <= T::CLOSE;
         if !(relative(facts, &residual) <= T::EXACT) {
-            let steps = if solution.free.is_empty() { STEPS } else { FREE_STEPS };
+            let steps = if loose.is_empty() { STEPS } else { FREE_STEPS };
             let (q, refined) = refine(facts, target, &solution.q, evaluate, steps);
             // A clamped branch of an unreachable target stays as it is, so that its residual is the distance missed.
             let beyond = residual.position > facts.tolerance.position
@@ -63,8 +69,8 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
             let missed = solution.residual.position.max(solution.residual.orientation * facts.reach);
             let singular = near && missed <= T::ROUNDING * facts.reach;
             if !(relative(facts, &refined) <= T::EXACT)
-                && (singular || !solution.free.is_empty())
-                && let Some((q, closed)) = self.restarted(solution, evaluate)
+                && (singular || !loose.is_empty())
+                && let Some((q, closed)) = self.restarted(&solution.q, loose, evaluate)
             {
                 (checked.q, residual) = (q, closed);
             }
@@ -93,19 +99,22 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
     #[inline(never)]
     fn restarted(
         &self,
-        solution: &Solution<T, N>,
+        q: &[T; N],
+        loose: JointMask,
         evaluate: &impl Evaluate<T, N>,
     ) -> Option<([T; N], Residual<T>)> {
         let facts = self.facts;
         for attempt in 1..=RESTARTS {
-            let mut start = solution.q;
+            let mut start = *q;
             let sign = if attempt % 2 == 0 { -T::ONE } else { T::ONE };
             let size = T::from_f64(f64::from(attempt.div_ceil(2)));
             for (joint, value) in start.iter_mut().enumerate() {
                 let unit = if facts.prismatic.contains(joint) { facts.reach } else { T::ONE };
-                let offset = if solution.free.contains(joint) {
-                    // Every half of 30 degrees, both ways, nearest first.
-                    sign * size * T::PI / T::from_f64(12.0)
+                let offset = if loose.contains(joint) {
+                    // The whole turn in eighths of half turns, both ways, nearest first.
+                    sign * size * T::PI * T::from_f64(0.125)
+                } else if !loose.is_empty() {
+                    T::ZERO
                 } else {
                     // Different for every joint, so that no two stay in line.
                     let spread = T::from_f64(0.01 + 0.007 * f64::from((joint as u32 * 5 + 2) % 7));

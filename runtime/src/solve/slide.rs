@@ -26,7 +26,7 @@ pub fn slide_to<T: Tolerances>(home: Home<T>, measure: Measure<T>, denominator: 
         stage.roots = [[Turn::position(home.value)]];
         return stage;
     }
-    Stage::solved([[Turn::position(numerator / denominator)]], measure).with_amplitude(denominator.abs())
+    Stage::solved([[Turn::position(numerator / denominator)]], measure).with_weak(home, denominator.abs())
 }
 
 /// Solves `a x^2 + b x + c = 0` (`a` dimensionless, `b` a length, `c` its square) without cancellation. Two roots; one

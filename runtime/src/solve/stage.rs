@@ -41,6 +41,8 @@ pub struct Trail<T> {
     pub(super) free: JointMask,
     /// The smallest relative amplitude of the stages so far.
     pub(super) amplitude: T,
+    /// Joints that an equation of very small amplitude gave: good only as far as the joints before are.
+    pub(super) weak: JointMask,
     pub(super) doubt: bool,
 }
 
@@ -52,14 +54,16 @@ impl<T: Tolerances> Trail<T> {
         flags: Flags::NONE,
         free: JointMask::NONE,
         amplitude: T::ONE,
+        weak: JointMask::NONE,
         doubt: false,
     };
 
     /// Adds what a doubtful stage has met.
     #[cold]
-    pub(super) fn note(&mut self, gap: T, angular: bool, amplitude: T, boundary: bool, free: JointMask) {
+    pub(super) fn note(&mut self, Met { gap, angular, amplitude, weak, boundary, free }: Met<T>) {
         self.doubt = true;
         self.amplitude = self.amplitude.min(amplitude);
+        self.weak = self.weak | weak;
         if angular {
             self.gap.orientation += gap;
         } else {
@@ -75,6 +79,17 @@ impl<T: Tolerances> Trail<T> {
     }
 }
 
+/// What a doubtful stage has met.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Met<T> {
+    pub(super) gap: T,
+    pub(super) angular: bool,
+    pub(super) amplitude: T,
+    pub(super) weak: JointMask,
+    pub(super) boundary: bool,
+    pub(super) free: JointMask,
+}
+
 /// The roots of one equation for `K` joints, at most `R`, and how well they are determined.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stage<T, const K: usize, const R: usize> {
@@ -85,6 +100,7 @@ pub struct Stage<T, const K: usize, const R: usize> {
     pub(super) boundary: bool,
     /// Relative size of what determines the joint; only told where it is doubtful, else 1.
     pub(super) amplitude: T,
+    pub(super) weak: JointMask,
     pub(super) doubt: bool,
     pub(super) free: JointMask,
 }
@@ -100,6 +116,7 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
             angular: measure.angular,
             boundary: false,
             amplitude: T::ONE,
+            weak: JointMask::NONE,
             doubt: false,
             free: JointMask::NONE,
         }
@@ -113,6 +130,23 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
             self.doubt = true;
         }
         self
+    }
+
+    /// The same for a stage whose joint an amplitude near zero leaves nearly free.
+    #[inline]
+    pub(super) fn with_weak(self, home: Home<T>, amplitude: T) -> Self {
+        let mut stage = self.with_amplitude(amplitude);
+        if amplitude < T::WEAK {
+            stage.weak = home.joint;
+        }
+        stage
+    }
+
+    /// What it has met.
+    #[inline]
+    pub(super) fn met(&self) -> Met<T> {
+        let Self { gap, angular, amplitude, weak, boundary, free, .. } = *self;
+        Met { gap, angular, amplitude, weak, boundary, free }
     }
 
     /// The one place where two roots meet, or the nearest to a solution, missing it by `gap`.

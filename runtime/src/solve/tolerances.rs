@@ -9,6 +9,8 @@ pub trait Tolerances: Scalar {
     const VANISHING: Self;
     /// Amplitude below which a solution is checked in full, by forward kinematics.
     const DOUBTFUL: Self;
+    /// Amplitude below which a joint may be all wrong if the joints before it come from a double root.
+    const WEAK: Self;
     /// 64 units of rounding.
     const ROUNDING: Self;
     /// A residual up to this (relative to reach, and in rad) is exact.
@@ -25,6 +27,7 @@ pub trait Tolerances: Scalar {
 impl Tolerances for f64 {
     const VANISHING: f64 = 4e-13;
     const DOUBTFUL: f64 = 1e-2;
+    const WEAK: f64 = 1e-5;
     const ROUNDING: f64 = 64.0 * f64::EPSILON;
     const EXACT: f64 = 8e-13;
     const NOT_A_ROTATION: f64 = 1e-6;
@@ -35,6 +38,7 @@ impl Tolerances for f64 {
 impl Tolerances for f32 {
     const VANISHING: f32 = 1e-6;
     const DOUBTFUL: f32 = 5e-2;
+    const WEAK: f32 = 1e-2;
     const ROUNDING: f32 = 64.0 * f32::EPSILON;
     const EXACT: f32 = 2e-5;
     const NOT_A_ROTATION: f32 = 1e-3;

@@ -20,7 +20,7 @@ pub fn flip<T: Tolerances>(home: Home<T>, m: [T; 3]) -> Stage<T, 2, 2> {
     }
     let a = Turn { value: crate::math::atan2(my, mx), sin: my / rho, cos: mx / rho };
     let b = Turn::towards(rho, mz);
-    Stage::solved([[b, a], [b.reversed(), a.opposite()]], Measure::DIRECTION).with_amplitude(rho)
+    Stage::solved([[b, a], [b.reversed(), a.opposite()]], Measure::DIRECTION).with_weak(home, rho)
 }
 
 /// Solves `R_z(a) R_y(b) R_z(c) = m` for `(a, b, c)`: `b = +-atan2(|(m13, m23)|, m33)`, `a = atan2(m23, m13)`, and
@@ -38,7 +38,7 @@ pub fn wrist<T: Tolerances>(home: Home<T>, m: [[T; 3]; 3]) -> Stage<T, 3, 2> {
     let b = Turn::towards(rho, m33);
     let c = Turn::towards(cos * m21 - sin * m11, cos * m22 - sin * m12);
     let roots = [[a, b, c], [a.opposite(), b.reversed(), c.opposite()]];
-    Stage::solved(roots, Measure::DIRECTION).with_amplitude(rho)
+    Stage::solved(roots, Measure::DIRECTION).with_weak(home, rho)
 }
 
 #[cold]

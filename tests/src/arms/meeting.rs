@@ -306,6 +306,3 @@ joints:
         }
     };
 }
-
-#[cfg(feature = "arms")]
-meeting_arms!(declare);

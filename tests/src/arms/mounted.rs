@@ -199,6 +199,3 @@ tool: {xyz: [6.882, 6.028, -8.802], rpy: [-161.6, -54.3, -60.6]}
         }
     };
 }
-
-#[cfg(feature = "arms")]
-mounted_arms!(declare);

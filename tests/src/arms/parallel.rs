@@ -249,6 +249,3 @@ joints:
         }
     };
 }
-
-#[cfg(feature = "arms")]
-parallel_arms!(declare);

@@ -63,6 +63,3 @@ macro_rules! published_arms {
         }
     };
 }
-
-#[cfg(feature = "arms")]
-published_arms!(declare);

@@ -14,16 +14,3 @@ macro_rules! single_arms {
         }
     };
 }
-
-#[cfg(feature = "arms")]
-macro_rules! declare_single {
-    ($($name:ident $Single:ident $Double:ident { $($attribute:tt)* };)*) => {$(
-        #[doc = concat!("The arm `", stringify!($name), "` in single precision.")]
-        #[derive(Debug, Clone, Copy, Default, denhart::Arm)]
-        #[arm($($attribute)*, scalar = "f32")]
-        pub struct $Single;
-    )*};
-}
-
-#[cfg(feature = "arms")]
-single_arms!(declare_single);

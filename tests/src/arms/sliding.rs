@@ -232,6 +232,3 @@ joints:
         }
     };
 }
-
-#[cfg(feature = "arms")]
-sliding_arms!(declare);

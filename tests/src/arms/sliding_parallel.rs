@@ -190,6 +190,3 @@ joints:
         }
     };
 }
-
-#[cfg(feature = "arms")]
-sliding_parallel_arms!(declare);
