@@ -64,15 +64,22 @@ where
     poses.extend(space.all_special(&mut random).poses);
     for q in poses {
         let target = subject.pose(&q);
+        let least = Svd::at(&subject, &q).least();
         let solutions = arm.inverse(&rounded(&Pose::from(target)));
-        let status = S::status(&solutions);
-        assert_eq!(status, Status::Reachable, "{q:?}");
+        // The rounding of the target may push it out of reach, or off the singular surface.
+        let close = match S::status(&solutions) {
+            Status::Reachable => true,
+            Status::Unreachable { residual } => least < 1e-2 && f64::from(residual) < 1e-3 * subject.reach,
+            Status::BadTarget => false,
+        };
+        assert!(close, "{q:?}, least singular value {least:e}: {:?}", S::status(&solutions));
+        // A stage's rounding grows with the inverse of the amplitudes before it.
+        let bound = CLOSES * (0.02 / least).clamp(1.0, 100.0);
         for solution in solutions.as_ref() {
             assert!(solution.q.iter().all(|x| x.is_finite()), "{q:?}: {solution:?}");
             let miss = largest(subject.miss(&target, &double(solution.q)).into_iter());
-            assert!(!solution.is_exact() || miss < CLOSES, "{q:?}: {solution:?} misses by {miss:e}");
+            assert!(!solution.is_exact() || miss < bound, "{q:?}: {solution:?} misses by {miss:e}");
         }
-        let least = Svd::at(&subject, &q).least();
         if least > 0.02 {
             let distance = |s: &denhart::Solution<f32, 6>| subject.distance(&double(s.q), &q, |_| true);
             let nearest = solutions.as_ref().iter().map(distance).fold(f64::INFINITY, f64::min);

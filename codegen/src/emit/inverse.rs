@@ -49,8 +49,8 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
             used.insert(symbol.name);
         }
     }
-    let reserved = (1..=6).flat_map(|i| [format!("q{i}"), format!("root{i}"), format!("roots{i}")]);
-    let reserved = reserved.chain(["search", "start", "target", "near", "arm"].map(String::from));
+    let reserved = (1..=6).flat_map(|i| [format!("q{i}"), format!("index{i}"), format!("roots{i}"), format!("trail{i}")]);
+    let reserved = reserved.chain(["search", "solutions", "start", "target", "near", "arm"].map(String::from));
     let krate = &target.krate;
     let mut nest = Nest {
         plan,
@@ -118,40 +118,41 @@ impl Nest<'_> {
         let level = self.bind(&stage.kernel.inputs());
         let call = calls.call(stage, &self.block);
         let number: String = stage.joints.iter().map(|j| (j + 1).to_string()).collect();
-        let (roots, root) = (ident(&format!("roots{number}")), ident(&format!("root{number}")));
+        let roots = ident(&format!("roots{number}"));
         let meaning = docs::lines(&self.meaning(stage));
-        let trail = &self.trail;
-        let binding = if stage.kernel.roots() == 1 {
-            let follow = quote!(let #root = search.only(&#trail, &#roots););
-            self.at(level, quote!(#meaning let #roots = #call;));
-            let deepest = self.deepest();
-            self.at(deepest, follow);
-            self.binding(stage, &root)
-        } else {
-            let head = quote!(for #root in search.branch(&#trail, &#roots));
-            self.at(level, quote!(#meaning let #roots = #call;));
-            self.levels.push(Level { head, body: TokenStream::new() });
-            self.name_branch(stage, &root);
-            self.binding(stage, &root)
-        };
+        let (before, trail) = (self.trail.clone(), ident(&format!("trail{number}")));
+        self.at(level, quote!(#meaning let #roots = #call;));
+        let follow = quote!(let #trail = search.follow(&#before, &#roots););
         let deepest = self.deepest();
-        self.at(deepest, binding);
-        self.trail = quote!(#root.trail);
+        self.at(deepest, follow);
+        if stage.kernel.roots() == 1 {
+            let pattern = self.pattern(stage);
+            self.at(deepest, quote!(let #pattern = #roots.only();));
+        } else {
+            self.levels.push(Level::default());
+            let pattern = self.pattern(stage);
+            let index = ident(&format!("index{number}"));
+            if let Some(level) = self.levels.last_mut() {
+                level.head = quote!(for (#index, &#pattern) in #roots.each(&#trail));
+            }
+            self.name_branch(stage, &index);
+        }
+        self.trail = quote!(#trail);
     }
 
-    fn name_branch(&mut self, stage: &Stage, root: &proc_macro2::Ident) {
+    fn name_branch(&mut self, stage: &Stage, index: &proc_macro2::Ident) {
         let krate = &self.target.krate;
         self.branch.extend(match stage.branching {
             Branching::None => TokenStream::new(),
-            Branching::Shoulder => quote!(.with_shoulder(#krate::Shoulder::of_root(#root.index))),
-            Branching::Elbow => quote!(.with_elbow(#krate::Elbow::of_root(#root.index))),
-            Branching::Wrist => quote!(.with_wrist(#krate::Wrist::of_root(#root.index))),
-            Branching::Root => quote!(.with_root_index(#root.index)),
+            Branching::Shoulder => quote!(.with_shoulder(#krate::Shoulder::of_root(#index))),
+            Branching::Elbow => quote!(.with_elbow(#krate::Elbow::of_root(#index))),
+            Branching::Wrist => quote!(.with_wrist(#krate::Wrist::of_root(#index))),
+            Branching::Root => quote!(.with_root_index(#index)),
         });
     }
 
-    /// `let [Turn { value: q1, sin: s1, cos: c1 }] = root1.turns;` with the fields in use.
-    fn binding(&mut self, stage: &Stage, root: &proc_macro2::Ident) -> TokenStream {
+    /// `[Turn { value: q1, sin: s1, cos: c1 }]` with the fields in use.
+    fn pattern(&mut self, stage: &Stage) -> TokenStream {
         let level = self.deepest();
         let krate = &self.target.krate;
         let mut patterns = Vec::new();
@@ -177,7 +178,7 @@ impl Nest<'_> {
                 _ => quote!(#krate::solve::Turn { #(#fields,)* .. }),
             });
         }
-        quote!(let [#(#patterns),*] = #root.turns;)
+        quote!([#(#patterns),*])
     }
 
     fn angle(&mut self, name: &str, meaning: &str, y: Expr, x: Expr) {
@@ -220,7 +221,7 @@ impl Nest<'_> {
     fn finish(mut self) -> TokenStream {
         let q = (1..=self.plan.values.len()).map(|i| ident(&format!("q{i}")));
         let (trail, branch) = (&self.trail, &self.branch);
-        let push = quote!(search.push(&#trail, [#(#q),*], #branch););
+        let push = quote!(let branch = #branch; search.push(&#trail, [#(#q),*], branch););
         let deepest = self.deepest();
         self.at(deepest, push);
         let mut inner = TokenStream::new();
@@ -352,14 +353,17 @@ fn function(plan: &Plan, target: &Target, unpack: &TokenStream, body: &TokenStre
             target: &#krate::Pose<#scalar>,
             near: ::core::option::Option<&[#scalar; #n]>,
         ) -> #solutions {
-            let mut search = match #krate::solve::Search::new(&FACTS, target, near) {
-                ::core::result::Result::Ok(search) => search,
-                ::core::result::Result::Err(bad_target) => return bad_target,
+            let mut solutions = #krate::Solutions::new(#krate::Status::BadTarget);
+            let ::core::option::Option::Some(mut search) =
+                #krate::solve::Search::new(&FACTS, target, near, &mut solutions)
+            else {
+                return solutions;
             };
             let start = search.start();
             #unpack
             #body
-            search.finish(|q| #type_name::forward_and_jacobian(arm, q))
+            search.finish(|q| #type_name::forward_and_jacobian(arm, q));
+            solutions
         }
     }
 }

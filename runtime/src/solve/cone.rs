@@ -50,9 +50,11 @@ pub fn cone<T: Tolerances>(home: Home<T>, measure: Measure<T>, d: T, rho: T, con
         let half = Turn { value: T::PI, sin: T::ZERO, cos: -T::ONE };
         return Stage::edge([half], gap(d, rho, min, min_across), measure);
     }
-    let product = (top * bottom).sqrt();
-    let turn = Turn::towards(product + product, bottom - top);
-    Stage::solved([[turn], [turn.reversed()]], measure).with_amplitude((product / range).min(range / measure.scale))
+    // |(2 sqrt(top bottom), bottom - top)| = top + bottom
+    let k = T::ONE / (top + bottom);
+    let half_sine = (top * bottom).sqrt() * k;
+    let turn = Turn::of(half_sine + half_sine, (bottom - top) * k);
+    Stage::solved([[turn], [turn.reversed()]], measure).with_amplitude(half_sine.min(range / measure.scale))
 }
 
 /// The angle (times length, for points) between `(d, rho)` and an end of the range, zero within rounding.

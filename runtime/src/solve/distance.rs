@@ -44,7 +44,9 @@ pub fn distance<T: Tolerances>(home: Home<T>, measure: Measure<T>, rho: T, elbow
         return Stage::edge([Turn { value: T::PI, sin: T::ZERO, cos: -T::ONE }], (-inner).max(T::ZERO), measure);
     }
     let (top, bottom) = (outer * (elbow.max + rho), inner * (rho + elbow.min));
-    let product = (top * bottom).sqrt();
-    let turn = Turn::towards(product + product, bottom - top);
-    Stage::solved([[turn], [turn.reversed()]], measure).with_amplitude(product / (top + bottom))
+    // |(2 sqrt(top bottom), bottom - top)| = top + bottom
+    let k = T::ONE / (top + bottom);
+    let half_sine = (top * bottom).sqrt() * k;
+    let turn = Turn::of(half_sine + half_sine, (bottom - top) * k);
+    Stage::solved([[turn], [turn.reversed()]], measure).with_amplitude(half_sine)
 }

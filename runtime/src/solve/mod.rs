@@ -40,7 +40,7 @@ pub use offset::offset;
 pub use pair::{pair, pair_sliding};
 pub use search::{Facts, Search};
 pub use slide::{quadratic, slide, slide_to};
-pub use stage::{Measure, Root, Roots, Stage, Trail};
+pub use stage::{Measure, Stage, Trail};
 pub use tolerances::Tolerances;
 pub use turn::{Home, Turn};
 pub use wrist::{flip, wrist};

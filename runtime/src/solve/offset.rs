@@ -21,7 +21,8 @@ pub fn offset<T: Tolerances>(home: Home<T>, measure: Measure<T>, a: T, b: T, d: 
     }
     let h = h2.sqrt();
     let k = T::ONE / r2;
-    let first = Turn::of((b * d + a * h) * k, (a * d - b * h) * k);
-    let second = Turn::of((b * d - a * h) * k, (a * d + b * h) * k);
-    Stage::solved([[first], [second]], measure).with_amplitude((h / r).min(r / measure.scale))
+    let sines = [(b * d + a * h) * k, (b * d - a * h) * k];
+    let cosines = [(a * d - b * h) * k, (a * d + b * h) * k];
+    let roots = Turn::array(sines, cosines).map(|turn| [turn]);
+    Stage::solved(roots, measure).with_amplitude((h / r).min(r / measure.scale))
 }

@@ -2,7 +2,7 @@
 
 use super::refine::Evaluate;
 use super::stage::Met;
-use super::{Home, Measure, Root, Roots, Stage, Tolerances, Trail};
+use super::{Home, Measure, Stage, Tolerances, Trail};
 use crate::{Branch, Flags, JointMask, Pose, Residual, Solution, Solutions, Status};
 
 /// What the search needs to know about an arm.
@@ -21,12 +21,14 @@ pub struct Facts<T, const N: usize> {
 }
 
 /// One run of the inverse kinematics.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Search<'a, T, const N: usize, const M: usize> {
     pub(super) facts: &'a Facts<T, N>,
     pub(super) target: &'a Pose<T>,
     pub(super) near: Option<&'a [T; N]>,
-    pub(super) solutions: Solutions<T, N, M>,
+    pub(super) solutions: &'a mut Solutions<T, N, M>,
+    /// Where each joint stays if it is free.
+    homes: [T; N],
     /// Bit i: solution i is to be checked in full.
     pub(super) doubtful: u32,
     /// For each solution the joints that are free or nearly so.
@@ -38,25 +40,30 @@ pub struct Search<'a, T, const N: usize, const M: usize> {
 }
 
 impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
-    /// Starts a search.
+    /// Starts a search that fills `solutions`.
     ///
-    /// # Errors
-    /// The empty solutions with [`Status::BadTarget`] if the target (or the reference) is not finite or its rotation
-    /// is not one within 1e-6 (f32: 1e-3).
+    /// `None`, with the status [`Status::BadTarget`], if the target (or the reference) is not finite or its rotation is
+    /// not one within 1e-6 (f32: 1e-3).
     #[inline]
     pub fn new(
         facts: &'a Facts<T, N>,
         target: &'a Pose<T>,
         near: Option<&'a [T; N]>,
-    ) -> Result<Self, Solutions<T, N, M>> {
+        solutions: &'a mut Solutions<T, N, M>,
+    ) -> Option<Self> {
         let deviation = deviation(target);
         let finite = target.translation.iter().all(|x| x.is_finite())
             && near.is_none_or(|q| q.iter().all(|x| x.is_finite()));
         if !(deviation <= T::NOT_A_ROTATION) || !finite {
-            return Err(Solutions::new(Status::BadTarget));
+            solutions.set_status(Status::BadTarget);
+            return None;
         }
-        let solutions = Solutions::new(Status::Unreachable { residual: T::INFINITY });
-        Ok(Self { facts, target, near, solutions, doubtful: 0, loose: [JointMask::NONE; M], deviation, least_gap: None })
+        let homes = match near {
+            Some(near) => *near,
+            None => facts.limits.map(|[low, high]| if low > T::ZERO { low } else if high < T::ZERO { high } else { T::ZERO }),
+        };
+        let loose = [JointMask::NONE; M];
+        Some(Self { facts, target, near, solutions, homes, doubtful: 0, loose, deviation, least_gap: None })
     }
 
     /// The start of every branch.
@@ -68,52 +75,25 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
     /// Where a joint stays if it is free: its reference value; without one 0, or the limit nearest to 0.
     #[inline]
     pub fn home(&self, joint: usize) -> Home<T> {
-        let value = match self.near.and_then(|q| q.get(joint)) {
-            Some(value) => *value,
-            None => match self.facts.limits.get(joint) {
-                Some([low, high]) => T::ZERO.max(*low).min(*high),
-                None => T::ZERO,
-            },
-        };
-        Home { value, joint: JointMask::single(joint) }
+        Home { value: self.homes.get(joint).copied().unwrap_or(T::ZERO), joint: JointMask::single(joint) }
     }
 
-    /// The roots of a stage, on a branch. A stage that misses by more than the tolerance ends the branch; its gap is
+    /// The trail of a branch after a stage. A stage that misses by more than the tolerance ends the branch; its gap is
     /// remembered.
     #[inline]
-    pub fn branch<const K: usize, const R: usize>(
+    pub fn follow<const K: usize, const R: usize>(
         &mut self,
         trail: &Trail<T>,
         stage: &Stage<T, K, R>,
-    ) -> Roots<T, K, R> {
-        let mut roots = Roots { roots: stage.roots, len: stage.len, next: 0, trail: *trail };
-        if stage.doubt {
-            match self.doubtful_trail(trail, stage.met()) {
-                Some(trail) => roots.trail = trail,
-                None => roots.len = 0,
-            }
-        }
-        roots
-    }
-
-    /// The root of a stage that has just one: it never ends a branch.
-    #[inline]
-    pub fn only<const K: usize>(&mut self, trail: &Trail<T>, stage: &Stage<T, K, 1>) -> Root<T, K> {
-        let [turns] = stage.roots;
-        let mut next = *trail;
-        if stage.doubt {
-            next.note(stage.met());
-        }
-        Root { turns, trail: next, index: 0 }
+    ) -> Trail<T> {
+        if stage.doubt { self.doubtful_trail(trail, stage.met()) } else { *trail }
     }
 
     #[cold]
     #[inline(never)]
-    fn doubtful_trail(
-        &mut self,
-        trail: &Trail<T>,
-        met: Met<T>,
-    ) -> Option<Trail<T>> {
+    fn doubtful_trail(&mut self, trail: &Trail<T>, met: Met<T>) -> Trail<T> {
+        let mut next = *trail;
+        next.note(met);
         let Met { gap, angular, .. } = met;
         let measure = if angular { Measure::DIRECTION } else { Measure::length(self.facts.reach) };
         let tolerance = if angular { self.facts.tolerance.orientation } else { self.facts.tolerance.position };
@@ -122,11 +102,9 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
         // With a joint earlier on the branch that is free, or nearly, the gap may close by moving that joint.
         if gap > tolerance.max(rounding) && trail.free.is_empty() && trail.weak.is_empty() {
             self.least_gap = Some(self.least_gap.map_or(gap, |least| least.min(gap)));
-            return None;
+            next.ended = true;
         }
-        let mut next = *trail;
-        next.note(met);
-        Some(next)
+        next
     }
 
     /// Adds a solution. `q`: joint angles in (-pi, pi], rad; strokes in the length unit.
@@ -134,12 +112,6 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
     pub fn push(&mut self, trail: &Trail<T>, q: [T; N], branch: Branch) {
         let at = self.solutions.len();
         let orientation = trail.gap.orientation + self.deviation;
-        let mut q = q;
-        for (joint, value) in q.iter_mut().enumerate() {
-            if *value <= -T::PI && !self.facts.prismatic.contains(joint) {
-                *value = T::PI;
-            }
-        }
         let solution = Solution {
             q,
             flags: trail.flags | Flags::EXACT,
@@ -158,7 +130,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
     /// Checks what is doubtful, sorts by distance if there is a reference, marks limits, and sets the status.
     /// `evaluate` gives the tool's pose and the Jacobian.
     #[inline]
-    pub fn finish(mut self, evaluate: impl Evaluate<T, N>) -> Solutions<T, N, M> {
+    pub fn finish(mut self, evaluate: impl Evaluate<T, N>) {
         if self.doubtful != 0 {
             self.settle(&evaluate);
         }
@@ -171,7 +143,6 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
         let exact = self.solutions.iter().any(|s| s.flags.contains(Flags::EXACT));
         let status = if exact { Status::Reachable } else { self.unreachable() };
         self.solutions.set_status(status);
-        self.solutions
     }
 
     #[inline]

@@ -4,7 +4,7 @@
 use super::refine::{Evaluate, refine, relative};
 use super::{Search, Tolerances};
 use crate::math::wrap;
-use crate::{Flags, JointMask, Residual, Solution, Solutions};
+use crate::{Flags, JointMask, Residual, Solution};
 
 /// Newton steps for a solution that is already close.
 const STEPS: usize = 16;
@@ -19,8 +19,8 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
     #[cold]
     #[inline(never)]
     pub(super) fn settle(&mut self, evaluate: &impl Evaluate<T, N>) {
-        let found = self.solutions;
-        self.solutions = Solutions::new(found.status());
+        let found = *self.solutions;
+        self.solutions.truncate(0);
         for (index, solution) in found.iter().enumerate() {
             let doubtful = self.doubtful.checked_shr(index as u32).unwrap_or(0) & 1 == 1;
             let loose = self.loose.get(index).copied().unwrap_or(JointMask::NONE);

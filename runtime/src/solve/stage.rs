@@ -44,6 +44,8 @@ pub struct Trail<T> {
     /// Joints that an equation of very small amplitude gave: good only as far as the joints before are.
     pub(super) weak: JointMask,
     pub(super) doubt: bool,
+    /// The branch leads nowhere: a stage has no root near it.
+    pub(super) ended: bool,
 }
 
 impl<T: Tolerances> Trail<T> {
@@ -56,6 +58,7 @@ impl<T: Tolerances> Trail<T> {
         amplitude: T::ONE,
         weak: JointMask::NONE,
         doubt: false,
+        ended: false,
     };
 
     /// Adds what a doubtful stage has met.
@@ -165,6 +168,13 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         Self { len: 1, gap, doubt: true, free: home.joint, ..Self::solved([root; R], measure) }
     }
 
+    /// The roots to go on with, each with its index; none if the branch has ended.
+    #[inline]
+    pub fn each(&self, trail: &Trail<T>) -> impl Iterator<Item = (usize, &[Turn<T>; K])> {
+        let len = if trail.ended { 0 } else { self.len };
+        self.roots.get(..len).unwrap_or(&[]).iter().enumerate()
+    }
+
     /// The roots turned by a further angle (first joint).
     #[inline]
     pub fn about(mut self, phase: Turn<T>) -> Self {
@@ -179,36 +189,11 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
     }
 }
 
-/// A root of a stage on a branch.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Root<T, const K: usize> {
-    /// The joint values.
-    pub turns: [Turn<T>; K],
-    /// What the branch has met, this stage included.
-    pub trail: Trail<T>,
-    /// Which root of the stage, from 0.
-    pub index: usize,
-}
-
-/// Iterator over the roots of a stage.
-#[derive(Debug, Clone)]
-pub struct Roots<T, const K: usize, const R: usize> {
-    pub(super) roots: [[Turn<T>; K]; R],
-    pub(super) len: usize,
-    pub(super) next: usize,
-    pub(super) trail: Trail<T>,
-}
-
-impl<T: Tolerances, const K: usize, const R: usize> Iterator for Roots<T, K, R> {
-    type Item = Root<T, K>;
-
+impl<T: Tolerances, const K: usize> Stage<T, K, 1> {
+    /// The root of a stage that has just one.
     #[inline]
-    fn next(&mut self) -> Option<Self::Item> {
-        if self.next >= self.len {
-            return None;
-        }
-        let index = self.next;
-        self.next += 1;
-        self.roots.get(index).map(|turns| Root { turns: *turns, trail: self.trail, index })
+    pub fn only(&self) -> [Turn<T>; K] {
+        let [root] = self.roots;
+        root
     }
 }

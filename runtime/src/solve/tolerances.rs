@@ -26,7 +26,7 @@ pub trait Tolerances: Scalar {
 
 impl Tolerances for f64 {
     const VANISHING: f64 = 4e-13;
-    const DOUBTFUL: f64 = 1e-2;
+    const DOUBTFUL: f64 = 2e-3;
     const WEAK: f64 = 1e-5;
     const ROUNDING: f64 = 64.0 * f64::EPSILON;
     const EXACT: f64 = 8e-13;
@@ -37,7 +37,7 @@ impl Tolerances for f64 {
 
 impl Tolerances for f32 {
     const VANISHING: f32 = 1e-6;
-    const DOUBTFUL: f32 = 5e-2;
+    const DOUBTFUL: f32 = 2e-2;
     const WEAK: f32 = 1e-2;
     const ROUNDING: f32 = 64.0 * f32::EPSILON;
     const EXACT: f32 = 2e-5;

@@ -2,7 +2,7 @@
 
 use crate::JointMask;
 use super::Tolerances;
-use crate::math::{atan2, sin_cos};
+use crate::math::{angle, angle_array, sin_cos};
 
 /// A joint value. For an angle also its sine and cosine, so that the next stage needs no trigonometry.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,14 +22,25 @@ impl<T: Tolerances> Turn<T> {
     /// From a sine and cosine, `sin^2 + cos^2 = 1`.
     #[inline]
     pub fn of(sin: T, cos: T) -> Self {
-        Self { value: atan2(sin, cos), sin, cos }
+        Self { value: in_range(angle(sin, cos)), sin, cos }
+    }
+
+    /// From several sines and cosines at once.
+    #[inline]
+    pub fn array<const N: usize>(sines: [T; N], cosines: [T; N]) -> [Self; N] {
+        let values = angle_array(sines, cosines);
+        let mut turns = [Self::ZERO; N];
+        for (turn, ((value, sin), cos)) in turns.iter_mut().zip(values.into_iter().zip(sines).zip(cosines)) {
+            *turn = Self { value: in_range(value), sin, cos };
+        }
+        turns
     }
 
     /// From any vector in the plane that is not zero.
     #[inline]
     pub fn towards(y: T, x: T) -> Self {
-        let length = (x * x + y * y).sqrt();
-        Self { value: atan2(y, x), sin: y / length, cos: x / length }
+        let k = T::ONE / (x * x + y * y).sqrt();
+        Self::of(y * k, x * k)
     }
 
     /// From an angle.
@@ -47,7 +58,7 @@ impl<T: Tolerances> Turn<T> {
     /// The opposite turn.
     #[inline]
     pub fn reversed(self) -> Self {
-        Self { value: -self.value, sin: -self.sin, cos: self.cos }
+        Self { value: in_range(-self.value), sin: -self.sin, cos: self.cos }
     }
 
     /// Half a turn further.
@@ -66,6 +77,13 @@ impl<T: Tolerances> Turn<T> {
             cos: self.cos * other.cos - self.sin * other.sin,
         }
     }
+}
+
+/// -pi is not in the range; the float above it is the same angle to rounding.
+#[inline]
+fn in_range<T: Tolerances>(angle: T) -> T {
+    let least = T::EPSILON * T::TWO - T::PI;
+    if angle > least { angle } else { least }
 }
 
 /// Where a joint stays if an equation leaves it free: its reference value, and its bit in the mask of free joints.

@@ -4,7 +4,8 @@ use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
 
 /// Solves `R_z(a) R_y(b) e_z = m` for `(b, a)`: `b = +-atan2(|(mx, my)|, mz)`, `a = atan2(my, mx)` and half a turn
-/// further. With `(mx, my)` vanishing the outer joint `a` is free.
+/// further. With `(mx, my)` vanishing the outer joint `a` is free. `m` is a unit vector within the tolerance for targets;
+/// a target that is off by more than rounding is refined at the end.
 #[inline]
 pub fn flip<T: Tolerances>(home: Home<T>, m: [T; 3]) -> Stage<T, 2, 2> {
     let [mx, my, mz] = m;
@@ -18,8 +19,8 @@ pub fn flip<T: Tolerances>(home: Home<T>, m: [T; 3]) -> Stage<T, 2, 2> {
         }
         return stage;
     }
-    let a = Turn { value: crate::math::atan2(my, mx), sin: my / rho, cos: mx / rho };
-    let b = Turn::towards(rho, mz);
+    let k = T::ONE / rho;
+    let [b, a] = Turn::array([rho, my * k], [mz, mx * k]);
     Stage::solved([[b, a], [b.reversed(), a.opposite()]], Measure::DIRECTION).with_weak(home, rho)
 }
 
@@ -33,10 +34,11 @@ pub fn wrist<T: Tolerances>(home: Home<T>, m: [[T; 3]; 3]) -> Stage<T, 3, 2> {
     if !(rho > T::VANISHING) {
         return in_line(home, m);
     }
-    let (sin, cos) = (m23 / rho, m13 / rho);
-    let a = Turn { value: crate::math::atan2(m23, m13), sin, cos };
-    let b = Turn::towards(rho, m33);
-    let c = Turn::towards(cos * m21 - sin * m11, cos * m22 - sin * m12);
+    let k = T::ONE / rho;
+    let (sin, cos) = (m23 * k, m13 * k);
+    let (sin_c, cos_c) = (cos * m21 - sin * m11, cos * m22 - sin * m12);
+    // The last one only fills the vector unit's lanes.
+    let [a, b, c, _] = Turn::array([sin, rho, sin_c, T::ZERO], [cos, m33, cos_c, T::ONE]);
     let roots = [[a, b, c], [a.opposite(), b.reversed(), c.opposite()]];
     Stage::solved(roots, Measure::DIRECTION).with_weak(home, rho)
 }
