@@ -42,6 +42,10 @@ fn every_crate_of_the_readme_works() {
         } else {
             user.succeeds(&["check"]);
         }
+        // As the README says of a mistake in the file.
+        user.write("arm.yaml", &arm.replace("alpha: -90, ", ""));
+        let errors = user.fails(&["check"]);
+        assert!(errors.contains("arm.yaml:9:") && errors.contains("has no `alpha`"), "{errors}");
     }
 }
 

@@ -107,15 +107,19 @@ fn arm_trait(model: &Model, target: &Target) -> TokenStream {
             const LIMITS: [[#scalar; 2]; #n] = #name::LIMITS;
             const JOINT_NAMES: [&'static str; #n] = #name::JOINT_NAMES;
             const JOINT_KINDS: [#krate::JointKind; #n] = #name::JOINT_KINDS;
+            #[inline]
             fn forward(&self, q: &[#scalar; #n]) -> #krate::Pose<#scalar> {
                 #name::forward(self, q)
             }
+            #[inline]
             fn link_poses(&self, q: &[#scalar; #n]) -> [#krate::Pose<#scalar>; #n] {
                 #name::link_poses(self, q)
             }
+            #[inline]
             fn jacobian(&self, q: &[#scalar; #n]) -> #krate::Jacobian<#scalar, #n> {
                 #name::jacobian(self, q)
             }
+            #[inline]
             fn forward_and_jacobian(
                 &self,
                 q: &[#scalar; #n],

@@ -41,6 +41,7 @@ pub fn functions(model: &Model, chain: &Chain, target: &Target) -> Functions {
         let name = ident(name);
         tokens.extend(quote! {
             #doc
+            #[inline]
             #[must_use]
             pub fn #name(&self, q: &[#scalar; #n]) -> #returns {
                 #body

@@ -65,7 +65,7 @@ impl<T: Tolerances> Turn<T> {
     #[inline]
     pub fn opposite(self) -> Self {
         let value = if self.value > T::ZERO { self.value - T::PI } else { self.value + T::PI };
-        Self { value, sin: -self.sin, cos: -self.cos }
+        Self { value: in_range(value), sin: -self.sin, cos: -self.cos }
     }
 
     /// One turn after the other.
