@@ -18,11 +18,14 @@ pub mod model;
 mod report;
 mod solve;
 pub mod spec;
+mod stages;
 mod symbolic;
 
 pub use arm_file::{ReadError, read as read_file};
 pub use builder::{BuildError, Builder, UnknownScalar};
 pub use emit::Scalar as ScalarKind;
 pub use error::{Diagnostic, Errors, Location, Severity};
+#[doc(hidden)]
+pub use generate::stages_text;
 pub use generate::{Generated, Options, check, generate};
 pub use report::Report;

@@ -89,8 +89,7 @@ fn unit(model: &Model) -> &'static str {
 }
 
 fn summary(model: &Model) -> String {
-    let kinds: String =
-        model.joints.iter().map(|j| if j.kind == JointKind::Revolute { 'R' } else { 'P' }).collect();
+    let kinds: String = model.joints.iter().map(|j| if j.kind == JointKind::Revolute { 'R' } else { 'P' }).collect();
     format!("{}: {} moving joints ({kinds}), lengths in {}", model.name, model.joints.len(), unit(model))
 }
 

@@ -1,6 +1,5 @@
 //! What is derived for an arm that has a mistake: impls in which the calls a user writes type-check, so that the
-//! mistake
-//! is the only error. They are never run, as the crate does not compile; still they are total.
+//! mistake is the only error. They are never run, as the crate does not compile; still they are total.
 
 use denhart_codegen::ScalarKind;
 use proc_macro2::TokenStream;
@@ -70,7 +69,6 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
     let solutions = quote!(#krate::Solutions<#number, #joints, 8>);
     let traits = input.generics.params.is_empty().then(|| traits(name, outline, krate, &number));
     quote! {
-        #[automatically_derived]
         #[allow(dead_code, missing_docs, clippy::all)]
         impl #generics #name #parameters #conditions {
             pub const DOF: ::core::primitive::usize = #joints;

@@ -1,23 +1,36 @@
-//! The generated code of every arm of `specs/`, and what `denhart check` says about it, as they were last reviewed.
+//! The generated code of every arm of `specs/`, what `denhart check` says about it, and what the stages before code
+//! hand on, as they were last reviewed; and what holds for the code of every arm.
 //!
-//! `cargo insta review` shows what changed.
+//! `INSTA_UPDATE=always cargo test -p denhart-tests --test snapshot` accepts what changed: read the difference first.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use denhart_codegen::Options;
+use denhart_codegen::{Errors, Options, Report};
 
 /// Bounds on the source of one arm: it is meant to be read.
 const MOST_LINES: usize = 1000;
 const LONGEST_LINE: usize = 200;
+/// No dimension and no tolerance of an arm is below this: such a number is the rounding of something exact.
+const SMALLEST_NUMBER: f64 = 1e-12;
+
+/// Multiplications and additions of forward, jacobian, and both together: the best that is known, or better.
+const BARS: [(&str, [[usize; 2]; 3]); 2] =
+    [("puma560", [[48, 24], [34, 16], [60, 32]]), ("ur5", [[39, 22], [39, 23], [59, 34]])];
 
 fn specs() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs")
 }
 
-fn read(name: &str) -> String {
+/// What `of` makes of the arm file.
+fn made<T>(name: &str, of: impl Fn(&str, &str) -> Result<T, Errors>) -> T {
     let path = specs().join(format!("{name}.yaml"));
-    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    of(&text, &format!("specs/{name}.yaml")).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+fn code(name: &str, type_name: &str) -> String {
+    made(name, |text, file| denhart_codegen::generate(text, file, &Options::new(type_name))?.to_file())
 }
 
 /// Keeps `text` in `snapshots/<folder>/<name>.snap`.
@@ -29,22 +42,68 @@ fn keep(folder: &str, name: &str, text: &str) {
     settings.bind(|| insta::assert_snapshot!(name, text));
 }
 
-fn check_code(name: &str, type_name: &str) {
-    let generated = denhart_codegen::generate(&read(name), &format!("specs/{name}.yaml"), &Options::new(type_name))
-        .unwrap_or_else(|errors| panic!("{errors}"));
-    let code = generated.to_file().unwrap_or_else(|errors| panic!("{errors}"));
+/// Short enough to read, the same at every run, and without arithmetic that does nothing.
+fn check_code(name: &str, code: &str, again: &str) {
+    assert!(code == again, "{name}: two runs give different code");
     let lines = code.lines().count();
     assert!(lines <= MOST_LINES, "{name}: {lines} lines");
     for (index, line) in code.lines().enumerate() {
         assert!(line.chars().count() <= LONGEST_LINE, "{name}: line {} is too long:\n{line}", index + 1);
     }
-    keep("code", name, &code);
+    let statements: Vec<&str> = code.lines().map(str::trim).filter(|line| !line.starts_with("//")).collect();
+    let statements = statements.join(" ");
+    for number in numbers(&statements) {
+        let value: f64 = number.parse().unwrap_or_else(|error| panic!("{name}: {number}: {error}"));
+        assert!(value == 0.0 || value >= SMALLEST_NUMBER, "{name}: {number} stands for zero");
+    }
+    for idle in ["* 1.0", "/ 1.0", "+ 0.0", "- 0.0", "* 0.0", "1.0 *", "0.0 *", "0.0 +", "0.0 -", "- -", "+ -"] {
+        assert!(!occurs(&statements, idle), "{name}: `{idle}` in the code");
+    }
 }
 
-fn check_report(name: &str) {
-    let report =
-        denhart_codegen::check(&read(name), &format!("specs/{name}.yaml")).unwrap_or_else(|errors| panic!("{errors}"));
-    keep("report", name, &report.to_string());
+/// The number literals of some code.
+fn numbers(code: &str) -> impl Iterator<Item = &str> {
+    let words = code.split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '.'));
+    words.flat_map(|word| word.split("..")).filter(|word| word.starts_with(|c: char| c.is_ascii_digit()))
+}
+
+/// Whether `part` occurs and is not a piece of longer numbers, as `* 1.0` is in `* 1.05`.
+fn occurs(code: &str, part: &str) -> bool {
+    let in_number = |c: char| c.is_alphanumeric() || c == '_' || c == '.';
+    code.match_indices(part).any(|(at, _)| {
+        let (before, after) = (&code[..at], &code[at + part.len()..]);
+        let cut_before = part.starts_with(in_number) && before.ends_with(in_number);
+        !(cut_before || part.ends_with(in_number) && after.starts_with(in_number))
+    })
+}
+
+fn check_report(name: &str, report: &Report, has_inverse: bool) {
+    assert_eq!(report.max_solutions.is_some(), has_inverse, "{name}: {report}");
+    assert_ne!(report.refusal.is_some(), has_inverse, "{name}: {report}");
+}
+
+#[test]
+fn operation_counts_reach_the_bars() {
+    for (name, bars) in BARS {
+        let report = made(name, denhart_codegen::check);
+        for (cost, [multiplications, additions]) in report.costs.iter().zip(bars) {
+            let within = cost.multiplications <= multiplications && cost.additions <= additions;
+            assert!(within, "{name}: {cost:?}, the bar is {multiplications} and {additions}");
+        }
+    }
+}
+
+/// The counts in the doc comments are those of the report.
+#[test]
+fn operation_counts_are_printed() {
+    for (name, _) in BARS {
+        let code = code(name, "Robot");
+        for cost in made(name, denhart_codegen::check).costs {
+            let (additions, multiplications, sin_cos) = (cost.additions, cost.multiplications, cost.sin_cos);
+            let text = format!("/// {additions} additions, {multiplications} multiplications, {sin_cos} sin_cos.\n");
+            assert!(code.contains(&text), "{name}: no line {text}");
+        }
+    }
 }
 
 macro_rules! snapshot_tests {
@@ -52,14 +111,25 @@ macro_rules! snapshot_tests {
         mod code {
             $(#[test]
             fn $name() {
-                super::check_code(stringify!($name), stringify!($Type));
+                let [first, again] = [(); 2].map(|()| super::code(stringify!($name), stringify!($Type)));
+                super::check_code(stringify!($name), &first, &again);
+                super::keep("code", stringify!($name), &first);
             })*
         }
 
         mod report {
             $(#[test]
             fn $name() {
-                super::check_report(stringify!($name));
+                let report = super::made(stringify!($name), denhart_codegen::check);
+                super::check_report(stringify!($name), &report, stringify!($kind) == "inverse");
+                super::keep("report", stringify!($name), &report.to_string());
+            })*
+        }
+
+        mod stages {
+            $(#[test]
+            fn $name() {
+                super::keep("stages", stringify!($name), &super::made(stringify!($name), denhart_codegen::stages_text));
             })*
         }
 
@@ -79,3 +149,11 @@ macro_rules! snapshot_tests {
 }
 
 denhart_tests::published_arms!(snapshot_tests);
+
+#[test]
+fn numbers_and_parts_are_found() {
+    let found: Vec<&str> = numbers("let x1 = -0.5 * D4 + [2.0; 3] - f64::sin(0..7)").collect();
+    assert_eq!(found, ["0.5", "2.0", "3", "0", "7"]);
+    assert!(occurs("a * 1.0;", "* 1.0") && !occurs("a * 1.05;", "* 1.0") && !occurs("a * 1.0e3;", "* 1.0"));
+    assert!(occurs("(1.0 * a", "1.0 *") && !occurs("21.0 * a", "1.0 *"));
+}

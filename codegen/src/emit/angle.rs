@@ -1,7 +1,7 @@
 //! Constant angles in generated code.
 
-use super::tokens::{ident, number};
 use super::Target;
+use super::tokens::{ident, number};
 use crate::model::Angle;
 use proc_macro2::TokenStream;
 use quote::quote;

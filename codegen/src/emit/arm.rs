@@ -84,7 +84,6 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
             #items
 
             #doc
-            #[automatically_derived]
             impl #name {
                 #associated
                 #functions
@@ -100,7 +99,8 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
 }
 
 fn arm_trait(model: &Model, target: &Target) -> TokenStream {
-    let (krate, scalar, name, n) = (&target.krate, target.scalar.tokens(), &target.type_name, integer(model.joints.len()));
+    let (krate, scalar, name, n) =
+        (&target.krate, target.scalar.tokens(), &target.type_name, integer(model.joints.len()));
     quote! {
         #[automatically_derived]
         impl #krate::Arm<#scalar, #n> for #name {
@@ -155,23 +155,29 @@ fn inverse_trait(plan: &Plan, target: &Target) -> TokenStream {
 /// An arm without an inverse has the methods all the same: a call says why it does not compile.
 fn refused(model: &Model, refusal: &Refusal, target: &Target) -> InverseCode {
     let name = &target.type_name;
-    let (scalar, n) = (target.scalar.tokens(), integer(model.joints.len()));
+    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
+    // What it returns lets the rest of the call type-check: the message is the only error.
+    let none = quote!(#krate::Solutions<#scalar, #n, 1>);
     let message = format!("`{name}` has no inverse kinematics: {}", refusal.reason);
     let solvable = format_ident!("{name}HasInverse");
     let doc = docs::lines(&format!("Does not compile: {}.", refusal.reason));
     InverseCode {
         items: quote! {
             /// Implemented by nothing: its message says why there is no inverse.
-            #[diagnostic::on_unimplemented(message = #message, label = "no inverse kinematics for this arm")]
+            #[diagnostic::on_unimplemented(message = #message, label = "this arm has no inverse kinematics")]
             pub trait #solvable {}
         },
         function: TokenStream::new(),
         methods: quote! {
             #doc
-            pub fn inverse<Target: #solvable>(&self, _target: Target) {}
+            pub fn inverse<Target: #solvable>(&self, _target: Target) -> #none {
+                #krate::Solutions::new(#krate::Status::BadTarget)
+            }
 
             #doc
-            pub fn inverse_near<Target: #solvable>(&self, _target: Target, _q_ref: &[#scalar; #n]) {}
+            pub fn inverse_near<Target: #solvable>(&self, _target: Target, _q_ref: &[#scalar; #n]) -> #none {
+                #krate::Solutions::new(#krate::Status::BadTarget)
+            }
         },
     }
 }

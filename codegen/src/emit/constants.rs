@@ -1,8 +1,8 @@
 //! The dimensions of the arm as named constants.
 
+use super::Target;
 use super::docs;
 use super::tokens::{ident, number};
-use super::Target;
 use crate::model::{Convention, Model};
 use crate::symbolic::{Expr, Graph, Node};
 use indexmap::IndexMap;

@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 /// Widest line of a doc text.
-const WIDTH: usize = 100;
+const WIDTH: usize = 110;
 
 /// A line broken at spaces so that no part is wider than [`WIDTH`] where that is possible; code in backticks stays
 /// whole.
@@ -83,9 +83,9 @@ pub fn kinematics(model: &Model, wanted: Wanted, operations: &Cost) -> String {
     );
     let method = "Method: product of the link transforms, joints with parallel axes turned together, q1 last.";
     match wanted {
-        Wanted::Forward => format!(
-            "Pose of the tool in the base frame, `^0T_{n}(q)`.\n\n{joints} Returns {pose}.\n{cost}\n\n{method}"
-        ),
+        Wanted::Forward => {
+            format!("Pose of the tool in the base frame, `^0T_{n}(q)`.\n\n{joints} Returns {pose}.\n{cost}\n\n{method}")
+        }
         Wanted::Jacobian => format!(
             "Geometric Jacobian of the tool point in the base frame.\n\n{joints} {jacobian}\n{cost}\n\n\
              Column of a turning joint: `z_i x (p - o_i)` and `z_i`; of a sliding joint: `z_i` and 0 (Whitney 1972)."
@@ -101,7 +101,7 @@ pub fn kinematics(model: &Model, wanted: Wanted, operations: &Cost) -> String {
 pub fn link_poses(model: &Model, operations: &Cost) -> String {
     let (n, unit, joints, cost) = (model.joints.len(), unit(model), joints(model), cost(operations));
     format!(
-        "Poses of the {n} links in the base frame: link i after joint i, with the fixed rows that follow it; the last\n\
+        "Poses of the {n} links in the base frame: link i after joint i, with the fixed rows that follow it; the last \
          without the tool.\n\n{joints} Rotations are dimensionless, positions in {unit}.\n{cost}"
     )
 }

@@ -49,7 +49,8 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
             used.insert(symbol.name);
         }
     }
-    let reserved = (1..=6).flat_map(|i| [format!("q{i}"), format!("index{i}"), format!("roots{i}"), format!("trail{i}")]);
+    let reserved =
+        (1..=6).flat_map(|i| [format!("q{i}"), format!("index{i}"), format!("roots{i}"), format!("trail{i}")]);
     let reserved = reserved.chain(["search", "solutions", "start", "target", "near", "arm"].map(String::from));
     let krate = &target.krate;
     let mut nest = Nest {
@@ -336,7 +337,8 @@ fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStream) -> Tok
 }
 
 fn solutions(plan: &Plan, target: &Target) -> TokenStream {
-    let (krate, scalar, n, m) = (&target.krate, target.scalar.tokens(), integer(plan.values.len()), integer(plan.max_solutions()));
+    let (krate, scalar, n, m) =
+        (&target.krate, target.scalar.tokens(), integer(plan.values.len()), integer(plan.max_solutions()));
     quote!(#krate::Solutions<#scalar, #n, #m>)
 }
 
@@ -369,7 +371,8 @@ fn function(plan: &Plan, target: &Target, unpack: &TokenStream, body: &TokenStre
 }
 
 fn methods(model: &Model, plan: &Plan, target: &Target) -> TokenStream {
-    let (krate, scalar, n, m) = (&target.krate, target.scalar.tokens(), integer(plan.values.len()), integer(plan.max_solutions()));
+    let (krate, scalar, n, m) =
+        (&target.krate, target.scalar.tokens(), integer(plan.values.len()), integer(plan.max_solutions()));
     let solutions = solutions(plan, target);
     let unit = docs::unit(model);
     let doc = docs::lines(&format!(

@@ -76,6 +76,14 @@ impl<'a> Calls<'a> {
                 let (denominator, numerator) = (w(denominator), w(numerator));
                 quote!(#krate::solve::slide_to(#home, #measure, #denominator, #numerator))
             }
+            Kernel::Aim { moved, frames } => {
+                let mut sights = moved.iter().zip(frames).map(|(moved, frame)| {
+                    let (moved, frame) = (row(moved), frame.iter().map(row));
+                    quote!(#krate::solve::Sight { moved: #moved, frame: [#(#frame),*] })
+                });
+                let (first, second) = (sights.next(), sights.next());
+                quote!(#krate::solve::aim(#home, #first, #second))
+            }
             Kernel::Pair { p, q } => {
                 let (p, q) = (p.iter().map(row), q.iter().map(row));
                 let second = self.home_of(stage, 1);

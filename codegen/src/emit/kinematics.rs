@@ -7,7 +7,7 @@ use super::{Target, angle};
 use crate::kinematics::{Column, Kinematics, LinkPoses, Wanted, kinematics, link_poses};
 use crate::model::Model;
 use crate::model::chain::Chain;
-use crate::symbolic::{Angles, AngleSum, BoundAngle, Expr, Graph, Rigid};
+use crate::symbolic::{AngleSum, Angles, BoundAngle, Expr, Graph, Rigid};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -189,8 +189,9 @@ fn sum(sum: &AngleSum, target: &Target) -> TokenStream {
         });
     }
     if !sum.constant.is_zero() {
-        let constant = angle::tokens(sum.constant, target);
-        tokens.extend(quote!(+ #constant));
+        let negative = sum.constant.rad() < 0.0;
+        let constant = angle::tokens(if negative { sum.constant.neg() } else { sum.constant }, target);
+        tokens.extend(if negative { quote!(- #constant) } else { quote!(+ #constant) });
     }
     tokens
 }

@@ -12,6 +12,8 @@ mod tables;
 mod tokens;
 
 pub use arm::{Arm, impls, item};
+pub(crate) use block::Block;
+pub(crate) use tokens::Writer;
 
 use proc_macro2::TokenStream;
 use quote::quote;

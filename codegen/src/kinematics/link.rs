@@ -8,11 +8,8 @@ use crate::symbolic::{Angles, Expr, Graph, Rigid, Vec3, transpose};
 pub fn frame(g: &mut Graph, frame: &Frame, name: &str) -> Rigid {
     let [roll, pitch, yaw] = frame.rpy;
     let [x, y, z] = frame.xyz;
-    let p = [
-        g.dimension(format!("{name}_X"), x),
-        g.dimension(format!("{name}_Y"), y),
-        g.dimension(format!("{name}_Z"), z),
-    ];
+    let p =
+        [g.dimension(format!("{name}_X"), x), g.dimension(format!("{name}_Y"), y), g.dimension(format!("{name}_Z"), z)];
     let turns = [roll, pitch, yaw].iter().filter(|a| a.quarter_turns().is_none()).count();
     let identity = Graph::identity();
     if turns <= 1 {

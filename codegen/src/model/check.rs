@@ -84,11 +84,14 @@ fn count(spec: &Spec, joints: &[Joint], mistakes: &mut Vec<Diagnostic>) {
     // An empty table is a mistake of form and known already.
     if joints.is_empty() && !spec.rows.is_empty() {
         let message = "no joint moves: expected at least one row of type revolute or prismatic";
-        mistakes.push(Diagnostic::error(message).at(at(0)));
+        let help =
+            "write `type: revolute` or `type: prismatic` in the rows that move; without `type` a row is revolute";
+        mistakes.push(Diagnostic::error(message).at(at(0)).help(help));
     }
     if let Some(joint) = joints.get(MOST_JOINTS) {
         let message = format!("{} moving joints: expected at most {MOST_JOINTS}", joints.len());
-        mistakes.push(Diagnostic::error(message).at(at(joint.row)).label(format!("joint {}", MOST_JOINTS + 1)));
+        let mistake = Diagnostic::error(message).at(at(joint.row)).label(format!("joint {}", MOST_JOINTS + 1));
+        mistakes.push(mistake.help("write `type: fixed` in the rows that do not move"));
     }
 }
 

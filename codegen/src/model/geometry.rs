@@ -79,16 +79,14 @@ pub struct Geometry {
 pub fn geometry(model: &Model, chain: &Chain) -> Geometry {
     let reach = reach(model);
     let axes = axes(chain, reach);
-    let relations: Vec<Relation> =
-        axes.iter().zip(axes.iter().skip(1)).map(|(a, b)| relation(a, b, reach)).collect();
+    let relations: Vec<Relation> = axes.iter().zip(axes.iter().skip(1)).map(|(a, b)| relation(a, b, reach)).collect();
     let mut triples = Vec::new();
     let mut misses = Vec::new();
     for (first, lines) in axes.windows(3).enumerate() {
         let revolute = model.joints.iter().skip(first).take(3).all(|j| j.kind == JointKind::Revolute);
         let ([a, b, c], true) = (lines, revolute) else { continue };
-        let parallel = |u: &Line, v: &Line| {
-            matches!(relation(u, v, reach), Relation::Parallel { .. } | Relation::Coincident)
-        };
+        let parallel =
+            |u: &Line, v: &Line| matches!(relation(u, v, reach), Relation::Parallel { .. } | Relation::Coincident);
         let miss = common_point_miss(a, b, c);
         if let Some(miss) = miss {
             misses.push((first, miss));

@@ -55,10 +55,8 @@ impl Closure {
             })
             .collect();
         let constant = |i: usize| constants.get(i).copied().unwrap_or_else(Rigid::identity);
-        let target = Rigid {
-            r: ROTATION.map(|row| row.map(|name| g.symbol(name))),
-            p: POSITION.map(|name| g.symbol(name)),
-        };
+        let target =
+            Rigid { r: ROTATION.map(|row| row.map(|name| g.symbol(name))), p: POSITION.map(|name| g.symbol(name)) };
         // The target without base and tool: where the frame of the last joint has to be, in the first joint's frame.
         let base = constant(0).inverse(&mut g);
         let tool = constant(6).inverse(&mut g);
@@ -312,9 +310,10 @@ impl Closure {
 
     /// The plan.
     pub fn finish(self, triple: Triple) -> Plan {
-        let values = self.values.into_iter().map(|value| {
-            value.unwrap_or(Value { terms: Vec::new(), constant: Angle::ZERO, sliding: true })
-        });
+        let values = self
+            .values
+            .into_iter()
+            .map(|value| value.unwrap_or(Value { terms: Vec::new(), constant: Angle::ZERO, sliding: true }));
         Plan { graph: self.g, steps: self.steps, values: values.collect(), triple, reach: self.reach }
     }
 }

@@ -154,7 +154,7 @@ fn meeting_origin(c: &mut Closure, a: &Side, b: &Side, with_a: bool) -> Option<(
     }
     let height = side.meeting_height(c)?;
     let height = if height.abs() <= 1e-12 * c.reach() { Expr::ZERO } else { c.g.dimension("MEET_Y", height) };
-    let (a, b) = (a.from_height(c, height), b.from_height(c, height));
+    let (a, b) = (a.at_height(c, height), b.at_height(c, height));
     let side = if with_a { &a } else { &b };
     c.vanish(&Side::plane(side.origin), Unit::Length).then_some((a, b))
 }
@@ -192,8 +192,7 @@ fn together(c: &mut Closure, a: &Side, b: &Side, ny: usize) -> Result<(), Refusa
     let meaning = format!("Joints {n} and {m} together: equal components along axis {ny}, equal distances from it.");
     if a.turns && b.turns {
         let (square_a, square_b) = (square(c, a), square(c, b));
-        let kernel =
-            Kernel::Pair { p: [rows_a.array(), square_a.array()], q: [rows_b.array(), square_b.array()] };
+        let kernel = Kernel::Pair { p: [rows_a.array(), square_a.array()], q: [rows_b.array(), square_b.array()] };
         let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
         c.stage(&joints, a.joint, Unit::Length, Branching::Root, meaning, kernel);
         return Ok(());

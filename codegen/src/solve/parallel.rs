@@ -101,7 +101,7 @@ fn meeting_origin(c: &mut Closure, sides: [Side; 2], with_a: bool) -> Option<[Si
     }
     let height = side.meeting_height(c)?;
     let height = if height.abs() <= 1e-12 * c.reach() { Expr::ZERO } else { c.g.dimension("MEET_Y", height) };
-    let (a, b) = (a.from_height(c, height), b.from_height(c, height));
+    let (a, b) = (a.at_height(c, height), b.at_height(c, height));
     let side = if with_a { &a } else { &b };
     c.vanish(&Side::plane(side.origin), Unit::Length).then_some([a, b])
 }
@@ -176,8 +176,7 @@ fn by_distance(c: &mut Closure, side: &Side, (other, solved): (&Side, bool), hei
     let value = c.clean(value, Unit::Length);
     let n = side.joint + 1;
     if side.turns {
-        let meaning =
-            format!("Joint {n}: axis {ny} keeps its offset along {H}, `{{a}} cos + {{b}} sin = {{d}}`.");
+        let meaning = format!("Joint {n}: axis {ny} keeps its offset along {H}, `{{a}} cos + {{b}} sin = {{d}}`.");
         side.offset(c, row, value, Unit::Length, Branching::Shoulder, meaning);
     } else {
         let numerator = c.g.sub(value, row.k);
@@ -233,16 +232,15 @@ fn flipped(c: &mut Closure, y: usize, inner: &Side, known: &Side) -> bool {
         (c.g.rotate_z(turn, seen), psi.add(eta.neg()))
     };
     let (n, ny) = (inner.joint + 1, y + 1);
-    let meaning = format!(
-        "Joints {n} and {ny}: point {H}, `[{{m}}]` = `R_z(y) R_y(x) e_z`; with `x = 0` joint {ny} is free."
-    );
+    let meaning =
+        format!("Joints {n} and {ny}: point {H}, `[{{m}}]` = `R_z(y) R_y(x) e_z`; with `x = 0` joint {ny} is free.");
     let joints = [(inner.joint, shift), (y, Angle::ZERO)];
     c.stage(&joints, y, Unit::Direction, Branching::Wrist, meaning, Kernel::Flip { m });
     true
 }
 
-/// Joint y slides: h itself is equal on both sides (two components give x and z, the third drops false roots), and
-/// the stroke closes the distance along h.
+/// Joint y slides: h itself is equal on both sides and lies on a cone about either turning axis; the stroke closes the
+/// distance along h.
 fn sliding(c: &mut Closure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> Result<(), Refusal> {
     let [a, b] = &sides;
     let ny = y + 1;
@@ -253,17 +251,15 @@ fn sliding(c: &mut Closure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> R
         )));
     }
     let [_, _, _, x, _, _] = c.order;
-    let across_a = [c.link(x).forward.axis(0), c.link(x).forward.axis(1)];
-    let across_b = [c.link(y).back.axis(0), c.link(y).back.axis(1)];
-    let p = across_a.map(|direction| a.row(c, direction, Expr::ZERO).array());
-    let q = across_b.map(|direction| b.row(c, direction, Expr::ZERO).array());
+    let frames = [c.link(x).forward.r, c.link(y).back.r];
     let meaning = format!(
-        "Joints {} and {} together: {H} has equal components across axis {ny}.",
+        "Joints {} and {} together: {H} is the same over either side of the sliding joint {ny}.",
         a.joint + 1,
         b.joint + 1
     );
     let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
-    c.stage(&joints, a.joint, Unit::Direction, Branching::Root, meaning, Kernel::Pair { p, q });
+    let kernel = Kernel::Aim { moved: [a.moved, b.moved], frames };
+    c.stage(&joints, a.joint, Unit::Direction, Branching::Shoulder, meaning, kernel);
     let (over_a, over_b) = (a.direction(c), b.direction(c));
     let [height_a, height_b] = heights;
     let left = {

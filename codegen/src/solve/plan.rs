@@ -212,6 +212,14 @@ pub enum Kernel {
         /// Right side.
         numerator: Expr,
     },
+    /// One direction seen from two joints over a sliding one: for each joint the vector it turns, and the rotation from
+    /// the sliding joint's frame to its own.
+    Aim {
+        /// The vectors.
+        moved: [[Expr; 3]; 2],
+        /// The rotations, by rows.
+        frames: [[[Expr; 3]; 3]; 2],
+    },
     /// Two equations in two revolute joints.
     Pair {
         /// Rows of the first joint: of the cosine, of the sine, constant.
@@ -263,6 +271,7 @@ impl Kernel {
             Kernel::Wrist { m } => m.concat(),
             Kernel::Slide { rho, across, middle } => vec![*rho, *across, *middle],
             Kernel::SlideTo { denominator, numerator } => vec![*denominator, *numerator],
+            Kernel::Aim { moved, frames } => [moved.concat(), frames.concat().concat()].concat(),
             Kernel::Pair { p, q } => [p.concat(), q.concat()].concat(),
             Kernel::PairSliding { line, scale, square, q } => {
                 [line.to_vec(), vec![*scale], square.to_vec(), q.to_vec()].concat()

@@ -54,12 +54,7 @@ pub(super) fn no_triple(model: &Model, geometry: &Geometry) -> Refusal {
     let mut reason = "no three consecutive axes meet or are parallel".to_string();
     if let Some((first, miss)) = closest {
         let (length, unit) = readable(*miss, model.length_unit);
-        reason += &format!(
-            "; closest: axes {}, {}, {} miss by {length} {unit}",
-            first + 1,
-            first + 2,
-            first + 3
-        );
+        reason += &format!("; closest: axes {}, {}, {} miss by {length} {unit}", first + 1, first + 2, first + 3);
     }
     let sliding = model.joints.iter().filter(|j| j.kind == JointKind::Prismatic).count();
     if sliding > 0 {

@@ -155,7 +155,7 @@ impl Side {
     }
 
     /// The same side with another point on y's axis as origin.
-    pub fn from_height(&self, c: &mut Closure, height: Expr) -> Side {
+    pub fn at_height(&self, c: &mut Closure, height: Expr) -> Side {
         let along = c.g.scale3(height, self.axis);
         let origin = c.g.add3(self.origin, along);
         Side { origin: c.clean3(origin, Unit::Length), ..*self }

@@ -260,8 +260,7 @@ pub fn parallel(c: &mut Closure) {
     terms.extend(terms_a.into_iter().map(|(t, n)| (t, n == negative_ab)));
     terms.extend(terms_b.into_iter().map(|(t, n)| (t, n == negative_b)));
     let signed = |angle: Angle, negative: bool| if negative { angle.neg() } else { angle };
-    let constant =
-        signed(constant_a.add(ka), !negative_ab).add(signed(constant_b.add(kb), !negative_b));
+    let constant = signed(constant_a.add(ka), !negative_ab).add(signed(constant_b.add(kb), !negative_b));
     c.sum(third, terms, constant);
 }
 

@@ -1,7 +1,7 @@
 //! Reads a field that is an angle, and notices when it is written in the wrong unit or only nearly exact.
 
 use super::angle::{AngleUnit, WrittenAngle, pi_times};
-use super::reader::{Field, Reader};
+use super::reader::{Field, NOTHING, Reader};
 use super::yaml::Node;
 use std::f64::consts::{FRAC_PI_4, PI};
 
@@ -51,6 +51,10 @@ impl Reader<'_> {
                     return None;
                 }
             },
+            Node::Null => {
+                self.unexpected(field, expected, Some(NOTHING.to_owned()));
+                return None;
+            }
             _ => {
                 self.unexpected(field, expected, None);
                 return None;

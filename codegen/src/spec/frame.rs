@@ -20,13 +20,19 @@ impl Reader<'_> {
         let mut frame = FrameSpec { xyz: [0.0; 3], rpy: [WrittenAngle::ZERO; 3] };
         let Some(field) = root.get(key) else { return frame };
         let Some(fields) = self.mapping(&field, &format!("`{key}`"), &["xyz", "rpy"]) else { return frame };
-        let xyz: Option<[Field<'_>; 3]> =
-            fields.get("xyz").and_then(|field| self.list(&field, "three lengths [x, y, z]"));
+        let xyz: Option<[Field<'_>; 3]> = fields.get("xyz").and_then(|field| {
+            self.list(&field, "three lengths [x, y, z]", "write `xyz: [0, 0, 0]`, a length along each axis")
+        });
         if let Some(xyz) = xyz {
             frame.xyz = xyz.map(|field| self.length(&field, context.parameters).unwrap_or(0.0));
         }
-        let rpy: Option<[Field<'_>; 3]> =
-            fields.get("rpy").and_then(|field| self.list(&field, "three angles [roll, pitch, yaw]"));
+        let rpy: Option<[Field<'_>; 3]> = fields.get("rpy").and_then(|field| {
+            self.list(
+                &field,
+                "three angles [roll, pitch, yaw]",
+                "write `rpy: [0, 0, 0]`, the rotation Rz(yaw) Ry(pitch) Rx(roll)",
+            )
+        });
         if let Some(rpy) = rpy {
             let read = |field| self.angle(&field, context.angle, AngleRole::Offset);
             frame.rpy = rpy.map(read).map(|angle| angle.unwrap_or(WrittenAngle::ZERO));

@@ -85,7 +85,11 @@ impl Reader<'_> {
             let number = matches!(field.node, Node::Number(_)).then(|| self.source.written(&field.place));
             match number {
                 Some(number) => self.unexpected(&field, "a joint's name", Some(format!("did you mean `q{number}`?"))),
-                None => inverse.redundant = self.text(&field, "a joint's name").map(|name| (name, field.place)),
+                None => {
+                    inverse.redundant = self
+                        .text(&field, "a joint's name", "name the joint whose value is given, such as `redundant: q3`")
+                        .map(|name| (name, field.place))
+                }
             }
         }
         if let Some(field) = fields.get("axis") {

@@ -78,7 +78,7 @@ pub fn read(text: &str, file: &str) -> Result<(Spec, Vec<Diagnostic>), Errors> {
     let units = reader.units(&fields);
     let context = RowContext { angle: units.angle, parameters: &parameters };
     let name = match fields.get("name") {
-        Some(field) => reader.text(&field, "the arm's name"),
+        Some(field) => reader.text(&field, "the arm's name", "write a name, such as `name: ur5`"),
         None => None,
     };
     let convention = reader.convention(&fields);
@@ -102,15 +102,36 @@ fn root(source: &Source) -> Result<Node, Errors> {
     }
     let root = yaml::parse(source.text()).map_err(|broken| {
         let at = broken.at.map_or(start, |(line, column)| source.location_at(line, column));
-        let tab = at.source_line.contains('\t').then(|| "YAML is indented with spaces, not with tabs".to_owned());
-        let message = format!("this is not YAML: {}", broken.message);
-        Diagnostic { help: tab, ..Diagnostic::error(message).at(at) }
+        let help = advice(&broken.message, &at.source_line).map(str::to_owned);
+        let message = match broken.message.strip_prefix("a second document") {
+            Some(_) => broken.message,
+            None => format!("this is not YAML: {}", broken.message),
+        };
+        Diagnostic { help, ..Diagnostic::error(message).at(at) }
     })?;
     if matches!(root, Node::Mapping(_)) {
         return Ok(root);
     }
     let at = source.location(&Place::default());
     Err(Diagnostic::error("expected an arm, a mapping of keys and values").at(at).help(SMALLEST).into())
+}
+
+/// What to look for in a line that YAML refuses with `message`.
+fn advice(message: &str, line: &str) -> Option<&'static str> {
+    let says = |words: &str| message.contains(words);
+    if says("second document") {
+        Some("an arm file is one document: remove this line and what follows")
+    } else if line.contains('\t') {
+        Some("YAML is indented with spaces, not with tabs")
+    } else if says("parsing a flow") {
+        Some("close every `{` with `}` and every `[` with `]`, and put a comma between entries")
+    } else if says("parsing a block") {
+        Some("begin all entries of one list, and all keys of one mapping, in the same column")
+    } else if says("expected ':'") || says("mapping values are not allowed") {
+        Some("write `key: value`, with a space after the colon, one on a line or with commas inside `{ }`")
+    } else {
+        None
+    }
 }
 
 /// The names under `parameters`: that key is refused once, and not again where the names are used.

@@ -6,6 +6,9 @@ use super::source::Source;
 use super::yaml::Node;
 use crate::error::Diagnostic;
 
+/// For a length or an angle without a value.
+pub const NOTHING: &str = "write 0 where there is none";
+
 /// Keys that are planned: refused by name, not as unknown.
 const LATER: &[&str] = &["parameters", "actuator", "coupling"];
 
@@ -86,8 +89,15 @@ impl<'s> Reader<'s> {
                 let mistake = self.source.mistake(&at_key, format!("`{name}` is not supported yet"));
                 self.mistakes.push(mistake.help(format!("remove it; {what} has {}", known.join(", "))));
             } else {
-                let meant = nearest(name, known.iter().copied());
-                let advice = meant.map(|word| format!("did you mean `{word}`? ")).unwrap_or_default();
+                let (word, rest) =
+                    name.split_once(':').map_or((name.as_str(), None), |(word, rest)| (word, Some(rest)));
+                let meant = nearest(word, known.iter().copied());
+                let advice = match (meant, rest) {
+                    (Some(word), None) => format!("did you mean `{word}`? "),
+                    // `a:1` is one word in YAML.
+                    (Some(word), Some(rest)) => format!("write `{word}: {rest}`, with a space after the colon; "),
+                    (None, _) => String::new(),
+                };
                 let mistake = self.source.mistake(&at_key, format!("unknown key `{name}` in {what}"));
                 self.mistakes.push(mistake.help(format!("{advice}{what} has {}", known.join(", "))));
                 fields.meant.extend(known.iter().copied().filter(|word| Some(*word) == meant));
@@ -97,7 +107,7 @@ impl<'s> Reader<'s> {
     }
 
     /// Text, trimmed and not empty.
-    pub fn text(&mut self, field: &Field<'_>, expected: &str) -> Option<String> {
+    pub fn text(&mut self, field: &Field<'_>, expected: &str, help: &str) -> Option<String> {
         match field.node {
             Node::Text(text) if !text.trim().is_empty() => Some(text.trim().to_owned()),
             Node::Number(_) | Node::Bool(_) => {
@@ -110,7 +120,7 @@ impl<'s> Reader<'s> {
                 None
             }
             _ => {
-                self.unexpected(field, expected, None);
+                self.unexpected(field, expected, Some(help.to_owned()));
                 None
             }
         }
@@ -139,6 +149,13 @@ impl<'s> Reader<'s> {
         found
     }
 
+    /// Help for the last mistake, where it has none.
+    pub fn advise(&mut self, help: &str) {
+        if let Some(mistake) = self.mistakes.last_mut() {
+            mistake.help.get_or_insert_with(|| help.to_owned());
+        }
+    }
+
     pub fn boolean(&mut self, field: &Field<'_>) -> Option<bool> {
         if let Node::Bool(value) = *field.node {
             return Some(value);
@@ -152,20 +169,29 @@ impl<'s> Reader<'s> {
         match field.node {
             Node::Number(value) if value.is_finite() => return Some(*value),
             Node::Number(_) => self.unexpected(field, "a finite number", None),
-            Node::Text(text) => {
-                let help = text.trim().parse::<f64>().ok().filter(|value| value.is_finite());
-                let help = help.map(|_| format!("write {} without quotes", text.trim()));
-                self.unexpected(field, "a number in the file's length unit", help);
-            }
+            Node::Text(text) => match text.trim().parse::<f64>() {
+                Ok(value) if value.is_finite() => {
+                    let help = format!("write {} without quotes", text.trim());
+                    self.unexpected(field, "a number in the file's length unit", Some(help));
+                }
+                Ok(_) => self.unexpected(field, "a finite number", None),
+                Err(_) => self.unexpected(field, "a number in the file's length unit", None),
+            },
+            Node::Null => self.unexpected(field, "a number in the file's length unit", Some(NOTHING.to_owned())),
             _ => self.unexpected(field, "a number in the file's length unit", None),
         }
         None
     }
 
     /// A list of exactly `N` entries, each with the key of the list.
-    pub fn list<'n, const N: usize>(&mut self, field: &Field<'n>, expected: &str) -> Option<[Field<'n>; N]> {
+    pub fn list<'n, const N: usize>(
+        &mut self,
+        field: &Field<'n>,
+        expected: &str,
+        help: &str,
+    ) -> Option<[Field<'n>; N]> {
         let Node::List(nodes) = field.node else {
-            self.unexpected(field, expected, None);
+            self.unexpected(field, expected, Some(help.to_owned()));
             return None;
         };
         let entry = |(index, node)| Field { node, place: field.place.to(Step::Item(index)), key: field.key.clone() };
@@ -175,7 +201,7 @@ impl<'s> Reader<'s> {
         if entries.is_none() {
             let entries = if found == 1 { "entry" } else { "entries" };
             let message = format!("`{}`: expected {expected}, found a list of {found} {entries}", field.key);
-            self.mistakes.push(self.source.mistake(&field.place, message));
+            self.mistakes.push(self.source.mistake(&field.place, message).help(help));
         }
         entries
     }

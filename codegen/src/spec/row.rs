@@ -90,7 +90,13 @@ impl Reader<'_> {
         // With an unknown type nothing is said about the limits: their unit is not known either.
         let kind_known = kind.is_none_or(|(kind, _)| kind.is_some());
         if let Some(field) = fields.get("name") {
-            row.name = self.text(&field, "a name").map(|name| (name, field.place));
+            row.name = self
+                .text(
+                    &field,
+                    "a name",
+                    "write a name, or remove `name`: the joint is then called by its number, q1, q2, ...",
+                )
+                .map(|name| (name, field.place));
         }
         row.a = fields.get("a").and_then(|field| self.length(&field, context.parameters)).unwrap_or(0.0);
         row.d = fields.get("d").and_then(|field| self.length(&field, context.parameters)).unwrap_or(0.0);
@@ -131,7 +137,12 @@ impl Reader<'_> {
             self.mistakes.push(mistake.help("remove `limits`, or make the row revolute or prismatic"));
             return None;
         }
-        let ends: [Field<'_>; 2] = self.list(field, "null or [lowest, highest]")?;
+        let help = match kind {
+            RowKind::Prismatic => "write `limits: [0, 0.5]`, the lowest and the highest value; null is no limit",
+            _ => "write `limits: [-90, 90]`, the lowest and the highest value; null is no limit",
+        };
+        let ends: [Field<'_>; 2] = self.list(field, "null or [lowest, highest]", help)?;
+        let warnings = self.warnings.len();
         let mut whole = true;
         let mut end = |field: Field<'_>, reader: &mut Self| -> (Option<WrittenAngle>, Option<f64>) {
             if *field.node == Node::Null {
@@ -145,6 +156,8 @@ impl Reader<'_> {
             read
         };
         let [low, high] = ends.map(|field| end(field, self));
+        // Both ends are in the wrong unit, if one is.
+        self.warnings.truncate(warnings + 1);
         let limits = match kind {
             RowKind::Prismatic => LimitsSpec::Lengths([low.1, high.1]),
             _ => LimitsSpec::Angles([low.0, high.0]),

@@ -69,7 +69,7 @@ fn text_that_is_no_arm() {
     only(&mistakes("- 1\n"), "1:1", &["a mapping of keys and values"]);
     only(&mistakes("name: x\njoints:\n\t- 1\n"), "3:1", &["not YAML", "spaces"]);
     only(&mistakes("joints:\n  - {a: 1\n  - {a: 2}\n"), "3:5", &["not YAML", "expected ',' or '}'"]);
-    only(&mistakes(&arm(ROW, "---\nname: y\n")), "6:1", &["more than one document"]);
+    only(&mistakes(&arm(ROW, "---\nname: y\n")), "6:1", &["a second document", "one document"]);
 }
 
 #[test]

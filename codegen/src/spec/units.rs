@@ -84,14 +84,22 @@ impl Reader<'_> {
             return units;
         };
         match fields.get("length") {
-            Some(field) => units.length = self.choice(&field, LENGTHS, LENGTH_SYNONYMS).unwrap_or(units.length),
+            Some(field) => match self.choice(&field, LENGTHS, LENGTH_SYNONYMS) {
+                Some(unit) => units.length = unit,
+                None => self.advise("write all lengths of the file in one of these units"),
+            },
             None if fields.has("length") => {}
             None => {
                 self.warnings.push(self.source.warning(&field.place, "no `length` in `units`: lengths are taken as m"))
             }
         }
         match fields.get("angle") {
-            Some(field) => units.angle = self.choice(&field, ANGLES, ANGLE_SYNONYMS),
+            Some(field) => {
+                units.angle = self.choice(&field, ANGLES, ANGLE_SYNONYMS);
+                if units.angle.is_none() {
+                    self.advise("a single value may have a unit of its own, such as `90 deg`, `1.5 rad` or `pi/2`");
+                }
+            }
             None if fields.has("angle") => units.angle = None,
             None => {
                 self.warnings.push(self.source.warning(&field.place, "no `angle` in `units`: angles are taken as deg"))

@@ -34,7 +34,13 @@ pub struct Broken {
 /// Reads a text of one YAML document.
 pub fn parse(text: &str) -> Result<Node, Broken> {
     serde_yaml::from_str::<Node>(text).map_err(|error| {
-        let at = position(&error).or_else(|| second_document(text));
+        // The library's only mistake without a place.
+        if position(&error).is_none()
+            && let Some(at) = second_document(text)
+        {
+            return Broken { message: "a second document begins here".to_owned(), at: Some(at) };
+        }
+        let at = position(&error);
         let mut message = error.to_string();
         if let Some((line, column)) = at {
             // The place is shown in front of the message; a second place in the text ("while parsing ... at") stays.

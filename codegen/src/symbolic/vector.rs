@@ -24,10 +24,7 @@ impl Graph {
         let dimension = |g: &mut Graph, name: String, value: f64| {
             if value.abs() == 0.5 || value.abs() == 1.0 { g.number(value) } else { g.dimension(name, value) }
         };
-        Pair {
-            sin: dimension(self, format!("SIN_{name}"), sin),
-            cos: dimension(self, format!("COS_{name}"), cos),
-        }
+        Pair { sin: dimension(self, format!("SIN_{name}"), sin), cos: dimension(self, format!("COS_{name}"), cos) }
     }
 
     /// `R_z(angle) v`

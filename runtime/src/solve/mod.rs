@@ -13,11 +13,15 @@
 //! | [`align`] | turn one plane vector onto another |
 //! | [`flip`], [`wrist`] | an orthogonal pair or triple of axes: two roots half a turn apart |
 //! | [`slide`], [`slide_to`], [`quadratic`] | a sliding joint reaches a given distance |
+//! | [`aim`] | one direction seen over a sliding joint |
 //! | [`pair`], [`pair_sliding`] | two equations in two joints that no other kernel separates (a quartic) |
 //!
 //! [`Search`] follows the branches, collects the solutions, and gives every doubtful one (near a singularity or at
 //! the edge of reach) a full check and, if needed, a few damped Newton steps.
 
+#![allow(clippy::neg_cmp_op_on_partial_ord, reason = "a value that is not a number must take the safe branch")]
+
+mod aim;
 mod align;
 mod circle;
 mod cone;
@@ -33,6 +37,7 @@ mod tolerances;
 mod turn;
 mod wrist;
 
+pub use aim::{Sight, aim};
 pub use align::align;
 pub use cone::{Cone, cone};
 pub use distance::{Elbow, distance};

@@ -104,11 +104,7 @@ fn eliminated<T: Tolerances>(p: &[Row<T>; 2], det: T, q: &[Row<T>; 2]) -> Stage<
 }
 
 /// Rows of lost rank: the combination without `x` gives `z`, the other one `x`; or the other way round.
-fn separated<T: Tolerances>(
-    [home_x, home_z]: [Home<T>; 2],
-    p: &[Row<T>; 2],
-    q: &[Row<T>; 2],
-) -> Stage<T, 2, 4> {
+fn separated<T: Tolerances>([home_x, home_z]: [Home<T>; 2], p: &[Row<T>; 2], q: &[Row<T>; 2]) -> Stage<T, 2, 4> {
     let (n, m) = (null_row(p, q), null_row(q, p));
     let amplitude = |n: [T; 2], rows: &[Row<T>; 2]| {
         let [a, b, _] = combined(n, rows);
@@ -161,7 +157,7 @@ fn in_turn<T: Tolerances>(
             if let Some(slot) = slots.next() {
                 *slot = [*x, *z];
                 len += 1;
-                free = free | second.free;
+                free |= second.free;
             }
         }
     }

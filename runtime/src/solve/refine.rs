@@ -36,7 +36,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
         }
         let damping = (size + T::EPSILON * T::EPSILON * T::from_f64(16.0)) * boost;
         let Some(step) = damped_step(facts, &jacobian, &error, damping) else {
-            boost = boost * T::from_f64(100.0);
+            boost *= T::from_f64(100.0);
             continue;
         };
         let mut next = q;
@@ -53,7 +53,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
             (q, pose, jacobian, error, size) = (next, next_pose, next_jacobian, next_error, next_size);
             boost = (boost * T::from_f64(0.1)).max(T::ONE);
         } else {
-            boost = boost * T::from_f64(100.0);
+            boost *= T::from_f64(100.0);
         }
     }
     (q, pose.residual(target))

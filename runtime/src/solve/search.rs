@@ -52,15 +52,23 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
         solutions: &'a mut Solutions<T, N, M>,
     ) -> Option<Self> {
         let deviation = deviation(target);
-        let finite = target.translation.iter().all(|x| x.is_finite())
-            && near.is_none_or(|q| q.iter().all(|x| x.is_finite()));
+        let finite =
+            target.translation.iter().all(|x| x.is_finite()) && near.is_none_or(|q| q.iter().all(|x| x.is_finite()));
         if !(deviation <= T::NOT_A_ROTATION) || !finite {
             solutions.set_status(Status::BadTarget);
             return None;
         }
         let homes = match near {
             Some(near) => *near,
-            None => facts.limits.map(|[low, high]| if low > T::ZERO { low } else if high < T::ZERO { high } else { T::ZERO }),
+            None => facts.limits.map(|[low, high]| {
+                if low > T::ZERO {
+                    low
+                } else if high < T::ZERO {
+                    high
+                } else {
+                    T::ZERO
+                }
+            }),
         };
         let loose = [JointMask::NONE; M];
         Some(Self { facts, target, near, solutions, homes, doubtful: 0, loose, deviation, least_gap: None })
@@ -81,11 +89,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
     /// The trail of a branch after a stage. A stage that misses by more than the tolerance ends the branch; its gap is
     /// remembered.
     #[inline]
-    pub fn follow<const K: usize, const R: usize>(
-        &mut self,
-        trail: &Trail<T>,
-        stage: &Stage<T, K, R>,
-    ) -> Trail<T> {
+    pub fn follow<const K: usize, const R: usize>(&mut self, trail: &Trail<T>, stage: &Stage<T, K, R>) -> Trail<T> {
         if stage.doubt { self.doubtful_trail(trail, stage.met()) } else { *trail }
     }
 

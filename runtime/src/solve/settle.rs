@@ -24,14 +24,14 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         for (index, solution) in found.iter().enumerate() {
             let doubtful = self.doubtful.checked_shr(index as u32).unwrap_or(0) & 1 == 1;
             let loose = self.loose.get(index).copied().unwrap_or(JointMask::NONE);
-            let (checked, near) = if doubtful { self.checked(solution, loose, evaluate) } else { (Some(*solution), true) };
+            let (checked, near) =
+                if doubtful { self.checked(solution, loose, evaluate) } else { (Some(*solution), true) };
             let Some(checked) = checked else { continue };
             let facts = self.facts;
-            let twin = self
-                .solutions
-                .as_mut_slice()
-                .iter_mut()
-                .find(|other| coincident(&other.q, &checked.q, facts.reach, |joint| facts.prismatic.contains(joint)));
+            let twin =
+                self.solutions.as_mut_slice().iter_mut().find(|other| {
+                    coincident(&other.q, &checked.q, facts.reach, |joint| facts.prismatic.contains(joint))
+                });
             let Some(twin) = twin else {
                 self.solutions.push(checked);
                 continue;
@@ -61,8 +61,8 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
             let steps = if loose.is_empty() { STEPS } else { FREE_STEPS };
             let (q, refined) = refine(facts, target, &solution.q, evaluate, steps);
             // A clamped branch of an unreachable target stays as it is, so that its residual is the distance missed.
-            let beyond = residual.position > facts.tolerance.position
-                || residual.orientation > facts.tolerance.orientation;
+            let beyond =
+                residual.position > facts.tolerance.position || residual.orientation > facts.tolerance.orientation;
             if relative(facts, &refined) <= T::EXACT || beyond {
                 (checked.q, residual) = (q, refined);
             }
@@ -84,7 +84,10 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         checked.flags |= Flags::APPROXIMATE;
         let tolerance = facts.tolerance;
         // A guess that did not close is none of the branches of this target.
-        if near && residual.position <= tolerance.position && residual.orientation <= tolerance.orientation + self.deviation {
+        if near
+            && residual.position <= tolerance.position
+            && residual.orientation <= tolerance.orientation + self.deviation
+        {
             return (Some(checked), near);
         }
         let gap = residual.position.max(residual.orientation);
@@ -97,12 +100,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
     /// closes is taken.
     #[cold]
     #[inline(never)]
-    fn restarted(
-        &self,
-        q: &[T; N],
-        loose: JointMask,
-        evaluate: &impl Evaluate<T, N>,
-    ) -> Option<([T; N], Residual<T>)> {
+    fn restarted(&self, q: &[T; N], loose: JointMask, evaluate: &impl Evaluate<T, N>) -> Option<([T; N], Residual<T>)> {
         let facts = self.facts;
         for attempt in 1..=RESTARTS {
             let mut start = *q;
@@ -169,8 +167,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         }
         // Only from a reference that already is close: farther away there is no "same place" to keep.
         let close = relative(facts, &evaluate(&start).0.residual(self.target)) <= T::DOUBTFUL;
-        let (q, mut residual) =
-            if close { refine(facts, self.target, &start, evaluate, STEPS) } else { return };
+        let (q, mut residual) = if close { refine(facts, self.target, &start, evaluate, STEPS) } else { return };
         residual.orientation += self.deviation;
         let is_prismatic = |joint: usize| facts.prismatic.contains(joint);
         let listed = self.solutions.iter().any(|other| coincident(&other.q, &q, facts.reach, is_prismatic));
@@ -187,9 +184,13 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         held.flags.remove(Flags::APPROXIMATE);
         held.flags |= Flags::EXACT;
         let full = !self.solutions.push(held);
-        if full && let Some(nearest) = self.solutions.as_mut_slice().iter_mut().min_by(|a, b| {
-            apart(a).partial_cmp(&apart(b)).unwrap_or(core::cmp::Ordering::Equal)
-        }) {
+        if full
+            && let Some(nearest) = self
+                .solutions
+                .as_mut_slice()
+                .iter_mut()
+                .min_by(|a, b| apart(a).partial_cmp(&apart(b)).unwrap_or(core::cmp::Ordering::Equal))
+        {
             *nearest = held;
         }
     }

@@ -50,8 +50,7 @@ pub struct Trail<T> {
 
 impl<T: Tolerances> Trail<T> {
     /// Nothing yet.
-    pub(super) const START: Self =
-        Self {
+    pub(super) const START: Self = Self {
         gap: Residual::ZERO,
         flags: Flags::NONE,
         free: JointMask::NONE,
@@ -66,7 +65,7 @@ impl<T: Tolerances> Trail<T> {
     pub(super) fn note(&mut self, Met { gap, angular, amplitude, weak, boundary, free }: Met<T>) {
         self.doubt = true;
         self.amplitude = self.amplitude.min(amplitude);
-        self.weak = self.weak | weak;
+        self.weak |= weak;
         if angular {
             self.gap.orientation += gap;
         } else {
@@ -77,7 +76,7 @@ impl<T: Tolerances> Trail<T> {
         }
         if !free.is_empty() {
             self.flags |= Flags::FREE;
-            self.free = self.free | free;
+            self.free |= free;
         }
     }
 }

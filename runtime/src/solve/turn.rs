@@ -1,7 +1,7 @@
 //! A joint angle together with its sine and cosine.
 
-use crate::JointMask;
 use super::Tolerances;
+use crate::JointMask;
 use crate::math::{angle, angle_array, sin_cos};
 
 /// A joint value. For an angle also its sine and cosine, so that the next stage needs no trigonometry.

@@ -1,0 +1,99 @@
+//! What each stage hands to the next, as text: for snapshots, so that a wrong stage shows where.
+
+use crate::emit::{Block, Writer};
+use crate::model::chain::{Chain, Step};
+use crate::model::geometry::Geometry;
+use crate::model::{Angle, Model};
+use crate::solve::{Plan, PlanStep, Refusal};
+use crate::symbolic::Expr;
+use std::fmt::Write;
+
+/// Model, factors of the chain, triples and plan; one item a line.
+pub fn text(model: &Model, chain: &Chain, geometry: &Geometry, inverse: &Result<Plan, Refusal>) -> String {
+    let mut out = String::from("joints\n");
+    for joint in &model.joints {
+        let limits = joint.limits.map_or("without limits".into(), |[low, high]| format!("{low:?} to {high:?}"));
+        line(&mut out, format!("{}: {:?} in row {}, {limits}", joint.name, joint.kind, joint.row + 1));
+    }
+    out += "chain\n";
+    for step in &chain.steps {
+        line(&mut out, factor(step));
+    }
+    out += "triples\n";
+    for triple in &geometry.triples {
+        line(&mut out, format!("{}: {:?}", triple.first + 1, triple.kind));
+    }
+    match inverse {
+        Ok(plan) => solution(&mut out, plan),
+        Err(refusal) => {
+            out += "no plan\n";
+            line(&mut out, refusal.reason.clone());
+        }
+    }
+    out
+}
+
+fn line(out: &mut String, text: String) {
+    // Writing to a string does not fail.
+    let _ = writeln!(out, "  {text}");
+}
+
+fn factor(step: &Step) -> String {
+    match step {
+        Step::RotateX { angle, name } => format!("Rx({name} = {})", angle.text()),
+        Step::RotateZ { angle, name } => format!("Rz({name} = {})", angle.text()),
+        Step::ShiftX { length, name } => format!("Tx({name} = {length:?})"),
+        Step::ShiftZ { length, name } => format!("Tz({name} = {length:?})"),
+        Step::Revolute { joint, offset } => format!("Rz(q{} + {})", joint + 1, offset.text()),
+        Step::Prismatic { joint } => format!("Tz(q{})", joint + 1),
+        Step::Frame { frame, name } => {
+            format!("{name} xyz {:?} rpy {:?}", frame.xyz, frame.rpy.map(|angle| angle.text()))
+        }
+    }
+}
+
+/// Shared terms, then the equations, then the joints.
+fn solution(out: &mut String, plan: &Plan) {
+    let inputs = plan.inputs();
+    let mut block = Block::new(&plan.graph, &inputs, []);
+    let shared = block.bind(&inputs);
+    let krate = proc_macro2::TokenStream::new();
+    out.push_str("shared terms\n");
+    for e in shared {
+        line(out, block.statement(e, &krate).to_string());
+    }
+    let writer = Writer { graph: &plan.graph, bound: &block.bound, krate: &krate };
+    let list = |inputs: &[Expr]| inputs.iter().map(|e| writer.write(*e).to_string()).collect::<Vec<_>>().join(", ");
+    out.push_str("plan\n");
+    for step in &plan.steps {
+        let inputs = list(&step.inputs());
+        line(
+            out,
+            match step {
+                PlanStep::Stage(stage) => {
+                    let joints: Vec<String> = stage.joints.iter().map(|joint| format!("q{}", joint + 1)).collect();
+                    let kernel = format!("{:?}", stage.kernel);
+                    let kernel = kernel.split([' ', '{']).next().unwrap_or_default();
+                    let (joints, home) = (joints.join(", "), stage.home.text());
+                    format!("{joints} by {kernel}({inputs}); {:?}, {:?}, home {home}", stage.unit, stage.branching)
+                }
+                PlanStep::Angle { name, .. } => format!("{name} = atan2({inputs})"),
+            },
+        );
+    }
+    out.push_str("joints from the plan\n");
+    for (index, value) in plan.values.iter().enumerate() {
+        line(out, format!("q{} = {}", index + 1, sum(&value.terms, value.constant)));
+    }
+}
+
+/// A signed sum of named angles and a constant one.
+fn sum(terms: &[(String, bool)], constant: Angle) -> String {
+    let mut text = String::new();
+    for (name, negative) in terms {
+        text += if *negative { "- " } else { "+ " };
+        text += name;
+        text.push(' ');
+    }
+    text + "+ " + &constant.text()
+}
