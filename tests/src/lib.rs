@@ -6,6 +6,7 @@
 
 pub mod arms;
 pub mod boundary;
+pub mod known_gaps;
 pub mod poses;
 pub mod random;
 pub mod recover;

@@ -6,6 +6,7 @@ mod block;
 mod constants;
 mod docs;
 mod inverse;
+mod inverse_frame;
 mod kernel;
 mod kinematics;
 mod tables;

@@ -29,7 +29,7 @@ fn random_poses(subject: &Subject<6>) {
         recover::check(subject, &mut report, "random", &q);
         recover::check_references(subject, &mut report, "random", &q, &mut random);
     }
-    report.assert_empty();
+    report.assert_nothing_new();
 }
 
 fn grids(subject: &Subject<6>, grids: Grids) {
@@ -60,7 +60,7 @@ fn grids(subject: &Subject<6>, grids: Grids) {
             recover::check(subject, &mut report, "30 degree grid", &q);
         }
     }
-    report.assert_empty();
+    report.assert_nothing_new();
 }
 
 fn awkward_poses(subject: &Subject<6>) {
@@ -79,7 +79,7 @@ fn awkward_poses(subject: &Subject<6>) {
             recover::check(subject, &mut report, family.name, q);
         }
     }
-    report.assert_empty();
+    report.assert_nothing_new();
 }
 
 fn out_of_reach(subject: &Subject<6>) {
@@ -90,7 +90,7 @@ fn out_of_reach(subject: &Subject<6>) {
     }
     boundary::check_folds(subject, &mut random, &mut report);
     boundary::check_far(subject, &mut random, &mut report);
-    report.assert_empty();
+    report.assert_nothing_new();
 }
 
 macro_rules! inverse_tests {
