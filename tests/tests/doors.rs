@@ -86,7 +86,10 @@ fn main() -> Result<(), denhart_codegen::BuildError> {
         "src/main.rs",
         r#"
 #![deny(warnings)]
-include!(concat!(env!("OUT_DIR"), "/ur5.rs"));
+mod written {
+    include!(concat!(env!("OUT_DIR"), "/ur5.rs"));
+}
+use written::Written;
 
 #[derive(kinematics::Arm)]
 #[arm(spec = "specs/ur5.yaml", crate = "::kinematics")]
@@ -98,7 +101,6 @@ fn main() {
     assert_eq!(target, Written.forward(&q));
     assert_eq!(Derived.forward_and_jacobian(&q), Written.forward_and_jacobian(&q));
     assert_eq!(Derived.inverse(&target), Written.inverse(&target));
-    assert_eq!(Derived::DH, Written::DH);
     println!("{}", Derived.inverse(&target).len());
 }
 "#,

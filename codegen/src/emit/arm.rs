@@ -77,8 +77,16 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
         Err(refusal) => docs::lines(&format!("No inverse kinematics: {}.", refusal.reason)),
     };
     quote! {
-        // Numbers are written as the arm file has them or in full precision; names follow the field's notation.
-        #[allow(clippy::all, clippy::pedantic, unused_doc_comments, non_snake_case, reason = "generated code")]
+        // Numbers are written as the arm file has them or in full precision; names follow the field's notation. No
+        // program uses every constant of its arm.
+        #[allow(
+            clippy::all,
+            clippy::pedantic,
+            dead_code,
+            unused_doc_comments,
+            non_snake_case,
+            reason = "generated code"
+        )]
         const _: () = {
             #dimensions
             #items

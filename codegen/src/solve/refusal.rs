@@ -22,13 +22,13 @@ pub(super) fn applicable(model: &Model) -> Result<(), Refusal> {
     let joints = model.joints.len();
     if model.inverse.redundant.is_some() {
         return Err(Refusal::new(format!(
-            "inverse kinematics with a redundant joint is not covered yet (this arm has {joints} moving joints)"
+            "a redundant joint is not covered yet (this arm has {joints} moving joints)"
         )));
     }
     match task(model) {
         Some(Task::Pose) if joints == 6 => Ok(()),
         Some(Task::Pose) | None => Err(Refusal::new(format!(
-            "inverse kinematics covers arms with six moving joints and the task `pose` so far; this arm has {joints}"
+            "so far it covers arms with six moving joints and the task `pose`; this arm has {joints} moving joints"
         ))),
         Some(task) => Err(Refusal::new(format!(
             "the task `{}` is not covered yet; so far it is `pose`, for arms with six moving joints",

@@ -77,7 +77,10 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
     /// The start of every branch.
     #[inline]
     pub fn start(&self) -> Trail<T> {
-        Trail { doubt: self.deviation > T::EXACT * T::HALF, ..Trail::START }
+        // Far away (a long slide may reach there) the rounding of the target alone can exceed what closes.
+        let limit = self.facts.reach * T::from_f64(1e3);
+        let far = self.target.translation.iter().any(|x| x.abs() > limit);
+        Trail { doubt: far || self.deviation > T::EXACT * T::HALF, ..Trail::START }
     }
 
     /// Where a joint stays if it is free: its reference value; without one 0, or the limit nearest to 0.

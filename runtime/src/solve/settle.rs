@@ -63,11 +63,13 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
             // A clamped branch of an unreachable target stays as it is, so that its residual is the distance missed.
             let beyond =
                 residual.position > facts.tolerance.position || residual.orientation > facts.tolerance.orientation;
-            if relative(facts, &refined) <= T::EXACT || beyond {
+            let missed = solution.residual.position.max(solution.residual.orientation * facts.reach);
+            let clamped = missed > T::ROUNDING * facts.reach;
+            let better = relative(facts, &refined) < relative(facts, &residual);
+            if relative(facts, &refined) <= T::EXACT || beyond || (better && !clamped) {
                 (checked.q, residual) = (q, refined);
             }
-            let missed = solution.residual.position.max(solution.residual.orientation * facts.reach);
-            let singular = near && missed <= T::ROUNDING * facts.reach;
+            let singular = near && !clamped;
             if !(relative(facts, &refined) <= T::EXACT)
                 && (singular || !loose.is_empty())
                 && let Some((q, closed)) = self.restarted(&solution.q, loose, evaluate)
@@ -91,6 +93,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
             return (Some(checked), near);
         }
         let gap = residual.position.max(residual.orientation);
+        let gap = if gap.is_finite() { gap } else { T::MAX };
         self.least_gap = Some(self.least_gap.map_or(gap, |least| least.min(gap)));
         (None, near)
     }
