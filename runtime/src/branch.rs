@@ -6,9 +6,9 @@ use core::fmt;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum Shoulder {
-    /// The first solution of the shoulder.
+    /// The first root of the shoulder's equation.
     Left = 1,
-    /// The second solution of the shoulder.
+    /// The second root.
     Right = 2,
 }
 
@@ -25,9 +25,10 @@ impl Shoulder {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum Elbow {
-    /// The elbow above the line from shoulder to wrist.
+    /// The first root: the elbow turns forward, by a positive angle, from the stretched arm. Which side of the line from
+    /// shoulder to wrist that is depends on the arm's table and on the shoulder.
     Up = 1,
-    /// The elbow below that line.
+    /// The second root: the elbow turns backward.
     Down = 2,
 }
 
