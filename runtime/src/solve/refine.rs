@@ -8,9 +8,11 @@ use crate::{Jacobian, Pose, Residual};
 pub trait Evaluate<T, const N: usize>: Fn(&[T; N]) -> (Pose<T>, Jacobian<T, N>) {}
 impl<T, const N: usize, F: Fn(&[T; N]) -> (Pose<T>, Jacobian<T, N>)> Evaluate<T, N> for F {}
 
-/// The residual, lengths relative to reach, as one number.
+/// The residual, lengths relative to reach, as one number; infinite if it is not a number.
 pub(super) fn relative<T: Tolerances, const N: usize>(facts: &Facts<T, N>, residual: &Residual<T>) -> T {
-    (residual.position / facts.reach).max(residual.orientation)
+    let position = residual.position / facts.reach;
+    let known = position.is_finite() && residual.orientation.is_finite();
+    if known { position.max(residual.orientation) } else { T::INFINITY }
 }
 
 /// Damped least squares (Levenberg-Marquardt, damping in proportion to the squared error, so that convergence is

@@ -20,7 +20,7 @@ impl<T: Tolerances> Measure<T> {
         Self { scale: reach, angular: false }
     }
 
-    /// Amplitudes below this leave a joint free (f64 1e-12, f32 1e-6, relative).
+    /// Amplitudes below this leave a joint free.
     #[inline]
     pub(super) fn vanishing(self) -> T {
         T::VANISHING * self.scale
