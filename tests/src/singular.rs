@@ -248,10 +248,17 @@ pub fn on_surface(subject: &Subject<6>, q: &[f64; 6], joint: usize, span: [f64; 
 pub fn surface(subject: &Subject<6>, random: &mut Random, count: usize) -> Vec<([f64; 6], usize)> {
     let space = crate::poses::Space::of(subject);
     let mut found = Vec::new();
-    for attempt in 0..count {
-        let joint = attempt % 6;
-        let q = space.random(random);
-        found.extend(on_surface(subject, &q, joint, space.span(joint)).map(|q| (q, joint)));
+    // An arm whose determinant is exactly zero where it is sampled (a gantry at q5 = 0) needs samples beside.
+    for aside in [0.0, 0.1] {
+        for attempt in 0..count {
+            let joint = attempt % 6;
+            let q = space.random(random);
+            let [low, high] = space.span(joint);
+            found.extend(on_surface(subject, &q, joint, [low + aside, high]).map(|q| (q, joint)));
+        }
+        if !found.is_empty() {
+            break;
+        }
     }
     found
 }
