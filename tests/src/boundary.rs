@@ -186,10 +186,9 @@ pub fn check_far(subject: &Subject<6>, random: &mut Random, report: &mut Report)
                     // Where squares overflow nothing can be said about the target.
                     Status::BadTarget => exponent > 140,
                 };
-                // A slide that is far out carries the rounding of its own length; where squares overflow so does the
-                // norm that would judge it.
+                // A slide that is far out carries its own rounding. Where squares overflow, so does the norm that judges.
                 let closes = |q: &[f64; 6]| {
-                    subject.miss(&target, q).iter().all(|miss| *miss < recover::CLOSES * 1e3 * subject.extension(q))
+                    subject.miss(&target, q).iter().all(|miss| *miss < recover::CLOSES * subject.extension(q))
                 };
                 let reach_nothing = answer.exact().all(|s| subject.has_prismatic() && (exponent > 140 || closes(&s.q)));
                 if !(finite && honest && reach_nothing) {

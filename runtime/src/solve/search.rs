@@ -78,9 +78,9 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
     #[inline]
     pub fn start(&self) -> Trail<T> {
         // Far away (a long slide may reach there) the rounding of the target alone can exceed what closes.
-        let limit = self.facts.reach * T::from_f64(1e3);
+        let limit = self.facts.reach * T::from_f64(10.0);
         let far = self.target.translation.iter().any(|x| x.abs() > limit);
-        Trail { doubt: far || self.deviation > T::EXACT * T::HALF, ..Trail::START }
+        Trail { doubt: far || self.deviation > T::ROUNDING, ..Trail::START }
     }
 
     /// Where a joint stays if it is free: its reference value; without one 0, or the limit nearest to 0.

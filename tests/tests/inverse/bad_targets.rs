@@ -72,7 +72,7 @@ pub fn check(subject: &Subject<6>) {
         if Svd::at(subject, &q).least() < 1e-2 {
             continue;
         }
-        for size in [1e-7, 1e-9] {
+        for size in [1e-7, 1e-9, 1e-13] {
             let mut almost = pose;
             almost.rotation.as_flattened_mut().iter_mut().for_each(|x| *x += random.uniform(-size, size));
             let answer = subject.inverse(&almost);
