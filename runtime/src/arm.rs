@@ -3,7 +3,7 @@
 use crate::dh::JointKind;
 use crate::jacobian::Jacobian;
 use crate::pose::Pose;
-use crate::solution::{Solution, Status};
+use crate::solution::{Residual, Solution, Status};
 
 /// Forward kinematics of an arm with `N` joints in scalar `T`.
 ///
@@ -120,6 +120,10 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
     /// [`Status::BadTarget`].
     #[must_use]
     fn inverse_near(&self, target: &Self::Target, q_ref: &[T; N]) -> Self::Solutions;
+
+    /// By how much `q` misses the target, from the arm's own `forward`: only what the target asks for counts.
+    #[must_use]
+    fn residual(&self, q: &[T; N], target: &Self::Target) -> Residual<T>;
 
     /// Outcome of the call that gave `solutions`.
     #[must_use]

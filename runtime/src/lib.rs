@@ -40,6 +40,7 @@ mod pose;
 mod solution;
 mod solutions;
 pub mod solve;
+mod target;
 
 pub use arm::{Arm, InverseKinematics};
 pub use branch::{Branch, Elbow, Shoulder, Wrist};
@@ -52,6 +53,7 @@ pub use math::Scalar;
 pub use pose::Pose;
 pub use solution::{Residual, Solution, Status};
 pub use solutions::Solutions;
+pub use target::{PlanarPose, PointAngle, PointAxis, Target};
 
 /// Derives [`Arm`](trait@Arm), and where the arm has a closed form [`InverseKinematics`], from a table in YAML.
 #[cfg(feature = "derive")]

@@ -5,11 +5,10 @@ use core::fmt;
 use core::ops::Deref;
 use core::{array, iter, mem, slice};
 
-use crate::arm::Arm;
 use crate::flags::Flags;
 use crate::math::Scalar;
-use crate::pose::Pose;
 use crate::solution::{Residual, Solution, Status};
+use crate::target::Target;
 
 /// The solutions of one call, at most `M`, of an arm with `N` joints, and the status of the call.
 ///
@@ -41,8 +40,8 @@ impl<T: Scalar, const N: usize, const M: usize> Solutions<T, N, M> {
     ///
     /// [`Solution::residual`] holds the gaps of the closed form; this is the full check, one forward kinematics for
     /// each solution.
-    pub fn verify<A: Arm<T, N>>(&self, arm: &A, target: &Pose<T>) -> impl Iterator<Item = Residual<T>> {
-        self.iter().map(|solution| target.residual(&arm.forward(&solution.q)))
+    pub fn verify<A, G: Target<A, T, N>>(&self, arm: &A, target: &G) -> impl Iterator<Item = Residual<T>> {
+        self.iter().map(|solution| target.missed_by(arm, &solution.q))
     }
 }
 
@@ -206,9 +205,11 @@ mod tests {
     #![allow(clippy::unwrap_used)]
 
     use super::*;
+    use crate::arm::Arm;
     use crate::dh::JointKind;
     use crate::flags::JointMask;
     use crate::jacobian::Jacobian;
+    use crate::pose::Pose;
     use std::format;
     use std::vec::Vec;
 

@@ -153,6 +153,9 @@ fn inverse_trait(plan: &Plan, target: &Target) -> TokenStream {
             fn inverse_near(&self, target: &Self::Target, q_ref: &[#scalar; #n]) -> Self::Solutions {
                 #name::inverse_near(self, target, q_ref)
             }
+            fn residual(&self, q: &[#scalar; #n], target: &Self::Target) -> #krate::Residual<#scalar> {
+                #name::residual(self, q, target)
+            }
             fn status(solutions: &Self::Solutions) -> #krate::Status<#scalar> {
                 solutions.status()
             }

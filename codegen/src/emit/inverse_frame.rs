@@ -134,5 +134,11 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target) -> TokenStrea
         pub fn inverse_near(&self, target: &#krate::Pose<#scalar>, q_ref: &[#scalar; #n]) -> #solutions {
             branches(self, target, ::core::option::Option::Some(q_ref))
         }
+
+        /// By how much `q` misses the target, from `forward`: the full check of a solution.
+        #[must_use]
+        pub fn residual(&self, q: &[#scalar; #n], target: &#krate::Pose<#scalar>) -> #krate::Residual<#scalar> {
+            #krate::solve::Goal::residual(target, q, &self.forward(q))
+        }
     }
 }

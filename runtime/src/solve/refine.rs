@@ -1,6 +1,6 @@
 //! Full check and damped Newton steps for solutions near a singularity or at the edge of reach.
 
-use super::{Facts, Tolerances};
+use super::{Facts, Goal, Tolerances};
 use crate::math::wrap;
 use crate::{Jacobian, Pose, Residual};
 
@@ -19,14 +19,15 @@ pub(super) fn relative<T: Tolerances, const N: usize>(facts: &Facts<T, N>, resid
 /// quadratic) from `q`. Steps that do not reduce the error are not taken. Returns the joint vector and its residual.
 pub(super) fn refine<T: Tolerances, const N: usize>(
     facts: &Facts<T, N>,
-    target: &Pose<T>,
+    goal: &impl Goal<T, N>,
     start: &[T; N],
     evaluate: &impl Evaluate<T, N>,
     steps: usize,
 ) -> ([T; N], Residual<T>) {
     let mut q = *start;
     let (mut pose, mut jacobian) = evaluate(&q);
-    let mut error = twist(facts, target, &pose);
+    jacobian = goal.rows(&pose, &jacobian);
+    let mut error = scaled(facts, goal.error(&q, &pose));
     let mut size = square(&error);
     let mut boost = T::ONE;
     // Some twenty roundings: what is left says nothing about where the solution is, and where the arm is nearly singular
@@ -49,31 +50,24 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
             }
         }
         let (next_pose, next_jacobian) = evaluate(&next);
-        let next_error = twist(facts, target, &next_pose);
+        let next_error = scaled(facts, goal.error(&next, &next_pose));
         let next_size = square(&next_error);
         if next_size < size {
-            (q, pose, jacobian, error, size) = (next, next_pose, next_jacobian, next_error, next_size);
+            (q, pose, error, size) = (next, next_pose, next_error, next_size);
+            jacobian = goal.rows(&pose, &next_jacobian);
             boost = (boost * T::from_f64(0.1)).max(T::ONE);
         } else {
             boost *= T::from_f64(100.0);
         }
     }
-    (q, pose.residual(target))
+    let residual = goal.residual(&q, &pose);
+    (q, residual)
 }
 
-/// The error as a twist: translation over reach, and the rotation's axis times the sine of its angle.
-fn twist<T: Tolerances, const N: usize>(facts: &Facts<T, N>, target: &Pose<T>, pose: &Pose<T>) -> [T; 6] {
-    let ([tx, ty, tz], [px, py, pz]) = (target.translation, pose.translation);
+/// The error with its lengths over reach.
+fn scaled<T: Tolerances, const N: usize>(facts: &Facts<T, N>, [x, y, z, u, v, w]: [T; 6]) -> [T; 6] {
     let k = T::ONE / facts.reach;
-    let mut turn = [T::ZERO; 3];
-    for j in 0..3 {
-        let column = |m: &[[T; 3]; 3]| m.map(|row| row.get(j).copied().unwrap_or(T::ZERO));
-        let ([a, b, c], [d, e, f]) = (column(&pose.rotation), column(&target.rotation));
-        let [x, y, z] = turn;
-        turn = [x + b * f - c * e, y + c * d - a * f, z + a * e - b * d];
-    }
-    let [x, y, z] = turn.map(|w| w * T::HALF);
-    [(tx - px) * k, (ty - py) * k, (tz - pz) * k, x, y, z]
+    [x * k, y * k, z * k, u, v, w]
 }
 
 fn square<T: Tolerances>(error: &[T; 6]) -> T {

@@ -2,8 +2,8 @@
 
 use super::refine::Evaluate;
 use super::stage::Met;
-use super::{Home, Measure, Stage, Tolerances, Trail};
-use crate::{Branch, Flags, JointMask, Pose, Residual, Solution, Solutions, Status};
+use super::{Goal, Home, Measure, Stage, Tolerances, Trail};
+use crate::{Branch, Flags, JointMask, Residual, Solution, Solutions, Status};
 
 /// What the search needs to know about an arm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,9 +22,9 @@ pub struct Facts<T, const N: usize> {
 
 /// One run of the inverse kinematics.
 #[derive(Debug)]
-pub struct Search<'a, T, const N: usize, const M: usize> {
+pub struct Search<'a, T, G, const N: usize, const M: usize> {
     pub(super) facts: &'a Facts<T, N>,
-    pub(super) target: &'a Pose<T>,
+    pub(super) goal: &'a G,
     pub(super) near: Option<&'a [T; N]>,
     pub(super) solutions: &'a mut Solutions<T, N, M>,
     /// Where each joint stays if it is free.
@@ -39,7 +39,7 @@ pub struct Search<'a, T, const N: usize, const M: usize> {
     pub(super) least_gap: Option<T>,
 }
 
-impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
+impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a, T, G, N, M> {
     /// Starts a search that fills `solutions`.
     ///
     /// `None`, with the status [`Status::BadTarget`], if the target (or the reference) is not finite or its rotation is
@@ -47,13 +47,12 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
     #[inline]
     pub fn new(
         facts: &'a Facts<T, N>,
-        target: &'a Pose<T>,
+        goal: &'a G,
         near: Option<&'a [T; N]>,
         solutions: &'a mut Solutions<T, N, M>,
     ) -> Option<Self> {
-        let deviation = deviation(target);
-        let finite =
-            target.translation.iter().all(|x| x.is_finite()) && near.is_none_or(|q| q.iter().all(|x| x.is_finite()));
+        let deviation = goal.deviation();
+        let finite = goal.point().iter().all(|x| x.is_finite()) && near.is_none_or(|q| q.iter().all(|x| x.is_finite()));
         if !(deviation <= T::NOT_A_ROTATION) || !finite {
             solutions.set_status(Status::BadTarget);
             return None;
@@ -71,7 +70,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
             }),
         };
         let loose = [JointMask::NONE; M];
-        Some(Self { facts, target, near, solutions, homes, doubtful: 0, loose, deviation, least_gap: None })
+        Some(Self { facts, goal, near, solutions, homes, doubtful: 0, loose, deviation, least_gap: None })
     }
 
     /// The start of every branch.
@@ -79,7 +78,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
     pub fn start(&self) -> Trail<T> {
         // Far away (a long slide may reach there) the rounding of the target alone can exceed what closes.
         let limit = self.facts.reach * T::from_f64(10.0);
-        let far = self.target.translation.iter().any(|x| x.abs() > limit);
+        let far = self.goal.point().iter().any(|x| x.abs() > limit);
         Trail { doubt: far || self.deviation > T::ROUNDING, ..Trail::START }
     }
 
@@ -119,17 +118,18 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
     pub fn push(&mut self, trail: &Trail<T>, q: [T; N], branch: Branch) {
         let at = self.solutions.len();
         let orientation = trail.gap.orientation + self.deviation;
-        let solution = Solution {
-            q,
-            flags: trail.flags | Flags::EXACT,
-            free: trail.free,
-            branch,
-            residual: Residual { position: trail.gap.position, orientation },
-        };
+        // Virtual joints, numbered after the arm's own, have no name outside.
+        let free = trail.free.intersection(JointMask::first(N));
+        let mut flags = trail.flags | Flags::EXACT;
+        if free.is_empty() {
+            flags.remove(Flags::FREE);
+        }
+        let solution =
+            Solution { q, flags, free, branch, residual: Residual { position: trail.gap.position, orientation } };
         if self.solutions.push(solution) && trail.doubt {
             self.doubtful |= 1u32.checked_shl(at as u32).unwrap_or(0);
             if let Some(loose) = self.loose.get_mut(at) {
-                *loose = trail.free | trail.weak;
+                *loose = (trail.free | trail.weak).intersection(JointMask::first(N));
             }
         }
     }
@@ -169,19 +169,4 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
         let residual = listed.chain(self.least_gap).fold(T::INFINITY, |least, gap| least.min(gap));
         Status::Unreachable { residual }
     }
-}
-
-/// The largest entry by which the columns of the rotation fail to be a right-handed orthonormal triple. NaN if any
-/// entry is.
-#[inline]
-fn deviation<T: Tolerances>(target: &Pose<T>) -> T {
-    let [[a, d, g], [b, e, h], [c, f, i]] = target.rotation;
-    // Columns x = (a, b, c), y = (d, e, f), z = (g, h, i).
-    let unit_x = a * a + b * b + c * c - T::ONE;
-    let unit_y = d * d + e * e + f * f - T::ONE;
-    let right = a * d + b * e + c * f;
-    let handed = [b * f - c * e - g, c * d - a * f - h, a * e - b * d - i];
-    let squares = unit_x * unit_x + unit_y * unit_y + right * right;
-    let [u, v, w] = handed;
-    (squares + u * u + v * v + w * w).sqrt()
 }

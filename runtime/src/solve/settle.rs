@@ -2,7 +2,7 @@
 //! joints are unwound next to it.
 
 use super::refine::{Evaluate, refine, relative};
-use super::{Search, Tolerances};
+use super::{Goal, Search, Tolerances};
 use crate::math::wrap;
 use crate::{Flags, JointMask, Residual, Solution};
 
@@ -13,7 +13,7 @@ const FREE_STEPS: usize = 40;
 /// Starts beside a singular place.
 const RESTARTS: u32 = 16;
 
-impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
+impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T, G, N, M> {
     /// Checks every doubtful solution with forward kinematics; refines it if that closes it. What stays beyond the
     /// tolerance is no solution; its residual counts as the gap of its branch.
     #[cold]
@@ -54,12 +54,12 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         evaluate: &impl Evaluate<T, N>,
     ) -> (Option<Solution<T, N>>, bool) {
         let mut checked = *solution;
-        let (facts, target) = (self.facts, self.target);
-        let mut residual = evaluate(&solution.q).0.residual(target);
+        let (facts, goal) = (self.facts, self.goal);
+        let mut residual = goal.residual(&solution.q, &evaluate(&solution.q).0);
         let near = relative(facts, &residual) <= T::CLOSE;
         if !(relative(facts, &residual) <= T::EXACT) {
             let steps = if loose.is_empty() { STEPS } else { FREE_STEPS };
-            let (q, refined) = refine(facts, target, &solution.q, evaluate, steps);
+            let (q, refined) = refine(facts, goal, &solution.q, evaluate, steps);
             // A clamped branch of an unreachable target stays as it is, so that its residual is the distance missed.
             let beyond =
                 residual.position > facts.tolerance.position || residual.orientation > facts.tolerance.orientation;
@@ -123,7 +123,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
                 };
                 *value += offset * unit;
             }
-            let (q, residual) = refine(facts, self.target, &start, evaluate, FREE_STEPS);
+            let (q, residual) = refine(facts, self.goal, &start, evaluate, FREE_STEPS);
             if relative(facts, &residual) <= T::EXACT {
                 return Some((q, residual));
             }
@@ -169,8 +169,8 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
             }
         }
         // Only from a reference that already is close: farther away there is no "same place" to keep.
-        let close = relative(facts, &evaluate(&start).0.residual(self.target)) <= T::DOUBTFUL;
-        let (q, mut residual) = if close { refine(facts, self.target, &start, evaluate, STEPS) } else { return };
+        let close = relative(facts, &self.goal.residual(&start, &evaluate(&start).0)) <= T::DOUBTFUL;
+        let (q, mut residual) = if close { refine(facts, self.goal, &start, evaluate, STEPS) } else { return };
         residual.orientation += self.deviation;
         let is_prismatic = |joint: usize| facts.prismatic.contains(joint);
         let listed = self.solutions.iter().any(|other| coincident(&other.q, &q, facts.reach, is_prismatic));

@@ -1,0 +1,297 @@
+//! What the tool is asked for, as equations: how far a pose misses it, and how that changes with the joints.
+
+use super::Tolerances;
+use crate::math::{atan2, wrap};
+use crate::{Jacobian, PlanarPose, PointAngle, PointAxis, Pose, Residual};
+
+/// A target, as the search sees it. An equation that is not asked for is a row of zeros.
+pub trait Goal<T, const N: usize> {
+    /// By how much given directions fail to be orthonormal; not a number if the target cannot be meant.
+    fn deviation(&self) -> T;
+
+    /// Where the tool point is to be.
+    fn point(&self) -> [T; 3];
+
+    /// By how much the tool's pose at `q` misses.
+    fn residual(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T>;
+
+    /// The error that a step has to undo: three lengths, three angles (small-angle vector).
+    fn error(&self, q: &[T; N], pose: &Pose<T>) -> [T; 6];
+
+    /// How the joints move that error, from the geometric Jacobian.
+    fn rows(&self, pose: &Pose<T>, jacobian: &Jacobian<T, N>) -> Jacobian<T, N>;
+}
+
+fn difference<T: Tolerances>([ax, ay, az]: [T; 3], [bx, by, bz]: [T; 3]) -> [T; 3] {
+    [ax - bx, ay - by, az - bz]
+}
+
+fn length<T: Tolerances>([x, y, z]: [T; 3]) -> T {
+    (x * x + y * y + z * z).sqrt()
+}
+
+fn cross<T: Tolerances>([ax, ay, az]: [T; 3], [bx, by, bz]: [T; 3]) -> [T; 3] {
+    [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
+}
+
+fn dot<T: Tolerances>([ax, ay, az]: [T; 3], [bx, by, bz]: [T; 3]) -> T {
+    ax * bx + ay * by + az * bz
+}
+
+fn column<T: Tolerances>(rotation: &[[T; 3]; 3], index: usize) -> [T; 3] {
+    rotation.map(|row| row.get(index).copied().unwrap_or(T::ZERO))
+}
+
+/// Zero for numbers, not a number for anything else.
+fn known<T: Tolerances>(value: T) -> T {
+    value * T::ZERO
+}
+
+fn points<T: Tolerances, const N: usize>(jacobian: &Jacobian<T, N>) -> Jacobian<T, N> {
+    let [x, y, z, ..] = jacobian.rows;
+    let none = [T::ZERO; N];
+    Jacobian { rows: [x, y, z, none, none, none] }
+}
+
+/// The whole pose.
+impl<T: Tolerances, const N: usize> Goal<T, N> for Pose<T> {
+    #[inline]
+    fn deviation(&self) -> T {
+        let [[a, d, g], [b, e, h], [c, f, i]] = self.rotation;
+        // Columns x = (a, b, c), y = (d, e, f), z = (g, h, i).
+        let unit_x = a * a + b * b + c * c - T::ONE;
+        let unit_y = d * d + e * e + f * f - T::ONE;
+        let right = a * d + b * e + c * f;
+        let handed = [b * f - c * e - g, c * d - a * f - h, a * e - b * d - i];
+        let squares = unit_x * unit_x + unit_y * unit_y + right * right;
+        let [u, v, w] = handed;
+        (squares + u * u + v * v + w * w).sqrt()
+    }
+
+    #[inline]
+    fn point(&self) -> [T; 3] {
+        self.translation
+    }
+
+    fn residual(&self, _: &[T; N], pose: &Pose<T>) -> Residual<T> {
+        Pose::residual(pose, self)
+    }
+
+    fn error(&self, _: &[T; N], pose: &Pose<T>) -> [T; 6] {
+        let [x, y, z] = difference(self.translation, pose.translation);
+        // The rotation's axis times the sine of its angle: half the sum over the axes of what each has to turn.
+        let [u, v, w] = [0, 1, 2]
+            .map(|j| cross(column(&pose.rotation, j), column(&self.rotation, j)))
+            .into_iter()
+            .fold([T::ZERO; 3], |[u, v, w], [a, b, c]| [u + a * T::HALF, v + b * T::HALF, w + c * T::HALF]);
+        [x, y, z, u, v, w]
+    }
+
+    fn rows(&self, _: &Pose<T>, jacobian: &Jacobian<T, N>) -> Jacobian<T, N> {
+        *jacobian
+    }
+}
+
+/// A point.
+impl<T: Tolerances, const N: usize> Goal<T, N> for [T; 3] {
+    #[inline]
+    fn deviation(&self) -> T {
+        T::ZERO
+    }
+
+    #[inline]
+    fn point(&self) -> [T; 3] {
+        *self
+    }
+
+    fn residual(&self, _: &[T; N], pose: &Pose<T>) -> Residual<T> {
+        Residual { position: length(difference(*self, pose.translation)), orientation: T::ZERO }
+    }
+
+    fn error(&self, _: &[T; N], pose: &Pose<T>) -> [T; 6] {
+        let [x, y, z] = difference(*self, pose.translation);
+        [x, y, z, T::ZERO, T::ZERO, T::ZERO]
+    }
+
+    fn rows(&self, _: &Pose<T>, jacobian: &Jacobian<T, N>) -> Jacobian<T, N> {
+        points(jacobian)
+    }
+}
+
+/// A point and the direction of one of the tool's axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pointing<T> {
+    point: [T; 3],
+    direction: [T; 3],
+    column: usize,
+}
+
+impl<T: Tolerances> Pointing<T> {
+    /// `column`: which of the tool's axes points, 0 for x to 2 for z. The direction is normalized.
+    #[inline]
+    pub fn new(target: &PointAxis<T>, column: usize) -> Self {
+        // Scaled first, so that squares neither overflow nor vanish.
+        let [x, y, z] = target.axis;
+        let largest = x.abs().max(y.abs()).max(z.abs());
+        let [x, y, z] = target.axis.map(|e| e / largest);
+        let k = T::ONE / length([x, y, z]);
+        let short = !(largest >= T::from_f64(1e-12));
+        let direction = [x * k, y * k, z * k].map(|e| if short { T::NAN } else { e });
+        Pointing { point: target.point, direction, column }
+    }
+
+    /// A frame at the target whose z axis is the direction; its turn about that axis is arbitrary.
+    #[inline]
+    pub fn frame(&self) -> Pose<T> {
+        let [x, y, z] = self.direction;
+        // Two unit vectors across: Frisvad 2012 with the sign of z (Duff et al. 2017), which never divides by zero.
+        let sign = if z < T::ZERO { -T::ONE } else { T::ONE };
+        let a = -T::ONE / (sign + z);
+        let b = x * y * a;
+        let u = [T::ONE + sign * x * x * a, sign * b, -sign * x];
+        let v = [b, sign + y * y * a, -y];
+        let [[ux, uy, uz], [vx, vy, vz]] = [u, v];
+        Pose { rotation: [[ux, vx, x], [uy, vy, y], [uz, vz, z]], translation: self.point }
+    }
+}
+
+impl<T: Tolerances, const N: usize> Goal<T, N> for Pointing<T> {
+    #[inline]
+    fn deviation(&self) -> T {
+        let [x, y, z] = self.direction;
+        known(x + y + z)
+    }
+
+    #[inline]
+    fn point(&self) -> [T; 3] {
+        self.point
+    }
+
+    fn residual(&self, _: &[T; N], pose: &Pose<T>) -> Residual<T> {
+        let axis = column(&pose.rotation, self.column);
+        let orientation = atan2(length(cross(axis, self.direction)), dot(axis, self.direction));
+        Residual { position: length(difference(self.point, pose.translation)), orientation }
+    }
+
+    fn error(&self, _: &[T; N], pose: &Pose<T>) -> [T; 6] {
+        let [x, y, z] = difference(self.point, pose.translation);
+        let [u, v, w] = cross(column(&pose.rotation, self.column), self.direction);
+        [x, y, z, u, v, w]
+    }
+
+    fn rows(&self, pose: &Pose<T>, jacobian: &Jacobian<T, N>) -> Jacobian<T, N> {
+        let [x, y, z, mut u, mut v, mut w] = jacobian.rows;
+        let axis = column(&pose.rotation, self.column);
+        let [ax, ay, az] = axis;
+        // A turn about the axis itself changes nothing.
+        for ((u, v), w) in u.iter_mut().zip(&mut v).zip(&mut w) {
+            let about = dot(axis, [*u, *v, *w]);
+            (*u, *v, *w) = (*u - about * ax, *v - about * ay, *w - about * az);
+        }
+        Jacobian { rows: [x, y, z, u, v, w] }
+    }
+}
+
+/// A point and the sum of the pitch joints.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InPlane<T, const N: usize> {
+    target: PointAngle<T>,
+    signs: [T; N],
+    offset: T,
+}
+
+impl<T: Tolerances, const N: usize> InPlane<T, N> {
+    /// The angle is the sum of the joints by `signs` (0 for joints that do not count), plus `offset`.
+    #[inline]
+    pub fn new(target: &PointAngle<T>, signs: [T; N], offset: T) -> Self {
+        InPlane { target: *target, signs, offset }
+    }
+
+    fn missing(&self, q: &[T; N]) -> T {
+        wrap(q.iter().zip(&self.signs).fold(self.target.angle - self.offset, |left, (q, sign)| left - *q * *sign))
+    }
+}
+
+impl<T: Tolerances, const N: usize> Goal<T, N> for InPlane<T, N> {
+    #[inline]
+    fn deviation(&self) -> T {
+        known(self.target.angle)
+    }
+
+    #[inline]
+    fn point(&self) -> [T; 3] {
+        self.target.point
+    }
+
+    fn residual(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T> {
+        let position = length(difference(self.target.point, pose.translation));
+        Residual { position, orientation: self.missing(q).abs() }
+    }
+
+    fn error(&self, q: &[T; N], pose: &Pose<T>) -> [T; 6] {
+        let [x, y, z] = difference(self.target.point, pose.translation);
+        [x, y, z, self.missing(q), T::ZERO, T::ZERO]
+    }
+
+    fn rows(&self, _: &Pose<T>, jacobian: &Jacobian<T, N>) -> Jacobian<T, N> {
+        let [x, y, z, ..] = jacobian.rows;
+        Jacobian { rows: [x, y, z, self.signs, [T::ZERO; N], [T::ZERO; N]] }
+    }
+}
+
+/// A pose in the plane.
+impl<T: Tolerances, const N: usize> Goal<T, N> for PlanarPose<T> {
+    #[inline]
+    fn deviation(&self) -> T {
+        known(self.phi)
+    }
+
+    #[inline]
+    fn point(&self) -> [T; 3] {
+        [self.x, self.y, T::ZERO]
+    }
+
+    fn residual(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T> {
+        let [x, y, _, turn, ..] = self.error(q, pose);
+        Residual { position: length([x, y, T::ZERO]), orientation: turn.abs() }
+    }
+
+    fn error(&self, _: &[T; N], pose: &Pose<T>) -> [T; 6] {
+        let ([x, y, _], [[c, ..], [s, ..], _]) = (pose.translation, pose.rotation);
+        [self.x - x, self.y - y, T::ZERO, wrap(self.phi - atan2(s, c)), T::ZERO, T::ZERO]
+    }
+
+    fn rows(&self, _: &Pose<T>, jacobian: &Jacobian<T, N>) -> Jacobian<T, N> {
+        let ([x, y, .., turn], none) = (jacobian.rows, [T::ZERO; N]);
+        Jacobian { rows: [x, y, none, turn, none, none] }
+    }
+}
+
+/// A point in the plane.
+impl<T: Tolerances, const N: usize> Goal<T, N> for [T; 2] {
+    #[inline]
+    fn deviation(&self) -> T {
+        T::ZERO
+    }
+
+    #[inline]
+    fn point(&self) -> [T; 3] {
+        let [x, y] = *self;
+        [x, y, T::ZERO]
+    }
+
+    fn residual(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T> {
+        let [x, y, ..] = Goal::<T, N>::error(self, q, pose);
+        Residual { position: length([x, y, T::ZERO]), orientation: T::ZERO }
+    }
+
+    fn error(&self, _: &[T; N], pose: &Pose<T>) -> [T; 6] {
+        let ([tx, ty], [x, y, _]) = (*self, pose.translation);
+        [tx - x, ty - y, T::ZERO, T::ZERO, T::ZERO, T::ZERO]
+    }
+
+    fn rows(&self, _: &Pose<T>, jacobian: &Jacobian<T, N>) -> Jacobian<T, N> {
+        let ([x, y, ..], none) = (jacobian.rows, [T::ZERO; N]);
+        Jacobian { rows: [x, y, none, none, none, none] }
+    }
+}

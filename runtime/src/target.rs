@@ -1,0 +1,119 @@
+//! Targets of arms with fewer freedoms than a whole pose.
+
+use crate::arm::{Arm, InverseKinematics};
+use crate::math::Scalar;
+use crate::pose::Pose;
+use crate::solution::Residual;
+use crate::solve::{Goal, Tolerances};
+
+/// What an arm `A` with `N` joints can be asked to reach.
+///
+/// A [`Pose`], a point `[T; 3]`, a point of the plane `[T; 2]` and a [`PlanarPose`] mean the same for every arm; the
+/// others only for an arm whose task they belong to. A pair of a pose and the value of a redundant joint is a pose.
+pub trait Target<A, T, const N: usize> {
+    /// By how much the arm's tool misses this at `q`; what is not asked for does not count.
+    fn missed_by(&self, arm: &A, q: &[T; N]) -> Residual<T>;
+}
+
+impl<A: Arm<T, N>, T: Tolerances, const N: usize> Target<A, T, N> for Pose<T> {
+    fn missed_by(&self, arm: &A, q: &[T; N]) -> Residual<T> {
+        Goal::residual(self, q, &arm.forward(q))
+    }
+}
+
+impl<A: Arm<T, N>, T: Tolerances, const N: usize> Target<A, T, N> for (Pose<T>, T) {
+    fn missed_by(&self, arm: &A, q: &[T; N]) -> Residual<T> {
+        self.0.missed_by(arm, q)
+    }
+}
+
+impl<A: Arm<T, N>, T: Tolerances, const N: usize> Target<A, T, N> for [T; 3] {
+    fn missed_by(&self, arm: &A, q: &[T; N]) -> Residual<T> {
+        Goal::residual(self, q, &arm.forward(q))
+    }
+}
+
+impl<A: Arm<T, N>, T: Tolerances, const N: usize> Target<A, T, N> for [T; 2] {
+    fn missed_by(&self, arm: &A, q: &[T; N]) -> Residual<T> {
+        Goal::residual(self, q, &arm.forward(q))
+    }
+}
+
+impl<A: Arm<T, N>, T: Tolerances, const N: usize> Target<A, T, N> for PlanarPose<T> {
+    fn missed_by(&self, arm: &A, q: &[T; N]) -> Residual<T> {
+        Goal::residual(self, q, &arm.forward(q))
+    }
+}
+
+impl<A: InverseKinematics<T, N, Target = Self>, T, const N: usize> Target<A, T, N> for PointAxis<T> {
+    fn missed_by(&self, arm: &A, q: &[T; N]) -> Residual<T> {
+        arm.residual(q, self)
+    }
+}
+
+impl<A: InverseKinematics<T, N, Target = Self>, T, const N: usize> Target<A, T, N> for PointAngle<T> {
+    fn missed_by(&self, arm: &A, q: &[T; N]) -> Residual<T> {
+        arm.residual(q, self)
+    }
+}
+
+/// A point and the tool's rotation in the arm's own plane: the target of the task `position_angle`.
+///
+/// For an arm that yaws and then pitches about three parallel axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PointAngle<T> {
+    /// Where the tool point is to be, base frame, length unit, `[3]`.
+    pub point: [T; 3],
+    /// The tool's rotation in the plane, rad: the signed sum of the pitch joints with their DH offsets, counted after
+    /// the yaw. The signs are those of the pitch axes relative to the first of them.
+    pub angle: T,
+}
+
+impl<T> PointAngle<T> {
+    /// A point and an angle.
+    pub const fn new(point: [T; 3], angle: T) -> Self {
+        PointAngle { point, angle }
+    }
+}
+
+/// A point and the direction of one of the tool's axes: the target of the task `position_axis`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PointAxis<T> {
+    /// Where the tool point is to be, base frame, length unit, `[3]`.
+    pub point: [T; 3],
+    /// Where the tool's axis is to point, base frame, `[3]`. Need not be of unit length: it is normalized. A vector
+    /// shorter than 1e-12 is a bad target.
+    pub axis: [T; 3],
+}
+
+impl<T> PointAxis<T> {
+    /// A point and a direction.
+    pub const fn new(point: [T; 3], axis: [T; 3]) -> Self {
+        PointAxis { point, axis }
+    }
+}
+
+/// A pose in the plane: the target of the task `planar_pose`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlanarPose<T> {
+    /// Position along the base frame's x, length unit.
+    pub x: T,
+    /// Position along the base frame's y, length unit.
+    pub y: T,
+    /// Direction of the tool's x axis, rad, counted from the base frame's x axis towards its y axis.
+    pub phi: T,
+}
+
+impl<T> PlanarPose<T> {
+    /// Position and direction.
+    pub const fn new(x: T, y: T, phi: T) -> Self {
+        PlanarPose { x, y, phi }
+    }
+}
+
+impl<T: Scalar> From<[T; 3]> for PlanarPose<T> {
+    /// From `[x, y, phi]`.
+    fn from([x, y, phi]: [T; 3]) -> Self {
+        PlanarPose { x, y, phi }
+    }
+}
