@@ -36,6 +36,7 @@ mod jacobian;
 pub mod math;
 #[cfg(feature = "nalgebra")]
 mod nalgebra_convert;
+mod orientation;
 mod pose;
 mod solution;
 mod solutions;
@@ -50,6 +51,7 @@ pub use dh::{Convention, DhFrame, DhRow, DhTable, JointKind, LengthUnit};
 pub use flags::{Flags, JointMask};
 pub use jacobian::Jacobian;
 pub use math::Scalar;
+pub use orientation::{AxisAngle, Euler, EulerOrder};
 pub use pose::Pose;
 pub use solution::{Residual, Solution, Status};
 pub use solutions::Solutions;

@@ -1,6 +1,8 @@
 //! Conversions to and from nalgebra.
 
-use nalgebra::{Isometry3, Matrix4, RealField, Rotation3, SMatrix, SVector, Translation3, UnitQuaternion};
+use nalgebra::{
+    Isometry3, Matrix3, Matrix4, Quaternion, RealField, Rotation3, SMatrix, SVector, Translation3, UnitQuaternion,
+};
 
 use crate::jacobian::Jacobian;
 use crate::math::Scalar;
@@ -25,6 +27,38 @@ impl<T: Scalar + RealField> From<Isometry3<T>> for Pose<T> {
         let columns: [[T; 3]; 3] = isometry.rotation.to_rotation_matrix().into_inner().into();
         let [[xx, yx, zx], [xy, yy, zy], [xz, yz, zz]] = columns;
         Self { rotation: [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]], translation: isometry.translation.vector.into() }
+    }
+}
+
+/// The orientation, as [`Pose::quaternion`]: of length 1, with a scalar part that is not negative.
+impl<T: Scalar + RealField> From<Pose<T>> for UnitQuaternion<T> {
+    fn from(pose: Pose<T>) -> Self {
+        let [w, x, y, z] = pose.quaternion();
+        Self::new_unchecked(Quaternion::new(w, x, y, z))
+    }
+}
+
+/// The orientation, with its origin in the origin.
+impl<T: Scalar + RealField> From<UnitQuaternion<T>> for Pose<T> {
+    fn from(quaternion: UnitQuaternion<T>) -> Self {
+        quaternion.to_rotation_matrix().into()
+    }
+}
+
+/// The orientation, entry for entry.
+impl<T: Scalar + nalgebra::Scalar> From<Pose<T>> for Rotation3<T> {
+    fn from(pose: Pose<T>) -> Self {
+        let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = pose.rotation;
+        Self::from_matrix_unchecked(Matrix3::new(xx, xy, xz, yx, yy, yz, zx, zy, zz))
+    }
+}
+
+/// The orientation, entry for entry, with its origin in the origin.
+impl<T: Scalar + nalgebra::Scalar> From<Rotation3<T>> for Pose<T> {
+    fn from(rotation: Rotation3<T>) -> Self {
+        let columns: [[T; 3]; 3] = rotation.into_inner().into();
+        let [[xx, yx, zx], [xy, yy, zy], [xz, yz, zz]] = columns;
+        Self { rotation: [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]], translation: [T::ZERO; 3] }
     }
 }
 
@@ -104,6 +138,25 @@ mod tests {
             assert!(moved.coords.iter().zip(expected).all(|(a, b)| (a - b).abs() < 2e-15), "{moved} {expected:?}");
             let gap = pose.residual(&isometry.into());
             assert!(gap.position == 0.0 && gap.orientation < 1e-15, "{gap:?}");
+        }
+    }
+
+    #[test]
+    fn orientations_come_back_and_turn_alike() {
+        for pose in poses() {
+            let (quaternion, matrix) = (UnitQuaternion::from(pose), Rotation3::from(pose));
+            assert_eq!(Pose::from(matrix).rotation, pose.rotation);
+            assert_eq!(Pose::from(matrix).translation, [0.0; 3]);
+            let turned = Pose { translation: [0.0; 3], ..pose }.transform_point(&[0.5, -0.25, 2.0]);
+            for moved in [quaternion * Point3::new(0.5, -0.25, 2.0), matrix * Point3::new(0.5, -0.25, 2.0)] {
+                assert!(moved.coords.iter().zip(turned).all(|(a, b)| (a - b).abs() < 2e-15), "{moved} {turned:?}");
+            }
+            let gap = pose.residual(&Pose { translation: pose.translation, ..Pose::from(quaternion) });
+            assert!(gap.orientation < 1e-15, "{gap:?}");
+            assert!(quaternion.angle_to(&matrix.into()) < 1e-15);
+            let vector = quaternion.scaled_axis();
+            assert!(pose.rotation_vector().iter().zip(vector.iter()).all(|(a, b)| (a - b).abs() < 2e-15));
+            assert!((quaternion.into_inner().norm() - 1.0).abs() < 4e-16);
         }
     }
 
