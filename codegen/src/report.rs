@@ -53,7 +53,7 @@ impl Report {
         }
         match inverse {
             Ok(plan) => {
-                lines.push(format!("inverse (task pose): at most {} solutions", plan.max_solutions()));
+                lines.push(format!("inverse (task {}): at most {} solutions", plan.task.name(), plan.max_solutions()));
                 lines.extend(describe(plan).into_iter().map(|line| format!("  {line}")));
             }
             Err(refusal) => lines.push(format!("no inverse: {}", refusal.reason)),

@@ -71,7 +71,8 @@ fn solution(out: &mut String, plan: &Plan) {
             out,
             match step {
                 PlanStep::Stage(stage) => {
-                    let joints: Vec<String> = stage.joints.iter().map(|joint| format!("q{}", joint + 1)).collect();
+                    let joints: Vec<String> =
+                        stage.joints.iter().map(|joint| format!("q{}", plan.label(*joint))).collect();
                     let kernel = format!("{:?}", stage.kernel);
                     let kernel = kernel.split([' ', '{']).next().unwrap_or_default();
                     let (joints, home) = (joints.join(", "), stage.home.text());
@@ -82,8 +83,8 @@ fn solution(out: &mut String, plan: &Plan) {
         );
     }
     out.push_str("joints from the plan\n");
-    for (index, value) in plan.values.iter().enumerate() {
-        line(out, format!("q{} = {}", index + 1, sum(&value.terms, value.constant)));
+    for (slot, value) in plan.slots.iter().zip(&plan.values) {
+        line(out, format!("q{} = {}", slot.label, sum(&value.terms, value.constant)));
     }
 }
 

@@ -121,7 +121,7 @@ macro_rules! snapshot_tests {
             $(#[test]
             fn $name() {
                 let report = super::made(stringify!($name), denhart_codegen::check);
-                super::check_report(stringify!($name), &report, stringify!($kind) == "inverse");
+                super::check_report(stringify!($name), &report, stringify!($kind) != "forward");
                 super::keep("report", stringify!($name), &report.to_string());
             })*
         }

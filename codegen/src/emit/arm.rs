@@ -63,11 +63,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
         }
         Err(refusal) => refused(model, refusal, target),
     };
-    let inverse_trait = match arm.inverse {
-        Ok(plan) => inverse_trait(plan, target),
-        Err(_) => TokenStream::new(),
-    };
-    let InverseCode { items, function, methods } = inverse_code;
+    let InverseCode { items, function, methods, trait_impl } = inverse_code;
     let dimensions = dimensions.items(model, target);
     let associated = tables::associated(model, target);
     let arm_trait = arm_trait(model, target);
@@ -101,7 +97,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
             #function
 
             #arm_trait
-            #inverse_trait
+            #trait_impl
         };
     }
 }
@@ -138,31 +134,6 @@ fn arm_trait(model: &Model, target: &Target) -> TokenStream {
     }
 }
 
-fn inverse_trait(plan: &Plan, target: &Target) -> TokenStream {
-    let (krate, scalar, name) = (&target.krate, target.scalar.tokens(), &target.type_name);
-    let (n, m) = (integer(plan.values.len()), integer(plan.max_solutions()));
-    quote! {
-        #[automatically_derived]
-        impl #krate::InverseKinematics<#scalar, #n> for #name {
-            type Target = #krate::Pose<#scalar>;
-            type Solutions = #krate::Solutions<#scalar, #n, #m>;
-            const MAX_SOLUTIONS: usize = #m;
-            fn inverse(&self, target: &Self::Target) -> Self::Solutions {
-                #name::inverse(self, target)
-            }
-            fn inverse_near(&self, target: &Self::Target, q_ref: &[#scalar; #n]) -> Self::Solutions {
-                #name::inverse_near(self, target, q_ref)
-            }
-            fn residual(&self, q: &[#scalar; #n], target: &Self::Target) -> #krate::Residual<#scalar> {
-                #name::residual(self, q, target)
-            }
-            fn status(solutions: &Self::Solutions) -> #krate::Status<#scalar> {
-                solutions.status()
-            }
-        }
-    }
-}
-
 /// An arm without an inverse has the methods all the same: a call says why it does not compile.
 fn refused(model: &Model, refusal: &Refusal, target: &Target) -> InverseCode {
     let name = &target.type_name;
@@ -179,6 +150,7 @@ fn refused(model: &Model, refusal: &Refusal, target: &Target) -> InverseCode {
             pub trait #solvable {}
         },
         function: TokenStream::new(),
+        trait_impl: TokenStream::new(),
         methods: quote! {
             #doc
             pub fn inverse<Target: #solvable>(&self, _target: Target) -> #none {

@@ -1,8 +1,9 @@
 //! The inverse: the plan as nested loops over the roots of its stages.
 
 use super::block::Block;
-use super::inverse_frame::{function, items, methods, unpack};
+use super::inverse_frame::{function, given, inverse_trait, items, methods};
 use super::kernel::Calls;
+use super::task::task;
 use super::tokens::{Writer, ident};
 use super::{Target, angle, docs};
 use crate::model::Model;
@@ -18,8 +19,10 @@ pub struct Inverse {
     pub items: TokenStream,
     /// The function `branches(arm, target, near)`.
     pub function: TokenStream,
-    /// Methods `inverse` and `inverse_near`.
+    /// Methods `inverse`, `inverse_near` and `residual`.
     pub methods: TokenStream,
+    /// The impl of the trait.
+    pub trait_impl: TokenStream,
 }
 
 /// Statements before the next loop, and the loop's head.
@@ -44,15 +47,18 @@ struct Nest<'a> {
 /// Emits the plan.
 pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
     let inputs = plan.inputs();
-    let mut used: HashSet<String> = plan.values.iter().flat_map(|v| v.terms.iter().map(|(t, _)| t.clone())).collect();
+    let wanted = plan.values.iter().zip(&plan.slots).filter(|(_, slot)| slot.joint.is_some());
+    let mut used: HashSet<String> = wanted.flat_map(|(v, _)| v.terms.iter().map(|(t, _)| t.clone())).collect();
     for e in plan.graph.reachable(&inputs) {
         if let Node::Symbol(symbol) = plan.graph.node(e) {
             used.insert(symbol.name);
         }
     }
+    let labels = (1..=plan.joints()).map(|i| i.to_string()).chain(plan.slots.iter().map(|slot| slot.label.clone()));
     let reserved =
-        (1..=6).flat_map(|i| [format!("q{i}"), format!("index{i}"), format!("roots{i}"), format!("trail{i}")]);
-    let reserved = reserved.chain(["search", "solutions", "start", "target", "near", "arm"].map(String::from));
+        labels.flat_map(|i| [format!("q{i}"), format!("index{i}"), format!("roots{i}"), format!("trail{i}")]);
+    let names = ["search", "solutions", "start", "target", "near", "arm", "goal", "frame"];
+    let reserved = reserved.chain(names.map(String::from));
     let krate = &target.krate;
     let mut nest = Nest {
         plan,
@@ -60,7 +66,7 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
         block: Block::new(&plan.graph, &inputs, reserved),
         levels: vec![Level::default()],
         known: HashMap::new(),
-        used,
+        used: used.clone(),
         trail: quote!(start),
         branch: quote!(#krate::Branch::NONE),
     };
@@ -73,12 +79,25 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
     }
     nest.values();
     let body = nest.finish();
-    let unpack = unpack(&inputs, plan);
+    let task = task(model, plan, target, &used);
     Inverse {
         items: items(model, plan, target, calls.items),
-        function: function(plan, target, &unpack, &body),
-        methods: methods(model, plan, target),
+        function: function(plan, target, &task, &given_symbols(plan, target, &used), &body),
+        methods: methods(plan, target, &task),
+        trait_impl: inverse_trait(plan, target, &task),
     }
+}
+
+/// Sine and cosine of a joint whose value is given.
+fn given_symbols(plan: &Plan, target: &Target, used: &HashSet<String>) -> TokenStream {
+    let (Some(locked), Some(q)) = (&plan.task.locked, given(plan)) else { return TokenStream::new() };
+    let krate = &target.krate;
+    let name = |letter: &str| {
+        let name = format!("{letter}{}", locked.joint + 1);
+        if used.contains(&name) { ident(&name) } else { ident(&format!("_{name}")) }
+    };
+    let (s, c) = (name("s"), name("c"));
+    if locked.turns { quote!(let (#s, #c) = #krate::math::sin_cos(#q);) } else { TokenStream::new() }
 }
 
 impl Nest<'_> {
@@ -119,7 +138,7 @@ impl Nest<'_> {
     fn stage(&mut self, stage: &Stage, calls: &mut Calls) {
         let level = self.bind(&stage.kernel.inputs());
         let call = calls.call(stage, &self.block);
-        let number: String = stage.joints.iter().map(|j| (j + 1).to_string()).collect();
+        let number: String = stage.joints.iter().map(|j| self.plan.label(*j)).collect();
         let roots = ident(&format!("roots{number}"));
         let meaning = docs::lines(&self.meaning(stage));
         let (before, trail) = (self.trail.clone(), ident(&format!("trail{number}")));
@@ -159,7 +178,7 @@ impl Nest<'_> {
         let krate = &self.target.krate;
         let mut patterns = Vec::new();
         for joint in &stage.joints {
-            let number = joint + 1;
+            let number = self.plan.label(*joint);
             let mut fields = Vec::new();
             for (field, names) in [
                 ("value", [format!("q{number}"), format!("t{number}")]),
@@ -195,9 +214,9 @@ impl Nest<'_> {
 
     /// Joint values that are not a kernel's value as it is.
     fn values(&mut self) {
-        for (index, value) in self.plan.values.iter().enumerate() {
-            let name = format!("q{}", index + 1);
-            if value.terms.iter().any(|(term, _)| *term == name) {
+        for (slot, value) in self.plan.slots.iter().zip(&self.plan.values) {
+            let name = format!("q{}", slot.label);
+            if slot.joint.is_none() || value.terms.iter().any(|(term, _)| *term == name) {
                 continue;
             }
             let level = value.terms.iter().filter_map(|(term, _)| self.known.get(term)).max().copied().unwrap_or(0);
@@ -221,7 +240,7 @@ impl Nest<'_> {
     }
 
     fn finish(mut self) -> TokenStream {
-        let q = (1..=self.plan.values.len()).map(|i| ident(&format!("q{i}")));
+        let q = (1..=self.plan.joints()).map(|i| ident(&format!("q{i}")));
         let (trail, branch) = (&self.trail, &self.branch);
         let push = quote!(let branch = #branch; search.push(&#trail, [#(#q),*], branch););
         let deepest = self.deepest();
@@ -278,7 +297,7 @@ impl Nest<'_> {
         let shift = stage.joints.first().and_then(|joint| {
             let value = self.plan.values.get(*joint)?;
             let degrees = value.constant.rad().to_degrees();
-            (!value.constant.is_zero()).then(|| format!("; `q{} = t{0}` {degrees:+.6} deg", joint + 1))
+            (!value.constant.is_zero()).then(|| format!("; `q{} = t{0}` {degrees:+.6} deg", self.plan.label(*joint)))
         });
         fill("shift", shift.unwrap_or_default());
         out

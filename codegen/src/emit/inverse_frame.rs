@@ -1,36 +1,12 @@
 //! What surrounds the loops of an inverse: constants, the function's frame, and the two methods.
 
+use super::task::TaskCode;
 use super::tokens::{ident, integer, number};
 use super::{Target, docs};
 use crate::model::{JointKind, Model};
 use crate::solve::Plan;
-use crate::symbolic::{Expr, Node};
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
-use std::collections::HashSet;
-
-/// `let [[r11, ...]] = target.rotation;` with what is used.
-pub(super) fn unpack(inputs: &[Expr], plan: &Plan) -> TokenStream {
-    let used: HashSet<String> = plan
-        .graph
-        .reachable(inputs)
-        .into_iter()
-        .filter_map(|e| match plan.graph.node(e) {
-            Node::Symbol(symbol) => Some(symbol.name),
-            _ => None,
-        })
-        .collect();
-    let pattern = |name: String| if used.contains(&name) { ident(&name) } else { ident(&format!("_{name}")) };
-    let rows = (1..=3).map(|i| {
-        let entries = (1..=3).map(|j| pattern(format!("r{i}{j}")));
-        quote!([#(#entries),*])
-    });
-    let position = ["px", "py", "pz"].map(|name| pattern(name.into()));
-    quote! {
-        let [#(#rows),*] = target.rotation;
-        let [#(#position),*] = target.translation;
-    }
-}
 
 /// Reach, tolerances and limits as constants.
 pub(super) fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStream) -> TokenStream {
@@ -66,34 +42,59 @@ pub(super) fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStr
     }
 }
 
-fn solutions(plan: &Plan, target: &Target) -> TokenStream {
+pub(super) fn solutions(plan: &Plan, target: &Target) -> TokenStream {
     let (krate, scalar, n, m) =
-        (&target.krate, target.scalar.tokens(), integer(plan.values.len()), integer(plan.max_solutions()));
+        (&target.krate, target.scalar.tokens(), integer(plan.joints()), integer(plan.max_solutions()));
     quote!(#krate::Solutions<#scalar, #n, #m>)
 }
 
+/// The name of a joint whose value is given.
+pub(super) fn given(plan: &Plan) -> Option<Ident> {
+    plan.task.locked.as_ref().map(|locked| ident(&format!("q{}", locked.joint + 1)))
+}
+
 /// The function around the loops.
-pub(super) fn function(plan: &Plan, target: &Target, unpack: &TokenStream, body: &TokenStream) -> TokenStream {
-    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(plan.values.len()));
+pub(super) fn function(
+    plan: &Plan,
+    target: &Target,
+    task: &TaskCode,
+    given_symbols: &TokenStream,
+    body: &TokenStream,
+) -> TokenStream {
+    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(plan.joints()));
     let solutions = solutions(plan, target);
     let type_name = &target.type_name;
     let lines: Vec<String> = crate::solve::describe(plan).into_iter().map(|line| format!("- {line}")).collect();
     let doc = docs::lines(&format!("All branches of the inverse.\n\n{}", lines.join("\n")));
+    let (asked, unpack) = (&task.target, &task.unpack);
+    let argument = given(plan).map(|q| quote!(#q: #scalar,));
+    let mut goal = task.goal.clone();
+    if let (Some(q), Some(locked)) = (given(plan), &plan.task.locked) {
+        let joint = integer(locked.joint);
+        goal = match goal.is_empty() {
+            true => quote!(let goal = &#krate::solve::Locked::new(target, #joint, #q);),
+            false => quote!(#goal let goal = &#krate::solve::Locked::new(goal, #joint, #q);),
+        };
+    }
+    let sought = if goal.is_empty() { quote!(target) } else { quote!(goal) };
     quote! {
         #doc
         fn branches(
             arm: &#type_name,
-            target: &#krate::Pose<#scalar>,
+            target: &#asked,
+            #argument
             near: ::core::option::Option<&[#scalar; #n]>,
         ) -> #solutions {
             let mut solutions = #krate::Solutions::new(#krate::Status::BadTarget);
+            #goal
             let ::core::option::Option::Some(mut search) =
-                #krate::solve::Search::new(&FACTS, target, near, &mut solutions)
+                #krate::solve::Search::new(&FACTS, #sought, near, &mut solutions)
             else {
                 return solutions;
             };
             let start = search.start();
             #unpack
+            #given_symbols
             #body
             search.finish(|q| #type_name::forward_and_jacobian(arm, q));
             solutions
@@ -101,44 +102,96 @@ pub(super) fn function(plan: &Plan, target: &Target, unpack: &TokenStream, body:
     }
 }
 
-/// `inverse` and `inverse_near`.
-pub(super) fn methods(model: &Model, plan: &Plan, target: &Target) -> TokenStream {
+/// `inverse`, `inverse_near` and `residual`.
+pub(super) fn methods(plan: &Plan, target: &Target, task: &TaskCode) -> TokenStream {
     let (krate, scalar, n, m) =
-        (&target.krate, target.scalar.tokens(), integer(plan.values.len()), integer(plan.max_solutions()));
+        (&target.krate, target.scalar.tokens(), integer(plan.joints()), integer(plan.max_solutions()));
     let solutions = solutions(plan, target);
-    let unit = docs::unit(model);
+    let q = given(plan);
+    let fixed = q.as_ref().map(|q| format!("`{q}`: value of that joint, which the target leaves to choose.\n"));
     let doc = docs::lines(&format!(
-        "Every joint vector that puts the tool at `target`: up to {m} branches, in a fixed order.\n\n\
-         `target`: pose of the tool in the base frame, position in {unit}. Angles are in (-pi, pi], each solution once.\n\
+        "Every joint vector that reaches `target`: up to {m} branches, in a fixed order.\n\n\
+         {}\n{}Angles are in (-pi, pi], each solution once.\n\
          A joint that a singular target leaves free stays at 0 (or its limit nearest to 0) and is named in `free`.\n\
-         Status: `Reachable`, `Unreachable` with the least gap, or `BadTarget` if the target is not finite or its\n\
-         rotation is not one. Limits only set a flag; filter with `within_limits()`.\n\n\
+         Status: `Reachable`, `Unreachable` with the least gap, or `BadTarget` if the target {}.\n\
+         Limits only set a flag; filter with `within_limits()`.\n\n\
          Method: Pieper (1968) and cyclic closure around three axes that meet or are parallel; the stages are\n\
-         documented where they are solved."
+         documented where they are solved.",
+        task.doc,
+        fixed.unwrap_or_default(),
+        task.bad,
     ));
+    let (asked, check) = (&task.target, &task.check);
+    let argument = q.as_ref().map(|q| quote!(, #q: #scalar));
+    let pass = q.as_ref().map(|q| quote!(#q,));
+    let from_reference = plan.task.locked.as_ref().zip(q.as_ref()).map(|(locked, q)| {
+        let before = (0..locked.joint).map(|_| quote!(_,));
+        quote!(let [#(#before)* #q, ..] = *q_ref;)
+    });
+    let near = match &q {
+        Some(q) => format!(
+            "The same solutions, joints unwound next to `q_ref` and sorted nearest first; `{q}` and free joints stay at \
+             their value in `q_ref`.\n\nA `q_ref` that is not finite is a `BadTarget`."
+        ),
+        None => {
+            "The same solutions, joints unwound next to `q_ref` and sorted nearest first; a free joint stays at its \
+                 value in `q_ref`.\n\nA `q_ref` that is not finite is a `BadTarget`."
+                .into()
+        }
+    };
+    let near = docs::lines(&near);
     quote! {
         /// The largest number of solutions of `inverse`.
         pub const MAX_SOLUTIONS: usize = #m;
 
         #doc
         #[must_use]
-        pub fn inverse(&self, target: &#krate::Pose<#scalar>) -> #solutions {
-            branches(self, target, ::core::option::Option::None)
+        pub fn inverse(&self, target: &#asked #argument) -> #solutions {
+            branches(self, target, #pass ::core::option::Option::None)
         }
 
-        /// The same solutions, joints unwound next to `q_ref` and sorted nearest first; a free joint stays at its value
-        /// in `q_ref`.
-        ///
-        /// A `q_ref` that is not finite is a `BadTarget`.
+        #near
         #[must_use]
-        pub fn inverse_near(&self, target: &#krate::Pose<#scalar>, q_ref: &[#scalar; #n]) -> #solutions {
-            branches(self, target, ::core::option::Option::Some(q_ref))
+        pub fn inverse_near(&self, target: &#asked, q_ref: &[#scalar; #n]) -> #solutions {
+            #from_reference
+            branches(self, target, #pass ::core::option::Option::Some(q_ref))
         }
 
         /// By how much `q` misses the target, from `forward`: the full check of a solution.
         #[must_use]
-        pub fn residual(&self, q: &[#scalar; #n], target: &#krate::Pose<#scalar>) -> #krate::Residual<#scalar> {
-            #krate::solve::Goal::residual(target, q, &self.forward(q))
+        pub fn residual(&self, q: &[#scalar; #n], target: &#asked) -> #krate::Residual<#scalar> {
+            #krate::solve::Goal::residual(#check, q, &self.forward(q))
+        }
+    }
+}
+
+/// The trait impl, whose target includes the value of a redundant joint.
+pub(super) fn inverse_trait(plan: &Plan, target: &Target, task: &TaskCode) -> TokenStream {
+    let (krate, scalar, name) = (&target.krate, target.scalar.tokens(), &target.type_name);
+    let (n, m) = (integer(plan.joints()), integer(plan.max_solutions()));
+    let (solutions, asked) = (solutions(plan, target), &task.target);
+    let redundant = plan.task.locked.is_some();
+    let asked = if redundant { quote!((#asked, #scalar)) } else { quote!(#asked) };
+    let part = if redundant { quote!(&target.0) } else { quote!(target) };
+    let given = redundant.then(|| quote!(, target.1));
+    quote! {
+        #[automatically_derived]
+        impl #krate::InverseKinematics<#scalar, #n> for #name {
+            type Target = #asked;
+            type Solutions = #solutions;
+            const MAX_SOLUTIONS: usize = #m;
+            fn inverse(&self, target: &Self::Target) -> Self::Solutions {
+                #name::inverse(self, #part #given)
+            }
+            fn inverse_near(&self, target: &Self::Target, q_ref: &[#scalar; #n]) -> Self::Solutions {
+                #name::inverse_near(self, #part, q_ref)
+            }
+            fn residual(&self, q: &[#scalar; #n], target: &Self::Target) -> #krate::Residual<#scalar> {
+                #name::residual(self, q, #part)
+            }
+            fn status(solutions: &Self::Solutions) -> #krate::Status<#scalar> {
+                solutions.status()
+            }
         }
     }
 }

@@ -36,7 +36,7 @@ impl<'a> Calls<'a> {
             let row = row.iter().map(w);
             quote!([#(#row),*])
         };
-        let joint = stage.joints.first().map_or(0, |j| j + 1);
+        let joint = stage.joints.first().map_or_else(String::new, |j| self.plan.label(*j));
         match &stage.kernel {
             Kernel::Offset { a, b, d } => {
                 let (a, b, d) = (w(a), w(b), w(d));
@@ -44,14 +44,14 @@ impl<'a> Calls<'a> {
             }
             Kernel::Distance { rho, range, about } => {
                 let rho = w(rho);
-                let range = self.elbow(joint, range, &writer);
+                let range = self.elbow(&joint, range, &writer);
                 let about = about.map(|p| (w(&p.y), w(&p.x)));
                 let about = about.map(|(y, x)| quote!(.about(#krate::solve::Turn::towards(#y, #x))));
                 quote!(#krate::solve::distance(#home, #measure, #rho, #range) #about)
             }
             Kernel::Cone { d, rho, range, about } => {
                 let (d, rho) = (w(d), w(rho));
-                let range = self.cone(joint, range, &writer);
+                let range = self.cone(&joint, range, &writer);
                 let about = about.map(|p| (w(&p.y), w(&p.x)));
                 let about = about.map(|(y, x)| quote!(.about(#krate::solve::Turn::towards(#y, #x))));
                 quote!(#krate::solve::cone(#home, #measure, #d, #rho, #range) #about)
@@ -117,7 +117,7 @@ impl<'a> Calls<'a> {
         } else {
             self.plan.values.get(joint).map_or(stage.home, |value| value.constant.neg())
         };
-        let joint = integer(joint);
+        let joint = integer(self.plan.number(joint));
         if shift.is_zero() {
             return quote!(search.home(#joint));
         }
@@ -130,14 +130,14 @@ impl<'a> Calls<'a> {
     }
 
     /// A constant range becomes an item, with its numbers worked out here.
-    fn elbow(&mut self, joint: usize, range: &ElbowRange, writer: &Writer) -> TokenStream {
+    fn elbow(&mut self, joint: &str, range: &ElbowRange, writer: &Writer) -> TokenStream {
         let krate = &self.target.krate;
         let values = [range.a, range.b, range.height].map(|e| self.constant(e));
         let [Some(a), Some(b), Some(height)] = values else {
             let [a, b, height] = [range.a, range.b, range.height].map(|e| writer.write(e));
             return quote!(#krate::solve::Elbow::new(#a, #b, #height));
         };
-        let name = ident(&format!("ELBOW{joint}"));
+        let name = ident(&format!("ELBOW{}", joint.to_uppercase()));
         let scalar = self.target.scalar.tokens();
         let doc = format!(" Largest and smallest distance for joint {joint}: links of {a} and {b}.");
         let (max, min) = (number((a + b).hypot(height)), number((a - b).hypot(height)));
@@ -148,14 +148,14 @@ impl<'a> Calls<'a> {
         quote!(#name)
     }
 
-    fn cone(&mut self, joint: usize, range: &Range, writer: &Writer) -> TokenStream {
+    fn cone(&mut self, joint: &str, range: &Range, writer: &Writer) -> TokenStream {
         let krate = &self.target.krate;
         let all = [range.along, range.across, range.cos, range.sin];
         let [Some(along), Some(across), Some(cos), Some(sin)] = all.map(|e| self.constant(e)) else {
             let [along, across, cos, sin] = all.map(|e| writer.write(e));
             return quote!(#krate::solve::Cone::new(#along, #across, #cos, #sin));
         };
-        let name = ident(&format!("CONE{joint}"));
+        let name = ident(&format!("CONE{}", joint.to_uppercase()));
         let scalar = self.target.scalar.tokens();
         let doc = format!(" Largest and smallest component for joint {joint}, each with the component across.");
         // Rounding of a product of exact angles must not look like an angle of 1e-17.

@@ -10,6 +10,7 @@ mod inverse_frame;
 mod kernel;
 mod kinematics;
 mod tables;
+mod task;
 mod tokens;
 
 pub use arm::{Arm, impls, item};

@@ -80,10 +80,17 @@ pub fn geometry(model: &Model, chain: &Chain) -> Geometry {
     let reach = reach(model);
     let axes = axes(chain, reach);
     let relations: Vec<Relation> = axes.iter().zip(axes.iter().skip(1)).map(|(a, b)| relation(a, b, reach)).collect();
+    let turns: Vec<bool> = model.joints.iter().map(|joint| joint.kind == JointKind::Revolute).collect();
+    let (triples, misses) = triples(&axes, &turns, reach);
+    Geometry { reach, axes, relations, triples, misses }
+}
+
+/// The triples among axes, some of which turn, and by how much three that turn miss a common point.
+pub fn triples(axes: &[Line], turns: &[bool], reach: f64) -> (Vec<Triple>, Vec<(usize, f64)>) {
     let mut triples = Vec::new();
     let mut misses = Vec::new();
     for (first, lines) in axes.windows(3).enumerate() {
-        let revolute = model.joints.iter().skip(first).take(3).all(|j| j.kind == JointKind::Revolute);
+        let revolute = turns.iter().skip(first).take(3).all(|turns| *turns);
         let ([a, b, c], true) = (lines, revolute) else { continue };
         let parallel =
             |u: &Line, v: &Line| matches!(relation(u, v, reach), Relation::Parallel { .. } | Relation::Coincident);
@@ -97,7 +104,7 @@ pub fn geometry(model: &Model, chain: &Chain) -> Geometry {
             triples.push(Triple { first, kind: TripleKind::Meeting });
         }
     }
-    Geometry { reach, axes, relations, triples, misses }
+    (triples, misses)
 }
 
 /// `sum(|a| + |d|) + |base| + |tool| + sum of max |limit|` of the sliding joints; 1 if that is zero.

@@ -1,13 +1,16 @@
 //! The closed chain around the target, and what is known while it is being solved.
 
-use super::plan::{Branching, Kernel, Plan, PlanStep, Stage, Unit, Value};
-use super::probe::{POSITION, Probe, ROTATION};
-use super::{is_revolute, plan::Phase};
-use crate::kinematics;
-use crate::model::chain::{Chain, Step};
-use crate::model::geometry::{Geometry, Triple, TripleKind};
-use crate::model::{Angle, Model};
+use super::plan::Phase;
+use super::plan::{Branching, Kernel, Plan, PlanStep, PlanTask, Stage, Unit, Value};
+use super::probe::Probe;
+use super::problem::{Problem, Slot};
+use super::sides::Side;
+use crate::model::Angle;
+use crate::model::geometry::{Triple, TripleKind};
 use crate::symbolic::{Expr, Graph, Pair, Rigid, Vec3};
+
+/// What a meeting triple is placed by.
+pub const WRIST: &str = "the wrist center";
 
 /// A constant link (or the target), both ways.
 #[derive(Debug, Clone, Copy)]
@@ -21,7 +24,7 @@ pub struct Link {
 }
 
 /// The joints in cyclic order: the triple a, b, c, then x, y, z. Link `i` follows joint `i`; the target's inverse is
-/// part of the link after joint 6.
+/// part of the link after the last joint.
 pub struct Closure {
     /// The arena.
     pub g: Graph,
@@ -31,8 +34,7 @@ pub struct Closure {
     pub order: [usize; 6],
     /// The link after each joint, by joint.
     links: Vec<Link>,
-    revolute: Vec<bool>,
-    offsets: Vec<Angle>,
+    slots: Vec<Slot>,
     /// Sine and cosine of each solved joint's angle (its DH theta, offset included).
     pairs: Vec<Option<Pair>>,
     values: Vec<Option<Value>>,
@@ -41,49 +43,27 @@ pub struct Closure {
 }
 
 impl Closure {
-    /// The closed chain of a six-joint arm.
-    pub fn new(model: &Model, chain: &Chain, geometry: &Geometry, triple: Triple) -> Closure {
-        let mut g = Graph::default();
-        let constants: Vec<Rigid> = chain
-            .links()
-            .iter()
-            .map(|steps| {
-                steps.iter().fold(Rigid::identity(), |sum, step| {
-                    let factor = kinematics::step(&mut g, step);
-                    sum.then(&mut g, &factor)
-                })
-            })
-            .collect();
+    /// The chain of a problem, closed around its target.
+    pub fn new(problem: Problem, triple: Triple) -> Closure {
+        let Problem { mut g, probe, slots, links: constants, target, reach, .. } = problem;
         let constant = |i: usize| constants.get(i).copied().unwrap_or_else(Rigid::identity);
-        let target =
-            Rigid { r: ROTATION.map(|row| row.map(|name| g.symbol(name))), p: POSITION.map(|name| g.symbol(name)) };
         // The target without base and tool: where the frame of the last joint has to be, in the first joint's frame.
+        let count = slots.len();
         let base = constant(0).inverse(&mut g);
-        let tool = constant(6).inverse(&mut g);
+        let tool = constant(count).inverse(&mut g);
         let flange = target.then(&mut g, &tool);
         let flange = base.then(&mut g, &flange);
         name_target(&mut g, &flange);
-        let mut links: Vec<Link> = (1..6)
+        let mut links: Vec<Link> = (1..count)
             .map(|i| {
                 let forward = constant(i);
                 Link { forward, back: forward.inverse(&mut g), target: false }
             })
             .collect();
         links.push(Link { forward: flange.inverse(&mut g), back: flange, target: true });
-        let offsets = offsets(chain);
-        let order = [0, 1, 2, 3, 4, 5].map(|k| (triple.first + k) % 6);
-        let mut closure = Closure {
-            g,
-            probe: Probe::new(geometry.reach),
-            order,
-            links,
-            revolute: (0..6).map(|j| is_revolute(model, j)).collect(),
-            offsets,
-            pairs: vec![None; 6],
-            values: vec![None; 6],
-            steps: Vec::new(),
-            reach: geometry.reach,
-        };
+        let order = [0, 1, 2, 3, 4, 5].map(|k| (triple.first + k) % count.max(1));
+        let (pairs, values) = (vec![None; count], vec![None; count]);
+        let mut closure = Closure { g, probe, order, links, slots, pairs, values, steps: Vec::new(), reach };
         if triple.kind == TripleKind::Meeting {
             closure.move_to_meeting_point();
         }
@@ -103,7 +83,29 @@ impl Closure {
 
     /// Whether a joint turns.
     pub fn turns(&self, joint: usize) -> bool {
-        self.revolute.get(joint).copied().unwrap_or(true)
+        self.slots.get(joint).is_none_or(|slot| slot.turns)
+    }
+
+    /// Whether none of a triple's joints is the arm's own.
+    pub fn is_virtual(&self, triple: Triple) -> bool {
+        self.slots.iter().skip(triple.first).take(3).all(|slot| slot.joint.is_none())
+    }
+
+    /// The point in which the triple meets.
+    pub fn center(&self) -> &'static str {
+        let [a, b, c, ..] = self.order;
+        let own = |slot: usize| self.slots.get(slot).is_some_and(|slot| slot.joint.is_some());
+        if own(a) || own(b) || own(c) { WRIST } else { "the tool point" }
+    }
+
+    /// What a joint is called: its number.
+    pub fn label(&self, joint: usize) -> String {
+        self.slots.get(joint).map(|slot| slot.label.clone()).unwrap_or_default()
+    }
+
+    /// The value of an expression that does not depend on the target.
+    pub fn value(&self, e: Expr) -> Option<f64> {
+        self.g.constant(e).or_else(|| self.probe.value(&self.g, e))
     }
 
     /// Whether expressions vanish for every target.
@@ -128,7 +130,8 @@ impl Closure {
 
     /// The position symbol of a sliding joint.
     pub fn position(&mut self, joint: usize) -> Expr {
-        self.g.symbol(format!("q{}", joint + 1))
+        let label = self.label(joint);
+        self.g.symbol(format!("q{label}"))
     }
 
     /// Joint `joint`'s motion applied to a vector (a point if it slides).
@@ -181,15 +184,15 @@ impl Closure {
     }
 
     fn offset(&self, joint: usize) -> Angle {
-        self.offsets.get(joint).copied().unwrap_or(Angle::ZERO)
+        self.slots.get(joint).map_or(Angle::ZERO, |slot| slot.offset)
     }
 
     /// The symbols of a joint's root: value, sine and cosine of the kernel's variable.
     fn bind(&mut self, joint: usize, shift: Angle) {
-        let number = joint + 1;
+        let number = self.label(joint);
         let sliding = !self.turns(joint);
         let constant = if sliding { Angle::ZERO } else { shift.add(self.offset(joint).neg()) };
-        let symbol = kernel_value(joint, constant);
+        let symbol = kernel_value(&number, constant);
         let value = Value { terms: vec![(symbol, false)], constant, sliding };
         if let Some(slot) = self.values.get_mut(joint) {
             *slot = Some(value);
@@ -295,32 +298,58 @@ impl Closure {
         let rigid = if far { link.back } else { link.forward };
         // The other axis is p + t h; it meets the z axis where x and y vanish.
         let (p, h) = (rigid.p, rigid.z());
-        let values: Vec<f64> = p.iter().chain(&h).map(|e| self.g.constant(*e).unwrap_or(0.0)).collect();
-        let [px, py, pz, hx, hy, hz] = values.as_slice() else { return Expr::ZERO };
-        let t = -(px * hx + py * hy) / (hx * hx + hy * hy);
-        let height = pz + t * hz;
-        if (height - pz).abs() <= 1e-12 * self.reach {
-            return p.get(2).copied().unwrap_or(Expr::ZERO);
+        let heights: Vec<[f64; 2]> = self
+            .probe
+            .samples()
+            .iter()
+            .filter_map(|sample| {
+                let values = self.g.evaluate(&[p, h].concat(), sample);
+                let [px, py, pz, hx, hy, hz] = *values.as_slice() else { return None };
+                let t = -(px * hx + py * hy) / (hx * hx + hy * hy);
+                Some([pz + t * hz, pz])
+            })
+            .collect();
+        let small = 1e-12 * self.reach;
+        if heights.iter().all(|[height, along]| (height - along).abs() <= small) {
+            return Side::along(p);
         }
-        if height.abs() <= 1e-12 * self.reach {
-            return Expr::ZERO;
+        match heights.first() {
+            Some([height, _]) if height.abs() > small => {
+                self.g.dimension(format!("MEET{}{}", self.label(joint), if far { "B" } else { "A" }), *height)
+            }
+            _ => Expr::ZERO,
         }
-        self.g.dimension(format!("MEET{}{}", joint + 1, if far { "B" } else { "A" }), height)
     }
 
-    /// The plan.
-    pub fn finish(self, triple: Triple) -> Plan {
+    /// The plan. A last stage that gives a virtual joint alone is left out.
+    pub fn finish(mut self, triple: Triple, task: PlanTask) -> Plan {
+        let slots = &self.slots;
+        let unwanted = |joint: &usize| slots.get(*joint).is_some_and(|slot| slot.joint.is_none());
+        while let Some(PlanStep::Stage(stage)) = self.steps.last()
+            && stage.kernel.roots() == 1
+            && stage.joints.iter().all(unwanted)
+        {
+            self.steps.pop();
+        }
         let values = self
             .values
             .into_iter()
             .map(|value| value.unwrap_or(Value { terms: Vec::new(), constant: Angle::ZERO, sliding: true }));
-        Plan { graph: self.g, steps: self.steps, values: values.collect(), triple, reach: self.reach }
+        Plan {
+            graph: self.g,
+            steps: self.steps,
+            values: values.collect(),
+            slots: self.slots,
+            triple,
+            reach: self.reach,
+            task,
+        }
     }
 }
 
 /// The symbol of a joint's value as its kernel gives it: the joint's own if nothing is to be added.
-fn kernel_value(joint: usize, constant: Angle) -> String {
-    format!("{}{}", if constant.is_zero() { "q" } else { "t" }, joint + 1)
+fn kernel_value(label: &str, constant: Angle) -> String {
+    format!("{}{label}", if constant.is_zero() { "q" } else { "t" })
 }
 
 /// The angle of a constant vector, exact where it is a multiple of a quarter turn.
@@ -332,18 +361,6 @@ pub fn constant_angle(y: f64, x: f64) -> Angle {
     } else {
         Angle::radians(angle)
     }
-}
-
-fn offsets(chain: &Chain) -> Vec<Angle> {
-    chain
-        .steps
-        .iter()
-        .filter_map(|step| match step {
-            Step::Revolute { offset, .. } => Some(*offset),
-            Step::Prismatic { .. } => Some(Angle::ZERO),
-            _ => None,
-        })
-        .collect()
 }
 
 fn name_target(g: &mut Graph, flange: &Rigid) {

@@ -4,14 +4,12 @@
 //! axis and equal distances from a point on it are two equations in x and z.
 
 use super::Refusal;
-use super::closure::Closure;
+use super::closure::{Closure, WRIST};
 use super::plan::{Branching, Kernel, Unit};
 use super::rows::Row;
 use super::sides::Side;
 use crate::model::Angle;
 use crate::symbolic::{Expr, Vec3};
-
-const W: &str = "the wrist center";
 
 /// Adds the stages for x, z and y.
 pub fn outer(c: &mut Closure) -> Result<(), Refusal> {
@@ -33,38 +31,40 @@ pub fn outer(c: &mut Closure) -> Result<(), Refusal> {
         origin: c.clean3(link_y.back.p, Unit::Length),
         axis: c.clean3(link_y.back.z(), Unit::Direction),
     };
+    let center = if c.center() == WRIST { "wrist" } else { "tool" };
     for (e, axis) in a.moved.iter().chain(&b.moved).zip(["x", "y", "z"].iter().cycle()) {
-        c.g.rename(*e, format!("wrist_{axis}"));
+        c.g.rename(*e, format!("{center}_{axis}"));
     }
     if c.turns(y) { turning(c, y, a, b) } else { sliding(c, y, a, b) }
 }
 
 fn turning(c: &mut Closure, y: usize, a: Side, b: Side) -> Result<(), Refusal> {
+    let w = c.center();
     let (moves_a, moves_b) = (a.moves_along(c, a.axis, Unit::Direction), b.moves_along(c, b.axis, Unit::Direction));
-    let (nx, ny, nz) = (a.joint + 1, y + 1, b.joint + 1);
+    let (nx, ny, nz) = (c.label(a.joint), c.label(y), c.label(b.joint));
     let (a, b) = if !moves_a && !moves_b {
         return Err(Refusal::new(format!(
-            "the arm is singular everywhere: joints {nx}, {ny} and {nz} all move {W} across one direction only"
+            "the arm is singular everywhere: joints {nx}, {ny} and {nz} all move {w} across one direction only"
         )));
     } else if !moves_b {
-        first_by_component(c, &a, &b, ny);
+        first_by_component(c, &a, &b, &ny);
         (a, b)
     } else if !moves_a {
-        first_by_component(c, &b, &a, ny);
+        first_by_component(c, &b, &a, &ny);
         (a, b)
     } else if let Some((a, b)) = meeting_origin(c, &a, &b, true) {
-        second_by_distance(c, &a, &b, ny);
+        second_by_distance(c, &a, &b, &ny);
         (a, b)
     } else if let Some((a, b)) = meeting_origin(c, &a, &b, false) {
-        second_by_distance(c, &b, &a, ny);
+        second_by_distance(c, &b, &a, &ny);
         (a, b)
     } else {
-        together(c, &a, &b, ny)?;
+        together(c, &a, &b, &ny)?;
         (a, b)
     };
     let (from, to) = (seen(c, &b), seen(c, &a));
     let meaning = format!(
-        "Joint {ny}: turns {W} as seen over joint {nz}, `[{{from}}]`, onto where joint {nx} puts it, `[{{to}}]`."
+        "Joint {ny}: turns {w} as seen over joint {nz}, `[{{from}}]`, onto where joint {nx} puts it, `[{{to}}]`."
     );
     let kernel = Kernel::Align { from: Side::plane(from), to: Side::plane(to) };
     c.stage(&[(y, Angle::ZERO)], y, Unit::Length, Branching::None, meaning, kernel);
@@ -118,30 +118,31 @@ fn component(c: &mut Closure, side: &Side) -> Row {
 
 /// The component along y's axis does not depend on `other`: `first` follows from it, then `other` from the distance
 /// to y's axis.
-fn first_by_component(c: &mut Closure, first: &Side, other: &Side, ny: usize) {
+fn first_by_component(c: &mut Closure, first: &Side, other: &Side, ny: &str) {
+    let w = c.center();
     let row = component(c, first);
     let value = component(c, other).k;
-    let n = first.joint + 1;
-    let meaning = format!("Joint {n}: {W} keeps its offset along axis {ny}, `{{a}} cos + {{b}} sin = {{d}}`.");
+    let n = c.label(first.joint);
+    let meaning = format!("Joint {n}: {w} keeps its offset along axis {ny}, `{{a}} cos + {{b}} sin = {{d}}`.");
     if first.turns {
         first.offset(c, row, value, Unit::Length, Branching::Shoulder, meaning);
     } else {
         let numerator = c.g.sub(value, row.k);
-        let meaning = format!("Joint {n}: {W} keeps its offset along axis {ny}.");
+        let meaning = format!("Joint {n}: {w} keeps its offset along axis {ny}.");
         first.slide_to(c, row.c, numerator, meaning);
     }
     let (across, _) = relative(c, first);
     let rho = c.g.norm(&across);
-    c.g.name(rho, format!("rho{}", other.joint + 1));
-    let m = other.joint + 1;
+    c.g.name(rho, format!("rho{}", c.label(other.joint)));
+    let m = c.label(other.joint);
     if other.turns {
         let meaning = format!(
-            "Joint {m}: {W} is `{{rho}}` from axis {ny}, `{{rho}}^2 = a^2 + b^2 + 2 a b cos(t)` with \
+            "Joint {m}: {w} is `{{rho}}` from axis {ny}, `{{rho}}^2 = a^2 + b^2 + 2 a b cos(t)` with \
              `a = {{a}}`, `b = {{b}}`{{shift}}."
         );
         other.distance(c, rho, true, meaning);
     } else {
-        let meaning = format!("Joint {m}: slides until {W} is `{{rho}}` from axis {ny}.");
+        let meaning = format!("Joint {m}: slides until {w} is `{{rho}}` from axis {ny}.");
         other.slide(c, rho, true, meaning);
     }
 }
@@ -161,34 +162,35 @@ fn meeting_origin(c: &mut Closure, a: &Side, b: &Side, with_a: bool) -> Option<(
 
 /// The distance from the meeting point does not depend on `still`: `other` follows from it, then `still` from the
 /// component along y's axis.
-fn second_by_distance(c: &mut Closure, still: &Side, other: &Side, ny: usize) {
+fn second_by_distance(c: &mut Closure, still: &Side, other: &Side, ny: &str) {
+    let w = c.center();
     let from = c.g.sub3(still.moved, still.origin);
     let from = c.clean3(from, Unit::Length);
     let rho = c.g.norm(&from);
-    c.g.name(rho, format!("rho{}", other.joint + 1));
-    let (n, m) = (still.joint + 1, other.joint + 1);
-    let place = format!("the point where axes {} and {} meet", n.min(ny), n.max(ny));
+    c.g.name(rho, format!("rho{}", c.label(other.joint)));
+    let (n, m) = (c.label(still.joint), c.label(other.joint));
+    let place = format!("the point where axes {} and {} meet", n.as_str().min(ny), n.as_str().max(ny));
     if other.turns {
         let meaning = format!(
-            "Joint {m}: {W} is `{{rho}}` from {place}, \
+            "Joint {m}: {w} is `{{rho}}` from {place}, \
              `{{rho}}^2 = a^2 + b^2 + h^2 + 2 a b cos(t)` with `a = {{a}}`, `b = {{b}}`, `h = {{h}}`{{shift}}."
         );
         other.distance(c, rho, false, meaning);
     } else {
-        let meaning = format!("Joint {m}: slides until {W} is `{{rho}}` from {place}.");
+        let meaning = format!("Joint {m}: slides until {w} is `{{rho}}` from {place}.");
         other.slide(c, rho, false, meaning);
     }
     let (across, d) = relative(c, other);
     let rho = c.g.norm(&across);
     c.g.name(rho, format!("across{n}"));
-    let meaning = format!("Joint {n}: {W} has the component `{{d}}` along axis {ny}{{shift}}.");
+    let meaning = format!("Joint {n}: {w} has the component `{{d}}` along axis {ny}{{shift}}.");
     still.cone(c, d, rho, Unit::Length, Branching::Shoulder, meaning);
 }
 
 /// Neither equation separates: a pair.
-fn together(c: &mut Closure, a: &Side, b: &Side, ny: usize) -> Result<(), Refusal> {
+fn together(c: &mut Closure, a: &Side, b: &Side, ny: &str) -> Result<(), Refusal> {
     let (rows_a, rows_b) = (component(c, a), component(c, b));
-    let (n, m) = (a.joint + 1, b.joint + 1);
+    let (n, m) = (c.label(a.joint), c.label(b.joint));
     let meaning = format!("Joints {n} and {m} together: equal components along axis {ny}, equal distances from it.");
     if a.turns && b.turns {
         let (square_a, square_b) = (square(c, a), square(c, b));
@@ -241,13 +243,14 @@ fn together(c: &mut Closure, a: &Side, b: &Side, ny: usize) -> Result<(), Refusa
         let sum = c.g.add(kk, msuk);
         c.g.add(sum, scaled)
     };
-    let meaning = format!("Joint {}: equal components along axis {ny} and equal distances from it.", other.joint + 1);
+    let meaning =
+        format!("Joint {}: equal components along axis {ny} and equal distances from it.", c.label(other.joint));
     let kernel = Kernel::Quadratic { coefficients: [c.clean(quadratic, Unit::Direction), linear, constant] };
     c.stage(&[(other.joint, Angle::ZERO)], other.joint, Unit::Length, Branching::Root, meaning, kernel);
     let v = c.position(other.joint);
     let svv = c.g.mul(sv, v);
     let numerator = c.g.add(svv, k);
-    slides.slide_to(c, su, numerator, format!("Joint {}: follows from it.", slides.joint + 1));
+    slides.slide_to(c, su, numerator, format!("Joint {}: follows from it.", c.label(slides.joint)));
     Ok(())
 }
 
@@ -269,13 +272,14 @@ fn stroke_square(c: &mut Closure, side: &Side) -> [Expr; 2] {
 
 /// Joint y slides: the components across its axis are equal, and its stroke is the difference along it.
 fn sliding(c: &mut Closure, y: usize, a: Side, b: Side) -> Result<(), Refusal> {
+    let w = c.center();
     let [_, _, _, x, _, _] = c.order;
     let (link_x, link_y) = (c.link(x), c.link(y));
-    let (n, m, ny) = (a.joint + 1, b.joint + 1, y + 1);
+    let (n, m, ny) = (c.label(a.joint), c.label(b.joint), c.label(y));
     // The two directions across y's axis, seen by either joint.
     let across_a = [link_x.forward.axis(0), link_x.forward.axis(1)];
     let across_b = [link_y.back.axis(0), link_y.back.axis(1)];
-    let meaning = format!("Joints {n} and {m} together: {W} has equal components across axis {ny}.");
+    let meaning = format!("Joints {n} and {m} together: {w} has equal components across axis {ny}.");
     if a.turns && b.turns {
         let row = |c: &mut Closure, side: &Side, direction: Vec3| {
             let dot = c.g.dot3(direction, side.origin);
@@ -287,7 +291,7 @@ fn sliding(c: &mut Closure, y: usize, a: Side, b: Side) -> Result<(), Refusal> {
         let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
         c.stage(&joints, a.joint, Unit::Length, Branching::Root, meaning, Kernel::Pair { p, q });
     } else {
-        one_slides(c, [&a, &b], [across_a, across_b], ny);
+        one_slides(c, [&a, &b], [across_a, across_b], &ny);
     }
     let (from, to) = (seen(c, &b), seen(c, &a));
     let numerator = c.g.sub(Side::along(to), Side::along(from));
@@ -299,7 +303,8 @@ fn sliding(c: &mut Closure, y: usize, a: Side, b: Side) -> Result<(), Refusal> {
 
 /// With y and one more joint sliding: the direction across both gives the third joint. With all three sliding both
 /// components are linear.
-fn one_slides(c: &mut Closure, sides: [&Side; 2], across: [[Vec3; 2]; 2], ny: usize) {
+fn one_slides(c: &mut Closure, sides: [&Side; 2], across: [[Vec3; 2]; 2], ny: &str) {
+    let w = c.center();
     let [a, b] = sides;
     let [across_a, across_b] = across;
     let (slides, other, across_s, across_o) =
@@ -321,8 +326,8 @@ fn one_slides(c: &mut Closure, sides: [&Side; 2], across: [[Vec3; 2]; 2], ny: us
         c.g.add(p, q)
     };
     let value = combine(c, normal, still_s);
-    let (m, n) = (other.joint + 1, slides.joint + 1);
-    let meaning = format!("Joint {m}: {W} has equal components across axes {ny} and {n}.");
+    let (m, n) = (c.label(other.joint), c.label(slides.joint));
+    let meaning = format!("Joint {m}: {w} has equal components across axes {ny} and {n}.");
     let plane_of_other = if other.turns {
         let direction = {
             let [first, second] = across_o;

@@ -3,70 +3,69 @@
 //! Method: a chain of six joints closes cyclically with the target inside. Three consecutive axes that meet in a point
 //! or are parallel leave two equations in two of the other joints; then the third by turning one vector onto another,
 //! then the triple. Structure is decided here, on exact constants; what is left is a sequence of scalar equations, each
-//! with its own kernel.
+//! with its own kernel. Smaller tasks become the same closure with virtual joints for what they leave open; a redundant
+//! joint becomes part of its link.
 
 mod closure;
 mod meeting;
 mod parallel;
 mod plan;
 mod probe;
+mod problem;
 mod refusal;
 mod rows;
 mod sides;
+mod task;
 mod triple;
 mod words;
 
-pub use plan::{Branching, ElbowRange, Kernel, Plan, PlanStep, Range, Stage, Unit};
+pub use plan::{Branching, ElbowRange, Kernel, Plan, PlanStep, PlanTask, Range, Stage, Unit};
+
 pub use refusal::Refusal;
 pub use words::describe;
 
+use crate::model::Model;
 use crate::model::chain::Chain;
 use crate::model::geometry::{Geometry, Triple, TripleKind};
-use crate::model::{JointKind, Model, Task};
+use problem::Problem;
 
 /// The plan for an arm, or why there is none.
 ///
 /// # Errors
 /// The condition that fails, in words.
 pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, Refusal> {
-    refusal::applicable(model)?;
-    if geometry.triples.is_empty() {
-        return Err(refusal::no_triple(model, geometry));
-    }
+    task::plan(model, chain, geometry)
+}
+
+/// The cheapest plan among the triples of a closed chain of six joints.
+fn cheapest(problem: &Problem, task: &PlanTask) -> Result<Option<Plan>, Refusal> {
     let mut best: Option<Plan> = None;
     let mut failure = None;
-    for triple in &geometry.triples {
-        match solve(model, chain, geometry, *triple) {
+    for triple in problem.triples() {
+        match solve(problem.clone(), triple, task) {
             Ok(plan) if best.as_ref().is_none_or(|b| plan.effort() < b.effort()) => best = Some(plan),
             Ok(_) => {}
             Err(refusal) => failure = failure.or(Some(refusal)),
         }
     }
-    best.ok_or_else(|| failure.unwrap_or_else(|| refusal::no_triple(model, geometry)))
+    match (best, failure) {
+        (Some(plan), _) => Ok(Some(plan)),
+        (None, Some(refusal)) => Err(refusal),
+        (None, None) => Ok(None),
+    }
 }
 
-fn solve(model: &Model, chain: &Chain, geometry: &Geometry, triple: Triple) -> Result<Plan, Refusal> {
-    let mut closure = closure::Closure::new(model, chain, geometry, triple);
+fn solve(problem: Problem, triple: Triple, task: &PlanTask) -> Result<Plan, Refusal> {
+    let mut closure = closure::Closure::new(problem, triple);
     match triple.kind {
         TripleKind::Meeting => meeting::outer(&mut closure)?,
         TripleKind::Parallel => parallel::outer(&mut closure)?,
     }
     match triple.kind {
+        // Three virtual joints are not wanted.
+        TripleKind::Meeting if closure.is_virtual(triple) => {}
         TripleKind::Meeting => triple::meeting(&mut closure),
         TripleKind::Parallel => triple::parallel(&mut closure),
     }
-    Ok(closure.finish(triple))
-}
-
-/// The task of the file, or the one six joints can do.
-fn task(model: &Model) -> Option<Task> {
-    match model.inverse.task {
-        Some(task) => Some(task),
-        None if model.joints.len() == 6 => Some(Task::Pose),
-        None => None,
-    }
-}
-
-fn is_revolute(model: &Model, joint: usize) -> bool {
-    model.joints.get(joint).is_some_and(|j| j.kind == JointKind::Revolute)
+    Ok(closure.finish(triple, task.clone()))
 }

@@ -18,7 +18,7 @@ pub fn outer(c: &mut Closure) -> Result<(), Refusal> {
     let [first, second, third, x, y, z] = c.order;
     let (link_a, link_b) = (c.link(first), c.link(second));
     let (link_c, link_x, link_y, link_z) = (c.link(third), c.link(x), c.link(y), c.link(z));
-    let sign = |c: &Closure, r: &Rigid| c.g.constant(Side::along(r.z())).unwrap_or(1.0).signum();
+    let sign = |c: &Closure, r: &Rigid| c.value(Side::along(r.z())).unwrap_or(1.0).signum();
     let (sign_a, sign_b) = (sign(c, &link_a.forward), sign(c, &link_b.forward));
     // h in the frame of joint c, and how far the origin of c is from that of a along h.
     let h = link_c.back.z().map(|e| if sign_a * sign_b < 0.0 { c.g.neg(e) } else { e });
@@ -76,7 +76,7 @@ fn seen(c: &mut Closure, side: &Side) -> Vec3 {
     let rigid = if side.undone { c.link(x).back } else { c.link(y).forward };
     let seen = c.g.apply3(&rigid.r, direction);
     for (e, axis) in seen.iter().zip(["x", "y", "z"]) {
-        c.g.name(*e, format!("h{}_{axis}", side.joint + 1));
+        c.g.name(*e, format!("h{}_{axis}", c.label(side.joint)));
     }
     seen
 }
@@ -107,7 +107,7 @@ fn meeting_origin(c: &mut Closure, sides: [Side; 2], with_a: bool) -> Option<[Si
 }
 
 fn turning(c: &mut Closure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> Result<(), Refusal> {
-    let ny = y + 1;
+    let ny = c.label(y);
     for with_a in [true, false] {
         let sides = meeting_origin(c, sides, with_a).unwrap_or(sides);
         let [a, b] = &sides;
@@ -115,9 +115,9 @@ fn turning(c: &mut Closure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> R
         let (distance_still, direction_still) = enters(c, still);
         let (distance_other, _) = enters(c, other);
         if !distance_still && distance_other && direction_still {
-            by_distance(c, other, (still, false), heights, ny);
+            by_distance(c, other, (still, false), heights, &ny);
             if !flipped(c, y, still, other) {
-                by_direction(c, still, other, ny);
+                by_direction(c, still, other, &ny);
                 aligned(c, y, a, b);
             }
             return Ok(());
@@ -129,8 +129,8 @@ fn turning(c: &mut Closure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> R
         [(b, a, direction_b, direction_a, distance_a), (a, b, direction_a, direction_b, distance_b)]
     {
         if first_turns_h && !other_turns_h && other_distance {
-            by_direction(c, first, other, ny);
-            by_distance(c, other, (first, true), heights, ny);
+            by_direction(c, first, other, &ny);
+            by_distance(c, other, (first, true), heights, &ny);
             aligned(c, y, a, b);
             return Ok(());
         }
@@ -138,8 +138,8 @@ fn turning(c: &mut Closure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> R
     if !(a.turns && b.turns && direction_a && direction_b && (distance_a || distance_b)) {
         return Err(Refusal::new(format!(
             "the arm is singular everywhere: joints {}, {ny} and {} leave {H} or its distance unchanged",
-            a.joint + 1,
-            b.joint + 1
+            c.label(a.joint),
+            c.label(b.joint)
         )));
     }
     let rows = sides.map(|side| direction_row(c, &side).array());
@@ -151,8 +151,8 @@ fn turning(c: &mut Closure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> R
     let ([p1, q1], [p2, q2]) = (rows, distances);
     let meaning = format!(
         "Joints {} and {} together: {H} has equal components along axis {ny}, and equal distances from it.",
-        a.joint + 1,
-        b.joint + 1
+        c.label(a.joint),
+        c.label(b.joint)
     );
     let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
     let kernel = Kernel::Pair { p: [p1, p2], q: [q1, q2] };
@@ -162,7 +162,7 @@ fn turning(c: &mut Closure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> R
 }
 
 /// One joint from the distance along h. The other joint is solved already, or does not enter.
-fn by_distance(c: &mut Closure, side: &Side, (other, solved): (&Side, bool), heights: [Expr; 2], ny: usize) {
+fn by_distance(c: &mut Closure, side: &Side, (other, solved): (&Side, bool), heights: [Expr; 2], ny: &str) {
     let [height_a, height_b] = heights;
     let (own, others) = if side.undone { (height_a, height_b) } else { (height_b, height_a) };
     let row = distance_row(c, side, own);
@@ -174,7 +174,7 @@ fn by_distance(c: &mut Closure, side: &Side, (other, solved): (&Side, bool), hei
         distance_row(c, other, others).k
     };
     let value = c.clean(value, Unit::Length);
-    let n = side.joint + 1;
+    let n = c.label(side.joint);
     if side.turns {
         let meaning = format!("Joint {n}: axis {ny} keeps its offset along {H}, `{{a}} cos + {{b}} sin = {{d}}`.");
         side.offset(c, row, value, Unit::Length, Branching::Shoulder, meaning);
@@ -185,18 +185,18 @@ fn by_distance(c: &mut Closure, side: &Side, (other, solved): (&Side, bool), hei
 }
 
 /// One joint from the component of h along y's axis, the other side being known.
-fn by_direction(c: &mut Closure, side: &Side, known: &Side, ny: usize) {
+fn by_direction(c: &mut Closure, side: &Side, known: &Side, ny: &str) {
     let seen = seen(c, known);
     let rho = c.g.norm(&Side::plane(seen));
-    c.g.name(rho, format!("across{}", side.joint + 1));
-    let meaning = format!("Joint {}: {H} has the component `{{d}}` along axis {ny}{{shift}}.", side.joint + 1);
+    c.g.name(rho, format!("across{}", c.label(side.joint)));
+    let meaning = format!("Joint {}: {H} has the component `{{d}}` along axis {ny}{{shift}}.", c.label(side.joint));
     side.cone(c, Side::along(seen), rho, Unit::Direction, Branching::Wrist, meaning);
 }
 
 /// Joint y turns h as z leaves it onto h as x needs it.
 fn aligned(c: &mut Closure, y: usize, a: &Side, b: &Side) {
     let (from, to) = (seen(c, b), seen(c, a));
-    let meaning = format!("Joint {}: turns {H} from `[{{from}}]` to `[{{to}}]`.", y + 1);
+    let meaning = format!("Joint {}: turns {H} from `[{{from}}]` to `[{{to}}]`.", c.label(y));
     let kernel = Kernel::Align { from: Side::plane(from), to: Side::plane(to) };
     c.stage(&[(y, Angle::ZERO)], y, Unit::Direction, Branching::None, meaning, kernel);
 }
@@ -231,7 +231,7 @@ fn flipped(c: &mut Closure, y: usize, inner: &Side, known: &Side) -> bool {
         let turn = c.g.constant_pair(quarter.add(phi.neg()), "FLIP");
         (c.g.rotate_z(turn, seen), psi.add(eta.neg()))
     };
-    let (n, ny) = (inner.joint + 1, y + 1);
+    let (n, ny) = (c.label(inner.joint), c.label(y));
     let meaning =
         format!("Joints {n} and {ny}: point {H}, `[{{m}}]` = `R_z(y) R_y(x) e_z`; with `x = 0` joint {ny} is free.");
     let joints = [(inner.joint, shift), (y, Angle::ZERO)];
@@ -243,19 +243,19 @@ fn flipped(c: &mut Closure, y: usize, inner: &Side, known: &Side) -> bool {
 /// distance along h.
 fn sliding(c: &mut Closure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> Result<(), Refusal> {
     let [a, b] = &sides;
-    let ny = y + 1;
+    let ny = c.label(y);
     if !(a.turns && b.turns) {
         return Err(Refusal::new(format!(
             "the arm is singular everywhere: with joints {ny} and {} sliding, {H} has too few joints to turn it",
-            if a.turns { b.joint + 1 } else { a.joint + 1 }
+            if a.turns { c.label(b.joint) } else { c.label(a.joint) }
         )));
     }
     let [_, _, _, x, _, _] = c.order;
     let frames = [c.link(x).forward.r, c.link(y).back.r];
     let meaning = format!(
         "Joints {} and {} together: {H} is the same over either side of the sliding joint {ny}.",
-        a.joint + 1,
-        b.joint + 1
+        c.label(a.joint),
+        c.label(b.joint)
     );
     let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
     let kernel = Kernel::Aim { moved: [a.moved, b.moved], frames };

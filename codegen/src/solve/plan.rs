@@ -1,7 +1,8 @@
 //! The plan as data: a sequence of steps over one expression graph.
 
-use crate::model::Angle;
+use super::problem::{Locked, Slot};
 use crate::model::geometry::Triple;
+use crate::model::{Angle, Axis, MOST_JOINTS, Task};
 use crate::symbolic::{Expr, Graph};
 
 /// A plan: the steps in order. A step may use the sines, cosines and values of the joints before it.
@@ -13,13 +14,35 @@ pub struct Plan {
     pub steps: Vec<PlanStep>,
     /// How each joint follows from the symbols of the stages, by joint.
     pub values: Vec<Value>,
+    /// The joints of the closed chain, virtual ones too.
+    pub slots: Vec<Slot>,
     /// The triple that makes it possible.
     pub triple: Triple,
+    /// What is asked for.
+    pub task: PlanTask,
     /// Reach of the arm.
     pub reach: f64,
 }
 
 impl Plan {
+    /// What a joint of the closed chain is called.
+    pub fn label(&self, slot: usize) -> String {
+        self.slots.get(slot).map(|slot| slot.label.clone()).unwrap_or_default()
+    }
+
+    /// The number of a joint of the closed chain among the arm's joints, from 0; virtual joints come after the most an
+    /// arm can have.
+    pub fn number(&self, slot: usize) -> usize {
+        let joint = self.slots.get(slot).map(|slot| slot.joint);
+        let virtual_before = self.slots.iter().take(slot).filter(|slot| slot.joint.is_none()).count();
+        joint.flatten().unwrap_or(MOST_JOINTS + virtual_before)
+    }
+
+    /// The number of the arm's moving joints.
+    pub fn joints(&self) -> usize {
+        self.slots.iter().filter(|slot| slot.joint.is_some()).count() + usize::from(self.task.locked.is_some())
+    }
+
     /// The stages, in order.
     pub fn stages(&self) -> impl Iterator<Item = &Stage> {
         self.steps.iter().filter_map(|step| match step {
@@ -42,6 +65,35 @@ impl Plan {
     /// Every expression a step reads.
     pub fn inputs(&self) -> Vec<Expr> {
         self.steps.iter().flat_map(PlanStep::inputs).collect()
+    }
+}
+
+/// What a plan answers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanTask {
+    /// The task.
+    pub task: Task,
+    /// The joint whose value is given.
+    pub locked: Option<Locked>,
+    /// The tool's axis that points, for `position_axis`.
+    pub axis: Axis,
+}
+
+impl PlanTask {
+    /// The task as the file writes it, with what belongs to it.
+    pub fn name(&self) -> String {
+        let mut name = self.task.name().to_string();
+        if self.task == Task::PositionAxis {
+            name += match self.axis {
+                Axis::X => ", axis x",
+                Axis::Y => ", axis y",
+                Axis::Z => ", axis z",
+            };
+        }
+        if let Some(locked) = &self.locked {
+            name += &format!(", q{} given", locked.joint + 1);
+        }
+        name
     }
 }
 

@@ -4,10 +4,13 @@ use crate::model::geometry::TOLERANCE;
 use crate::symbolic::{Expr, Graph};
 use std::collections::HashMap;
 
+/// Values of symbols, by name.
+pub type Sample = HashMap<String, f64>;
+
 /// A few generic targets, as values of the target's symbols.
 #[derive(Debug, Clone)]
 pub struct Probe {
-    samples: Vec<HashMap<String, f64>>,
+    samples: Vec<Sample>,
     reach: f64,
 }
 
@@ -37,6 +40,29 @@ impl Probe {
             })
             .to_vec();
         Probe { samples, reach }
+    }
+
+    /// A joint of this label whose value is given: its sine, cosine and position become symbols with generic values.
+    pub fn given(&mut self, label: &str) {
+        for (sample, angle) in self.samples.iter_mut().zip([0.83, -1.37, 2.21]) {
+            let angle: f64 = angle;
+            sample.insert(format!("s{label}"), angle.sin());
+            sample.insert(format!("c{label}"), angle.cos());
+            sample.insert(format!("q{label}"), 0.3 * self.reach * angle);
+        }
+    }
+
+    /// The samples.
+    pub fn samples(&self) -> &[Sample] {
+        &self.samples
+    }
+
+    /// The value of an expression that is the same for every target and every given joint.
+    pub fn value(&self, g: &Graph, e: Expr) -> Option<f64> {
+        let mut values = self.samples.iter().filter_map(|sample| g.evaluate(&[e], sample).first().copied());
+        let first = values.next()?;
+        let same = values.all(|value| (value - first).abs() <= 1e-13 * first.abs().max(self.reach.min(1.0)));
+        same.then_some(first)
     }
 
     /// Whether every one of the expressions vanishes for every target; `length` expressions are compared to reach.

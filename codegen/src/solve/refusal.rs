@@ -1,6 +1,5 @@
 //! Why an arm has no inverse, in words a user can act on.
 
-use super::task;
 use crate::model::geometry::Geometry;
 use crate::model::{JointKind, LengthUnit, Model, Task};
 
@@ -17,35 +16,14 @@ impl Refusal {
     }
 }
 
-/// Whether the task and the number of joints are covered at all.
-pub(super) fn applicable(model: &Model) -> Result<(), Refusal> {
+/// A task that is not covered for this number of joints.
+pub(super) fn not_covered(model: &Model, task: Option<Task>) -> Refusal {
     let joints = model.joints.len();
-    if model.inverse.redundant.is_some() {
-        return Err(Refusal::new(format!(
-            "a redundant joint is not covered yet (this arm has {joints} moving joints)"
-        )));
-    }
-    match task(model) {
-        Some(Task::Pose) if joints == 6 => Ok(()),
-        Some(Task::Pose) | None => Err(Refusal::new(format!(
-            "so far it covers arms with six moving joints and the task `pose`; this arm has {joints} moving joints"
-        ))),
-        Some(task) => Err(Refusal::new(format!(
-            "the task `{}` is not covered yet; so far it is `pose`, for arms with six moving joints",
-            name(task)
-        ))),
-    }
-}
-
-fn name(task: Task) -> &'static str {
-    match task {
-        Task::Pose => "pose",
-        Task::PositionAngle => "position_angle",
-        Task::PositionAxis => "position_axis",
-        Task::Position => "position",
-        Task::PlanarPose => "planar_pose",
-        Task::PlanarPosition => "planar_position",
-    }
+    let plural = if joints == 1 { "" } else { "s" };
+    Refusal::new(match task {
+        Some(task) => format!("the task `{}` is not covered for {joints} moving joint{plural}", task.name()),
+        None => format!("no task fits {joints} moving joint{plural}"),
+    })
 }
 
 /// No triple: which three axes come closest.

@@ -144,8 +144,8 @@ impl Side {
 
     /// A point on y's axis that this joint does not move: where the axes meet, if they do.
     pub fn meeting_height(&self, c: &Closure) -> Option<f64> {
-        let [ox, oy, _] = self.origin.map(|e| c.g.constant(e));
-        let [ax, ay, _] = self.axis.map(|e| c.g.constant(e));
+        let [ox, oy, _] = self.origin.map(|e| c.value(e));
+        let [ax, ay, _] = self.axis.map(|e| c.value(e));
         let (ox, oy, ax, ay) = (ox?, oy?, ax?, ay?);
         let size = ax * ax + ay * ay;
         if size <= 1e-20 {

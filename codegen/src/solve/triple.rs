@@ -18,7 +18,7 @@ pub fn meeting(c: &mut Closure) {
     let m = triple_rotation(c);
     let [first, second, third, ..] = c.order;
     let (link_a, link_b) = (c.link(first).forward, c.link(second).forward);
-    let (na, nb, nc) = (first + 1, second + 1, third + 1);
+    let (na, nb, nc) = (c.label(first), c.label(second), c.label(third));
     let cosines = [Side::along(link_a.z()), Side::along(link_b.z())];
     if c.vanish(&cosines, Unit::Direction)
         && let (Some([fa, ba]), Some([fb, bb])) = (decomposed(c, &link_a), decomposed(c, &link_b))
@@ -46,7 +46,7 @@ pub fn meeting(c: &mut Closure) {
 /// Axes at other angles: the middle joint from the cosine between the outer axes, then the outer ones.
 fn oblique(c: &mut Closure, m: &Mat3, [link_a, link_b]: [Rigid; 2]) {
     let [first, second, third, ..] = c.order;
-    let (na, nb, nc) = (first + 1, second + 1, third + 1);
+    let (na, nb, nc) = (c.label(first), c.label(second), c.label(third));
     let approach = m.map(Side::along);
     let rho = c.g.norm(&Side::plane(approach));
     c.g.name(rho, format!("across{nb}"));
@@ -118,7 +118,7 @@ fn triple_rotation(c: &mut Closure) -> Mat3 {
                     let other = c.pair(*next);
                     let other = if sign < 0.0 { other.opposite(&mut c.g) } else { other };
                     let sum = pair.plus(&mut c.g, other);
-                    let (low, high) = (joint.min(next) + 1, joint.max(next) + 1);
+                    let (low, high) = (c.label(*joint.min(next)), c.label(*joint.max(next)));
                     c.g.name(sum.sin, format!("s{low}{high}"));
                     c.g.name(sum.cos, format!("c{low}{high}"));
                     parts.push(Part::turn(c, sum, *joint));
@@ -170,7 +170,7 @@ fn outward(c: &mut Closure, parts: &[Part], target: usize) -> Rigid {
     for part in parts.iter().take(target).rev() {
         product = part.rigid.then(&mut c.g, &product);
         if let Some(joint) = part.joint {
-            name(c, &product, &axes, &origin, &(joint + 1).to_string());
+            name(c, &product, &axes, &origin, &c.label(joint));
         }
     }
     product
@@ -194,7 +194,7 @@ fn keeps_parallel(c: &Closure, joint: usize) -> Option<f64> {
     if link.target {
         return None;
     }
-    let cosine = c.g.constant(Side::along(link.forward.z()))?;
+    let cosine = c.value(Side::along(link.forward.z()))?;
     (cosine.abs() >= 1.0 - 1e-12).then(|| cosine.signum())
 }
 
@@ -215,7 +215,7 @@ fn factors(c: &Closure) -> [Factor; 7] {
 pub fn parallel(c: &mut Closure) {
     let m = triple_rigid(c);
     let [first, second, third, ..] = c.order;
-    let (na, nb, nc) = (first + 1, second + 1, third + 1);
+    let (na, nb, nc) = (c.label(first), c.label(second), c.label(third));
     let (link_a, link_b) = (c.link(first), c.link(second));
     let wrist = Side::plane(m.p);
     for (e, axis) in wrist.iter().zip(["x", "y"]) {

@@ -5,21 +5,21 @@ use crate::model::geometry::TripleKind;
 
 /// One line a step: which joint, by which kind of equation.
 pub fn describe(plan: &Plan) -> Vec<String> {
-    let first = plan.triple.first + 1;
+    let label = |k: usize| plan.label(plan.triple.first + k);
     let kind = match plan.triple.kind {
         TripleKind::Meeting => "meet in a point",
         TripleKind::Parallel => "are parallel",
     };
-    let mut lines = vec![format!("axes {}, {}, {} {kind}", first, first + 1, first + 2)];
+    let mut lines = vec![format!("axes {}, {}, {} {kind}", label(0), label(1), label(2))];
     for step in &plan.steps {
         lines.push(match step {
             PlanStep::Stage(stage) => {
-                let joints: Vec<String> = stage.joints.iter().map(|j| format!("q{}", j + 1)).collect();
+                let joints: Vec<String> = stage.joints.iter().map(|j| format!("q{}", plan.label(*j))).collect();
                 format!("{}: {}", joints.join(", "), kernel(&stage.kernel))
             }
             PlanStep::Angle { name, .. } => {
                 let joints: Vec<String> = name.chars().skip(1).map(|c| format!("q{c}")).collect();
-                let last = plan.triple.first + 3;
+                let last = label(2);
                 format!("q{last}: what is left of the sum {}", joints.join(", "))
             }
         });

@@ -62,6 +62,13 @@ const TASKS: &[(&str, Task)] = &[
     ("planar_pose", Task::PlanarPose),
     ("planar_position", Task::PlanarPosition),
 ];
+impl Task {
+    /// As the file writes it.
+    pub fn name(self) -> &'static str {
+        TASKS.iter().find(|(_, task)| *task == self).map_or("pose", |(name, _)| name)
+    }
+}
+
 const AXES: &[(&str, Axis)] = &[("x", Axis::X), ("y", Axis::Y), ("z", Axis::Z)];
 
 impl Reader<'_> {

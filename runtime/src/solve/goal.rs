@@ -2,7 +2,7 @@
 
 use super::Tolerances;
 use crate::math::{atan2, wrap};
-use crate::{Jacobian, PlanarPose, PointAngle, PointAxis, Pose, Residual};
+use crate::{Jacobian, JointMask, PlanarPose, PointAngle, PointAxis, Pose, Residual};
 
 /// A target, as the search sees it. An equation that is not asked for is a row of zeros.
 pub trait Goal<T, const N: usize> {
@@ -20,6 +20,18 @@ pub trait Goal<T, const N: usize> {
 
     /// How the joints move that error, from the geometric Jacobian.
     fn rows(&self, pose: &Pose<T>, jacobian: &Jacobian<T, N>) -> Jacobian<T, N>;
+
+    /// The joints whose value is given and that nothing may move.
+    #[inline]
+    fn given(&self) -> JointMask {
+        JointMask::NONE
+    }
+
+    /// A joint vector with the given joints at their value.
+    #[inline]
+    fn placed(&self, q: [T; N]) -> [T; N] {
+        q
+    }
 }
 
 fn difference<T: Tolerances>([ax, ay, az]: [T; 3], [bx, by, bz]: [T; 3]) -> [T; 3] {
@@ -293,5 +305,63 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for [T; 2] {
     fn rows(&self, _: &Pose<T>, jacobian: &Jacobian<T, N>) -> Jacobian<T, N> {
         let ([x, y, ..], none) = (jacobian.rows, [T::ZERO; N]);
         Jacobian { rows: [x, y, none, none, none, none] }
+    }
+}
+
+/// A goal of which one joint's value is given: that joint does not move.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Locked<'a, T, G> {
+    goal: &'a G,
+    joint: usize,
+    value: T,
+}
+
+impl<'a, T: Tolerances, G> Locked<'a, T, G> {
+    /// Joint `joint`, counted from 0, stays at `value`.
+    #[inline]
+    pub fn new(goal: &'a G, joint: usize, value: T) -> Self {
+        Locked { goal, joint, value }
+    }
+}
+
+impl<T: Tolerances, G: Goal<T, N>, const N: usize> Goal<T, N> for Locked<'_, T, G> {
+    #[inline]
+    fn deviation(&self) -> T {
+        self.goal.deviation() + known(self.value)
+    }
+
+    #[inline]
+    fn point(&self) -> [T; 3] {
+        self.goal.point()
+    }
+
+    fn residual(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T> {
+        self.goal.residual(q, pose)
+    }
+
+    fn error(&self, q: &[T; N], pose: &Pose<T>) -> [T; 6] {
+        self.goal.error(q, pose)
+    }
+
+    fn rows(&self, pose: &Pose<T>, jacobian: &Jacobian<T, N>) -> Jacobian<T, N> {
+        let mut rows = self.goal.rows(pose, jacobian);
+        for row in &mut rows.rows {
+            if let Some(entry) = row.get_mut(self.joint) {
+                *entry = T::ZERO;
+            }
+        }
+        rows
+    }
+
+    #[inline]
+    fn given(&self) -> JointMask {
+        JointMask::single(self.joint)
+    }
+
+    fn placed(&self, mut q: [T; N]) -> [T; N] {
+        if let Some(place) = q.get_mut(self.joint) {
+            *place = self.value;
+        }
+        q
     }
 }

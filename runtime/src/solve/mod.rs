@@ -42,7 +42,7 @@ pub use aim::{Sight, aim};
 pub use align::align;
 pub use cone::{Cone, cone};
 pub use distance::{Elbow, distance};
-pub use goal::{Goal, InPlane, Pointing};
+pub use goal::{Goal, InPlane, Locked, Pointing};
 pub use offset::offset;
 pub use pair::{pair, pair_sliding};
 pub use search::{Facts, Search};

@@ -45,7 +45,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
         let mut next = q;
         for ((value, change), joint) in next.iter_mut().zip(step).zip(0..) {
             *value += change;
-            if !facts.prismatic.contains(joint) {
+            if !facts.prismatic.contains(joint) && !goal.given().contains(joint) {
                 *value = wrap(*value);
             }
         }

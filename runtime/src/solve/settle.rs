@@ -111,7 +111,9 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
             let size = T::from_f64(f64::from(attempt.div_ceil(2)));
             for (joint, value) in start.iter_mut().enumerate() {
                 let unit = if facts.prismatic.contains(joint) { facts.reach } else { T::ONE };
-                let offset = if loose.contains(joint) {
+                let offset = if self.goal.given().contains(joint) {
+                    T::ZERO
+                } else if loose.contains(joint) {
                     // The whole turn in eighths of half turns, both ways, nearest first.
                     sign * size * T::PI * T::from_f64(0.125)
                 } else if !loose.is_empty() {
@@ -162,9 +164,9 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
     #[inline(never)]
     fn hold(&mut self, near: &[T; N], evaluate: &impl Evaluate<T, N>) {
         let facts = self.facts;
-        let mut start = *near;
+        let mut start = self.goal.placed(*near);
         for (joint, value) in start.iter_mut().enumerate() {
-            if !facts.prismatic.contains(joint) {
+            if !facts.prismatic.contains(joint) && !self.goal.given().contains(joint) {
                 *value = wrap(*value);
             }
         }

@@ -46,6 +46,7 @@ macro_rules! count_tests {
         }
     };
     (@forward $name:ident $Type:ident) => {};
+    (@task $name:ident $Type:ident) => {};
     (@inverse $name:ident $Type:ident) => {
         #[test]
         fn $name() {
@@ -53,6 +54,7 @@ macro_rules! count_tests {
         }
     };
     (@add forward $checked:ident $Type:ident) => {};
+    (@add task $checked:ident $Type:ident) => {};
     (@add inverse $checked:ident $Type:ident) => {
         $checked += check_truths(&Subject::new::<denhart_tests::arms::$Type>());
     };

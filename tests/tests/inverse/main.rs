@@ -98,6 +98,7 @@ macro_rules! inverse_tests {
         $(inverse_tests! { @$kind $name $Type Complete })*
     };
     (@forward $name:ident $Type:ident $grids:ident) => {};
+    (@task $name:ident $Type:ident $grids:ident) => {};
     (@inverse $name:ident $Type:ident $grids:ident) => {
         mod $name {
             use denhart_tests::arms::$Type;

@@ -1,0 +1,82 @@
+//! What the inverse of a task looks like from outside: its target, and how the search sees it.
+
+use super::tokens::{ident, integer};
+use super::{Target, docs};
+use crate::model::{Axis, Model, Task};
+use crate::solve::Plan;
+use proc_macro2::TokenStream;
+use quote::quote;
+use std::collections::HashSet;
+
+/// The target of a plan's task.
+pub struct TaskCode {
+    /// Type of the target without the value of a locked joint.
+    pub target: TokenStream,
+    /// One sentence about it.
+    pub doc: String,
+    /// What makes a target a bad one, after "if the target".
+    pub bad: &'static str,
+    /// Statements before the search; after them `goal` is a reference to what is searched
+    /// for; none if that is `target` itself.
+    pub goal: TokenStream,
+    /// The same for one residual, after `forward`.
+    pub check: TokenStream,
+    /// Statements that bind the target's symbols.
+    pub unpack: TokenStream,
+}
+
+/// The code of a plan's task; `used` are the symbols that the plan reads.
+pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>) -> TaskCode {
+    let (krate, scalar) = (&target.krate, target.scalar.tokens());
+    let unit = docs::unit(model);
+    let pattern = |name: &str| if used.contains(name) { ident(name) } else { ident(&format!("_{name}")) };
+    let position = ["px", "py", "pz"].map(&pattern);
+    let rows = (1..=3).map(|i| {
+        let entries = (1..=3).map(|j| pattern(&format!("r{i}{j}")));
+        quote!([#(#entries),*])
+    });
+    let frame = |from: TokenStream| {
+        quote! {
+            let [#(#rows),*] = #from.rotation;
+            let [#(#position),*] = #from.translation;
+        }
+    };
+    match plan.task.task {
+        Task::Position => TaskCode {
+            target: quote!([#scalar; 3]),
+            doc: format!("`target`: where the tool point is to be, base frame, {unit}, `[3]`."),
+            bad: "is not finite",
+            goal: TokenStream::new(),
+            check: quote!(target),
+            unpack: quote!(let [#(#position),*] = *target;),
+        },
+        Task::PositionAxis => {
+            let (column, letter) = match plan.task.axis {
+                Axis::X => (0, "x"),
+                Axis::Y => (1, "y"),
+                Axis::Z => (2, "z"),
+            };
+            let column = integer(column);
+            let unpack = frame(quote!(frame));
+            TaskCode {
+                target: quote!(#krate::PointAxis<#scalar>),
+                doc: format!(
+                    "`target`: where the tool point is to be ({unit}) and where the tool's {letter} axis is to point, \
+                     base frame; the direction is normalized."
+                ),
+                bad: "is not finite or its direction shorter than 1e-12",
+                goal: quote!(let goal = &#krate::solve::Pointing::new(target, #column);),
+                check: quote!(&#krate::solve::Pointing::new(target, #column)),
+                unpack: quote!(let frame = goal.frame(); #unpack),
+            }
+        }
+        _ => TaskCode {
+            target: quote!(#krate::Pose<#scalar>),
+            doc: format!("`target`: pose of the tool in the base frame, position in {unit}."),
+            bad: "is not finite or its rotation is not one",
+            goal: TokenStream::new(),
+            check: quote!(target),
+            unpack: frame(quote!(target)),
+        },
+    }
+}
