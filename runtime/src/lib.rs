@@ -36,6 +36,7 @@ mod jacobian;
 pub mod math;
 #[cfg(feature = "nalgebra")]
 mod nalgebra_convert;
+pub mod numeric;
 mod orientation;
 mod pose;
 mod solution;

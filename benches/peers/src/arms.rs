@@ -14,6 +14,21 @@ pub struct Irb2400;
 #[arm(spec = "../../specs/ur5.yaml")]
 pub struct Ur5;
 
+/// Unimation Puma 560, with its limits.
+#[derive(Debug, Clone, Copy, Arm)]
+#[arm(spec = "../../specs/puma560.yaml")]
+pub struct Puma560;
+
+/// Franka Panda: seven joints, with limits.
+#[derive(Debug, Clone, Copy, Arm)]
+#[arm(spec = "../../specs/franka_panda.yaml")]
+pub struct FrankaPanda;
+
+/// Kinova Jaco: six joints, no three axes that meet or are parallel.
+#[derive(Debug, Clone, Copy, Arm)]
+#[arm(spec = "../../specs/kinova_jaco.yaml")]
+pub struct KinovaJaco;
+
 /// The arm with three parallel axes that ik-geo tests itself on: every link 1 m, no two axes meet.
 #[derive(Debug, Clone, Copy, Arm)]
 #[arm(yaml = "

@@ -2,6 +2,8 @@
 
 pub mod agreement;
 pub mod arms;
+pub mod elimination;
+pub mod k_chain;
 pub mod opw;
 pub mod product_of_exponentials;
 #[path = "../../../tests/src/random.rs"]

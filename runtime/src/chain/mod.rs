@@ -1,5 +1,6 @@
 //! An arm computed from its table at run time: the plain product of its transforms.
 
+mod numeric;
 mod transform;
 
 use core::fmt;

@@ -5,11 +5,14 @@
 use std::hint::black_box;
 use std::process::ExitCode;
 
-use denhart::Pose;
-use denhart_peers::arms::{Irb2400, ThreeParallelBot, Ur5, joints, pose};
+use denhart::numeric::NumericInverse;
+use denhart::{Arm, Pose};
+use denhart_peers::arms::{Irb2400, KinovaJaco, Puma560, ThreeParallelBot, Ur5, joints, pose};
+use denhart_peers::elimination;
 use denhart_peers::opw;
 use denhart_peers::product_of_exponentials::GeoArm;
 use ik_geo::inverse_kinematics::{spherical_two_parallel, three_parallel, three_parallel_two_intersecting};
+use ik_geo::nalgebra::{Matrix6, Vector6};
 use rs_opw_kinematics::kinematic_traits::Kinematics;
 
 /// The same set of inputs for every case; a multiple of it is called.
@@ -24,6 +27,32 @@ fn cycle<I: 'static, O>(inputs: Vec<I>, function: impl Fn(&I) -> O + 'static) ->
             black_box(function(black_box(input)));
         }
     })
+}
+
+/// The numeric inverse of `arm` beside what an iteration consists of. `numeric_11` does ten iterations more than
+/// `numeric_1`: with tolerances of 0 it never ends sooner.
+fn numeric<A: Arm<f64, 6> + Copy + 'static>(arm: A, names: [&'static str; 5]) -> Vec<(&'static str, Run)> {
+    let q = joints(names[0], INPUTS);
+    let systems: Vec<([[f64; 6]; 6], [f64; 6])> = q.iter().map(|q| (arm.jacobian(q).rows, *q)).collect();
+    let systems_of_nalgebra: Vec<(Matrix6<f64>, Vector6<f64>)> = systems
+        .iter()
+        .map(|(rows, right)| (Matrix6::from_fn(|row, column| rows[row][column]), Vector6::from(*right)))
+        .collect();
+    let targets: Vec<(Pose<f64>, [f64; 6])> =
+        q.iter().map(|q| (arm.forward(q), q.map(|angle| 0.9 * angle + 0.05))).collect();
+    let solver = NumericInverse::new().tolerance(0.0, 0.0).patience(usize::MAX);
+    let solve = move |iterations: usize| {
+        let solver = solver.max_iterations(iterations);
+        move |(target, start): &(Pose<f64>, [f64; 6])| solver.solve(&arm, target, start)
+    };
+    let [evaluation, elimination, lu, one, eleven] = names;
+    vec![
+        (evaluation, cycle(q, move |q| arm.forward_and_jacobian(q))),
+        (elimination, cycle(systems, |(rows, right)| elimination::solve(*rows, *right))),
+        (lu, cycle(systems_of_nalgebra, |(matrix, right)| matrix.lu().solve(right))),
+        (one, cycle(targets.clone(), solve(1))),
+        (eleven, cycle(targets, solve(11))),
+    ]
 }
 
 fn cases() -> Vec<(&'static str, Run)> {
@@ -41,7 +70,7 @@ fn cases() -> Vec<(&'static str, Run)> {
     let wrist_targets = irb.iter().map(|target| wrist.target(target)).collect();
     let parallel_targets = ur.iter().map(|target| parallel.target(target)).collect();
     let meeting_targets = ur.iter().map(|target| meeting.target(target)).collect();
-    vec![
+    let mut cases = vec![
         ("empty_loop", cycle(ur_joints.clone(), |_| ())),
         ("six_sin_cos", cycle(ur_joints.clone(), |q| q.map(f64::sin_cos))),
         ("irb2400_forward", cycle(irb_joints.clone(), |q| Irb2400.forward(q))),
@@ -66,7 +95,25 @@ fn cases() -> Vec<(&'static str, Run)> {
             "three_parallel_bot_ik_geo_three_parallel",
             cycle(bot_targets, move |target| bot_geo.inverse(three_parallel, target)),
         ),
-    ]
+    ];
+    macro_rules! numeric {
+        ($name:literal, $arm:expr) => {
+            cases.extend(numeric(
+                $arm,
+                [
+                    concat!($name, "_forward_and_jacobian_alone"),
+                    concat!($name, "_bare_elimination"),
+                    concat!($name, "_nalgebra_lu_solve"),
+                    concat!($name, "_numeric_1"),
+                    concat!($name, "_numeric_11"),
+                ],
+            ));
+        };
+    }
+    numeric!("ur5", Ur5);
+    numeric!("puma560", Puma560);
+    numeric!("kinova_jaco", KinovaJaco);
+    cases
 }
 
 fn main() -> ExitCode {

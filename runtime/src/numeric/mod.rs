@@ -1,0 +1,54 @@
+//! Inverse kinematics by iteration, for any arm with any number of joints.
+//!
+//! [`NumericInverse`] walks from a start to one joint vector that reaches the target, by way of the arm's
+//! `forward_and_jacobian`. It serves where there is no closed form, where the arm has more or fewer than six joints, and
+//! where limits are to be kept on the way. Where there is a closed form, that finds every branch, and faster.
+//!
+//! # Method
+//! With the error `e` of the tool as a twist in the base frame ([`Pose::error_to`](crate::Pose::error_to)), lengths over the
+//! [`length`](NumericInverse::length) of the arm, a step `dq` minimizes `|J dq - e|^2 + lambda |dq|^2`: damped least
+//! squares (Nakamura and Hanafusa 1986, "Inverse kinematic solutions with singularity robustness", J. Dyn. Syst. Meas.
+//! Control 108; Wampler 1986, IEEE Trans. SMC 16). `lambda` is in proportion to the squared error (Chan and Lawrence
+//! 1988, "General inverse kinematics with the error damped pseudoinverse", ICRA; Sugihara 2011, "Solvability-unconcerned
+//! inverse kinematics by the Levenberg-Marquardt method", IEEE Trans. Robotics 27(5)), so that far off the steps are
+//! bounded also for targets out of reach, and at the end they converge as Newton's. As in those papers a step is taken
+//! also where it makes the error greater for a while: that leads out of more valleys than a descent in every step.
+//!
+//! Where the error stays above the least one seen, damping fades by a factor of ten a step, until Newton's steps, of which
+//! the cap bounds the length, leave the local minimum (the Jacobian is singular there). Then it starts anew.
+//!
+//! [`Method::NewtonRaphson`] has no damping but what rounding asks for: the pseudoinverse (Whitney 1969; for six joints
+//! the inverse), with capped steps.
+//!
+//! Up to six joints the normal equations `(J^T J + lambda I) dq = J^T e` are solved, with more joints
+//! `(J J^T + lambda I) y = e, dq = J^T y`: a symmetric 6 x 6 system either way. Both square the singular values: those
+//! below 1e-8 of the largest (f32: 3e-4) count as zero. Damping never falls below rounding, so that no step divides by
+//! zero.
+//!
+//! # Limits
+//! Joints stay within the arm's limits at every iterate. A joint at its limit that the error pushes outward is held for
+//! the step, and the others solve the rest (Bertsekas 1982, "Projected Newton methods", SIAM J. Control Optim. 20(2)). A
+//! revolute joint that leaves its range comes back in by a whole turn if the range has room for one.
+//!
+//! # Redundancy
+//! [`NumericInverse::solve_towards`] moves along the null space towards a preferred posture,
+//! `dq = J# e + (I - J# J) gain (posture - q)` (Liegeois 1977, IEEE Trans. SMC 7).
+
+mod descent;
+mod limits;
+mod linear;
+mod model;
+mod report;
+mod settings;
+mod starts;
+mod step;
+mod task;
+
+pub use report::{NumericSolution, Stop};
+pub use settings::{Method, NumericInverse};
+pub use task::Task;
+#[cfg(all(feature = "nalgebra", feature = "std"))]
+pub(crate) use {descent::run, model::Model};
+
+#[cfg(test)]
+mod tests;
