@@ -76,6 +76,7 @@ pub(super) fn function(
             false => quote!(#goal let goal = &#krate::solve::Locked::new(goal, #joint, #q);),
         };
     }
+    let unproven = plan.task.overdetermined.then(|| quote!(.unproven()));
     let sought = if goal.is_empty() { quote!(target) } else { quote!(goal) };
     quote! {
         #doc
@@ -92,7 +93,7 @@ pub(super) fn function(
             else {
                 return solutions;
             };
-            let start = search.start();
+            let start = search.start() #unproven;
             #unpack
             #given_symbols
             #body

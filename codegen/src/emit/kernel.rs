@@ -42,6 +42,10 @@ impl<'a> Calls<'a> {
                 let (a, b, d) = (w(a), w(b), w(d));
                 quote!(#krate::solve::offset(#home, #measure, #a, #b, #d))
             }
+            Kernel::OffsetOfTwo { length, direction } => {
+                let (length, direction) = (row(length), row(direction));
+                quote!(#krate::solve::offset_of_two(#home, LENGTH, #length, #direction))
+            }
             Kernel::Distance { rho, range, about } => {
                 let rho = w(rho);
                 let range = self.elbow(&joint, range, &writer);

@@ -1,8 +1,8 @@
 //! What the inverse of a task looks like from outside: its target, and how the search sees it.
 
-use super::tokens::{ident, integer};
-use super::{Target, docs};
-use crate::model::{Axis, Model, Task};
+use super::tokens::{ident, integer, number};
+use super::{Target, angle, docs};
+use crate::model::{Angle, Axis, Model, Task};
 use crate::solve::Plan;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -70,7 +70,57 @@ pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>)
                 unpack: quote!(let frame = goal.frame(); #unpack),
             }
         }
-        _ => TaskCode {
+        Task::PositionAngle => {
+            let (signs, offset) = plan.task.angle.clone().unwrap_or((Vec::new(), Angle::ZERO));
+            let (signs, offset) = (signs.into_iter().map(number), angle::tokens(offset, target));
+            let goal = quote!(#krate::solve::InPlane::new(target, [#(#signs),*], #offset));
+            TaskCode {
+                target: quote!(#krate::PointAngle<#scalar>),
+                doc: format!(
+                    "`target`: where the tool point is to be (base frame, {unit}) and the sum of the pitch joints with \
+                     their DH offsets (rad)."
+                ),
+                bad: "is not finite",
+                goal: quote!(let goal = &#goal;),
+                check: quote!(&#goal),
+                unpack: {
+                    let (angle, sin, cos) = (pattern("angle"), pattern("sin_angle"), pattern("cos_angle"));
+                    quote! {
+                        let #krate::PointAngle { point: [#(#position),*], angle: #angle } = *target;
+                        let (#sin, #cos) = #krate::math::sin_cos(target.angle);
+                    }
+                },
+            }
+        }
+        Task::PlanarPose => TaskCode {
+            target: quote!(#krate::PlanarPose<#scalar>),
+            doc: format!(
+                "`target`: position of the tool in the base frame's xy plane ({unit}) and direction of its x axis there (rad)."
+            ),
+            bad: "is not finite",
+            goal: TokenStream::new(),
+            check: quote!(target),
+            unpack: {
+                let ([px, py, _], phi) = (&position, pattern("phi"));
+                let (sin, cos) = (pattern("sin_phi"), pattern("cos_phi"));
+                quote! {
+                    let #krate::PlanarPose { x: #px, y: #py, phi: #phi } = *target;
+                    let (#sin, #cos) = #krate::math::sin_cos(target.phi);
+                }
+            },
+        },
+        Task::PlanarPosition => TaskCode {
+            target: quote!([#scalar; 2]),
+            doc: format!("`target`: where the tool point is to be in the base frame's xy plane, {unit}, `[2]`."),
+            bad: "is not finite",
+            goal: TokenStream::new(),
+            check: quote!(target),
+            unpack: {
+                let [px, py, _] = &position;
+                quote!(let [#px, #py] = *target;)
+            },
+        },
+        Task::Pose => TaskCode {
             target: quote!(#krate::Pose<#scalar>),
             doc: format!("`target`: pose of the tool in the base frame, position in {unit}."),
             bad: "is not finite or its rotation is not one",

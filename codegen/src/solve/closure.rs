@@ -91,11 +91,54 @@ impl Closure {
         self.slots.iter().skip(triple.first).take(3).all(|slot| slot.joint.is_none())
     }
 
+    /// Whether a joint is the arm's own.
+    pub fn is_own(&self, slot: usize) -> bool {
+        self.slots.get(slot).is_some_and(|slot| slot.joint.is_some())
+    }
+
+    /// The joints outside the triple in cyclic order.
+    pub fn outside(&self) -> Vec<usize> {
+        let [first, ..] = self.order;
+        let count = self.slots.len();
+        (3..count).map(|k| (first + k) % count).collect()
+    }
+
+    /// Gives a joint's sine and cosine as expressions.
+    pub fn known(&mut self, joint: usize, cos: Expr, sin: Expr) {
+        if let Some(slot) = self.pairs.get_mut(joint) {
+            *slot = Some(Pair { sin, cos });
+        }
+    }
+
+    /// The angle of a vector as a known angle, its sign, and a constant, if it is that.
+    pub fn known_angle(&self, y: Expr, x: Expr) -> Option<(String, bool, Angle)> {
+        self.probe.angles().iter().find_map(|name| {
+            [false, true].into_iter().find_map(|negative| {
+                let constants: Vec<[f64; 2]> = self
+                    .probe
+                    .samples()
+                    .iter()
+                    .filter_map(|sample| {
+                        let values = self.g.evaluate(&[y, x], sample);
+                        let [y, x] = *values.as_slice() else { return None };
+                        let known = *sample.get(name)?;
+                        let (s, c) = if negative { known.sin_cos() } else { (-known).sin_cos() };
+                        Some([y * c + x * s, x * c - y * s])
+                    })
+                    .collect();
+                let first = *constants.first()?;
+                let same = constants.iter().flatten().zip(first.iter().cycle()).all(|(a, b)| (a - b).abs() <= 1e-12);
+                let [sin, cos] = first;
+                (same && constants.len() == self.probe.samples().len())
+                    .then(|| (name.clone(), negative, constant_angle(sin, cos)))
+            })
+        })
+    }
+
     /// The point in which the triple meets.
     pub fn center(&self) -> &'static str {
         let [a, b, c, ..] = self.order;
-        let own = |slot: usize| self.slots.get(slot).is_some_and(|slot| slot.joint.is_some());
-        if own(a) || own(b) || own(c) { WRIST } else { "the tool point" }
+        if [a, b, c].into_iter().any(|slot| self.is_own(slot)) { WRIST } else { "the tool point" }
     }
 
     /// What a joint is called: its number.

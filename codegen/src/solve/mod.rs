@@ -7,9 +7,11 @@
 //! joint becomes part of its link.
 
 mod closure;
+mod few;
 mod meeting;
 mod parallel;
 mod plan;
+mod planar;
 mod probe;
 mod problem;
 mod refusal;
@@ -65,7 +67,7 @@ fn solve(problem: Problem, triple: Triple, task: &PlanTask) -> Result<Plan, Refu
         // Three virtual joints are not wanted.
         TripleKind::Meeting if closure.is_virtual(triple) => {}
         TripleKind::Meeting => triple::meeting(&mut closure),
-        TripleKind::Parallel => triple::parallel(&mut closure),
+        TripleKind::Parallel => triple::parallel(&mut closure)?,
     }
     Ok(closure.finish(triple, task.clone()))
 }

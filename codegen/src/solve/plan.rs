@@ -77,6 +77,10 @@ pub struct PlanTask {
     pub locked: Option<Locked>,
     /// The tool's axis that points, for `position_axis`.
     pub axis: Axis,
+    /// The joints of the angle by their signs, and the angle at zero, for `position_angle`.
+    pub angle: Option<(Vec<f64>, Angle)>,
+    /// Whether the target has more equations than the arm joints.
+    pub overdetermined: bool,
 }
 
 impl PlanTask {
@@ -211,6 +215,13 @@ pub enum Kernel {
         /// Right side.
         d: Expr,
     },
+    /// The same twice: lengths, then directions; `[a, b, d]` each.
+    OffsetOfTwo {
+        /// Of lengths.
+        length: [Expr; 3],
+        /// Of directions.
+        direction: [Expr; 3],
+    },
     /// Two points at a given distance.
     Distance {
         /// The distance.
@@ -312,6 +323,7 @@ impl Kernel {
         let phase = |about: &Option<Phase>| about.iter().flat_map(|p| [p.y, p.x]).collect::<Vec<_>>();
         match self {
             Kernel::Offset { a, b, d } => vec![*a, *b, *d],
+            Kernel::OffsetOfTwo { length, direction } => [*length, *direction].concat(),
             Kernel::Distance { rho, range, about } => {
                 [vec![*rho, range.a, range.b, range.height], phase(about)].concat()
             }

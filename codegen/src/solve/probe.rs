@@ -11,6 +11,7 @@ pub type Sample = HashMap<String, f64>;
 #[derive(Debug, Clone)]
 pub struct Probe {
     samples: Vec<Sample>,
+    angles: Vec<String>,
     reach: f64,
 }
 
@@ -39,17 +40,30 @@ impl Probe {
                 rotation.chain(position).map(|(name, value)| (name.to_string(), value)).collect()
             })
             .to_vec();
-        Probe { samples, reach }
+        Probe { samples, angles: Vec::new(), reach }
     }
 
-    /// A joint of this label whose value is given: its sine, cosine and position become symbols with generic values.
-    pub fn given(&mut self, label: &str) {
+    /// A sliding joint whose position is given.
+    pub fn position(&mut self, name: &str) {
+        for (sample, part) in self.samples.iter_mut().zip([0.25, -0.41, 0.66]) {
+            sample.insert(name.to_string(), part * self.reach);
+        }
+    }
+
+    /// An angle that is given, with its sine and cosine, all by name.
+    pub fn angle(&mut self, [name, sin, cos]: [&str; 3]) {
         for (sample, angle) in self.samples.iter_mut().zip([0.83, -1.37, 2.21]) {
             let angle: f64 = angle;
-            sample.insert(format!("s{label}"), angle.sin());
-            sample.insert(format!("c{label}"), angle.cos());
-            sample.insert(format!("q{label}"), 0.3 * self.reach * angle);
+            for (name, value) in [(name, angle), (sin, angle.sin()), (cos, angle.cos())] {
+                sample.insert(name.to_string(), value);
+            }
         }
+        self.angles.push(name.to_string());
+    }
+
+    /// Names of the given angles.
+    pub fn angles(&self) -> &[String] {
+        &self.angles
     }
 
     /// The samples.

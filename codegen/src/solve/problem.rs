@@ -1,9 +1,10 @@
 //! The chain to be closed: the arm's joints, less a locked one, and virtual joints for what the task leaves open.
 
+use super::closure::constant_angle;
 use super::probe::{POSITION, Probe, ROTATION};
 use crate::kinematics;
 use crate::model::chain::{Chain, Step};
-use crate::model::geometry::{Line, Triple, triples};
+use crate::model::geometry::{Line, TOLERANCE, Triple, triples};
 use crate::model::numeric::Transform;
 use crate::model::{Angle, JointKind, Model};
 use crate::symbolic::{Expr, Graph, Pair, Rigid, transpose};
@@ -124,7 +125,9 @@ impl Problem {
             *link = merged;
         }
         self.locked = Some(Locked { joint, turns: slot.turns });
-        self.probe.given(&slot.label);
+        let names = ["q", "s", "c"].map(|letter| format!("{letter}{}", slot.label));
+        let [q, s, c] = &names;
+        if slot.turns { self.probe.angle([q, s, c]) } else { self.probe.position(q) }
     }
 
     /// Adds a joint at the end: the last link goes before it, `after` behind it.
@@ -134,6 +137,107 @@ impl Problem {
         }
         self.slots.push(slot);
         self.links.push(after);
+    }
+
+    /// The last link, which is left out of the chain.
+    pub fn take_tool(&mut self) -> Rigid {
+        self.links.last_mut().map_or_else(Rigid::identity, |last| std::mem::replace(last, Rigid::identity()))
+    }
+
+    /// Whether link `i` keeps the z axis parallel or anti-parallel, for every value of a locked joint: its sign.
+    pub fn keeps_axis(&self, i: usize) -> Option<f64> {
+        let mut cosines = self.probe.samples().iter().map(|sample| {
+            let [.., [_, _, z]] = self.numeric(i, sample).r;
+            z
+        });
+        let first = cosines.next()?;
+        let parallel = |z: f64| z.abs() >= 1.0 - 0.5 * TOLERANCE * TOLERANCE && z * first > 0.0;
+        (parallel(first) && cosines.all(parallel)).then(|| first.signum())
+    }
+
+    /// The chain with the sliding joint `i` moved past the turning joint after it, whose axis is parallel:
+    /// `T_z(d) C R_z(t) = C R_z(t) T_z(+-d)`.
+    pub fn slide_later(&self, i: usize) -> Option<Problem> {
+        let (slides, turns) = (self.slots.get(i)?, self.slots.get(i + 1)?);
+        if slides.turns || !turns.turns {
+            return None;
+        }
+        let sign = self.keeps_axis(i + 1)?;
+        let mut moved = self.clone();
+        let g = &mut moved.g;
+        let before = self.link(i).then(g, &self.link(i + 1));
+        let (there, back) = flip(g, sign);
+        let after = back.then(g, &self.link(i + 2));
+        moved.slots.swap(i, i + 1);
+        for (place, link) in moved.links.iter_mut().skip(i).zip([before, there, after]) {
+            *place = link;
+        }
+        Some(moved)
+    }
+
+    /// The chain with the sliding joint `i` moved before the turning joint before it.
+    pub fn slide_earlier(&self, i: usize) -> Option<Problem> {
+        let (turns, slides) = (self.slots.get(i.checked_sub(1)?)?, self.slots.get(i)?);
+        if slides.turns || !turns.turns {
+            return None;
+        }
+        let sign = self.keeps_axis(i)?;
+        let mut moved = self.clone();
+        let g = &mut moved.g;
+        let (there, back) = flip(g, sign);
+        let before = self.link(i - 1).then(g, &there);
+        let after = self.link(i).then(g, &self.link(i + 1));
+        moved.slots.swap(i - 1, i);
+        for (place, link) in moved.links.iter_mut().skip(i - 1).zip([before, back, after]) {
+            *place = link;
+        }
+        Some(moved)
+    }
+
+    /// Whether every joint moves in the base frame's xy plane.
+    pub fn is_planar(&self) -> bool {
+        self.probe.samples().iter().all(|sample| {
+            self.axes(sample).iter().zip(&self.slots).all(|(line, slot)| {
+                let [x, y, z] = line.direction;
+                if slot.turns { x.hypot(y) <= TOLERANCE } else { z.abs() <= TOLERANCE }
+            })
+        })
+    }
+
+    /// For an arm in the plane: the turn about the tool's x axis that takes an upright frame to the tool's; `None` if
+    /// that axis leaves the plane.
+    pub fn tool_twist(&self) -> Option<Angle> {
+        let [_, _, [x, y, z]] = self.tool()?.r;
+        (x.abs() <= TOLERANCE).then(|| constant_angle(y, z))
+    }
+
+    /// The pose of the tool at a generic configuration.
+    fn tool(&self) -> Option<Transform> {
+        let sample = self.probe.samples().first()?;
+        let mut current = self.numeric(0, sample);
+        for (i, slot) in self.slots.iter().enumerate() {
+            current = current.then(&generic_motion(i, slot.turns, self.reach)).then(&self.numeric(i + 1, sample));
+        }
+        Some(current)
+    }
+
+    /// Adds a virtual joint at the tool point whose axis is upright.
+    pub fn append_upright(&mut self) {
+        let Some(Transform { r: [_, _, [x, y, z]], .. }) = self.tool() else { return };
+        let (azimuth, polar) = (constant_angle(y, x), constant_angle(x.hypot(y), z));
+        let upright = x.hypot(y) <= TOLERANCE;
+        let before = if upright {
+            Rigid::identity()
+        } else {
+            let (polar, azimuth) =
+                (self.g.constant_pair(polar, "TOOL_POLAR"), self.g.constant_pair(azimuth, "TOOL_AZIMUTH"));
+            let columns = Graph::identity().map(|axis| {
+                let axis = self.g.rotate_y(polar, axis);
+                self.g.rotate_z(azimuth, axis)
+            });
+            Rigid { r: transpose(&columns), ..Rigid::identity() }
+        };
+        self.append(Slot::virtual_turn(1), before, Rigid::identity());
     }
 
     /// The triples of consecutive joints, for every value of a locked joint.
@@ -150,13 +254,7 @@ impl Problem {
         let mut axes = Vec::new();
         for (i, slot) in self.slots.iter().enumerate() {
             axes.push(Line { point: current.p, direction: current.axis(2) });
-            let generic = 0.618_033_988_749_895 * (i as f64 + 1.0) + 0.271_828;
-            let motion = if slot.turns {
-                Transform::rotate_z(generic.sin(), generic.cos())
-            } else {
-                Transform::shift([0.0, 0.0, self.reach * (0.3 + 0.1 * generic.sin())])
-            };
-            current = current.then(&motion).then(&self.numeric(i + 1, sample));
+            current = current.then(&generic_motion(i, slot.turns, self.reach)).then(&self.numeric(i + 1, sample));
         }
         axes
     }
@@ -172,4 +270,25 @@ impl Problem {
         };
         Transform { r: link.r.map(row), p: row(link.p) }
     }
+}
+
+/// Joint `i` at a value that is special for no arm.
+fn generic_motion(i: usize, turns: bool, reach: f64) -> Transform {
+    let generic = 0.618_033_988_749_895 * (i as f64 + 1.0) + 0.271_828;
+    if turns {
+        Transform::rotate_z(generic.sin(), generic.cos())
+    } else {
+        Transform::shift([0.0, 0.0, reach * (0.3 + 0.1 * generic.sin())])
+    }
+}
+
+/// A half turn about x and its inverse if the sign is negative.
+fn flip(g: &mut Graph, sign: f64) -> (Rigid, Rigid) {
+    if sign > 0.0 {
+        return (Rigid::identity(), Rigid::identity());
+    }
+    let half = g.constant_pair(Angle::degrees(180.0), "FLIP");
+    let columns = Graph::identity().map(|axis| g.rotate_x(half, axis));
+    let there = Rigid { r: transpose(&columns), ..Rigid::identity() };
+    (there, there)
 }

@@ -11,6 +11,15 @@ pub struct Refusal {
 }
 
 impl Refusal {
+    /// The same with what would work instead.
+    pub(super) fn or_else(self, alternatives: Vec<String>) -> Self {
+        match alternatives.as_slice() {
+            [] => self,
+            [one] => Refusal::new(format!("{}; {one} works", self.reason)),
+            [rest @ .., last] => Refusal::new(format!("{}; {} or {last} work", self.reason, rest.join(", "))),
+        }
+    }
+
     pub(super) fn new(reason: impl Into<String>) -> Self {
         Refusal { reason: reason.into() }
     }

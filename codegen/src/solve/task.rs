@@ -2,7 +2,7 @@
 
 use super::plan::{Plan, PlanTask};
 use super::problem::{Problem, Slot};
-use super::{Refusal, cheapest, refusal, solve};
+use super::{Refusal, cheapest, few, refusal, solve};
 use crate::model::chain::Chain;
 use crate::model::geometry::{Geometry, Triple, TripleKind};
 use crate::model::{Angle, Axis, Model, Task};
@@ -11,24 +11,101 @@ use crate::symbolic::{Graph, Rigid, transpose};
 /// The plan for what the file asks, or for the most specific task the arm can do.
 pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, Refusal> {
     let request = &model.inverse;
-    let free = model.joints.len() - usize::from(request.redundant.is_some());
-    let task = request.task.or(match free {
-        6 => Some(Task::Pose),
-        5 => Some(Task::PositionAxis),
-        3 => Some(Task::Position),
-        _ => None,
-    });
     let problem = Problem::new(model, chain, geometry.reach, request.redundant);
-    match (task, free) {
-        (Some(Task::Pose), 6) => pose(model, geometry, problem),
-        (Some(Task::Position), 3) => position(problem),
-        (Some(Task::PositionAxis), 5) => position_axis(request.axis, problem),
-        _ => Err(refusal::not_covered(model, task)),
+    let failed = match request.task {
+        Some(task) => match attempt(task, model, geometry, &problem) {
+            Ok(plan) => return Ok(plan),
+            Err(refusal) => refusal,
+        },
+        None => {
+            let mut failure = None;
+            for task in most_specific_first(&problem) {
+                match attempt(task, model, geometry, &problem) {
+                    Ok(plan) => return Ok(plan),
+                    Err(refusal) => failure = failure.or(Some(refusal)),
+                }
+            }
+            failure.unwrap_or_else(|| refusal::not_covered(model, None))
+        }
+    };
+    Err(failed.or_else(alternatives(model, chain, geometry)))
+}
+
+/// The tasks that an arm of so many joints may have.
+fn most_specific_first(problem: &Problem) -> Vec<Task> {
+    match problem.slots.len() {
+        6 => vec![Task::Pose],
+        5 => vec![Task::PositionAxis, Task::Pose],
+        4 => vec![Task::PositionAngle, Task::Pose],
+        3 if problem.is_planar() => vec![Task::PlanarPose],
+        3 => vec![Task::Position],
+        2 => vec![Task::PlanarPosition],
+        _ => Vec::new(),
     }
 }
 
+fn attempt(task: Task, model: &Model, geometry: &Geometry, problem: &Problem) -> Result<Plan, Refusal> {
+    let asked = plan_task(task, problem);
+    let problem = problem.clone();
+    match (task, problem.slots.len()) {
+        (Task::Pose, 6) => pose(model, geometry, problem),
+        (Task::Pose, 4 | 5) if few::yaws_and_pitches(&problem) => few::yawing_pose(problem, asked),
+        (Task::Pose, 4) => few::scara_pose(stroke_last(problem)?, asked),
+        (Task::Position, 3) => position(problem),
+        (Task::PositionAxis, 5) => position_axis(model.inverse.axis, problem),
+        (Task::PositionAngle, 4) if few::yaws_and_pitches(&problem) => few::position_angle(problem, asked),
+        (Task::PositionAngle, 4) => Err(Refusal::new(
+            "the task `position_angle` needs a joint that yaws and then three parallel joints across its axis",
+        )),
+        (Task::PlanarPose, 3) | (Task::PlanarPosition, 2) => few::in_plane(problem, asked),
+        _ => Err(refusal::not_covered(model, Some(task))),
+    }
+}
+
+/// The tasks, or the joints to give, with which this arm has an inverse.
+fn alternatives(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<String> {
+    let works = |task: Task, given: Option<usize>| {
+        let problem = Problem::new(model, chain, geometry.reach, given);
+        attempt(task, model, geometry, &problem).is_ok()
+    };
+    let request = &model.inverse;
+    let tasks =
+        [Task::Pose, Task::PositionAxis, Task::PositionAngle, Task::Position, Task::PlanarPose, Task::PlanarPosition];
+    let mut found: Vec<String> = tasks
+        .into_iter()
+        .filter(|task| Some(*task) != request.task && works(*task, request.redundant))
+        .map(|task| format!("`task: {}`", task.name()))
+        .collect();
+    let given: Vec<String> = (0..model.joints.len())
+        .filter(|joint| Some(*joint) != request.redundant)
+        .filter(|joint| {
+            tasks.into_iter().any(|task| request.task.is_none_or(|asked| asked == task) && works(task, Some(*joint)))
+        })
+        .filter_map(|joint| model.joints.get(joint))
+        .map(|joint| format!("`redundant: {}`", joint.name))
+        .collect();
+    found.extend(given);
+    found
+}
+
+/// A SCARA with its stroke, wherever it stands, moved behind the joints that turn.
+fn stroke_last(mut problem: Problem) -> Result<Problem, Refusal> {
+    let refused = || {
+        Refusal::new(
+            "with four joints the task `pose` needs a joint that yaws and three parallel joints across its axis, or three \
+             parallel joints and a sliding one along them (SCARA)",
+        )
+    };
+    let slides = problem.slots.iter().position(|slot| !slot.turns).ok_or_else(refused)?;
+    for i in slides..3 {
+        problem = problem.slide_later(i).ok_or_else(refused)?;
+    }
+    let upright = (1..4).all(|i| problem.keeps_axis(i).is_some());
+    if upright && problem.slots.iter().take(3).all(|slot| slot.turns) { Ok(problem) } else { Err(refused()) }
+}
+
 fn plan_task(task: Task, problem: &Problem) -> PlanTask {
-    PlanTask { task, locked: problem.locked.clone(), axis: Axis::Z }
+    PlanTask { task, locked: problem.locked.clone(), axis: Axis::Z, angle: None, overdetermined: false }
 }
 
 fn pose(model: &Model, geometry: &Geometry, problem: Problem) -> Result<Plan, Refusal> {

@@ -1,8 +1,9 @@
 //! The triple itself, once the joints outside it are known.
 
-use super::closure::{Closure, constant_angle};
-use super::plan::{Branching, ElbowRange, Kernel, Range, Unit};
+use super::closure::{Closure, Link, constant_angle};
+use super::plan::{Branching, Kernel, Range, Unit};
 use super::sides::Side;
+use super::{Refusal, planar};
 use crate::model::Angle;
 use crate::symbolic::{Expr, Graph, Mat3, Pair, Rigid, Vec3, transpose};
 
@@ -198,70 +199,24 @@ fn keeps_parallel(c: &Closure, joint: usize) -> Option<f64> {
     (cosine.abs() >= 1.0 - 1e-12).then(|| cosine.signum())
 }
 
-fn factors(c: &Closure) -> [Factor; 7] {
-    let [.., third, x, y, z] = c.order;
-    [
-        Factor::Link(z),
-        Factor::Joint(z),
-        Factor::Link(y),
-        Factor::Joint(y),
-        Factor::Link(x),
-        Factor::Joint(x),
-        Factor::Link(third),
-    ]
+/// What stands between the triple's last joint and its first, going back.
+fn factors(c: &Closure) -> Vec<Factor> {
+    let [.., third, _, _, _] = c.order;
+    let outside = c.outside();
+    let joints = outside.iter().rev().flat_map(|joint| [Factor::Link(*joint), Factor::Joint(*joint)]);
+    joints.chain([Factor::Link(third)]).collect()
 }
 
-/// `M = R_z(a) C_a R_z(b) C_b R_z(c)` for parallel axes: a planar arm of two links, then the angle that remains.
-pub fn parallel(c: &mut Closure) {
-    let m = triple_rigid(c);
+/// The triple as a loop in its plane, closed by everything else.
+///
+/// # Errors
+/// If the joints do not reach the plane.
+pub fn parallel(c: &mut Closure) -> Result<(), Refusal> {
+    let back = triple_rigid(c);
     let [first, second, third, ..] = c.order;
-    let (na, nb, nc) = (c.label(first), c.label(second), c.label(third));
-    let (link_a, link_b) = (c.link(first), c.link(second));
-    let wrist = Side::plane(m.p);
-    for (e, axis) in wrist.iter().zip(["x", "y"]) {
-        c.g.rename(*e, format!("wrist_{axis}"));
-    }
-    let rho = c.g.norm(&wrist);
-    c.g.name(rho, format!("rho{nb}"));
-    let (own, other) = (Side::plane(link_b.forward.p), Side::plane(link_a.back.p));
-    let range = ElbowRange { a: c.g.norm(&other), b: c.g.norm(&own), height: Expr::ZERO };
-    let away = other.map(|e| c.g.neg(e));
-    let (shift, about) = c.between(own, away);
-    let meaning = format!(
-        "Joint {nb}: axis {nc} is `{{rho}}` from axis {na}, `{{rho}}^2 = a^2 + b^2 + 2 a b cos(t)` with \
-         `a = {{a}}`, `b = {{b}}`{{shift}}."
-    );
-    let kernel = Kernel::Distance { rho, range, about };
-    c.stage(&[(second, shift)], second, Unit::Length, Branching::Elbow, meaning, kernel);
-    let pair = c.pair(second);
-    let turned = c.g.rotate_z(pair, link_b.forward.p);
-    let reach = link_a.forward.point(&mut c.g, turned);
-    for (e, axis) in reach.iter().zip(["x", "y"]) {
-        c.g.name(*e, format!("reach_{axis}"));
-    }
-    let kernel = Kernel::Align { from: Side::plane(reach), to: wrist };
-    let meaning = format!("Joint {na}: turns axis {nc} from `[{{from}}]` to `[{{to}}]`.");
-    c.stage(&[(first, Angle::ZERO)], first, Unit::Length, Branching::None, meaning, kernel);
-    // The total angle: a + ka + sa (b + kb + sb c).
-    let name = format!("t{na}{nb}{nc}");
-    let [[x, ..], [y, ..], _] = m.r;
-    c.angle(&name, format!("Angles {na}, {nb} and {nc} together: the direction of frame {nc} in the plane."), y, x);
-    let part = |c: &Closure, rigid: &Rigid| {
-        let value = |e: Expr| c.g.constant(e).unwrap_or(0.0);
-        let [[rx, ..], [ry, ..], [.., rz]] = rigid.r;
-        (constant_angle(value(ry), value(rx)), value(rz) < 0.0)
-    };
-    let ((ka, negative_a), (kb, negative_b)) = (part(c, &link_a.forward), part(c, &link_b.forward));
-    let (terms_a, constant_a) = c.solved(first);
-    let (terms_b, constant_b) = c.solved(second);
-    // c = sb (sa (total - a - ka) - b - kb)
-    let negative_ab = negative_a != negative_b;
-    let mut terms = vec![(name, negative_ab)];
-    terms.extend(terms_a.into_iter().map(|(t, n)| (t, n == negative_ab)));
-    terms.extend(terms_b.into_iter().map(|(t, n)| (t, n == negative_b)));
-    let signed = |angle: Angle, negative: bool| if negative { angle.neg() } else { angle };
-    let constant = signed(constant_a.add(ka), !negative_ab).add(signed(constant_b.add(kb), !negative_b));
-    c.sum(third, terms, constant);
+    let forward = back.inverse(&mut c.g);
+    let rest = Link { forward, back, target: true };
+    planar::solve(c, [first, second, third], [c.link(first), c.link(second), rest])
 }
 
 /// `M` with its translation. Only its part in the plane counts, so the point of axis c that is tracked may be any;
@@ -276,7 +231,7 @@ fn triple_rigid(c: &mut Closure) -> Rigid {
                 let mut p = link.back.p;
                 if link.target {
                     target = parts.len();
-                } else if joint == third {
+                } else if joint == third && c.turns(third) {
                     let along = c.g.scale3(Side::along(link.forward.p), link.back.z());
                     let moved = c.g.add3(p, along);
                     p = c.clean3(moved, Unit::Length);

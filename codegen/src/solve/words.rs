@@ -30,6 +30,7 @@ pub fn describe(plan: &Plan) -> Vec<String> {
 fn kernel(kernel: &Kernel) -> &'static str {
     match kernel {
         Kernel::Offset { .. } => "a point keeps an offset, a cos + b sin = d (2 roots)",
+        Kernel::OffsetOfTwo { .. } => "a point and a direction keep offsets, a cos + b sin = d (2 roots)",
         Kernel::Distance { .. } => "two points a given distance apart, law of cosines (2 roots)",
         Kernel::Cone { .. } => "a component along another axis (2 roots)",
         Kernel::Align { .. } => "one vector turned onto another (1 root)",

@@ -8,6 +8,7 @@
 //! | kernel | equation |
 //! |---|---|
 //! | [`offset`] | `a cos + b sin = d` |
+//! | [`offset_of_two`] | the same twice, for arms with fewer freedoms than a pose |
 //! | [`distance`] | two points on links, one turned about an axis, are a given distance apart |
 //! | [`cone`] | a direction or point, turned about an axis, has a given component along another axis |
 //! | [`align`] | turn one plane vector onto another |
@@ -28,6 +29,7 @@ mod cone;
 mod distance;
 mod goal;
 mod offset;
+mod offset_of_two;
 mod pair;
 mod refine;
 mod search;
@@ -44,6 +46,7 @@ pub use cone::{Cone, cone};
 pub use distance::{Elbow, distance};
 pub use goal::{Goal, InPlane, Locked, Pointing};
 pub use offset::offset;
+pub use offset_of_two::offset_of_two;
 pub use pair::{pair, pair_sliding};
 pub use search::{Facts, Search};
 pub use slide::{quadratic, slide, slide_to};

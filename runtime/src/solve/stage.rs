@@ -20,6 +20,11 @@ impl<T: Tolerances> Measure<T> {
         Self { scale: reach, angular: false }
     }
 
+    #[inline]
+    pub(super) fn is_angular(self) -> bool {
+        self.angular
+    }
+
     /// Amplitudes below this leave a joint free.
     #[inline]
     pub(super) fn vanishing(self) -> T {
@@ -59,6 +64,14 @@ impl<T: Tolerances> Trail<T> {
         doubt: false,
         ended: false,
     };
+
+    /// The same, with every branch to be checked in full: for targets with more equations than the arm has joints.
+    #[inline]
+    #[must_use]
+    pub fn unproven(mut self) -> Self {
+        self.doubt = true;
+        self
+    }
 
     /// Adds what a doubtful stage has met.
     #[cold]

@@ -1,0 +1,166 @@
+//! Arms with four or five joints: a plane that yaws, and the SCARA.
+
+use super::closure::{Closure, Link};
+use super::plan::{Branching, Kernel, Plan, PlanTask, Unit};
+use super::problem::Problem;
+use super::rows::turned_back;
+use super::sides::Side;
+use super::{Refusal, planar, triple};
+use crate::model::geometry::{Triple, TripleKind};
+use crate::model::{Angle, Task};
+use crate::symbolic::{Expr, Graph, Pair, Rigid, Vec3, transpose};
+
+/// A yaw joint and three parallel pitch joints across it, whatever follows.
+pub fn yaws_and_pitches(problem: &Problem) -> bool {
+    let turns = problem.slots.iter().take(4).all(|slot| slot.turns);
+    let parallel = problem.triples().contains(&Triple { first: 1, kind: TripleKind::Parallel });
+    turns && problem.slots.len() >= 4 && parallel && problem.keeps_axis(1).is_none()
+}
+
+/// What the yaw joint leaves of the chain: `n`, the pitch axis before the yaw, and how far along it the chain ends.
+fn across_plane(c: &mut Closure, ends: Expr) -> (Vec3, Expr) {
+    let yaw = c.link(0).forward;
+    let n = c.clean3(yaw.z(), Unit::Direction);
+    let offset = c.g.dot3(n, yaw.p);
+    let value = c.g.add(offset, ends);
+    (n, c.clean(value, Unit::Length))
+}
+
+/// A point and the sum of the pitch joints.
+pub fn position_angle(mut problem: Problem, task: PlanTask) -> Result<Plan, Refusal> {
+    // The tool counts with the plane: only a point is given.
+    let tool = problem.take_tool();
+    problem.probe.angle(["angle", "sin_angle", "cos_angle"]);
+    problem.target.r = Graph::identity();
+    let offsets: Vec<Angle> = problem.slots.iter().map(|slot| slot.offset).collect();
+    let triple = Triple { first: 1, kind: TripleKind::Parallel };
+    let mut c = Closure::new(problem, triple);
+    let (link_a, link_b) = (c.link(1).forward, c.link(2).forward);
+    let plane = link_a.then(&mut c.g, &link_b);
+    let end = plane.point(&mut c.g, tool.p);
+    let point = c.link(3).back.p;
+    let (n, value) = across_plane(&mut c, Side::along(end));
+    let row = turned_back(&mut c.g, n, point, Expr::ZERO);
+    let label = c.label(0);
+    let meaning =
+        format!("Joint {label}: the tool point keeps its offset across the plane, `{{a}} cos + {{b}} sin = {{d}}`.");
+    let d = c.g.sub(value, row.k);
+    let kernel = Kernel::Offset { a: row.c, b: row.s, d };
+    c.stage(&[(0, Angle::ZERO)], 0, Unit::Length, Branching::Shoulder, meaning, kernel);
+    // Rotation of the plane: R_z(angle) and the constant turns of the links.
+    let known = Pair { sin: c.g.symbol("sin_angle"), cos: c.g.symbol("cos_angle") };
+    let columns = transpose(&plane.r).map(|axis| c.g.rotate_z(known, axis));
+    let r = transpose(&columns);
+    let seen = c.move_back(0, point);
+    let seen = c.link(0).back.point(&mut c.g, seen);
+    let arm = c.g.apply3(&r, tool.p);
+    let back = Rigid { r, p: c.g.sub3(seen, arm) };
+    let forward = back.inverse(&mut c.g);
+    let rest = Link { forward, back, target: true };
+    let links = [c.link(1), c.link(2), rest];
+    planar::solve(&mut c, [1, 2, 3], links)?;
+    let sign = |c: &Closure, e: Expr| c.value(e).map_or(1.0, f64::signum);
+    let (third, fourth) = (sign(&c, Side::along(link_a.z())), sign(&c, Side::along(plane.z())));
+    let signs = [0.0, 1.0, third, fourth];
+    let constant = signs.iter().zip(&offsets).fold(Angle::ZERO, |sum, (sign, offset)| match *sign {
+        0.0 => sum,
+        sign if sign < 0.0 => sum.add(offset.neg()),
+        _ => sum.add(*offset),
+    });
+    let task = PlanTask { angle: Some((signs.to_vec(), constant)), ..task };
+    Ok(c.finish(triple, task))
+}
+
+/// A whole pose for a yaw joint, three pitch joints and perhaps a roll joint: more equations than joints.
+pub fn yawing_pose(problem: Problem, task: PlanTask) -> Result<Plan, Refusal> {
+    let rolls = problem.slots.len() == 5;
+    let triple = Triple { first: 1, kind: TripleKind::Parallel };
+    let mut c = Closure::new(problem, triple);
+    let last = if rolls { 4 } else { 3 };
+    let flange = c.link(last).back;
+    let (link_a, link_b) = (c.link(1).forward, c.link(2).forward);
+    let plane = link_a.then(&mut c.g, &link_b);
+    let label = c.label(0);
+    if rolls {
+        let link = c.link(3).forward;
+        let outer = plane.then(&mut c.g, &link);
+        if c.vanish(&Side::plane(c.link(3).back.z()), Unit::Direction) {
+            return Err(Refusal::new("joints 4 and 5 turn about parallel axes: the arm cannot leave its plane"));
+        }
+        let (n, value) = across_plane(&mut c, Side::along(outer.p));
+        let length = turned_back(&mut c.g, n, flange.p, Expr::ZERO);
+        let direction = turned_back(&mut c.g, n, flange.z(), Expr::ZERO);
+        let cosine = c.clean(Side::along(outer.z()), Unit::Direction);
+        let row = |c: &mut Closure, row: super::rows::Row, value: Expr| [row.c, row.s, c.g.sub(value, row.k)];
+        let kernel =
+            Kernel::OffsetOfTwo { length: row(&mut c, length, value), direction: row(&mut c, direction, cosine) };
+        let meaning = format!("Joint {label}: axis 5 keeps its offset and its angle to the plane of the pitch joints.");
+        c.stage(&[(0, Angle::ZERO)], 0, Unit::Length, Branching::Shoulder, meaning, kernel);
+        // The pitch axis as the flange sees it, and as the roll joint does.
+        let seen = c.move_by(0, n);
+        let seen = c.g.apply3(&flange.transposed(), seen);
+        let sign = c.value(Side::along(plane.z())).map_or(1.0, f64::signum);
+        let own = c.link(3).back.z().map(|e| if sign < 0.0 { c.g.neg(e) } else { e });
+        let meaning = "Joint 5: turns the pitch axis from `[{from}]` to `[{to}]`.".to_string();
+        let kernel = Kernel::Align { from: Side::plane(seen), to: Side::plane(own) };
+        c.stage(&[(4, Angle::ZERO)], 4, Unit::Direction, Branching::None, meaning, kernel);
+    } else {
+        // The tool has the pitch axis fixed in it.
+        let sign = c.value(Side::along(plane.z())).map_or(1.0, f64::signum);
+        let axis = flange.z().map(|e| if sign < 0.0 { c.g.neg(e) } else { e });
+        let n = c.clean3(c.link(0).forward.z(), Unit::Direction);
+        let kernel = Kernel::Align { from: Side::plane(n), to: Side::plane(axis) };
+        let meaning = format!("Joint {label}: turns the pitch axis from `[{{from}}]` to `[{{to}}]`.");
+        c.stage(&[(0, Angle::ZERO)], 0, Unit::Direction, Branching::None, meaning, kernel);
+    }
+    triple::parallel(&mut c)?;
+    Ok(c.finish(triple, PlanTask { overdetermined: true, ..task }))
+}
+
+/// A whole pose for three parallel joints and a stroke along them.
+pub fn scara_pose(problem: Problem, task: PlanTask) -> Result<Plan, Refusal> {
+    let triple = Triple { first: 0, kind: TripleKind::Parallel };
+    let mut c = Closure::new(problem, triple);
+    let flange = c.link(3).back;
+    let (link_a, link_b, link_c) = (c.link(0).forward, c.link(1).forward, c.link(2).forward);
+    let still = link_a.then(&mut c.g, &link_b).then(&mut c.g, &link_c);
+    let numerator = c.g.sub(Side::along(flange.p), Side::along(still.p));
+    let kernel = Kernel::SlideTo { denominator: Side::along(still.z()), numerator };
+    let label = c.label(3);
+    let meaning = format!("Joint {label}: the height of the tool.");
+    c.stage(&[(3, Angle::ZERO)], 3, Unit::Length, Branching::None, meaning, kernel);
+    triple::parallel(&mut c)?;
+    Ok(c.finish(triple, PlanTask { overdetermined: true, ..task }))
+}
+
+/// A pose or a point in the plane.
+pub fn in_plane(mut problem: Problem, task: PlanTask) -> Result<Plan, Refusal> {
+    let twist = if task.task == Task::PlanarPose { problem.tool_twist() } else { Some(Angle::ZERO) };
+    let (true, Some(twist)) = (problem.is_planar(), twist) else {
+        return Err(Refusal::new(format!(
+            "the task `{}` needs axes parallel to the base z axis (sliding joints across it){}",
+            task.task.name(),
+            if task.task == Task::PlanarPose { " and a tool whose x axis lies in the plane" } else { "" }
+        )));
+    };
+    problem.target.p = [problem.g.symbol("px"), problem.g.symbol("py"), Expr::ZERO];
+    if task.task == Task::PlanarPose {
+        problem.probe.angle(["phi", "sin_phi", "cos_phi"]);
+        let phi = Pair { sin: problem.g.symbol("sin_phi"), cos: problem.g.symbol("cos_phi") };
+        let twist = problem.g.constant_pair(twist, "TOOL_TWIST");
+        let columns = Graph::identity().map(|axis| {
+            let axis = problem.g.rotate_x(twist, axis);
+            problem.g.rotate_z(phi, axis)
+        });
+        problem.target.r = transpose(&columns);
+    } else {
+        // The tool point alone: its frame turns on a virtual joint about z of the base.
+        problem.target.r = Graph::identity();
+        problem.append_upright();
+    }
+    let triple = Triple { first: 0, kind: TripleKind::Parallel };
+    let mut c = Closure::new(problem, triple);
+    let links = [c.link(0), c.link(1), c.link(2)];
+    planar::solve(&mut c, [0, 1, 2], links)?;
+    Ok(c.finish(triple, task))
+}

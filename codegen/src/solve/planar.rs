@@ -1,0 +1,245 @@
+//! A closed loop in a plane: three joints whose axes are parallel, or that slide across that direction.
+//!
+//! `J_0 L_0 J_1 L_1 J_2 L_2 = 1`, read cyclically. What is asked for is in one of the links.
+
+use super::Refusal;
+use super::closure::{Closure, Link, constant_angle};
+use super::plan::{Branching, ElbowRange, Kernel, Unit};
+use super::sides::Side;
+use crate::model::Angle;
+use crate::symbolic::{Expr, Rigid, transpose};
+
+/// A turn in the plane, as a sum of known angles: `R_z(terms + constant)`, then a half turn about x if `flipped`.
+struct InPlane {
+    terms: Vec<(String, bool)>,
+    constant: Angle,
+    flipped: bool,
+}
+
+/// Adds the stages of the three joints.
+///
+/// # Errors
+/// If the strokes of two sliding joints are parallel, or nothing turns.
+pub fn solve(c: &mut Closure, slots: [usize; 3], links: [Link; 3]) -> Result<(), Refusal> {
+    let ([j0, j1, j2], [l0, l1, l2]) = (slots, links);
+    let turns = slots.map(|slot| c.turns(slot));
+    // Read from another joint on, so that what slides stands in a fixed place.
+    match turns {
+        [true, true, true] => elbow(c, slots, links),
+        [true, false, true] => stroke(c, slots, links),
+        [false, true, true] => stroke(c, [j2, j0, j1], [l2, l0, l1]),
+        [true, true, false] => stroke(c, [j1, j2, j0], [l1, l2, l0]),
+        [true, false, false] => return strokes(c, slots, links),
+        [false, true, false] => return strokes(c, [j1, j2, j0], [l1, l2, l0]),
+        [false, false, true] if !c.is_own(j2) => return strokes_to_point(c, [j0, j1], [l0, l1], l2.back.p),
+        [false, false, true] => return strokes(c, [j2, j0, j1], [l2, l0, l1]),
+        [false, false, false] => {
+            return Err(Refusal::new("no joint turns the tool in the plane"));
+        }
+    }
+    Ok(())
+}
+
+/// Two links: the law of cosines, then the direction.
+fn elbow(c: &mut Closure, [first, second, third]: [usize; 3], [link_a, link_b, link_c]: [Link; 3]) {
+    let m = link_c.back;
+    let (na, nb, nc) = (c.label(first), c.label(second), c.label(third));
+    let wrist = Side::plane(m.p);
+    let place = if c.is_own(third) { format!("axis {nc}") } else { "the tool point".into() };
+    let prefix = if c.is_own(third) { "wrist" } else { "tool" };
+    for (e, axis) in wrist.iter().zip(["x", "y"]) {
+        c.g.rename(*e, format!("{prefix}_{axis}"));
+    }
+    let rho = c.g.norm(&wrist);
+    c.g.name(rho, format!("rho{nb}"));
+    let (own, other) = (Side::plane(link_b.forward.p), Side::plane(link_a.back.p));
+    let range = ElbowRange { a: c.g.norm(&other), b: c.g.norm(&own), height: Expr::ZERO };
+    let away = other.map(|e| c.g.neg(e));
+    let (shift, about) = c.between(own, away);
+    let meaning = format!(
+        "Joint {nb}: {place} is `{{rho}}` from axis {na}, `{{rho}}^2 = a^2 + b^2 + 2 a b cos(t)` with \
+         `a = {{a}}`, `b = {{b}}`{{shift}}."
+    );
+    let kernel = Kernel::Distance { rho, range, about };
+    c.stage(&[(second, shift)], second, Unit::Length, Branching::Elbow, meaning, kernel);
+    let pair = c.pair(second);
+    let turned = c.g.rotate_z(pair, link_b.forward.p);
+    let reach = link_a.forward.point(&mut c.g, turned);
+    for (e, axis) in reach.iter().zip(["x", "y"]) {
+        c.g.name(*e, format!("reach_{axis}"));
+    }
+    let kernel = Kernel::Align { from: Side::plane(reach), to: wrist };
+    let meaning = format!("Joint {na}: turns {place} from `[{{from}}]` to `[{{to}}]`.");
+    c.stage(&[(first, Angle::ZERO)], first, Unit::Length, Branching::None, meaning, kernel);
+    if !c.is_own(third) {
+        return;
+    }
+    // a + ka + sa (b + kb + sb c) = total
+    let name = format!("t{na}{nb}{nc}");
+    let meaning = format!("Angles {na}, {nb} and {nc} together: the direction of frame {nc} in the plane.");
+    let total = in_plane(c, &m, name, meaning);
+    let part_a = in_plane(c, &link_a.forward, format!("turn{na}"), format!("The turn from joint {na} to {nb}."));
+    let part_b = in_plane(c, &link_b.forward, format!("turn{nb}"), format!("The turn from joint {nb} to {nc}."));
+    let negative_ab = part_a.flipped != part_b.flipped;
+    // c = sb (sa (total - a - ka) - b - kb)
+    let mut sum = Sum::new();
+    sum.add(&total.terms, total.constant, negative_ab);
+    let (terms, constant) = c.solved(first);
+    sum.add(&terms, constant, !negative_ab);
+    sum.add(&part_a.terms, part_a.constant, !negative_ab);
+    let (terms, constant) = c.solved(second);
+    sum.add(&terms, constant, !part_b.flipped);
+    sum.add(&part_b.terms, part_b.constant, !part_b.flipped);
+    c.sum(third, sum.terms, sum.constant);
+}
+
+/// One joint slides between two that turn: its stroke from the distance of the two axes, then the direction.
+fn stroke(c: &mut Closure, [first, slides, last]: [usize; 3], [link_a, link_b, link_c]: [Link; 3]) {
+    let (na, nb, nc) = (c.label(first), c.label(slides), c.label(last));
+    let to = Side::plane(link_c.back.p);
+    let rho = c.g.norm(&to);
+    c.g.name(rho, format!("rho{nb}"));
+    let side = Side {
+        joint: slides,
+        undone: false,
+        turns: false,
+        moved: c.clean3(link_b.forward.p, Unit::Length),
+        origin: c.clean3(link_a.back.p, Unit::Length),
+        axis: c.clean3(link_a.back.z(), Unit::Direction),
+    };
+    let place = |c: &Closure, slot: usize, label: &str| {
+        if c.is_own(slot) { format!("axis {label}") } else { "the tool point".into() }
+    };
+    let (place_a, place_c) = (place(c, first, &na), place(c, last, &nc));
+    side.slide(c, rho, true, format!("Joint {nb}: slides until {place_c} is `{{rho}}` from {place_a}."));
+    let along = c.position(slides);
+    if c.is_own(first) {
+        let [x, y, z] = link_b.forward.p;
+        let moved = [x, y, c.g.add(z, along)];
+        let from = link_a.forward.point(&mut c.g, moved);
+        let kernel = Kernel::Align { from: Side::plane(from), to };
+        let meaning = format!("Joint {na}: turns {place_c} from `[{{from}}]` to `[{{to}}]`.");
+        c.stage(&[(first, Angle::ZERO)], first, Unit::Length, Branching::None, meaning, kernel);
+    }
+    if !c.is_own(last) {
+        return;
+    }
+    if !c.is_own(first) {
+        let [x, y, z] = link_a.back.p;
+        let moved = [x, y, c.g.sub(z, along)];
+        let to = link_b.back.point(&mut c.g, moved);
+        let kernel = Kernel::Align { from: Side::plane(link_c.forward.p), to: Side::plane(to) };
+        let meaning = format!("Joint {nc}: turns {place_a} from `[{{from}}]` to `[{{to}}]`.");
+        c.stage(&[(last, Angle::ZERO)], last, Unit::Length, Branching::None, meaning, kernel);
+        return;
+    }
+    // a + k + s c = total
+    let meaning = format!("Angles {na} and {nc} together: the direction of frame {nc} in the plane.");
+    let total = in_plane(c, &link_c.back, format!("t{na}{nc}"), meaning);
+    let between = link_a.forward.then(&mut c.g, &Rigid { p: [Expr::ZERO; 3], ..link_b.forward });
+    let part = in_plane(c, &between, format!("turn{na}"), format!("The turn from joint {na} to {nc}."));
+    let mut sum = Sum::new();
+    sum.add(&total.terms, total.constant, part.flipped);
+    let (terms, constant) = c.solved(first);
+    sum.add(&terms, constant, !part.flipped);
+    sum.add(&part.terms, part.constant, !part.flipped);
+    c.sum(last, sum.terms, sum.constant);
+}
+
+/// Two joints slide: the one that turns gives the direction, the strokes are linear.
+fn strokes(c: &mut Closure, [turns, j1, j2]: [usize; 3], [link_a, link_b, link_c]: [Link; 3]) -> Result<(), Refusal> {
+    let (na, n1, n2) = (c.label(turns), c.label(j1), c.label(j2));
+    let m = link_c.back;
+    let still = link_a.forward.then(&mut c.g, &link_b.forward);
+    if c.is_own(turns) {
+        // R_z(a) (links) = M
+        let alone = c.g.matmul(&m.r, &transpose(&still.r));
+        let alone = Rigid { r: alone, p: [Expr::ZERO; 3] };
+        let [[cos, ..], [sin, ..], _] = alone.r;
+        let meaning = format!("Angle {na}: the direction of the tool in the plane.");
+        let angle = in_plane(c, &alone, format!("t{na}"), meaning);
+        c.known(turns, cos, sin);
+        c.sum(turns, angle.terms, angle.constant);
+    }
+    let at = c.move_back(turns, m.p);
+    let left = c.g.sub3(at, still.p);
+    let first = link_a.forward.z();
+    let second = link_a.forward.then(&mut c.g, &link_b.forward).z();
+    let cross = |c: &mut Closure, [ax, ay, _]: [Expr; 3], [bx, by, _]: [Expr; 3]| {
+        let (p, q) = (c.g.mul(ax, by), c.g.mul(ay, bx));
+        c.g.sub(p, q)
+    };
+    let denominator = cross(c, first, second);
+    if c.vanish(&[denominator], Unit::Direction) {
+        return Err(Refusal::new(format!(
+            "the arm is singular everywhere: joints {n1} and {n2} slide along each other"
+        )));
+    }
+    for (joint, label, numerator) in [(j1, &n1, cross(c, left, second)), (j2, &n2, cross(c, first, left))] {
+        let kernel = Kernel::SlideTo { denominator, numerator };
+        let meaning = format!("Joint {label}: slides by what is left in the plane.");
+        c.stage(&[(joint, Angle::ZERO)], joint, Unit::Length, Branching::None, meaning, kernel);
+    }
+    Ok(())
+}
+
+/// Two joints slide to a point: `d_0 e_z + L_0 (d_1 e_z + p_1) = point`, both along the plane.
+fn strokes_to_point(
+    c: &mut Closure,
+    [j0, j1]: [usize; 2],
+    [link_a, link_b]: [Link; 2],
+    point: [Expr; 3],
+) -> Result<(), Refusal> {
+    let (n0, n1) = (c.label(j0), c.label(j1));
+    let still = link_a.forward.point(&mut c.g, link_b.forward.p);
+    let left = c.g.sub3(point, still);
+    let second = link_a.forward.z();
+    let cosine = Side::along(second);
+    let (along_first, along_second) = (Side::along(left), c.g.dot3(second, left));
+    let squared = c.g.mul(cosine, cosine);
+    let denominator = c.g.sub(Expr::ONE, squared);
+    if c.vanish(&[denominator], Unit::Direction) {
+        return Err(Refusal::new(format!(
+            "the arm is singular everywhere: joints {n0} and {n1} slide along each other"
+        )));
+    }
+    for (joint, label, own, other) in [(j0, &n0, along_first, along_second), (j1, &n1, along_second, along_first)] {
+        let across = c.g.mul(cosine, other);
+        let numerator = c.g.sub(own, across);
+        let kernel = Kernel::SlideTo { denominator, numerator };
+        let meaning = format!("Joint {label}: slides by what is left in the plane.");
+        c.stage(&[(joint, Angle::ZERO)], joint, Unit::Length, Branching::None, meaning, kernel);
+    }
+    Ok(())
+}
+
+/// A signed sum of angles.
+struct Sum {
+    terms: Vec<(String, bool)>,
+    constant: Angle,
+}
+
+impl Sum {
+    fn new() -> Sum {
+        Sum { terms: Vec::new(), constant: Angle::ZERO }
+    }
+
+    fn add(&mut self, terms: &[(String, bool)], constant: Angle, negative: bool) {
+        self.terms.extend(terms.iter().map(|(term, n)| (term.clone(), *n != negative)));
+        self.constant = self.constant.add(if negative { constant.neg() } else { constant });
+    }
+}
+
+/// The turn that a link makes in the plane: constant, a known angle and a constant, or else measured.
+fn in_plane(c: &mut Closure, rigid: &Rigid, name: String, meaning: String) -> InPlane {
+    let [[x, ..], [y, ..], [.., z]] = rigid.r;
+    let flipped = c.value(z).is_some_and(|z| z < 0.0);
+    if let (Some(x), Some(y)) = (c.g.constant(x), c.g.constant(y)) {
+        return InPlane { terms: Vec::new(), constant: constant_angle(y, x), flipped };
+    }
+    if let Some((term, negative, constant)) = c.known_angle(y, x) {
+        return InPlane { terms: vec![(term, negative)], constant, flipped };
+    }
+    c.angle(&name, meaning, y, x);
+    InPlane { terms: vec![(name, false)], constant: Angle::ZERO, flipped }
+}

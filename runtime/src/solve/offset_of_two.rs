@@ -1,0 +1,42 @@
+//! Two equations for one joint.
+
+use super::tolerances::Tolerances;
+use super::{Home, Measure, Stage, offset};
+
+/// Solves `a cos(t) + b sin(t) = d` given twice, for lengths and for directions, where one of the two may lose its
+/// amplitude: the one of larger relative amplitude gives the roots, the other one chooses among them.
+///
+/// A root that misses the other equation by far is dropped; if both do, the better one stays, with its gap.
+#[inline]
+pub fn offset_of_two<T: Tolerances>(
+    home: Home<T>,
+    lengths: Measure<T>,
+    length: [T; 3],
+    direction: [T; 3],
+) -> Stage<T, 1, 2> {
+    let amplitude = |[a, b, _]: [T; 3], scale: T| (a * a + b * b).sqrt() / scale;
+    let by_length = amplitude(length, lengths.scale) >= amplitude(direction, T::ONE);
+    let ([a, b, d], measure, [e, f, g], other) = if by_length {
+        (length, lengths, direction, Measure::DIRECTION)
+    } else {
+        (direction, Measure::DIRECTION, length, lengths)
+    };
+    let mut stage = offset(home, measure, a, b, d);
+    let missed = |stage: &Stage<T, 1, 2>, root: usize| {
+        stage.roots.get(root).map_or(T::INFINITY, |[t]| (e * t.cos + f * t.sin - g).abs() / other.scale)
+    };
+    let [first, second] = [missed(&stage, 0), missed(&stage, 1)];
+    if stage.len == 2 && (first > T::CLOSE) != (second > T::CLOSE) || first.min(second) > T::CLOSE {
+        if second < first {
+            stage.roots.swap(0, 1);
+        }
+        stage.len = 1;
+        let left = first.min(second);
+        if left > T::CLOSE && stage.free.is_empty() {
+            stage.gap = stage.gap.max(left * other.scale);
+            stage.angular = other.is_angular();
+            stage.doubt = true;
+        }
+    }
+    stage
+}
