@@ -132,20 +132,6 @@ impl JointMask {
         Self(self.0 | other.0)
     }
 
-    /// The joints that are in both sets.
-    #[inline]
-    #[must_use]
-    pub const fn intersection(self, other: Self) -> Self {
-        Self(self.0 & other.0)
-    }
-
-    /// The first `count` joints.
-    #[inline]
-    #[must_use]
-    pub const fn first(count: usize) -> Self {
-        if count < u16::BITS as usize { Self((1 << count) - 1) } else { Self(u16::MAX) }
-    }
-
     /// Adds the joints of `other`.
     #[inline]
     pub const fn insert(&mut self, other: Self) {

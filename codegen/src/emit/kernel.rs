@@ -121,12 +121,18 @@ impl<'a> Calls<'a> {
         } else {
             self.plan.values.get(joint).map_or(stage.home, |value| value.constant.neg())
         };
-        let joint = integer(self.plan.number(joint));
+        let home = match self.plan.joint(joint).map(integer) {
+            Some(joint) => quote!(search.home(#joint)),
+            None => {
+                let last = integer(self.plan.last_solved());
+                quote!(search.virtual_home(#last))
+            }
+        };
         if shift.is_zero() {
-            return quote!(search.home(#joint));
+            return home;
         }
         let shift = angle::tokens(shift, self.target);
-        quote!(search.home(#joint).shifted(#shift))
+        quote!(#home.shifted(#shift))
     }
 
     fn constant(&self, e: Expr) -> Option<f64> {

@@ -2,7 +2,7 @@
 
 use super::problem::{Locked, Slot};
 use crate::model::geometry::Triple;
-use crate::model::{Angle, Axis, MOST_JOINTS, Task};
+use crate::model::{Angle, Axis, Task};
 use crate::symbolic::{Expr, Graph};
 
 /// A plan: the steps in order. A step may use the sines, cosines and values of the joints before it.
@@ -30,12 +30,16 @@ impl Plan {
         self.slots.get(slot).map(|slot| slot.label.clone()).unwrap_or_default()
     }
 
-    /// The number of a joint of the closed chain among the arm's joints, from 0; virtual joints come after the most an
-    /// arm can have.
-    pub fn number(&self, slot: usize) -> usize {
-        let joint = self.slots.get(slot).map(|slot| slot.joint);
-        let virtual_before = self.slots.iter().take(slot).filter(|slot| slot.joint.is_none()).count();
-        joint.flatten().unwrap_or(MOST_JOINTS + virtual_before)
+    /// The number of a joint of the closed chain among the arm's joints, from 0; `None` for a virtual joint.
+    pub fn joint(&self, slot: usize) -> Option<usize> {
+        self.slots.get(slot).and_then(|slot| slot.joint)
+    }
+
+    /// The last of the arm's joints to be solved: it moves with every joint that is free.
+    pub fn last_solved(&self) -> usize {
+        let in_triple = (0..3).rev().find_map(|k| self.joint(self.triple.first + k));
+        let solved = self.stages().flat_map(|stage| &stage.joints).filter_map(|slot| self.joint(*slot)).last();
+        in_triple.or(solved).unwrap_or(0)
     }
 
     /// The number of the arm's moving joints.

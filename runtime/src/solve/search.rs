@@ -88,6 +88,12 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
         Home { value: self.homes.get(joint).copied().unwrap_or(T::ZERO), joint: JointMask::single(joint) }
     }
 
+    /// The same for a virtual joint: 0. The joint named is one of the arm's that moves with it.
+    #[inline]
+    pub fn virtual_home(&self, joint: usize) -> Home<T> {
+        Home { value: T::ZERO, joint: JointMask::single(joint) }
+    }
+
     /// The trail of a branch after a stage. A stage that misses by more than the tolerance ends the branch; its gap is
     /// remembered.
     #[inline]
@@ -118,18 +124,17 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
     pub fn push(&mut self, trail: &Trail<T>, q: [T; N], branch: Branch) {
         let at = self.solutions.len();
         let orientation = trail.gap.orientation + self.deviation;
-        // Virtual joints, numbered after the arm's own, have no name outside.
-        let free = trail.free.intersection(JointMask::first(N));
-        let mut flags = trail.flags | Flags::EXACT;
-        if free.is_empty() {
-            flags.remove(Flags::FREE);
-        }
-        let solution =
-            Solution { q, flags, free, branch, residual: Residual { position: trail.gap.position, orientation } };
+        let solution = Solution {
+            q,
+            flags: trail.flags | Flags::EXACT,
+            free: trail.free,
+            branch,
+            residual: Residual { position: trail.gap.position, orientation },
+        };
         if self.solutions.push(solution) && trail.doubt {
             self.doubtful |= 1u32.checked_shl(at as u32).unwrap_or(0);
             if let Some(loose) = self.loose.get_mut(at) {
-                *loose = (trail.free | trail.weak).intersection(JointMask::first(N));
+                *loose = trail.free | trail.weak;
             }
         }
     }
