@@ -7,6 +7,7 @@ use quote::quote;
 use syn::{DeriveInput, Ident, Path};
 
 use crate::expand::scalar_type;
+use crate::stub_motors::motors;
 
 /// Joints of an arm whose file says nothing of them: by far the most arms have six.
 const USUAL_JOINTS: usize = 6;
@@ -21,7 +22,7 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// Counts the list items that are mappings (the rows: no other list in an arm file is one) and not `fixed`.
+    /// Counts the list items that are mappings (the rows; those of `combined_limits` have a `sum`) and not `fixed`.
     pub fn of(text: &str) -> Self {
         let lines = || text.lines().map(|line| line.split(" #").next().unwrap_or(line));
         let mut rows = Vec::new();
@@ -33,7 +34,7 @@ impl Outline {
                 None => {}
             }
         }
-        let moving = rows.iter().filter(|row| !row.contains("fixed")).count();
+        let moving = rows.iter().filter(|row| !row.contains("fixed") && !row.contains("sum:")).count();
         let task = lines().find_map(|line| {
             let after = line.split_once("task:")?.1;
             after.split(|c: char| !(c.is_alphanumeric() || c == '_')).find(|word| !word.is_empty()).map(str::to_owned)
@@ -64,6 +65,7 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
     } else {
         (quote!(Target), Some(quote!(Target: ?::core::marker::Sized)))
     };
+    let motors = motors(krate, &number, joints, &q, any_list.as_ref());
     let any_target_list = any_target.as_ref().map(|any| quote!(<#any>));
     let near = [any_target, any].into_iter().flatten();
     let solutions = quote!(#krate::Solutions<#number, #joints, 8>);
@@ -103,6 +105,7 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
             pub fn inverse_near <#(#near),*> (&self, _: &#target, _: &[#number; #q]) -> #solutions {
                 #krate::Solutions::new(#krate::Status::BadTarget)
             }
+            #motors
         }
         #traits
     }

@@ -8,6 +8,7 @@ use syn::{DeriveInput, parse_macro_input};
 mod attribute;
 mod expand;
 mod fallback;
+mod stub_motors;
 #[cfg(test)]
 mod tests;
 

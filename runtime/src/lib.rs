@@ -26,10 +26,12 @@
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
+pub mod actuator;
 mod arm;
 mod branch;
 #[cfg(all(feature = "nalgebra", feature = "std"))]
 mod chain;
+mod combined_limit;
 mod dh;
 mod flags;
 mod jacobian;
@@ -44,10 +46,12 @@ mod solutions;
 pub mod solve;
 mod target;
 
+pub use actuator::{Actuator, Quantized};
 pub use arm::{Arm, InverseKinematics};
 pub use branch::{Branch, Elbow, Shoulder, Wrist};
 #[cfg(all(feature = "nalgebra", feature = "std"))]
 pub use chain::{Chain, ChainError};
+pub use combined_limit::CombinedLimit;
 pub use dh::{Convention, DhFrame, DhRow, DhTable, JointKind, LengthUnit};
 pub use flags::{Flags, JointMask};
 pub use jacobian::Jacobian;

@@ -3,7 +3,7 @@
 use super::constants::Dimensions;
 use super::inverse::{Inverse as InverseCode, inverse};
 use super::tokens::integer;
-use super::{Target, docs, kinematics, tables};
+use super::{Target, actuator, combined_limits, coupling, docs, kinematics, tables};
 use crate::model::Model;
 use crate::model::chain::Chain;
 use crate::solve::{Plan, Refusal};
@@ -53,7 +53,8 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     let (model, name) = (arm.model, &target.type_name);
     let functions = kinematics::functions(model, arm.chain, target);
     let mut dimensions = Dimensions::default();
-    for (graph, roots) in &functions.used {
+    let linked = coupling::linked(model, target);
+    for (graph, roots) in functions.used.iter().chain(&linked.used) {
         dimensions.collect(graph, roots);
     }
     let inverse_code = match arm.inverse {
@@ -66,6 +67,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     let InverseCode { items, function, methods, trait_impl } = inverse_code;
     let dimensions = dimensions.items(model, target);
     let associated = tables::associated(model, target);
+    let motors = [combined_limits::constant(model, target), linked.methods, actuator::methods(model, target)];
     let arm_trait = arm_trait(model, target);
     let functions = functions.tokens;
     let doc = match arm.inverse {
@@ -92,6 +94,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
                 #associated
                 #functions
                 #methods
+                #(#motors)*
             }
 
             #function

@@ -66,6 +66,7 @@ fn meaning(name: &str, model: &Model) -> String {
         ("COS_THETA", Some(n)) => text(n, "Cosine of `theta`", ""),
         ("SIN_PHASE", Some(n)) => format!("Sine of the angle between theta {n} and the angle its equation gives."),
         ("COS_PHASE", Some(n)) => format!("Cosine of the angle between theta {n} and the angle its equation gives."),
+        ("OFFSET", Some(n)) => format!("Value of motor {n} where all joints are 0, rad (of a sliding joint {unit})."),
         _ if name.starts_with("BASE") => format!("Of the base frame{}.", frame_unit(name, unit)),
         _ if name.starts_with("TOOL") => format!("Of the tool frame{}.", frame_unit(name, unit)),
         _ if name.starts_with("MEET") => format!("Where two axes meet, along one of them, {unit}."),

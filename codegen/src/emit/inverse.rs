@@ -5,7 +5,7 @@ use super::inverse_frame::{function, given, inverse_trait, items, methods};
 use super::kernel::Calls;
 use super::task::task;
 use super::tokens::{Writer, ident};
-use super::{Target, angle, docs};
+use super::{Target, angle, combined_limits, docs};
 use crate::model::Model;
 use crate::solve::{Branching, Kernel, Plan, PlanStep, Stage};
 use crate::symbolic::{Expr, Node};
@@ -78,7 +78,8 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
         }
     }
     nest.values();
-    let body = nest.finish();
+    let (limits, body) = (combined_limits::statement(model, target), nest.finish());
+    let body = quote!(#limits #body);
     let task = task(model, plan, target, &used);
     Inverse {
         items: items(model, plan, target, calls.items),

@@ -1,9 +1,12 @@
 //! Generated code: names, expressions as statements, one file per generated function, doc text.
 
+mod actuator;
 mod angle;
 mod arm;
 mod block;
+mod combined_limits;
 mod constants;
+mod coupling;
 mod docs;
 mod inverse;
 mod inverse_frame;

@@ -53,21 +53,24 @@ fn kinds(model: &Model, target: &Target) -> TokenStream {
 
 fn limits(model: &Model, target: &Target) -> TokenStream {
     let scalar = target.scalar.tokens();
-    let end = |value: f64| {
-        if value == f64::INFINITY {
-            quote!(#scalar::INFINITY)
-        } else if value == f64::NEG_INFINITY {
-            quote!(#scalar::NEG_INFINITY)
-        } else {
-            number(value)
-        }
-    };
+    let end = |value: f64| limit(value, &scalar);
     let rows = model.joints.iter().map(|joint| {
         let [low, high] = joint.limits.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
         let (low, high) = (end(low), end(high));
         quote!([#low, #high])
     });
     quote!([#(#rows),*])
+}
+
+/// The end of a range.
+pub(super) fn limit(value: f64, scalar: &TokenStream) -> TokenStream {
+    if value == f64::INFINITY {
+        quote!(#scalar::INFINITY)
+    } else if value == f64::NEG_INFINITY {
+        quote!(#scalar::NEG_INFINITY)
+    } else {
+        number(value)
+    }
 }
 
 fn dh_table(model: &Model, target: &Target) -> TokenStream {

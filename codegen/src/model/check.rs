@@ -1,8 +1,12 @@
 //! From the file as written to the checked chain.
 
+use super::actuator::actuators;
+use super::combined_limits::combined_limits;
+use super::coupling::coupling;
+use super::joint_names::named;
 use super::{Angle, Frame, InverseRequest, Joint, JointKind, MOST_JOINTS, Model, Row};
 use crate::error::{Diagnostic, Errors};
-use crate::spec::{FrameSpec, LimitsSpec, Place, RowKind, RowSpec, Spec, nearest};
+use crate::spec::{FrameSpec, LimitsSpec, Place, RowKind, RowSpec, Spec};
 
 /// Checks what the values mean together, and converts them: angles exact, limits in rad, names filled in.
 ///
@@ -14,6 +18,9 @@ pub fn check(spec: &Spec) -> Result<Model, Errors> {
     count(spec, &joints, &mut mistakes);
     unique_names(spec, &joints, &mut mistakes);
     let inverse = inverse(spec, &joints, &mut mistakes);
+    let coupling = coupling(spec, &joints, &mut mistakes);
+    let combined_limits = combined_limits(spec, &joints, &mut mistakes);
+    let actuators = actuators(spec, &joints, &mut mistakes);
     if !mistakes.is_empty() {
         return Err(Errors::new(mistakes));
     }
@@ -36,6 +43,9 @@ pub fn check(spec: &Spec) -> Result<Model, Errors> {
         tool: frame(spec.tool),
         joints,
         inverse,
+        coupling,
+        combined_limits,
+        actuators,
     })
 }
 
@@ -116,32 +126,14 @@ fn inverse(spec: &Spec, joints: &[Joint], mistakes: &mut Vec<Diagnostic>) -> Inv
     InverseRequest {
         task: request.task,
         require: request.require,
-        redundant: request.redundant.as_ref().and_then(|(name, place)| redundant(spec, joints, name, place, mistakes)),
+        redundant: request
+            .redundant
+            .as_ref()
+            .and_then(|(name, place)| named(spec, joints, "redundant", name, place, mistakes)),
         axis: request.axis,
         tolerance_length: request.tolerance_length,
         tolerance_angle: request.tolerance_angle.map(|angle| Angle::from(angle).rad()),
         at: request.place.as_ref().map(|place| spec.source.location(place)),
         present: request.place.is_some(),
     }
-}
-
-/// The joint of that name; `qK` also means the K-th joint where no joint has that name.
-fn redundant(
-    spec: &Spec,
-    joints: &[Joint],
-    name: &str,
-    place: &Place,
-    mistakes: &mut Vec<Diagnostic>,
-) -> Option<usize> {
-    let by_name = joints.iter().position(|joint| joint.name == name);
-    let by_number = || (0..joints.len()).find(|index| name == format!("q{}", index + 1));
-    let found = by_name.or_else(by_number);
-    // Without a table there is no joint to name, and that is known already.
-    if found.is_none() && !joints.is_empty() {
-        let names: Vec<&str> = joints.iter().map(|joint| joint.name.as_str()).collect();
-        let meant = nearest(name, names.iter().copied()).map(|word| format!("did you mean `{word}`? "));
-        let help = format!("{}the joints are {}", meant.unwrap_or_default(), names.join(", "));
-        mistakes.push(spec.source.mistake(place, format!("`redundant`: no joint is named `{name}`")).help(help));
-    }
-    found
 }

@@ -1,15 +1,23 @@
 //! The checked chain: a file whose values make sense together.
 
+mod actuator;
 pub mod angle;
 pub mod chain;
 mod check;
+mod combined_limits;
+mod coupling;
 pub mod geometry;
+mod joint_names;
 pub mod numeric;
+mod rational;
 #[cfg(test)]
 mod tests;
 
+pub use actuator::Actuator;
 pub use angle::Angle;
 pub use check::check;
+pub use combined_limits::CombinedLimit;
+pub use coupling::Coupling;
 
 use crate::error::Location;
 pub use crate::spec::{Axis, Convention, LengthUnit, RowKind, Task};
@@ -38,6 +46,12 @@ pub struct Model {
     pub joints: Vec<Joint>,
     /// What the inverse is asked for.
     pub inverse: InverseRequest,
+    /// How motors move joints, where they are linked.
+    pub coupling: Option<Coupling>,
+    /// Ranges of sums of joint values.
+    pub combined_limits: Vec<CombinedLimit>,
+    /// What the motors count, one for each joint, where the file says so.
+    pub actuators: Option<Vec<Actuator>>,
 }
 
 /// A row of the table.

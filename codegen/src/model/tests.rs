@@ -121,3 +121,68 @@ fn all_arms_of_the_collection_are_right() {
     }
     assert!(count >= 53, "{count} files");
 }
+
+#[test]
+fn couplings() {
+    let rows = [PLAIN, PLAIN, "{name: z, type: prismatic, a: 0, alpha: 0, d: 0, theta: 0}"];
+    let coupling = |text: &str| model(&arm(&rows, &format!("coupling: {text}\n"))).unwrap().coupling.unwrap();
+    let linked = coupling("{q2: {q1: 1, q2: 2, offset: -90}, z: {z: -1, q1: 10 per rad}}");
+    assert_eq!(linked.matrix, [[1.0, 0.0, 0.0], [1.0, 2.0, 0.0], [10.0, 0.0, -1.0]]);
+    assert_eq!(linked.inverse, [[1.0, 0.0, 0.0], [-0.5, 0.5, 0.0], [10.0, 0.0, -1.0]]);
+    assert_eq!(linked.offset, [0.0, -FRAC_PI_2, 0.0]);
+    let written = "[[1, 0, 0], [1, 2, 0], [10 per rad, 0, -1]]";
+    assert_eq!(coupling(&format!("{{matrix: {written}, offset: [0, -pi/2, 0]}}")), linked);
+    assert_eq!(coupling(written).offset, [0.0; 3]);
+
+    let wrong =
+        |text: &str, place: &str, words: &[&str]| only(&arm(&rows, &format!("coupling: {text}\n")), place, words);
+    wrong("{q9: {q1: 1}}", "8:12", &["`coupling`: no joint is named `q9`", "q1, q2, z"]);
+    wrong("{q2: {zz: 1}}", "8:17", &["no joint is named `zz`", "did you mean `z`?"]);
+    // `q3` is the third joint, which has another name.
+    wrong("{q3: {z: 2}, z: {z: 1}}", "8:24", &["the motor of joint `z` is listed twice"]);
+    wrong("{z: {z: 1, q3: 2}}", "8:22", &["joint `z` is in the sum of the motor of `z` twice"]);
+    wrong("{z: {z: 1, q1: 20}}", "8:22", &["joint `q1` turns and `z` slides", "`20 per rev`"]);
+    wrong(
+        "{q1: {q1: 1, z: 1}}",
+        "8:24",
+        &["joint `z` slides and cannot turn the motor of `q1`", "z: {z: 1, q1: 20 per rev}"],
+    );
+    wrong("{q1: {q1: 20 per rev}}", "8:17", &["a length for a turn", "each turns", "a plain number"]);
+    wrong("{z: {z: 1, offset: 90 deg}}", "8:30", &["`offset`: expected a length, found the angle 90 deg"]);
+    wrong("[[1, 0], [0, 1]]", "8:11", &["a matrix of 3 rows, one for each motor, found 2", "3 rows of 3 factors"]);
+    wrong("[[1, 0, 0], [0, 1], [0, 0, 1]]", "8:23", &["expected 3 factors in row 2", "found 2"]);
+    wrong("{q2: {q1: 1}}", "8:12", &["singular: joint `q2` moves no motor"]);
+    wrong("{q2: {}}", "8:12", &["singular: nothing moves the motor of `q2`"]);
+    wrong("{q1: {q1: 0.1, q2: 0.2}, q2: {q1: 0.3, q2: 0.6}}", "8:36", &["singular: the motor of `q2` follows from"]);
+    wrong("{q1: {q1: 1, q2: 1}, q2: {q1: 1, q2: 1.0000000000001}}", "8:11", &["singular but for rounding"]);
+}
+
+#[test]
+fn combined_limits() {
+    let rows = [PLAIN, PLAIN, "{name: z, type: prismatic, a: 0, alpha: 0, d: 0, theta: 0}"];
+    let text = |entry: &str| arm(&rows, &format!("combined_limits:\n  - {entry}\n"));
+    let read = |entry: &str| model(&text(entry)).unwrap().combined_limits;
+    let both = CombinedLimit { factors: vec![1.0, -2.0, 0.0], limits: [-FRAC_PI_2, PI], kind: JointKind::Revolute };
+    assert_eq!(read("{sum: {q1: 1, q2: -2}, limits: [-90, pi]}"), [both]);
+    let one =
+        CombinedLimit { factors: vec![0.0, 0.0, 1.0], limits: [f64::NEG_INFINITY, 7.0], kind: JointKind::Prismatic };
+    assert_eq!(read("{sum: [z], limits: [null, 7]}"), [one]);
+    let wrong = |entry: &str, place: &str, words: &[&str]| only(&text(entry), place, words);
+    wrong("{sum: [q7], limits: [0, 1]}", "9:12", &["`sum`: no joint is named `q7`"]);
+    wrong("{sum: [q1, z], limits: [0, 1]}", "9:16", &["`q1` and `z` do not add up"]);
+    wrong("{sum: [], limits: [0, 1]}", "9:11", &["`sum`: no joint is in it"]);
+    wrong("{sum: {q1: 0}, limits: [0, 1]}", "9:11", &["`sum`: no joint is in it"]);
+    wrong("{sum: [q1], limits: [2, 1]}", "9:25", &["2 is greater than the highest value 1", "[1, 2]"]);
+    wrong("{sum: [z], limits: [0, 90 deg]}", "9:28", &["expected a length, found the angle 90 deg"]);
+}
+
+#[test]
+fn actuators_come_all_or_none() {
+    let turning = "{a: 1, alpha: 0, d: 0, theta: 0, actuator: {pulses_per_rev: 3600, home: 90, direction: -1}}";
+    let sliding = "{type: prismatic, a: 1, alpha: 0, d: 0, theta: 0, actuator: {pulses_per_unit: 4, home: 5}}";
+    let found = model(&arm(&[FIXED, turning, sliding], "")).unwrap().actuators.unwrap();
+    let turns = Actuator { pulses_per_unit: -1800.0 / PI, resolution: PI / 1800.0, home: FRAC_PI_2 };
+    assert_eq!(found, [turns, Actuator { pulses_per_unit: 4.0, resolution: 0.25, home: 5.0 }]);
+    assert_eq!(model(&arm(&[PLAIN], "")).unwrap().actuators, None);
+    only(&arm(&[PLAIN, turning, PLAIN], ""), "6:48", &["`actuator`: there is none for `q1`, `q3`", "to none"]);
+}

@@ -3,8 +3,11 @@
 //! [`read`] goes through the whole file and collects every mistake of form: an unknown key, a wrong type, a missing
 //! value. What the values mean together is checked by the next stage, `model`.
 
+mod actuator;
 mod angle;
 mod angle_field;
+mod combined_limits;
+mod coupling;
 mod frame;
 mod inverse;
 mod nearest;
@@ -15,9 +18,13 @@ mod source;
 #[cfg(test)]
 mod tests;
 mod units;
+mod value;
 mod yaml;
 
+pub use actuator::{ActuatorSpec, HomeSpec};
 pub use angle::{WrittenAngle, pi_times};
+pub use combined_limits::CombinedLimitSpec;
+pub use coupling::{CouplingSpec, Factor, MotorSpec, TermSpec};
 pub use frame::FrameSpec;
 pub use inverse::{Axis, InverseSpec, Task};
 pub use nearest::nearest;
@@ -25,6 +32,7 @@ pub use place::Place;
 pub use row::{LimitsSpec, RowKind, RowSpec};
 pub use source::Source;
 pub use units::{Convention, LengthUnit};
+pub use value::{JointRef, WrittenValue};
 
 use crate::error::{Diagnostic, Errors};
 use place::Step;
@@ -51,11 +59,16 @@ pub struct Spec {
     pub tool: FrameSpec,
     /// What the inverse is asked for.
     pub inverse: InverseSpec,
+    /// Which motor moves which joint, where they are linked.
+    pub coupling: Option<CouplingSpec>,
+    /// Ranges of sums of joint values.
+    pub combined_limits: Vec<CombinedLimitSpec>,
     /// The mistakes of form. They are reported together with those of meaning, so that one run shows all.
     pub mistakes: Vec<Diagnostic>,
 }
 
-const KEYS: &[&str] = &["name", "convention", "units", "inverse", "joints", "base", "tool"];
+const KEYS: &[&str] =
+    &["name", "convention", "units", "inverse", "joints", "base", "tool", "coupling", "combined_limits"];
 const SMALLEST: &str = "\
 an arm file is a mapping such as
 name: arm
@@ -86,9 +99,23 @@ pub fn read(text: &str, file: &str) -> Result<(Spec, Vec<Diagnostic>), Errors> {
     let base = reader.frame(&fields, "base", context);
     let tool = reader.frame(&fields, "tool", context);
     let inverse = reader.inverse(&fields, units.angle);
+    let coupling = reader.coupling(&fields, units.angle);
+    let combined_limits = reader.combined_limits(&fields, units.angle);
     let Reader { mistakes, warnings, .. } = reader;
     let name = name.unwrap_or_else(|| source.stem());
-    let spec = Spec { name, convention, length_unit: units.length, rows, base, tool, inverse, mistakes, source };
+    let spec = Spec {
+        name,
+        convention,
+        length_unit: units.length,
+        rows,
+        base,
+        tool,
+        inverse,
+        coupling,
+        combined_limits,
+        mistakes,
+        source,
+    };
     Ok((spec, warnings))
 }
 

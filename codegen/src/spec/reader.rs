@@ -10,7 +10,7 @@ use crate::error::Diagnostic;
 pub const NOTHING: &str = "write 0 where there is none";
 
 /// Keys that are planned: refused by name, not as unknown.
-const LATER: &[&str] = &["parameters", "actuator", "coupling"];
+const LATER: &[&str] = &["parameters"];
 
 /// A node and where it stands.
 #[derive(Debug, Clone)]

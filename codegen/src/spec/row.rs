@@ -1,5 +1,6 @@
 //! One row of the joint table.
 
+use super::actuator::ActuatorSpec;
 use super::angle::{AngleUnit, WrittenAngle};
 use super::angle_field::AngleRole;
 use super::place::Place;
@@ -34,6 +35,8 @@ pub struct RowSpec {
     pub theta: WrittenAngle,
     /// The range, where there is one, and its place.
     pub limits: Option<(LimitsSpec, Place)>,
+    /// The motor's pulses, where they are given.
+    pub actuator: Option<ActuatorSpec>,
     /// The row itself.
     pub place: Place,
 }
@@ -47,7 +50,7 @@ pub enum LimitsSpec {
     Lengths([Option<f64>; 2]),
 }
 
-const KEYS: &[&str] = &["type", "name", "a", "alpha", "d", "theta", "limits"];
+const KEYS: &[&str] = &["type", "name", "a", "alpha", "d", "theta", "limits", "actuator"];
 const KINDS: &[(&str, RowKind)] =
     &[("revolute", RowKind::Revolute), ("prismatic", RowKind::Prismatic), ("fixed", RowKind::Fixed)];
 const KIND_SYNONYMS: &[(&str, &str)] = &[
@@ -81,6 +84,7 @@ impl Reader<'_> {
             d: 0.0,
             theta: WrittenAngle::ZERO,
             limits: None,
+            actuator: None,
             place: field.place.clone(),
         };
         let Some(fields) = self.mapping(field, "a joint row", KEYS) else { return row };
@@ -105,6 +109,9 @@ impl Reader<'_> {
         row.theta = angle("theta", AngleRole::Offset).unwrap_or(WrittenAngle::ZERO);
         if let Some(field) = fields.get("limits").filter(|_| kind_known) {
             row.limits = self.limits(&field, row.kind, context.angle).map(|limits| (limits, field.place));
+        }
+        if let Some(field) = fields.get("actuator").filter(|_| kind_known) {
+            row.actuator = self.actuator(&field, row.kind, context.angle);
         }
         row
     }

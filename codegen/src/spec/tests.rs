@@ -95,12 +95,63 @@ fn keys() {
 
 #[test]
 fn keys_that_come_later() {
-    row_mistake("{a: 0, alpha: 9, d: 0, theta: 0, actuator: {home: 0}}", "5:38", &["`actuator` is not supported yet"]);
-    more_mistake("coupling: []\n", "6:1", &["`coupling` is not supported yet"]);
     // The names are refused once, where they are defined.
     let used = arm("{a: l2, alpha: 0, d: 0, theta: 0}", "parameters: {l2: 1}\ntool: {xyz: [0, l2, 0]}\n");
     only(&mistakes(&used), "6:1", &["`parameters` is not supported yet"]);
     row_mistake("{a: l2, alpha: 0, d: 0, theta: 0}", "5:9", &["`a`: expected a number", "found `l2`"]);
+}
+
+#[test]
+fn actuators() {
+    let row = |actuator: &str| format!("{{a: 0, alpha: 0, d: 0, theta: 0, actuator: {actuator}}}");
+    let slide = |actuator: &str| row(actuator).replace("{a", "{type: prismatic, a");
+    row_mistake(&row("{home: 0}"), "5:48", &["`actuator` has no `pulses_per_rev`", "a whole turn"]);
+    row_mistake(&slide("{pulses_per_rev: 9}"), "5:82", &["`pulses_per_rev` of a prismatic joint", "screw's lead"]);
+    row_mistake(&row("{pulses_per_unit: 9}"), "5:66", &["`pulses_per_unit` of a revolute joint"]);
+    row_mistake(&row("{pulses_per_rev: 0}"), "5:65", &["greater than zero", "`direction: -1`"]);
+    row_mistake(&row("{pulses_per_rev: .inf}"), "5:65", &["a factor, a finite number"]);
+    row_mistake(&row("{pulses_per_rev: 9, direction: 2}"), "5:79", &["expected 1 or -1"]);
+    row_mistake(&row("{pulses_per_rev: 9, direction: left}"), "5:79", &["a finite number, found `left`"]);
+    row_mistake(&row("{pulses_per_rev: 9, gear_ratio: -5}"), "5:80", &["greater than zero"]);
+    row_mistake(&slide("{pulses_per_unit: 9, gear_ratio: 5}"), "5:98", &["`gear_ratio` of a prismatic joint"]);
+    row_mistake(&slide("{pulses_per_unit: 9, home: 90 deg}"), "5:92", &["`home`: expected a number"]);
+    row_mistake(&row("12800"), "5:48", &["a mapping with pulses_per_rev"]);
+    row_mistake(&row("{pulses: 12800}"), "5:49", &["unknown key `pulses`", "pulses_per_rev"]);
+    let fixed = row("{pulses_per_rev: 9}").replace("{a", "{type: fixed, a");
+    row_mistake(&fixed, "5:61", &["`actuator` on a fixed row"]);
+
+    let text = arm(&row("{pulses_per_rev: 200, gear_ratio: 50, home: pi/2, direction: -1}"), "");
+    let (spec, _) = read(&text, "f").unwrap();
+    assert_eq!(spec.mistakes, []);
+    let actuator = spec.rows.first().and_then(|row| row.actuator.as_ref()).unwrap();
+    assert_eq!((actuator.pulses, actuator.reversed), (10000.0, true));
+    assert_eq!(actuator.home, HomeSpec::Angle(WrittenAngle::PiFraction(1, 2)));
+}
+
+#[test]
+fn couplings_and_sums() {
+    more_mistake("coupling: 5\n", "6:11", &["`coupling`: expected a mapping from joints", "{q2: 1, q3: 1}"]);
+    more_mistake("coupling: {}\n", "6:11", &["`coupling` is empty", "matrix"]);
+    more_mistake("coupling: {3: {q2: 1}}\n", "6:12", &["a joint's name in `coupling`", "did you mean `q3`?"]);
+    more_mistake("coupling: {q1: 2}\n", "6:16", &["`q1`: expected a mapping from joints", "`q1: {q1: 1}`"]);
+    more_mistake("coupling: {q1: {q1: 1}, q1: {q1: 2}}\n", "6:25", &["`q1` occurs twice"]);
+    more_mistake("coupling: {q1: {q1: 1, q1: 2}}\n", "6:24", &["`q1` occurs twice in the motor of `q1`"]);
+    more_mistake("coupling: {q1: {q1: x}}\n", "6:21", &["a factor, a number", "found `x`", "20 per rev"]);
+    more_mistake("coupling: {q1: {q1: .nan}}\n", "6:21", &["a finite number"]);
+    more_mistake("coupling: {q1: {q1: 1, offset: no}}\n", "6:32", &["`offset`: expected an angle"]);
+    more_mistake("coupling: {offset: [1]}\n", "6:11", &["`coupling` has no `matrix`"]);
+    more_mistake("coupling: {matrix: 1}\n", "6:20", &["`matrix`: expected a matrix, a list of rows"]);
+    more_mistake("coupling: {matrix: [1]}\n", "6:21", &["a row of the matrix"]);
+    more_mistake("coupling: {matrix: [[1]], offset: 1}\n", "6:35", &["`offset`: expected a list of offsets"]);
+    more_mistake("coupling: {matrix: [[1]], offset: [1, 2]}\n", "6:35", &["expected 1 offsets", "found 2"]);
+    more_mistake("coupling: {matrix: [[1]], ofset: [1]}\n", "6:27", &["did you mean `offset`?"]);
+    more_mistake("combined_limits: {sum: [q1]}\n", "6:18", &["a list of sums with their limits"]);
+    more_mistake("combined_limits: [{sum: [q1]}]\n", "6:19", &["entry 1` has no `limits`"]);
+    more_mistake("combined_limits: [{limits: [0, 1]}]\n", "6:19", &["entry 1` has no `sum`"]);
+    more_mistake("combined_limits: [{sum: {q1: a}, limits: [0, 1]}]\n", "6:30", &["a factor, a finite number"]);
+    more_mistake("combined_limits: [{sum: [1], limits: [0, 1]}]\n", "6:26", &["expected a joint's name"]);
+    more_mistake("combined_limits: [{sum: [q1], limits: [0]}]\n", "6:39", &["[lowest, highest]", "1 entry"]);
+    more_mistake("combined_limits: [{sum: [q1], limits: [0, x]}]\n", "6:43", &["expected an angle"]);
 }
 
 #[test]

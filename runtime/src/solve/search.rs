@@ -3,7 +3,7 @@
 use super::refine::Evaluate;
 use super::stage::Met;
 use super::{Goal, Home, Measure, Stage, Tolerances, Trail};
-use crate::{Branch, Flags, JointMask, Residual, Solution, Solutions, Status};
+use crate::{Branch, CombinedLimit, Flags, JointMask, Residual, Solution, Solutions, Status};
 
 /// What the search needs to know about an arm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,6 +37,8 @@ pub struct Search<'a, T, G, const N: usize, const M: usize> {
     pub(super) deviation: T,
     /// The least gap at which a branch ended.
     pub(super) least_gap: Option<T>,
+    /// Limits of sums of joint values.
+    combined: &'a [CombinedLimit<T, N>],
 }
 
 impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a, T, G, N, M> {
@@ -70,7 +72,14 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
             }),
         };
         let loose = [JointMask::NONE; M];
-        Some(Self { facts, goal, near, solutions, homes, doubtful: 0, loose, deviation, least_gap: None })
+        let combined = &[];
+        Some(Self { facts, goal, near, solutions, homes, doubtful: 0, loose, deviation, least_gap: None, combined })
+    }
+
+    /// Solutions outside one of these limits are out of limits too. An arm without any does not call this.
+    #[inline]
+    pub fn limit_sums(&mut self, combined: &'a [CombinedLimit<T, N>]) {
+        self.combined = combined;
     }
 
     /// The start of every branch.
@@ -149,7 +158,7 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
         if let Some(near) = self.near {
             self.approach(near, &evaluate);
         }
-        if self.facts.limited {
+        if self.facts.limited || !self.combined.is_empty() {
             self.mark_limits();
         }
         let exact = self.solutions.iter().any(|s| s.flags.contains(Flags::EXACT));
@@ -161,7 +170,7 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
     fn mark_limits(&mut self) {
         for solution in self.solutions.as_mut_slice() {
             let inside = solution.q.iter().zip(&self.facts.limits).all(|(q, [low, high])| q >= low && q <= high);
-            if !inside {
+            if !(inside && self.combined.iter().all(|limit| limit.holds(&solution.q))) {
                 solution.flags |= Flags::OUT_OF_LIMITS;
             }
         }

@@ -39,5 +39,9 @@ fn main() {
     let table: DhTable = Broken::DH;
     println!("{:?} {:?} {:?}", table, Broken::LIMITS, Broken::JOINT_NAMES.join(" "));
     println!("{:?} {}", Broken::LENGTH_UNIT, Broken::MAX_SOLUTIONS);
+    let (pulses, saturated) = arm.to_pulses_checked(&arm.from_motor(&arm.to_motor(&q)));
+    println!("{saturated} {:?} {:?}", arm.from_pulses(&pulses), arm.motor_jacobian(&q).rows);
+    println!("{:?} {:?}", arm.to_pulses(&q), arm.quantized_error(&q).residual);
+    println!("{:?} {:?} {:?}", Broken::RESOLUTION, Broken::ACTUATORS, Broken::COMBINED_LIMITS);
     generic(Broken);
 }

@@ -1,0 +1,160 @@
+//! Linked joints: motor values from joint values and back, and the Jacobian of the motor rates.
+
+use super::Target;
+use super::block::Block;
+use super::docs;
+use super::tokens::{Writer, ident, integer};
+use crate::model::{Coupling, Model};
+use crate::symbolic::{Expr, Graph};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The methods, and the expressions they use (for the dimensions to declare).
+pub struct Linked {
+    /// The methods.
+    pub methods: TokenStream,
+    /// The graphs with their roots.
+    pub used: Vec<(Graph, Vec<Expr>)>,
+}
+
+/// Nothing for an arm whose motors are its joints.
+pub fn linked(model: &Model, target: &Target) -> Linked {
+    let Some(coupling) = &model.coupling else { return Linked { methods: TokenStream::new(), used: Vec::new() } };
+    let mut graph = Graph::default();
+    let n = model.joints.len();
+    let numbered = |graph: &mut Graph, letter: &str| {
+        (1..=n).map(|number| graph.symbol(format!("{letter}{number}"))).collect::<Vec<Expr>>()
+    };
+    let [q, m, j] = ["q", "m", "j"].map(|letter| numbered(&mut graph, letter));
+    let offsets: Vec<Expr> = (1..)
+        .zip(&coupling.offset)
+        .map(|(number, offset)| graph.dimension(format!("OFFSET{number}"), *offset))
+        .collect();
+    let rows = products(&mut graph, &coupling.matrix, &q);
+    let to_motor: Vec<Expr> = rows.iter().zip(&offsets).map(|(row, offset)| graph.add(*row, *offset)).collect();
+    let turned: Vec<Expr> = m.iter().zip(&offsets).map(|(motor, offset)| graph.sub(*motor, *offset)).collect();
+    for (number, turned) in (1..).zip(&turned) {
+        graph.name(*turned, format!("moved{number}"));
+    }
+    let from_motor = products(&mut graph, &coupling.inverse, &turned);
+    let columns = products(&mut graph, &transposed(&coupling.inverse), &j);
+    let methods = methods(model, coupling, target, &graph, [&to_motor, &from_motor, &columns]);
+    Linked { methods, used: vec![(graph, [to_motor, from_motor].concat())] }
+}
+
+fn methods(
+    model: &Model,
+    coupling: &Coupling,
+    target: &Target,
+    graph: &Graph,
+    [to_motor, from_motor, columns]: [&[Expr]; 3],
+) -> TokenStream {
+    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
+    let [to_body, from_body, columns] = [to_motor, from_motor, columns].map(|roots| body(graph, roots, target));
+    let pattern = |letter: &str| {
+        let names = (1..=model.joints.len()).map(|number| ident(&format!("{letter}{number}")));
+        quote!([#(#names),*])
+    };
+    let [q, m, j] = ["q", "m", "j"].map(pattern);
+    let (joints, unit) = (docs::joints(model), docs::unit(model));
+    let equations = equations(model, coupling);
+    let motors = format!("each in the unit of its joint (rad or {unit}), `[{n}]`");
+    let to_doc = docs::lines(&format!(
+        "Motor values at joint values `q`, {motors}: `motor = A q + b`.\n\n{joints}\n{equations}"
+    ));
+    let from_doc = docs::lines(&format!(
+        "Joint values at motor values, {motors}: `q = A^-1 (motor - b)`, the inverse folded into the code.\n\n\
+         The way back from `to_motor`; whole turns are kept."
+    ));
+    let jacobian_doc = docs::lines(&format!(
+        "Geometric Jacobian with respect to the motors: `J(q) A^-1`, the tool's velocity for each motor's rate.\n\n\
+         {joints} Rows `vx vy vz wx wy wz` in the base frame at the tool point, as `jacobian`; one column a motor, \
+         `6 x {n}`. Joint torques are its motors' by `tau_motor = A^-T tau_joint`."
+    ));
+    quote! {
+        #to_doc
+        #[inline]
+        #[must_use]
+        pub fn to_motor(&self, q: &[#scalar; #n]) -> [#scalar; #n] {
+            let #q = *q;
+            #to_body
+        }
+
+        #from_doc
+        #[inline]
+        #[must_use]
+        pub fn from_motor(&self, motor: &[#scalar; #n]) -> [#scalar; #n] {
+            let #m = *motor;
+            #from_body
+        }
+
+        #jacobian_doc
+        #[inline]
+        #[must_use]
+        pub fn motor_jacobian(&self, q: &[#scalar; #n]) -> #krate::Jacobian<#scalar, #n> {
+            let rows = self.jacobian(q).rows;
+            #krate::Jacobian { rows: rows.map(|#j| { #columns }) }
+        }
+    }
+}
+
+/// Each row of the matrix times the vector.
+fn products(graph: &mut Graph, matrix: &[Vec<f64>], vector: &[Expr]) -> Vec<Expr> {
+    let row = |row: &Vec<f64>| {
+        row.iter().zip(vector).fold(Expr::ZERO, |sum, (factor, value)| {
+            let factor = graph.number(*factor);
+            let term = graph.mul(factor, *value);
+            graph.add(sum, term)
+        })
+    };
+    matrix.iter().map(row).collect()
+}
+
+fn transposed(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    (0..matrix.len()).map(|column| matrix.iter().filter_map(|row| row.get(column).copied()).collect()).collect()
+}
+
+/// The statements that the roots share, and the array of the roots.
+fn body(graph: &Graph, roots: &[Expr], target: &Target) -> TokenStream {
+    let mut block = Block::new(graph, roots, ["q".to_owned(), "motor".to_owned()]);
+    let statements: Vec<TokenStream> =
+        block.bind(roots).into_iter().map(|shared| block.statement(shared, &target.krate)).collect();
+    let writer = Writer { graph, bound: &block.bound, krate: &target.krate };
+    let values = roots.iter().map(|root| writer.write(*root));
+    quote! {
+        #(#statements)*
+        [#(#values),*]
+    }
+}
+
+/// The motors that are not their joints, as equations.
+fn equations(model: &Model, coupling: &Coupling) -> String {
+    let mut text = String::from("\n");
+    for (index, (row, offset)) in coupling.matrix.iter().zip(&coupling.offset).enumerate() {
+        let own = row.iter().enumerate().all(|(column, factor)| *factor == if column == index { 1.0 } else { 0.0 });
+        if own && *offset == 0.0 {
+            continue;
+        }
+        let terms = row.iter().enumerate().filter(|(_, factor)| **factor != 0.0);
+        let terms = terms.map(|(column, factor)| (*factor, format!("q{}", column + 1)));
+        let mut sum = String::new();
+        for (factor, name) in terms.chain((*offset != 0.0).then(|| (*offset, String::new()))) {
+            let sign = match (sum.is_empty(), factor < 0.0) {
+                (true, false) => "",
+                (true, true) => "-",
+                (false, false) => " + ",
+                (false, true) => " - ",
+            };
+            let size = match (factor.abs(), name.is_empty()) {
+                (1.0, false) => String::new(),
+                (size, false) => format!("{size} "),
+                (size, true) => format!("{size}"),
+            };
+            sum += &format!("{sign}{size}{name}");
+        }
+        let name = model.joints.get(index).map_or("", |joint| joint.name.as_str());
+        let named = if name == format!("q{}", index + 1) { String::new() } else { format!(" ({name})") };
+        text += &format!("- motor {}{named}: `{sum}`\n", index + 1);
+    }
+    text
+}

@@ -1,0 +1,64 @@
+//! The joint that a name means.
+
+use super::{Angle, Joint, JointKind};
+use crate::error::Diagnostic;
+use crate::spec::{JointRef, Place, Spec, WrittenValue, nearest};
+
+/// The joint of that name; `qK` also means the K-th joint where no joint has that name. `what` is the key that names
+/// it, for the message.
+pub fn named(
+    spec: &Spec,
+    joints: &[Joint],
+    what: &str,
+    name: &str,
+    place: &Place,
+    mistakes: &mut Vec<Diagnostic>,
+) -> Option<usize> {
+    let by_name = joints.iter().position(|joint| joint.name == name);
+    let by_number = || (0..joints.len()).find(|index| name == format!("q{}", index + 1));
+    let found = by_name.or_else(by_number);
+    // Without a table there is no joint to name, and that is known already.
+    if found.is_none() && !joints.is_empty() {
+        let names: Vec<&str> = joints.iter().map(|joint| joint.name.as_str()).collect();
+        let meant = nearest(name, names.iter().copied()).map(|word| format!("did you mean `{word}`? "));
+        let help = format!("{}the joints are {}", meant.unwrap_or_default(), names.join(", "));
+        mistakes.push(spec.source.mistake(place, format!("`{what}`: no joint is named `{name}`")).help(help));
+    }
+    found
+}
+
+/// The joint that is referred to, with its index.
+pub fn referred<'j>(
+    spec: &Spec,
+    joints: &'j [Joint],
+    what: &str,
+    (joint, place): (&JointRef, &Place),
+    mistakes: &mut Vec<Diagnostic>,
+) -> Option<(usize, &'j Joint)> {
+    let index = match joint {
+        JointRef::Named(name) => named(spec, joints, what, name, place, mistakes)?,
+        JointRef::Numbered(index) => *index,
+    };
+    joints.get(index).map(|joint| (index, joint))
+}
+
+/// A value of a joint of that kind: rad or length.
+pub fn value(
+    spec: &Spec,
+    what: &str,
+    kind: JointKind,
+    (written, place): &(WrittenValue, Place),
+    mistakes: &mut Vec<Diagnostic>,
+) -> Option<f64> {
+    match kind {
+        JointKind::Revolute => Some(Angle::from(written.angle).rad()),
+        JointKind::Prismatic => {
+            if written.length.is_none() {
+                let message = format!("`{what}`: expected a length, found the angle {}", spec.source.written(place));
+                let help = "the joint slides: write a number, in the file's length unit";
+                mistakes.push(spec.source.mistake(place, message).help(help));
+            }
+            written.length
+        }
+    }
+}
