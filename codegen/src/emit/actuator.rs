@@ -26,7 +26,7 @@ pub fn methods(model: &Model, target: &Target) -> TokenStream {
          `i32` stops at its end, and a value that is not a number counts 0: `to_pulses_checked` tells."
     ));
     let from_doc = docs::lines(&format!(
-        "Joint values `[{n}]` at pulse counts `[{n}]`: where the arm stands, rad or length unit.{}",
+        "Joint values `[{n}]` at pulse counts `[{n}]`: where the arm stands.{}",
         if model.coupling.is_some() { " The counts are those of the motors." } else { "" }
     ));
     let error_doc = docs::lines(&format!(

@@ -4,7 +4,7 @@ use super::Target;
 use super::block::Block;
 use super::docs;
 use super::tokens::{Writer, ident, integer};
-use crate::model::{Coupling, Model};
+use crate::model::{Coupling, JointKind, Model};
 use crate::symbolic::{Expr, Graph};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -56,9 +56,12 @@ fn methods(
         quote!([#(#names),*])
     };
     let [q, m, j] = ["q", "m", "j"].map(pattern);
-    let (joints, unit) = (docs::joints(model), docs::unit(model));
+    let joints = docs::joints(model);
+    let slides = model.joints.iter().any(|joint| joint.kind == JointKind::Prismatic);
+    let unit =
+        if slides { format!("each in the unit of its joint (rad or {})", docs::unit(model)) } else { "rad".into() };
     let equations = equations(model, coupling);
-    let motors = format!("each in the unit of its joint (rad or {unit}), `[{n}]`");
+    let motors = format!("{unit}, `[{n}]`");
     let to_doc = docs::lines(&format!(
         "Motor values at joint values `q`, {motors}: `motor = A q + b`.\n\n{joints}\n{equations}"
     ));
@@ -69,7 +72,7 @@ fn methods(
     let jacobian_doc = docs::lines(&format!(
         "Geometric Jacobian with respect to the motors: `J(q) A^-1`, the tool's velocity for each motor's rate.\n\n\
          {joints} Rows `vx vy vz wx wy wz` in the base frame at the tool point, as `jacobian`; one column a motor, \
-         `6 x {n}`. Joint torques are its motors' by `tau_motor = A^-T tau_joint`."
+         `6 x {n}`. Its transpose gives the motors' torques that hold a force at the tool."
     ));
     quote! {
         #to_doc
