@@ -69,6 +69,7 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
     let any_target_list = any_target.as_ref().map(|any| quote!(<#any>));
     let near = [any_target, any].into_iter().flatten();
     let solutions = quote!(#krate::Solutions<#number, #joints, 8>);
+    let motion = motion(krate, &number, &q, any_list.as_ref());
     let traits = input.generics.params.is_empty().then(|| traits(name, outline, krate, &number));
     quote! {
         #[allow(dead_code, missing_docs, clippy::all)]
@@ -99,6 +100,7 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
             ) -> (#krate::Pose<#number>, #krate::Jacobian<#number, #q>) {
                 (#krate::Pose::identity(), #krate::Jacobian { rows: [[0.0; #q]; 6] })
             }
+            #motion
             pub fn inverse #any_target_list (&self, _: &#target) -> #solutions {
                 #krate::Solutions::new(#krate::Status::BadTarget)
             }
@@ -108,6 +110,39 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
             #motors
         }
         #traits
+    }
+}
+
+/// What follows from pose and Jacobian.
+fn motion(krate: &Path, number: &TokenStream, q: &TokenStream, any_list: Option<&TokenStream>) -> TokenStream {
+    let (joints, jacobian) = (quote!(&[#number; #q]), quote!(#krate::Jacobian { rows: [[0.0; #q]; 6] }));
+    quote! {
+        pub fn velocity #any_list (&self, _: #joints, _: #joints) -> #krate::Twist<#number> {
+            #krate::Twist::zero()
+        }
+        pub fn acceleration #any_list (&self, _: #joints, _: #joints, _: #joints) -> #krate::Acceleration<#number> {
+            #krate::Acceleration::zero()
+        }
+        pub fn jacobian_dot #any_list (&self, _: #joints, _: #joints) -> #krate::Jacobian<#number, #q> {
+            #jacobian
+        }
+        pub fn jacobian_tool #any_list (&self, _: #joints) -> #krate::Jacobian<#number, #q> {
+            #jacobian
+        }
+        pub fn link_velocities #any_list (&self, _: #joints, _: #joints) -> [#krate::Twist<#number>; #q] {
+            [#krate::Twist::zero(); #q]
+        }
+        pub fn link_accelerations #any_list (
+            &self,
+            _: #joints,
+            _: #joints,
+            _: #joints,
+        ) -> [#krate::Acceleration<#number>; #q] {
+            [#krate::Acceleration::zero(); #q]
+        }
+        pub fn manipulability #any_list (&self, _: #joints) -> #number {
+            0.0
+        }
     }
 }
 

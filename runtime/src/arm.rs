@@ -2,6 +2,8 @@
 
 use crate::dh::JointKind;
 use crate::jacobian::Jacobian;
+use crate::math::Scalar;
+use crate::motion::{Acceleration, Twist};
 use crate::pose::Pose;
 use crate::solution::{Residual, Solution, Status};
 
@@ -80,6 +82,75 @@ pub trait Arm<T, const N: usize> {
     /// [`forward`](Self::forward) and [`jacobian`](Self::jacobian), sharing their terms.
     #[must_use]
     fn forward_and_jacobian(&self, q: &[T; N]) -> (Pose<T>, Jacobian<T, N>);
+
+    /// Velocity of the tool in the base frame, for joint rates `qd` `[N]`, rad/s or length unit / s.
+    #[must_use]
+    fn velocity(&self, q: &[T; N], qd: &[T; N]) -> Twist<T>
+    where
+        T: Scalar,
+    {
+        self.jacobian(q).velocity(qd)
+    }
+
+    /// Acceleration of the tool in the base frame, for joint rates `qd` `[N]` and their derivatives `qdd` `[N]`: the
+    /// second derivative of the position of the tool point and the derivative of the angular velocity.
+    #[must_use]
+    fn acceleration(&self, q: &[T; N], qd: &[T; N], qdd: &[T; N]) -> Acceleration<T>
+    where
+        T: Scalar,
+    {
+        self.jacobian(q).acceleration(qd, qdd)
+    }
+
+    /// Derivative by time of [`jacobian`](Self::jacobian), for joint rates `qd` `[N]`.
+    #[must_use]
+    fn jacobian_dot(&self, q: &[T; N], qd: &[T; N]) -> Jacobian<T, N>
+    where
+        T: Scalar,
+    {
+        self.jacobian(q).derivative(qd)
+    }
+
+    /// Geometric Jacobian of the tool point in the axes of the tool.
+    #[must_use]
+    fn jacobian_tool(&self, q: &[T; N]) -> Jacobian<T, N>
+    where
+        T: Scalar,
+    {
+        let (tool, jacobian) = self.forward_and_jacobian(q);
+        jacobian.in_frame(&tool.rotation)
+    }
+
+    /// Velocities of the link frames `[N]` in the base frame, each at its own origin; the frames are those of
+    /// [`link_poses`](Self::link_poses).
+    #[must_use]
+    fn link_velocities(&self, q: &[T; N], qd: &[T; N]) -> [Twist<T>; N]
+    where
+        T: Scalar,
+    {
+        let (tool, jacobian) = self.forward_and_jacobian(q);
+        jacobian.link_velocities(&tool, &self.link_poses(q), qd)
+    }
+
+    /// Accelerations of the link frames `[N]` in the base frame, each at its own origin.
+    #[must_use]
+    fn link_accelerations(&self, q: &[T; N], qd: &[T; N], qdd: &[T; N]) -> [Acceleration<T>; N]
+    where
+        T: Scalar,
+    {
+        let (tool, jacobian) = self.forward_and_jacobian(q);
+        jacobian.link_accelerations(&tool, &self.link_poses(q), qd, qdd)
+    }
+
+    /// Manipulability of Yoshikawa 1985 over all six rows of the Jacobian, lengths not scaled; see
+    /// [`Jacobian::manipulability`]. An arm whose file names a task that counts fewer rows has it over those.
+    #[must_use]
+    fn manipulability(&self, q: &[T; N]) -> T
+    where
+        T: Scalar,
+    {
+        self.jacobian(q).manipulability()
+    }
 }
 
 /// Inverse kinematics in closed form of an arm with `N` joints in scalar `T`.

@@ -27,6 +27,7 @@
 extern crate std;
 
 pub mod actuator;
+mod analytic;
 mod arm;
 mod branch;
 #[cfg(all(feature = "nalgebra", feature = "std"))]
@@ -35,7 +36,9 @@ mod combined_limit;
 mod dh;
 mod flags;
 mod jacobian;
+mod manipulability;
 pub mod math;
+mod motion;
 #[cfg(feature = "nalgebra")]
 mod nalgebra_convert;
 pub mod numeric;
@@ -47,6 +50,7 @@ pub mod solve;
 mod target;
 
 pub use actuator::{Actuator, Quantized};
+pub use analytic::AnalyticJacobian;
 pub use arm::{Arm, InverseKinematics};
 pub use branch::{Branch, Elbow, Shoulder, Wrist};
 #[cfg(all(feature = "nalgebra", feature = "std"))]
@@ -56,6 +60,7 @@ pub use dh::{Convention, DhFrame, DhRow, DhTable, JointKind, LengthUnit};
 pub use flags::{Flags, JointMask};
 pub use jacobian::Jacobian;
 pub use math::Scalar;
+pub use motion::{Acceleration, Twist};
 pub use orientation::{AxisAngle, Euler, EulerOrder};
 pub use pose::Pose;
 pub use solution::{Residual, Solution, Status};

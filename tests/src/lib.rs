@@ -12,6 +12,7 @@ pub mod random;
 pub mod recover;
 pub mod reference;
 pub mod report;
+pub mod series;
 pub mod singular;
 pub mod subject;
 pub mod timing;

@@ -4,6 +4,7 @@ use super::constants::Dimensions;
 use super::inverse::{Inverse as InverseCode, inverse};
 use super::tokens::integer;
 use super::{Target, actuator, combined_limits, coupling, docs, kinematics, tables};
+use super::{Target, docs, kinematics, motion, tables};
 use crate::model::Model;
 use crate::model::chain::Chain;
 use crate::solve::{Plan, Refusal};
@@ -70,6 +71,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     let motors = [combined_limits::constant(model, target), linked.methods, actuator::methods(model, target)];
     let arm_trait = arm_trait(model, target);
     let functions = functions.tokens;
+    let motion = motion::methods(model, target);
     let doc = match arm.inverse {
         Ok(_) => TokenStream::new(),
         Err(refusal) => docs::lines(&format!("No inverse kinematics: {}.", refusal.reason)),
@@ -93,6 +95,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
             impl #name {
                 #associated
                 #functions
+                #motion
                 #methods
                 #(#motors)*
             }
@@ -108,6 +111,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
 fn arm_trait(model: &Model, target: &Target) -> TokenStream {
     let (krate, scalar, name, n) =
         (&target.krate, target.scalar.tokens(), &target.type_name, integer(model.joints.len()));
+    let motion = motion::trait_methods(model, target);
     quote! {
         #[automatically_derived]
         impl #krate::Arm<#scalar, #n> for #name {
@@ -133,6 +137,7 @@ fn arm_trait(model: &Model, target: &Target) -> TokenStream {
             ) -> (#krate::Pose<#scalar>, #krate::Jacobian<#scalar, #n>) {
                 #name::forward_and_jacobian(self, q)
             }
+            #motion
         }
     }
 }

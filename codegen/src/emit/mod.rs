@@ -12,6 +12,7 @@ mod inverse;
 mod inverse_frame;
 mod kernel;
 mod kinematics;
+mod motion;
 mod tables;
 mod task;
 mod tokens;

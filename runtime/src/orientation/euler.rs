@@ -60,12 +60,12 @@ impl EulerOrder {
     }
 
     /// Whether the first axis, the second and the one left over form a left-handed frame.
-    const fn is_odd(self) -> bool {
+    pub(crate) const fn is_odd(self) -> bool {
         matches!(self, Self::Xzy | Self::Xzx | Self::Yxz | Self::Yxy | Self::Zyx | Self::Zyz)
     }
 
     /// `x`, `y`, `z` in the order first axis, second axis, the one left over.
-    const fn arrange<X: Copy>(self, [x, y, z]: [X; 3]) -> [X; 3] {
+    pub(crate) const fn arrange<X: Copy>(self, [x, y, z]: [X; 3]) -> [X; 3] {
         match self {
             Self::Xyz | Self::Xyx => [x, y, z],
             Self::Xzy | Self::Xzx => [x, z, y],
