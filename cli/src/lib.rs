@@ -1,5 +1,7 @@
 //! The command `denhart` as a function: `denhart expand FILE` prints the generated code of an arm, `denhart check FILE`
-//! what the generator found in it.
+//! what the generator found in it, `denhart trace FILE` the motion of its tool under a motion law.
+
+mod trace;
 
 use std::env;
 use std::ffi::OsString;
@@ -37,6 +39,13 @@ enum Action {
     /// The axes that are parallel or meet, the way the inverse kinematics is solved, the largest number of solutions,
     /// the operation counts, and advice on the file.
     Check(Check),
+    /// Print the motion of the tool under motion laws of the joints, as CSV
+    ///
+    /// Columns: t (s), the joints q1 .. qN, the position x y z of the tool in the base frame, its orientation, its
+    /// velocity vx vy vz and angular velocity wx wy wz, its acceleration ax ay az and angular acceleration dwx dwy dwz.
+    /// Lengths are in the unit of the arm file, angles as --units says, times in s. Rates are exact derivatives of the
+    /// laws.
+    Trace(trace::Options),
 }
 
 #[derive(Args)]
@@ -82,6 +91,13 @@ where
     let result = match Command::try_parse_from(arguments) {
         Ok(Command { action: Action::Expand(options) }) => expand(options),
         Ok(Command { action: Action::Check(Check { file }) }) => check(&file),
+        Ok(Command { action: Action::Trace(options) }) => {
+            return match trace::run(&options, out) {
+                Ok(()) | Err(trace::Failure::NoReader) => SUCCESS,
+                Err(trace::Failure::Usage(mistake)) => say(err, &format!("error: {mistake}"), USAGE),
+                Err(trace::Failure::Other(mistake)) => say(err, &format!("error: {mistake}"), FAILURE),
+            };
+        }
         Err(shown) if shown.use_stderr() => return say(err, &shown.render().to_string(), USAGE),
         Err(help) => Ok(help.render().to_string()),
     };

@@ -1,0 +1,278 @@
+//! `denhart trace`: a motion law for every joint, sampled to the pose, velocity and acceleration of the tool, as CSV.
+
+mod arm;
+mod jet;
+mod law;
+mod times;
+
+use std::fs::File;
+use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use clap::{Args, ValueEnum};
+use denhart::{Chain, JointKind, Pose};
+use indicatif::{ProgressBar, ProgressStyle};
+use jet::Jet;
+use law::{Law, LawError};
+use times::Times;
+
+/// A progress bar appears after this long.
+const LONG: Duration = Duration::from_secs(1);
+/// How many samples pass between two looks at the clock.
+const BETWEEN_LOOKS: u64 = 512;
+
+/// What the command takes.
+#[derive(Args)]
+pub struct Options {
+    /// The arm file, YAML
+    file: PathBuf,
+    /// The value of every joint as an expression in the time t (s), separated by commas: "3t, -90 + 3t, 20 sin(pi t)"
+    ///
+    /// Numbers, t, pi, e, + - * / ^, parentheses, products without a sign (3t), and the functions sin cos tan asin acos
+    /// atan sinh cosh tanh exp ln sqrt abs. Arguments of sin and the like are rad always.
+    #[arg(long, value_name = "LAWS", allow_hyphen_values = true)]
+    law: String,
+    /// First time, s
+    #[arg(long, value_name = "T", default_value_t = 0.0, allow_hyphen_values = true)]
+    from: f64,
+    /// Last time, s; a sample if the range is a whole number of steps
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    to: f64,
+    /// Time between two samples, s
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    step: f64,
+    /// Unit of angles, in the laws of turning joints and in the output
+    #[arg(long, value_name = "UNIT", default_value = "rad")]
+    units: Angle,
+    /// How the orientation of the tool is printed
+    #[arg(long, value_name = "FORM", default_value = "rpy")]
+    orientation: Orientation,
+    /// Write to this file instead of the standard output
+    #[arg(long, short, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Angle {
+    Rad,
+    Deg,
+}
+
+impl Angle {
+    /// The unit in rad.
+    fn in_rad(self) -> f64 {
+        match self {
+            Self::Rad => 1.0,
+            Self::Deg => std::f64::consts::PI / 180.0,
+        }
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Orientation {
+    /// Roll, pitch, yaw: R = Rz(yaw) Ry(pitch) Rx(roll); roll is 0 where the pitch is +-90 degrees
+    Rpy,
+    /// Unit quaternion, scalar part first
+    Quaternion,
+    /// Rotation matrix, row by row
+    Matrix,
+}
+
+impl Orientation {
+    fn header(self) -> &'static [&'static str] {
+        match self {
+            Self::Rpy => &["roll", "pitch", "yaw"],
+            Self::Quaternion => &["qw", "qx", "qy", "qz"],
+            Self::Matrix => &["r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"],
+        }
+    }
+
+    fn of(self, pose: &Pose<f64>, angle: Angle) -> Vec<f64> {
+        match self {
+            Self::Rpy => pose.rpy().angles.map(|x| x / angle.in_rad()).to_vec(),
+            Self::Quaternion => pose.quaternion().to_vec(),
+            Self::Matrix => pose.rotation.as_flattened().to_vec(),
+        }
+    }
+}
+
+/// Why there is no trace.
+pub enum Failure {
+    /// Arguments that make no sense.
+    Usage(String),
+    /// A mistake in the arm file, a law without a value, or no way to write.
+    Other(String),
+    /// Whoever read the output has gone away.
+    NoReader,
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        if error.kind() == ErrorKind::BrokenPipe {
+            Self::NoReader
+        } else {
+            Self::Other(format!("cannot write: {error}"))
+        }
+    }
+}
+
+/// Writes the trace to `out`, or to the file named in the options.
+pub fn run(options: &Options, out: &mut dyn Write) -> Result<(), Failure> {
+    let times = Times::new(options.from, options.to, options.step).map_err(Failure::Usage)?;
+    let text = &options.law;
+    let laws = law::parse(text).map_err(|error| Failure::Usage(pointed(text, &error)))?;
+    let (chain, names) = arm::read(&options.file).map_err(Failure::Other)?;
+    match_up(text, &laws, &names).map_err(|error| Failure::Usage(pointed(text, &error)))?;
+    let trace = Trace { kinds: chain.kinds(), chain, laws, times, angle: options.units, form: options.orientation };
+    match &options.output {
+        None => trace.write(out, !io::stdout().is_terminal()),
+        Some(path) => {
+            let cannot = |error: io::Error| Failure::Other(format!("cannot write `{}`: {error}", path.display()));
+            let mut file = BufWriter::new(File::create(path).map_err(cannot)?);
+            trace.write(&mut file, true)
+        }
+    }
+}
+
+/// One law for every joint.
+fn match_up(text: &str, laws: &[Law], names: &[String]) -> Result<(), LawError> {
+    let at = laws.get(names.len()).map_or(text.len(), |surplus| surplus.at);
+    if laws.len() == names.len() {
+        return Ok(());
+    }
+    let count = |n: usize, of: &str| if n == 1 { format!("1 {of}") } else { format!("{n} {of}s") };
+    let (laws, joints) = (count(laws.len(), "law"), count(names.len(), "joint"));
+    let names = names.join(", ");
+    Err(LawError { at, message: format!("{laws} for {joints}; one for each is needed: {names}") })
+}
+
+/// The message, and the text with a mark under the place. A long text is cut around it.
+fn pointed(text: &str, error: &LawError) -> String {
+    const AROUND: usize = 50;
+    let LawError { at, message } = error;
+    let before: Vec<char> = text.get(..*at).unwrap_or_default().chars().collect();
+    let after: Vec<char> = text.get(*at..).unwrap_or_default().chars().take(AROUND).collect();
+    let cut = before.len().saturating_sub(AROUND);
+    let shown: String =
+        before.iter().skip(cut).chain(&after).map(|c| if c.is_whitespace() { ' ' } else { *c }).collect();
+    let mark = " ".repeat(before.len() - cut);
+    format!("--law, character {}: {message}\n  {shown}\n  {mark}^", before.len() + 1)
+}
+
+struct Trace {
+    chain: Chain,
+    kinds: Vec<JointKind>,
+    laws: Vec<Law>,
+    times: Times,
+    angle: Angle,
+    form: Orientation,
+}
+
+impl Trace {
+    /// Header and rows; a progress bar if `may_show` and it takes long.
+    fn write(&self, out: &mut dyn Write, may_show: bool) -> Result<(), Failure> {
+        let joints = (1..=self.kinds.len()).map(|joint| format!("q{joint}"));
+        let pose = ["x", "y", "z"].iter().chain(self.form.header());
+        let motion = ["vx", "vy", "vz", "wx", "wy", "wz", "ax", "ay", "az", "dwx", "dwy", "dwz"];
+        let names = pose.chain(&motion).map(|name| (*name).to_owned());
+        let header: Vec<String> = ["t".to_owned()].into_iter().chain(joints).chain(names).collect();
+        writeln!(out, "{}", header.join(","))?;
+
+        let mut progress = Progress::new(self.times.count(), may_show);
+        for index in 0..self.times.count() {
+            let row: Vec<String> = self.sample(self.times.at(index))?.into_iter().map(printed).collect();
+            writeln!(out, "{}", row.join(","))?;
+            progress.look(index);
+        }
+        out.flush()?;
+        Ok(())
+    }
+
+    /// One row.
+    fn sample(&self, t: f64) -> Result<Vec<f64>, Failure> {
+        let mut values = Vec::with_capacity(self.laws.len());
+        for (law, kind) in self.laws.iter().zip(&self.kinds) {
+            let jet = law.at(t);
+            if !jet.is_finite() {
+                return Err(Failure::Other(undefined(law, jet, t)));
+            }
+            values.push((jet, if *kind == JointKind::Revolute { self.angle.in_rad() } else { 1.0 }));
+        }
+        let q: Vec<f64> = values.iter().map(|(jet, unit)| unit * jet.value).collect();
+        let qd: Vec<f64> = values.iter().map(|(jet, unit)| unit * jet.first).collect();
+        let qdd: Vec<f64> = values.iter().map(|(jet, unit)| unit * jet.second).collect();
+        let other = |error: denhart::ChainError| Failure::Other(error.to_string());
+        let pose = Pose::from(self.chain.forward(&q).map_err(other)?);
+        let velocity = self.chain.velocity(&q, &qd).map_err(other)?;
+        let acceleration = self.chain.acceleration(&q, &qd, &qdd).map_err(other)?;
+
+        let angle = self.angle.in_rad();
+        let mut row = vec![t];
+        row.extend(values.iter().map(|(jet, _)| jet.value));
+        row.extend(pose.translation);
+        row.extend(self.form.of(&pose, self.angle));
+        row.extend(velocity.linear);
+        row.extend(velocity.angular.map(|w| w / angle));
+        row.extend(acceleration.linear);
+        row.extend(acceleration.angular.map(|w| w / angle));
+        Ok(row)
+    }
+}
+
+/// Which of value, rate and its derivative is missing.
+fn undefined(law: &Law, jet: Jet, t: f64) -> String {
+    let (what, value) = if !jet.value.is_finite() {
+        ("value", jet.value)
+    } else if !jet.first.is_finite() {
+        ("rate", jet.first)
+    } else {
+        ("acceleration", jet.second)
+    };
+    format!("the law `{law}` has no finite {what} at t = {t}: {value}")
+}
+
+/// The shortest text that reads back as the same number; no negative zero.
+fn printed(value: f64) -> String {
+    let value = value + 0.0;
+    let magnitude = value.abs();
+    if magnitude == 0.0 || (1e-5..1e16).contains(&magnitude) { format!("{value}") } else { format!("{value:e}") }
+}
+
+/// A bar on the standard error, if that is a terminal, once the work takes long.
+struct Progress {
+    start: Instant,
+    count: u64,
+    may_show: bool,
+    bar: Option<ProgressBar>,
+}
+
+impl Progress {
+    fn new(count: u64, may_show: bool) -> Self {
+        Self { start: Instant::now(), count, may_show: may_show && io::stderr().is_terminal(), bar: None }
+    }
+
+    fn look(&mut self, index: u64) {
+        if !self.may_show || !index.is_multiple_of(BETWEEN_LOOKS) {
+            return;
+        }
+        if self.bar.is_none() && self.start.elapsed() > LONG {
+            let bar = ProgressBar::new(self.count);
+            if let Ok(style) = ProgressStyle::with_template("{wide_bar} {human_pos}/{human_len} samples, {eta} left") {
+                bar.set_style(style);
+            }
+            self.bar = Some(bar);
+        }
+        if let Some(bar) = &self.bar {
+            bar.set_position(index);
+        }
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}
