@@ -23,6 +23,9 @@ struct AbbIrb2400;
 /// More than a branch predictor learns by heart.
 const INPUTS: usize = 2048;
 
+/// Joint rates, and their derivatives.
+const RATES: [f64; 6] = [0.3, -0.1, 0.2, 0.7, -0.5, 0.9];
+
 fn joints(name: &str) -> Vec<[f64; 6]> {
     let mut random = Random::named(name);
     (0..INPUTS).map(|_| std::array::from_fn(|_| random.uniform(-PI, PI))).collect()
@@ -41,6 +44,8 @@ macro_rules! table {
             Case::new("link_poses", &q, $repeat, |q| arm.link_poses(q)),
             Case::new("jacobian", &q, $repeat, |q| arm.jacobian(q)),
             Case::new("forward_and_jacobian", &q, $repeat, |q| arm.forward_and_jacobian(q)),
+            Case::new("velocity", &q, $repeat, |q| arm.velocity(q, &RATES)),
+            Case::new("acceleration", &q, $repeat, |q| arm.acceleration(q, &RATES, &RATES)),
             Case::new("inverse, every branch", &targets, $repeat, |target| arm.inverse(target)),
             Case::new("Chain forward", &q, $repeat, |q| chain.forward(q)),
         ];

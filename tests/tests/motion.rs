@@ -14,6 +14,9 @@ use nalgebra::DMatrix;
 /// What `numeric.rs` holds poses and Jacobians to, in reaches: some fifty roundings through ten transforms.
 const ROUNDING: f64 = 1e-13;
 
+/// What `scalar_f32.rs` holds poses and Jacobians to, in reaches.
+const SINGLE: f64 = 4e-6;
+
 type Joints<const N: usize> = [f64; N];
 
 /// The methods of an arm, its own and not those of the trait.
@@ -177,6 +180,30 @@ impl<const N: usize> Arm<N> {
     }
 }
 
+/// Single precision beside double at the same joint values and rates, these up to 1 rad/s.
+fn check_single<S: denhart::Arm<f32, N> + Default, A: Specified<N>, const N: usize>() {
+    let (single, double) = (S::default(), A::default());
+    let reach = reach(&A::TABLE, &A::LIMITS);
+    let space = Space::new(&A::JOINT_KINDS, &A::LIMITS, reach);
+    let mut random = Random::named(A::NAME);
+    let tolerance = SINGLE * (N + 2 * N * N) as f64;
+    for _ in 0..200 {
+        let [q, qd, qdd] = [(); 3].map(|()| space.random(&mut random).map(|x| (0.3 * x) as f32));
+        let wide = |q: [f32; N]| q.map(f64::from);
+        let found = single.acceleration(&q, &qd, &qdd).to_array();
+        let expected = double.acceleration(&wide(q), &wide(qd), &wide(qdd)).to_array();
+        let error = (0..6).map(|k| (f64::from(found[k]) - expected[k]) / if k < 3 { reach } else { 1.0 });
+        let error = largest(error);
+        assert!(error < tolerance, "{} at {q:?}: {error:e}", A::NAME);
+        let velocities = single.link_velocities(&q, &qd).map(|twist| twist.to_array());
+        for (found, expected) in velocities.iter().zip(double.link_velocities(&wide(q), &wide(qd))) {
+            let expected = expected.to_array();
+            let error = (0..6).map(|k| (f64::from(found[k]) - expected[k]) / if k < 3 { reach } else { 1.0 });
+            assert!(largest(error) < tolerance, "{} at {q:?}", A::NAME);
+        }
+    }
+}
+
 /// Derivative at 0 by central differences of steps 1/4 to 1/32 and Richardson's extrapolation.
 fn extrapolated(f: impl Fn(f64) -> Vec<f64>) -> Vec<f64> {
     let difference = |h: f64| -> Vec<f64> { f(h).iter().zip(f(-h)).map(|(a, b)| (a - b) / (2.0 * h)).collect() };
@@ -229,4 +256,17 @@ macro_rules! motion_tests {
 
 mod arms {
     denhart_tests::published_arms!(motion_tests);
+}
+
+macro_rules! single_tests {
+    ($($name:ident $Single:ident $Double:ident $attribute:tt;)*) => {$(
+        #[test]
+        fn $name() {
+            super::check_single::<denhart_tests::arms::$Single, denhart_tests::arms::$Double, 6>();
+        }
+    )*};
+}
+
+mod single {
+    denhart_tests::single_arms!(single_tests);
 }

@@ -5,8 +5,8 @@ use super::inverse::{Inverse as InverseCode, inverse};
 use super::tokens::integer;
 use super::{Target, actuator, combined_limits, coupling, docs, kinematics, tables};
 use super::{Target, docs, kinematics, motion, tables};
-use crate::model::Model;
 use crate::model::chain::Chain;
+use crate::model::{Model, Task};
 use crate::solve::{Plan, Refusal};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -70,8 +70,10 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     let associated = tables::associated(model, target);
     let motors = [combined_limits::constant(model, target), linked.methods, actuator::methods(model, target)];
     let arm_trait = arm_trait(model, target);
+    let task = motion::task(model, arm.inverse);
+    let arm_trait = arm_trait(model, task, target);
     let functions = functions.tokens;
-    let motion = motion::methods(model, target);
+    let motion = motion::methods(model, task, target);
     let doc = match arm.inverse {
         Ok(_) => TokenStream::new(),
         Err(refusal) => docs::lines(&format!("No inverse kinematics: {}.", refusal.reason)),
@@ -108,10 +110,10 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     }
 }
 
-fn arm_trait(model: &Model, target: &Target) -> TokenStream {
+fn arm_trait(model: &Model, task: Option<Task>, target: &Target) -> TokenStream {
     let (krate, scalar, name, n) =
         (&target.krate, target.scalar.tokens(), &target.type_name, integer(model.joints.len()));
-    let motion = motion::trait_methods(model, target);
+    let motion = motion::trait_methods(model, task, target);
     quote! {
         #[automatically_derived]
         impl #krate::Arm<#scalar, #n> for #name {

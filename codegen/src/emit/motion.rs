@@ -1,13 +1,19 @@
 //! What follows from pose and Jacobian: thin methods on the runtime's functions.
 
+use super::arm::Inverse;
 use super::tokens::integer;
 use super::{Target, docs};
 use crate::model::{Model, Task};
 use proc_macro2::TokenStream;
 use quote::quote;
 
+/// The task that the arm is for: the one of its inverse, else the one its file names.
+pub fn task(model: &Model, inverse: &Inverse) -> Option<Task> {
+    inverse.as_ref().ok().map(|plan| plan.task.task).or(model.inverse.task)
+}
+
 /// Velocities, accelerations, the Jacobian's other forms and the manipulability, as methods.
-pub fn methods(model: &Model, target: &Target) -> TokenStream {
+pub fn methods(model: &Model, task: Option<Task>, target: &Target) -> TokenStream {
     let (krate, t, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
     let unit = docs::unit(model);
     let velocity = docs::lines(&format!(
@@ -16,7 +22,7 @@ pub fn methods(model: &Model, target: &Target) -> TokenStream {
     let acceleration = docs::lines(&format!(
         "Second derivative of the tool point ({unit}/s^2), derivative of the angular velocity: `J qdd + dJ/dt qd`."
     ));
-    let manipulability = manipulability(model, target);
+    let manipulability = manipulability(model, task, target);
     quote! {
         #velocity
         #[inline]
@@ -63,8 +69,8 @@ pub fn methods(model: &Model, target: &Target) -> TokenStream {
 }
 
 /// The rows `vx vy vz wx wy wz` that the arm's task counts, where those are some of the six, and their names.
-fn counts(model: &Model) -> Option<([bool; 6], &'static str)> {
-    match model.inverse.task {
+fn counts(task: Option<Task>) -> Option<([bool; 6], &'static str)> {
+    match task {
         Some(Task::Position) => Some(([true, true, true, false, false, false], "`vx vy vz`")),
         Some(Task::PlanarPosition) => Some(([true, true, false, false, false, false], "`vx vy`")),
         Some(Task::PlanarPose) => Some(([true, true, false, false, false, true], "`vx vy wz`")),
@@ -72,13 +78,13 @@ fn counts(model: &Model) -> Option<([bool; 6], &'static str)> {
     }
 }
 
-fn manipulability(model: &Model, target: &Target) -> TokenStream {
+fn manipulability(model: &Model, task: Option<Task>, target: &Target) -> TokenStream {
     let (t, n) = (target.scalar.tokens(), integer(model.joints.len()));
-    let (rows, call) = match counts(model) {
+    let (rows, call) = match counts(task) {
         Some((counts, rows)) => (rows, quote!(manipulability_of([#(#counts),*]))),
         None => ("all six rows", quote!(manipulability())),
     };
-    let rows_counted = counts(model).map_or(6, |(counts, _)| counts.iter().filter(|counts| **counts).count());
+    let rows_counted = counts(task).map_or(6, |(counts, _)| counts.iter().filter(|counts| **counts).count());
     let of = if rows_counted > model.joints.len() { "J^T J" } else { "J J^T" };
     let unit = docs::unit(model);
     let doc = docs::lines(&format!(
@@ -94,9 +100,9 @@ fn manipulability(model: &Model, target: &Target) -> TokenStream {
 }
 
 /// What the trait's defaults do not give.
-pub fn trait_methods(model: &Model, target: &Target) -> TokenStream {
+pub fn trait_methods(model: &Model, task: Option<Task>, target: &Target) -> TokenStream {
     let (name, t, n) = (&target.type_name, target.scalar.tokens(), integer(model.joints.len()));
-    if counts(model).is_none() {
+    if counts(task).is_none() {
         return TokenStream::new();
     }
     quote! {
