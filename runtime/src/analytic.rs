@@ -34,7 +34,8 @@ impl<T: Scalar, const M: usize, const N: usize> AnalyticJacobian<T, M, N> {
 
 impl<T: Scalar, const N: usize> Jacobian<T, N> {
     /// Rates of roll, pitch and yaw, rows in this order, at the angles `[roll, pitch, yaw]`, rad, of
-    /// `R = Rz(yaw) Ry(pitch) Rx(roll)`. Singular at a pitch of +-90 degrees. Not finite where an angle or an entry is not.
+    /// `R = Rz(yaw) Ry(pitch) Rx(roll)`. Singular at a pitch of +-90 degrees. The roll has no effect; not finite where
+    /// another angle or an entry is not.
     ///
     /// ```
     /// use denhart::Jacobian;
@@ -54,7 +55,7 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
     }
 
     /// Rates of intrinsic Euler angles, rows in the order of the sequence, at the three `angles`, rad; `EulerOrder::Zyz`
-    /// for ZYZ. Singular where the first and the third axis coincide.
+    /// for ZYZ. The third angle has no effect. Singular where the first and the third axis coincide.
     ///
     /// The angular velocity is the sum of the rates along the three axes, of which the second is at right angles to both
     /// others; so its rate is a projection, and the other two follow in the plane at right angles to it (Siciliano et al. 2009,
@@ -64,19 +65,17 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
         // The axes renamed to x, y, z. Into a left-handed frame that turns every angle around, and every angular
         // velocity, so that rates stay.
         let sign = if order.is_odd() { -T::ONE } else { T::ONE };
-        let [first, middle, third] = angles;
+        let [first, middle, _] = angles;
         let ((sa, ca), (sb, cb)) = (math::sin_cos(sign * first), math::sin_cos(sign * middle));
         // The third axis, seen after the first turn: `along` the first axis and `across` it.
         let (along, across) = if order.is_proper() { (cb, -sb) } else { (sb, cb) };
         let singular = across.abs() <= T::from_f64(16.0) * T::EPSILON;
-        // Of no effect on the map, but not finite in, not finite out.
-        let margin = across.abs() + (third - third);
         let [x, y, z, wx, wy, wz] = &self.rows;
         let [wx, wy, wz] = order.arrange([wx, wy, wz]);
         let mut orientation = [[T::ZERO; N]; 3];
         let [a, b, c] = &mut orientation;
         for (((a, b), c), ((x, y), z)) in a.iter_mut().zip(b).zip(c).zip(wx.iter().zip(wy).zip(wz)) {
-            let (x, y, z) = (*x, *y, *z + (third - third));
+            let (x, y, z) = (*x, *y, *z);
             *b = ca * y + sa * z;
             (*a, *c) = if singular {
                 // Both axes along x: the smallest rates that turn as much.
@@ -86,7 +85,7 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
                 (x - along * rate, rate)
             };
         }
-        AnalyticJacobian { position: [*x, *y, *z], orientation, margin, singular }
+        AnalyticJacobian { position: [*x, *y, *z], orientation, margin: across.abs(), singular }
     }
 
     /// Rates of a quaternion, rows `w x y z`, at the unit quaternion `[w, x, y, z]`, scalar part first.
@@ -226,7 +225,7 @@ mod tests {
 
     #[test]
     fn not_finite_in_not_finite_out() {
-        for angles in [[f64::NAN, 0.1, 0.1], [0.1, f64::INFINITY, 0.1], [0.1, 0.1, f64::NAN]] {
+        for angles in [[0.1, f64::INFINITY, 0.1], [0.1, 0.1, f64::NAN]] {
             let analytic = axes().analytic_rpy(angles);
             assert!(analytic.orientation.as_flattened().iter().any(|x| x.is_nan()), "{angles:?}");
         }

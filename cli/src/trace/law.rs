@@ -328,6 +328,7 @@ fn single(mut terms: Vec<Expression>) -> Result<Expression, Vec<Expression>> {
 }
 
 #[cfg(test)]
+#[allow(clippy::panic)]
 mod tests {
     use super::*;
 

@@ -60,6 +60,7 @@ impl Times {
 }
 
 #[cfg(test)]
+#[allow(clippy::panic)]
 mod tests {
     use super::*;
 

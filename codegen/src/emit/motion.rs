@@ -88,7 +88,7 @@ fn manipulability(model: &Model, task: Option<Task>, target: &Target) -> TokenSt
     let of = if rows_counted > model.joints.len() { "J^T J" } else { "J J^T" };
     let unit = docs::unit(model);
     let doc = docs::lines(&format!(
-        "Yoshikawa's manipulability `sqrt(det({of}))` over {rows} of the Jacobian, lengths in {unit}; 0 where singular."
+        "Yoshikawa's manipulability `sqrt(det({of}))`, J: {rows} of the Jacobian, lengths in {unit}."
     ));
     quote! {
         #doc
