@@ -1,7 +1,7 @@
 //! An arm computed from its table at run time: the plain product of its transforms.
 
-mod numeric;
 mod motion;
+mod numeric;
 mod transform;
 
 use core::fmt;
