@@ -3,8 +3,7 @@
 use super::constants::Dimensions;
 use super::inverse::{Inverse as InverseCode, inverse};
 use super::tokens::integer;
-use super::{Target, actuator, combined_limits, coupling, docs, kinematics, tables};
-use super::{Target, docs, kinematics, motion, tables};
+use super::{Target, actuator, combined_limits, coupling, docs, kinematics, motion, tables};
 use crate::model::chain::Chain;
 use crate::model::{Model, Task};
 use crate::solve::{Plan, Refusal};
@@ -69,7 +68,6 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     let dimensions = dimensions.items(model, target);
     let associated = tables::associated(model, target);
     let motors = [combined_limits::constant(model, target), linked.methods, actuator::methods(model, target)];
-    let arm_trait = arm_trait(model, target);
     let task = motion::task(model, arm.inverse);
     let arm_trait = arm_trait(model, task, target);
     let functions = functions.tokens;
