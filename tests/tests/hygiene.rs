@@ -54,6 +54,14 @@ pub mod taken {
     #[derive(::denhart::Arm)]
     #[arm(spec = "../specs/staubli_tx40.yaml")]
     pub struct Tx40;
+
+    #[derive(::denhart::Arm)]
+    #[arm(spec = "../specs/fanuc_lrmate200id.yaml")]
+    pub struct Linked;
+
+    #[derive(::denhart::Arm)]
+    #[arm(spec = "../specs/salman_rrr.yaml")]
+    pub struct Counting;
 }
 
 /// `denhart` under another name and deeper in.
