@@ -40,6 +40,11 @@ impl Report {
             let first = triple.first + 1;
             let what = match triple.kind {
                 TripleKind::Meeting => "meet in a point",
+                TripleKind::Parallel
+                    if model.joints.iter().skip(triple.first).take(3).any(|j| j.kind == JointKind::Prismatic) =>
+                {
+                    "move in a plane"
+                }
                 TripleKind::Parallel => "are parallel",
             };
             lines.push(format!("  {}, {}, {} {what}", first, first + 1, first + 2));

@@ -141,7 +141,10 @@ pub(super) fn methods(plan: &Plan, target: &Target, task: &TaskCode) -> TokenStr
         }
     };
     let near = docs::lines(&near);
+    let sample = sample_redundancy(plan, target, task);
     quote! {
+        #sample
+
         /// The largest number of solutions of `inverse`.
         pub const MAX_SOLUTIONS: usize = #m;
 
@@ -164,6 +167,32 @@ pub(super) fn methods(plan: &Plan, target: &Target, task: &TaskCode) -> TokenStr
             #krate::solve::Goal::residual(#check, q, &self.forward(q))
         }
     }
+}
+
+/// A walk over the values of a redundant joint.
+fn sample_redundancy(plan: &Plan, target: &Target, task: &TaskCode) -> Option<TokenStream> {
+    let locked = plan.task.locked.as_ref()?;
+    let (krate, scalar) = (&target.krate, target.scalar.tokens());
+    let (solutions, asked) = (solutions(plan, target), &task.target);
+    let joint = integer(locked.joint);
+    let whole = if locked.turns { quote!(<#scalar as #krate::Scalar>::PI) } else { quote!(REACH) };
+    let doc = docs::lines(&format!(
+        "Walks the redundant joint `q{}` through its limits (without limits: {}) in `n` equal steps and solves for each\n\
+         value, the middle of its step. Yields the value and its solutions; allocates nothing.",
+        locked.joint + 1,
+        if locked.turns { "a whole turn" } else { "plus and minus the reach" }
+    ));
+    Some(quote! {
+        #doc
+        pub fn sample_redundancy(
+            &self,
+            target: &#asked,
+            n: usize,
+        ) -> impl ::core::iter::Iterator<Item = (#scalar, #solutions)> {
+            let [low, high] = Self::LIMITS[#joint];
+            #krate::solve::steps(low, high, #whole, n).map(move |value| (value, self.inverse(target, value)))
+        }
+    })
 }
 
 /// The trait impl, whose target includes the value of a redundant joint.

@@ -47,11 +47,11 @@ pub enum Relation {
 pub enum TripleKind {
     /// All three meet in one point.
     Meeting,
-    /// All three are parallel.
+    /// All three are parallel; or they move in a plane, some of them sliding across the direction of the others.
     Parallel,
 }
 
-/// Three consecutive revolute axes that meet in a point or are parallel.
+/// Three consecutive axes that meet in a point or are parallel (or move in a plane).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Triple {
     /// The first of the three joints, from 0.
@@ -90,8 +90,21 @@ pub fn triples(axes: &[Line], turns: &[bool], reach: f64) -> (Vec<Triple>, Vec<(
     let mut triples = Vec::new();
     let mut misses = Vec::new();
     for (first, lines) in axes.windows(3).enumerate() {
-        let revolute = turns.iter().skip(first).take(3).all(|turns| *turns);
-        let ([a, b, c], true) = (lines, revolute) else { continue };
+        let [a, b, c] = lines else { continue };
+        let turning: Vec<&Line> =
+            lines.iter().zip(turns.iter().skip(first)).filter(|(_, turns)| **turns).map(|(line, _)| line).collect();
+        if turning.len() < 3 {
+            let sliding = lines.iter().zip(turns.iter().skip(first)).filter(|(_, turns)| !**turns);
+            let along = |u: &Line, v: &Line| length(cross(u.direction, v.direction)) <= TOLERANCE;
+            let across = |u: &Line, v: &Line| dot(u.direction, v.direction).abs() <= TOLERANCE;
+            if let Some(normal) = turning.first()
+                && turning.iter().all(|line| along(line, normal))
+                && sliding.into_iter().all(|(line, _)| across(line, normal))
+            {
+                triples.push(Triple { first, kind: TripleKind::Parallel });
+            }
+            continue;
+        }
         let parallel =
             |u: &Line, v: &Line| matches!(relation(u, v, reach), Relation::Parallel { .. } | Relation::Coincident);
         let miss = common_point_miss(a, b, c);

@@ -112,6 +112,9 @@ impl Closure {
 
     /// The angle of a vector as a known angle, its sign, and a constant, if it is that.
     pub fn known_angle(&self, y: Expr, x: Expr) -> Option<(String, bool, Angle)> {
+        if !self.probe.decides(&self.g, &[y, x]) {
+            return None;
+        }
         self.probe.angles().iter().find_map(|name| {
             [false, true].into_iter().find_map(|negative| {
                 let constants: Vec<[f64; 2]> = self

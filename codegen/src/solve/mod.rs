@@ -14,6 +14,7 @@ mod plan;
 mod planar;
 mod probe;
 mod problem;
+mod rank;
 mod refusal;
 mod rows;
 mod sides;
@@ -39,15 +40,18 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, R
     task::plan(model, chain, geometry)
 }
 
-/// The cheapest plan among the triples of a closed chain of six joints.
+/// The cheapest plan among the triples of a closed chain of six joints, wherever its sliding joints are moved.
 fn cheapest(problem: &Problem, task: &PlanTask) -> Result<Option<Plan>, Refusal> {
+    rank::check(problem, rank::Asked::Pose)?;
     let mut best: Option<Plan> = None;
     let mut failure = None;
-    for triple in problem.triples() {
-        match solve(problem.clone(), triple, task) {
-            Ok(plan) if best.as_ref().is_none_or(|b| plan.effort() < b.effort()) => best = Some(plan),
-            Ok(_) => {}
-            Err(refusal) => failure = failure.or(Some(refusal)),
+    for problem in commuted(problem) {
+        for triple in problem.triples() {
+            match solve(problem.clone(), triple, task) {
+                Ok(plan) if best.as_ref().is_none_or(|b| plan.effort() < b.effort()) => best = Some(plan),
+                Ok(_) => {}
+                Err(refusal) => failure = failure.or(Some(refusal)),
+            }
         }
     }
     match (best, failure) {
@@ -55,6 +59,22 @@ fn cheapest(problem: &Problem, task: &PlanTask) -> Result<Option<Plan>, Refusal>
         (None, Some(refusal)) => Err(refusal),
         (None, None) => Ok(None),
     }
+}
+
+/// The chain itself, and every chain that comes of moving sliding joints past turning ones with parallel axes.
+fn commuted(problem: &Problem) -> Vec<Problem> {
+    let mut found = vec![problem.clone()];
+    let mut next = 0;
+    while let Some(current) = found.get(next).cloned() {
+        next += 1;
+        let moved = (0..current.slots.len()).flat_map(|i| [current.slide_later(i), current.slide_earlier(i)]);
+        for moved in moved.flatten().collect::<Vec<_>>() {
+            if !found.iter().any(|known| known.slots == moved.slots) {
+                found.push(moved);
+            }
+        }
+    }
+    found
 }
 
 fn solve(problem: Problem, triple: Triple, task: &PlanTask) -> Result<Plan, Refusal> {

@@ -9,7 +9,7 @@ use super::plan::{Branching, Kernel, Unit};
 use super::rows::Row;
 use super::sides::Side;
 use crate::model::Angle;
-use crate::symbolic::{Expr, Rigid, Vec3};
+use crate::symbolic::{Expr, Vec3};
 
 const H: &str = "the direction of the parallel axes";
 
@@ -18,13 +18,22 @@ pub fn outer(c: &mut Closure) -> Result<(), Refusal> {
     let [first, second, third, x, y, z] = c.order;
     let (link_a, link_b) = (c.link(first), c.link(second));
     let (link_c, link_x, link_y, link_z) = (c.link(third), c.link(x), c.link(y), c.link(z));
-    let sign = |c: &Closure, r: &Rigid| c.value(Side::along(r.z())).unwrap_or(1.0).signum();
-    let (sign_a, sign_b) = (sign(c, &link_a.forward), sign(c, &link_b.forward));
-    // h in the frame of joint c, and how far the origin of c is from that of a along h.
-    let h = link_c.back.z().map(|e| if sign_a * sign_b < 0.0 { c.g.neg(e) } else { e });
-    let rise_b = Side::along(link_b.forward.p);
-    let rise_b = if sign_a < 0.0 { c.g.neg(rise_b) } else { rise_b };
-    let rise = c.g.add(Side::along(link_a.forward.p), rise_b);
+    // h in the frames of joints a, b and c, from one of them that turns. What slides slides across h.
+    let upright = [Expr::ZERO, Expr::ZERO, Expr::ONE];
+    let (h_a, h_c) = if c.turns(first) {
+        let h_b = c.g.apply3(&link_a.back.r, upright);
+        (upright, c.g.apply3(&link_b.back.r, h_b))
+    } else if c.turns(second) {
+        (link_a.forward.z(), c.g.apply3(&link_b.back.r, upright))
+    } else {
+        let h_b = link_b.forward.z();
+        (c.g.apply3(&link_a.forward.r, h_b), upright)
+    };
+    let (h_a, h_c) = (c.clean3(h_a, Unit::Direction), c.clean3(h_c, Unit::Direction));
+    let h = c.g.apply3(&link_c.back.r, h_c);
+    // How far the origin of c is from that of a along h.
+    let from_a = link_a.forward.point(&mut c.g, link_b.forward.p);
+    let rise = c.g.dot3(h_a, from_a);
     let a = Side {
         joint: x,
         undone: true,
@@ -37,7 +46,10 @@ pub fn outer(c: &mut Closure) -> Result<(), Refusal> {
         joint: z,
         undone: false,
         turns: c.turns(z),
-        moved: c.clean3(link_z.forward.z(), Unit::Direction),
+        moved: {
+            let moved = c.g.apply3(&link_z.forward.r, h_a);
+            c.clean3(moved, Unit::Direction)
+        },
         origin: c.clean3(link_y.back.p, Unit::Length),
         axis: c.clean3(link_y.back.z(), Unit::Direction),
     };

@@ -1,7 +1,7 @@
 //! Deciding on numbers whether an expression vanishes for every target.
 
 use crate::model::geometry::TOLERANCE;
-use crate::symbolic::{Expr, Graph};
+use crate::symbolic::{Expr, Graph, Node};
 use std::collections::HashMap;
 
 /// Values of symbols, by name.
@@ -73,14 +73,29 @@ impl Probe {
 
     /// The value of an expression that is the same for every target and every given joint.
     pub fn value(&self, g: &Graph, e: Expr) -> Option<f64> {
+        if !self.decides(g, &[e]) {
+            return None;
+        }
         let mut values = self.samples.iter().filter_map(|sample| g.evaluate(&[e], sample).first().copied());
         let first = values.next()?;
         let same = values.all(|value| (value - first).abs() <= 1e-13 * first.abs().max(self.reach.min(1.0)));
         same.then_some(first)
     }
 
+    /// Whether the expressions depend on nothing but what has samples: not on joints that are solved at run time.
+    pub fn decides(&self, g: &Graph, expressions: &[Expr]) -> bool {
+        let Some(sample) = self.samples.first() else { return false };
+        g.reachable(expressions).into_iter().all(|e| match g.node(e) {
+            Node::Symbol(symbol) => symbol.value.is_some() || sample.contains_key(&symbol.name),
+            _ => true,
+        })
+    }
+
     /// Whether every one of the expressions vanishes for every target; `length` expressions are compared to reach.
     pub fn vanish(&self, g: &Graph, expressions: &[Expr], length: bool) -> bool {
+        if !self.decides(g, expressions) {
+            return false;
+        }
         let small = if length { TOLERANCE * self.reach } else { TOLERANCE };
         self.samples.iter().all(|sample| g.evaluate(expressions, sample).iter().all(|value| value.abs() <= small))
     }

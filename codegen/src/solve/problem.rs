@@ -213,12 +213,7 @@ impl Problem {
 
     /// The pose of the tool at a generic configuration.
     fn tool(&self) -> Option<Transform> {
-        let sample = self.probe.samples().first()?;
-        let mut current = self.numeric(0, sample);
-        for (i, slot) in self.slots.iter().enumerate() {
-            current = current.then(&generic_motion(i, slot.turns, self.reach)).then(&self.numeric(i + 1, sample));
-        }
-        Some(current)
+        Some(self.axes_and_tool(self.probe.samples().first()?, 0).1)
     }
 
     /// Adds a virtual joint at the tool point whose axis is upright.
@@ -250,13 +245,19 @@ impl Problem {
 
     /// The axes with every joint at a value that is special for no arm.
     fn axes(&self, sample: &super::probe::Sample) -> Vec<Line> {
+        self.axes_and_tool(sample, 0).0
+    }
+
+    /// The axes and the pose of the tool; every seed gives other joint values.
+    pub fn axes_and_tool(&self, sample: &super::probe::Sample, seed: usize) -> (Vec<Line>, Transform) {
         let mut current = self.numeric(0, sample);
         let mut axes = Vec::new();
         for (i, slot) in self.slots.iter().enumerate() {
             axes.push(Line { point: current.p, direction: current.axis(2) });
-            current = current.then(&generic_motion(i, slot.turns, self.reach)).then(&self.numeric(i + 1, sample));
+            let motion = generic_motion(i + 17 * seed, slot.turns, self.reach);
+            current = current.then(&motion).then(&self.numeric(i + 1, sample));
         }
-        axes
+        (axes, current)
     }
 
     /// Link `i` as numbers.

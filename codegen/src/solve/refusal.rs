@@ -1,7 +1,7 @@
 //! Why an arm has no inverse, in words a user can act on.
 
 use crate::model::geometry::Geometry;
-use crate::model::{JointKind, LengthUnit, Model, Task};
+use crate::model::{LengthUnit, Model, Task};
 
 /// The reason, one sentence without a period at its end.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -42,10 +42,6 @@ pub(super) fn no_triple(model: &Model, geometry: &Geometry) -> Refusal {
     if let Some((first, miss)) = closest {
         let (length, unit) = readable(*miss, model.length_unit);
         reason += &format!("; closest: axes {}, {}, {} miss by {length} {unit}", first + 1, first + 2, first + 3);
-    }
-    let sliding = model.joints.iter().filter(|j| j.kind == JointKind::Prismatic).count();
-    if sliding > 0 {
-        reason += "; the three must be revolute";
     }
     Refusal::new(reason)
 }

@@ -2,7 +2,7 @@
 
 use super::plan::{Plan, PlanTask};
 use super::problem::{Problem, Slot};
-use super::{Refusal, cheapest, few, refusal, solve};
+use super::{Refusal, cheapest, few, rank, refusal, solve};
 use crate::model::chain::Chain;
 use crate::model::geometry::{Geometry, Triple, TripleKind};
 use crate::model::{Angle, Axis, Model, Task};
@@ -115,6 +115,7 @@ fn pose(model: &Model, geometry: &Geometry, problem: Problem) -> Result<Plan, Re
 
 /// A point alone: three virtual joints about it, of which none is wanted.
 fn position(mut problem: Problem) -> Result<Plan, Refusal> {
+    rank::check(&problem, rank::Asked::Point)?;
     let task = plan_task(Task::Position, &problem);
     let link = |g: &mut Graph, degrees: f64| {
         let pair = g.constant_pair(Angle::degrees(degrees), "VIRTUAL");

@@ -8,6 +8,9 @@ pub fn describe(plan: &Plan) -> Vec<String> {
     let label = |k: usize| plan.label(plan.triple.first + k);
     let kind = match plan.triple.kind {
         TripleKind::Meeting => "meet in a point",
+        TripleKind::Parallel if plan.slots.iter().skip(plan.triple.first).take(3).any(|slot| !slot.turns) => {
+            "move in a plane"
+        }
         TripleKind::Parallel => "are parallel",
     };
     let mut lines = vec![format!("axes {}, {}, {} {kind}", label(0), label(1), label(2))];

@@ -1,0 +1,95 @@
+//! Whether an arm can do its task at all: the rank of its Jacobian at generic configurations.
+
+use super::Refusal;
+use super::problem::Problem;
+
+/// Relative size below which a direction counts as missing.
+const MISSING: f64 = 1e-9;
+
+/// What a task asks of the tool.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Asked {
+    /// Point and orientation.
+    Pose,
+    /// The point alone.
+    Point,
+}
+
+/// Refuses a chain that is singular everywhere.
+///
+/// # Errors
+/// Names the joints that can always move without moving the tool.
+pub fn check(problem: &Problem, asked: Asked) -> Result<(), Refusal> {
+    let mut idle = None;
+    for seed in 0..4 {
+        let columns = columns(problem, asked, seed);
+        match null_motion(&columns) {
+            None => return Ok(()),
+            Some(motion) => idle = Some(motion),
+        }
+    }
+    let named: Vec<String> = idle
+        .unwrap_or_default()
+        .iter()
+        .zip(&problem.slots)
+        .filter(|(share, _)| share.abs() > 1e-6)
+        .map(|(_, slot)| match slot.joint {
+            Some(joint) => format!("joint {}", joint + 1),
+            None => "the turn that the task leaves open".to_string(),
+        })
+        .collect();
+    let (last, rest) =
+        named.split_last().map_or((String::new(), String::new()), |(last, rest)| (last.clone(), rest.join(", ")));
+    let together = if rest.is_empty() { last } else { format!("{rest} and {last} together") };
+    Err(Refusal::new(format!("the arm is singular everywhere: {together} can always move without moving the tool")))
+}
+
+/// The columns of the Jacobian, lengths over reach.
+fn columns(problem: &Problem, asked: Asked, seed: usize) -> Vec<[f64; 6]> {
+    use crate::model::numeric::{cross, sub};
+    let Some(sample) = problem.probe.samples().first() else { return Vec::new() };
+    let (axes, tool) = problem.axes_and_tool(sample, seed);
+    axes.iter()
+        .zip(&problem.slots)
+        .map(|(axis, slot)| {
+            let [x, y, z] = axis.direction;
+            if !slot.turns {
+                return [x, y, z, 0.0, 0.0, 0.0];
+            }
+            let [u, v, w] = cross(axis.direction, sub(tool.p, axis.point)).map(|e| e / problem.reach);
+            let turn = if asked == Asked::Pose { [x, y, z] } else { [0.0; 3] };
+            let [x, y, z] = turn;
+            [u, v, w, x, y, z]
+        })
+        .collect()
+}
+
+/// A combination of the columns that vanishes, if there is one: by elimination with complete pivoting.
+fn null_motion(columns: &[[f64; 6]]) -> Option<Vec<f64>> {
+    // Each column with the combination of the original ones that it has become.
+    let count = columns.len();
+    let mut rows: Vec<(Vec<f64>, Vec<f64>)> = columns
+        .iter()
+        .enumerate()
+        .map(|(i, column)| (column.to_vec(), (0..count).map(|j| f64::from(u8::from(i == j))).collect()))
+        .collect();
+    while let Some((place, pivot, size)) = largest(&rows) {
+        if size <= MISSING {
+            return rows.into_iter().next().map(|(_, combination)| combination);
+        }
+        let (chosen, combination) = rows.swap_remove(place);
+        let head = chosen.get(pivot).copied().unwrap_or(1.0);
+        for (row, own) in &mut rows {
+            let factor = row.get(pivot).copied().unwrap_or(0.0) / head;
+            row.iter_mut().zip(&chosen).for_each(|(a, b)| *a -= factor * b);
+            own.iter_mut().zip(&combination).for_each(|(a, b)| *a -= factor * b);
+        }
+    }
+    None
+}
+
+fn largest(rows: &[(Vec<f64>, Vec<f64>)]) -> Option<(usize, usize, f64)> {
+    let entries =
+        rows.iter().enumerate().flat_map(|(i, (row, _))| row.iter().enumerate().map(move |(j, e)| (i, j, e.abs())));
+    entries.max_by(|a, b| a.2.total_cmp(&b.2))
+}
