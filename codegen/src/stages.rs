@@ -78,6 +78,7 @@ fn solution(out: &mut String, plan: &Plan) {
                     let (joints, home) = (joints.join(", "), stage.home.text());
                     format!("{joints} by {kernel}({inputs}); {:?}, {:?}, home {home}", stage.unit, stage.branching)
                 }
+                PlanStep::Swivel { .. } => format!("upper arm = swivel({inputs})"),
                 PlanStep::Angle { name, .. } => format!("{name} = atan2({inputs})"),
             },
         );

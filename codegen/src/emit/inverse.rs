@@ -57,7 +57,7 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
     let labels = (1..=plan.joints()).map(|i| i.to_string()).chain(plan.slots.iter().map(|slot| slot.label.clone()));
     let reserved =
         labels.flat_map(|i| [format!("q{i}"), format!("index{i}"), format!("roots{i}"), format!("trail{i}")]);
-    let names = ["search", "solutions", "start", "target", "near", "arm", "goal", "frame"];
+    let names = ["search", "solutions", "start", "target", "near", "arm", "goal", "frame", "swing"];
     let reserved = reserved.chain(names.map(String::from));
     let krate = &target.krate;
     let mut nest = Nest {
@@ -75,6 +75,7 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
         match step {
             PlanStep::Stage(stage) => nest.stage(stage, &mut calls),
             PlanStep::Angle { name, meaning, y, x } => nest.angle(name, meaning, *y, *x),
+            PlanStep::Swivel { names, meaning, .. } => nest.swivel(names, meaning, &step.inputs()),
         }
     }
     nest.values();
@@ -91,8 +92,11 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
 
 /// Sine and cosine of a joint whose value is given.
 fn given_symbols(plan: &Plan, target: &Target, used: &HashSet<String>) -> TokenStream {
-    let (Some(locked), Some(q)) = (&plan.task.locked, given(plan)) else { return TokenStream::new() };
     let krate = &target.krate;
+    if plan.task.swivel.is_some() {
+        return quote!(let swing = #krate::math::sin_cos(arm_angle););
+    }
+    let (Some(locked), Some(q)) = (&plan.task.locked, given(plan)) else { return TokenStream::new() };
     let name = |letter: &str| {
         let name = format!("{letter}{}", locked.joint + 1);
         if used.contains(&name) { ident(&name) } else { ident(&format!("_{name}")) }
@@ -211,6 +215,26 @@ impl Nest<'_> {
         let (y, x) = (writer.write(y), writer.write(x));
         self.at(level, quote!(#doc let #symbol = #krate::math::atan2(#y, #x);));
         self.known.insert(name.to_string(), level);
+    }
+
+    fn swivel(&mut self, names: &[[String; 3]; 3], meaning: &str, inputs: &[Expr]) {
+        let level = self.bind(inputs);
+        let krate = &self.target.krate;
+        let writer = Writer { graph: &self.plan.graph, bound: &self.block.bound, krate };
+        let vectors = inputs.chunks(3).map(|vector| {
+            let entries = vector.iter().map(|e| writer.write(*e));
+            quote!([#(#entries),*])
+        });
+        let rows = names.iter().map(|row| {
+            let row = row.iter().map(|name| ident(name));
+            quote!([#(#row),*])
+        });
+        let doc = docs::lines(meaning);
+        let statement = quote!(#doc let [#(#rows),*] = #krate::solve::swivel(#(#vectors),*, swing););
+        self.at(level, statement);
+        for name in names.iter().flatten() {
+            self.known.insert(name.clone(), level);
+        }
     }
 
     /// Joint values that are not a kernel's value as it is.

@@ -50,6 +50,9 @@ pub(super) fn solutions(plan: &Plan, target: &Target) -> TokenStream {
 
 /// The name of a joint whose value is given.
 pub(super) fn given(plan: &Plan) -> Option<Ident> {
+    if plan.task.swivel.is_some() {
+        return Some(ident("arm_angle"));
+    }
     plan.task.locked.as_ref().map(|locked| ident(&format!("q{}", locked.joint + 1)))
 }
 
@@ -69,8 +72,9 @@ pub(super) fn function(
     let (asked, unpack) = (&task.target, &task.unpack);
     let argument = given(plan).map(|q| quote!(#q: #scalar,));
     let mut goal = task.goal.clone();
-    if let (Some(q), Some(locked)) = (given(plan), &plan.task.locked) {
-        let joint = integer(locked.joint);
+    if let Some(q) = given(plan) {
+        // The arm angle holds no joint: a number beyond the last.
+        let joint = integer(plan.task.locked.as_ref().map_or(plan.joints(), |locked| locked.joint));
         goal = match goal.is_empty() {
             true => quote!(let goal = &#krate::solve::Locked::new(target, #joint, #q);),
             false => quote!(#goal let goal = &#krate::solve::Locked::new(goal, #joint, #q);),
@@ -109,7 +113,13 @@ pub(super) fn methods(plan: &Plan, target: &Target, task: &TaskCode) -> TokenStr
         (&target.krate, target.scalar.tokens(), integer(plan.joints()), integer(plan.max_solutions()));
     let solutions = solutions(plan, target);
     let q = given(plan);
-    let fixed = q.as_ref().map(|q| format!("`{q}`: value of that joint, which the target leaves to choose.\n"));
+    let fixed = q.as_ref().map(|q| match plan.task.swivel {
+        Some(_) => {
+            "`arm_angle`: how far the elbow is swung about the line from shoulder to wrist, rad; see `arm_angle()`.\n"
+                .to_string()
+        }
+        None => format!("`{q}`: value of that joint, which the target leaves to choose.\n"),
+    });
     let doc = docs::lines(&format!(
         "Every joint vector that reaches `target`: up to {m} branches, in a fixed order.\n\n\
          {}\n{}Angles are in (-pi, pi], each solution once.\n\
@@ -129,6 +139,11 @@ pub(super) fn methods(plan: &Plan, target: &Target, task: &TaskCode) -> TokenStr
         let before = (0..locked.joint).map(|_| quote!(_,));
         quote!(let [#(#before)* #q, ..] = *q_ref;)
     });
+    let from_reference = match plan.task.swivel {
+        Some(_) => Some(quote!(let arm_angle = self.arm_angle(q_ref);)),
+        None => from_reference,
+    };
+    let arm_angle = arm_angle(plan, target);
     let near = match &q {
         Some(q) => format!(
             "The same solutions, joints unwound next to `q_ref` and sorted nearest first; `{q}` and free joints stay at \
@@ -143,6 +158,7 @@ pub(super) fn methods(plan: &Plan, target: &Target, task: &TaskCode) -> TokenStr
     let near = docs::lines(&near);
     let sample = sample_redundancy(plan, target, task);
     quote! {
+        #arm_angle
         #sample
 
         /// The largest number of solutions of `inverse`.
@@ -169,11 +185,54 @@ pub(super) fn methods(plan: &Plan, target: &Target, task: &TaskCode) -> TokenStr
     }
 }
 
+/// The arm angle of a joint vector.
+fn arm_angle(plan: &Plan, target: &Target) -> Option<TokenStream> {
+    let facts = plan.task.swivel.as_ref()?;
+    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(plan.joints()));
+    let vector = |v: [f64; 3]| {
+        let entries = v.map(number);
+        quote!([#(#entries),*])
+    };
+    let rows = facts.shoulder.r.map(vector);
+    let (origin, wrist, axis, elbow) =
+        (vector(facts.shoulder.p), vector(facts.wrist), vector(facts.axis), vector(facts.elbow));
+    Some(quote! {
+        /// The arm angle of a joint vector, rad in (-pi, pi]: how far the elbow is swung, about the line from shoulder
+        /// to wrist, from the side of the first joint's axis. Where the wrist lies on that axis it counts from the side
+        /// of the base's x axis; a stretched arm has the side of joint 4's axis turned by a right angle.
+        #[must_use]
+        pub fn arm_angle(&self, q: &[#scalar; #n]) -> #scalar {
+            let swivel = #krate::solve::Swivel::<#scalar> {
+                shoulder: #krate::Pose { rotation: [#(#rows),*], translation: #origin },
+                wrist: #wrist,
+                axis: #axis,
+                elbow: #elbow,
+            };
+            let [_, _, _, link, ..] = self.link_poses(q);
+            swivel.angle(&link)
+        }
+    })
+}
+
 /// A walk over the values of a redundant joint.
 fn sample_redundancy(plan: &Plan, target: &Target, task: &TaskCode) -> Option<TokenStream> {
-    let locked = plan.task.locked.as_ref()?;
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
     let (solutions, asked) = (solutions(plan, target), &task.target);
+    if plan.task.swivel.is_some() {
+        return Some(quote! {
+            /// Walks the arm angle through a whole turn in `n` equal steps and solves for each, the middle of its step.
+            /// Yields the angle and its solutions; allocates nothing.
+            pub fn sample_redundancy(
+                &self,
+                target: &#asked,
+                n: usize,
+            ) -> impl ::core::iter::Iterator<Item = (#scalar, #solutions)> {
+                let whole = <#scalar as #krate::Scalar>::PI;
+                #krate::solve::steps(-whole, whole, whole, n).map(move |value| (value, self.inverse(target, value)))
+            }
+        });
+    }
+    let locked = plan.task.locked.as_ref()?;
     let joint = integer(locked.joint);
     let whole = if locked.turns { quote!(<#scalar as #krate::Scalar>::PI) } else { quote!(REACH) };
     let doc = docs::lines(&format!(
@@ -200,7 +259,7 @@ pub(super) fn inverse_trait(plan: &Plan, target: &Target, task: &TaskCode) -> To
     let (krate, scalar, name) = (&target.krate, target.scalar.tokens(), &target.type_name);
     let (n, m) = (integer(plan.joints()), integer(plan.max_solutions()));
     let (solutions, asked) = (solutions(plan, target), &task.target);
-    let redundant = plan.task.locked.is_some();
+    let redundant = given(plan).is_some();
     let asked = if redundant { quote!((#asked, #scalar)) } else { quote!(#asked) };
     let part = if redundant { quote!(&target.0) } else { quote!(target) };
     let given = redundant.then(|| quote!(, target.1));

@@ -123,12 +123,16 @@ fn unique_names(spec: &Spec, joints: &[Joint], mistakes: &mut Vec<Diagnostic>) {
 
 fn inverse(spec: &Spec, joints: &[Joint], mistakes: &mut Vec<Diagnostic>) -> InverseRequest {
     let request = &spec.inverse;
+    let named_joint = joints.iter().any(|joint| joint.name == "arm_angle");
+    let arm_angle = !named_joint && request.redundant.as_ref().is_some_and(|(name, _)| name == "arm_angle");
     InverseRequest {
         task: request.task,
         require: request.require,
+        arm_angle,
         redundant: request
             .redundant
             .as_ref()
+            .filter(|_| !arm_angle)
             .and_then(|(name, place)| named(spec, joints, "redundant", name, place, mistakes)),
         axis: request.axis,
         tolerance_length: request.tolerance_length,

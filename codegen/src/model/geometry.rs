@@ -175,6 +175,11 @@ fn common_point_miss(a: &Line, b: &Line, c: &Line) -> Option<f64> {
     Some(distance(on_a, from_a).max(distance(on_c, from_c)).max(distance(from_a, from_c)))
 }
 
+/// The point of the first line that is nearest to the second; `None` if they are parallel.
+pub fn foot(a: &Line, b: &Line) -> Option<[f64; 3]> {
+    nearest(a, b).map(|(foot, _)| foot)
+}
+
 /// The feet of the common normal, on the first line and on the second.
 fn nearest(a: &Line, b: &Line) -> Option<([f64; 3], [f64; 3])> {
     let between = sub(b.point, a.point);

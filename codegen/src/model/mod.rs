@@ -113,6 +113,8 @@ pub struct InverseRequest {
     pub require: bool,
     /// The joint whose value is given, an index into [`Model::joints`].
     pub redundant: Option<usize>,
+    /// Whether the arm angle is given instead of a joint.
+    pub arm_angle: bool,
     /// The tool's axis for [`Task::PositionAxis`], where one is named.
     pub axis: Option<Axis>,
     /// Greatest position residual of an exact solution, length.

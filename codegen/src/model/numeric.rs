@@ -78,6 +78,16 @@ impl Transform {
         self.r.map(|row| dot(row, v))
     }
 
+    /// `r^T v`
+    pub fn turned_back(&self, v: V) -> V {
+        [0, 1, 2].map(|j| dot(self.axis(j), v))
+    }
+
+    /// `r^T (v - p)`
+    pub fn seen(&self, v: V) -> V {
+        self.turned_back(sub(v, self.p))
+    }
+
     /// `r v + p`
     pub fn point(&self, v: V) -> V {
         scaled(self.turn(v), self.p, 1.0)

@@ -61,7 +61,8 @@ impl Closure {
             })
             .collect();
         links.push(Link { forward: flange.inverse(&mut g), back: flange, target: true });
-        let order = [0, 1, 2, 3, 4, 5].map(|k| (triple.first + k) % count.max(1));
+        // The last one is the joint before the triple.
+        let order = [0, 1, 2, 3, 4, count.saturating_sub(1)].map(|k| (triple.first + k) % count.max(1));
         let (pairs, values) = (vec![None; count], vec![None; count]);
         let mut closure = Closure { g, probe, order, links, slots, pairs, values, steps: Vec::new(), reach };
         if triple.kind == TripleKind::Meeting {
@@ -261,6 +262,11 @@ impl Closure {
         }
     }
 
+    /// Adds a step.
+    pub fn push(&mut self, step: PlanStep) {
+        self.steps.push(step);
+    }
+
     /// Adds an angle that several joints add up to.
     pub fn angle(&mut self, name: &str, meaning: String, y: Expr, x: Expr) {
         self.steps.push(PlanStep::Angle { name: name.into(), meaning, y, x });
@@ -307,6 +313,11 @@ impl Closure {
     /// as their origin.
     fn move_to_meeting_point(&mut self) {
         let [a, b, c, .., z] = self.order;
+        self.move_triple_to_meeting_point([z, a, b, c]);
+    }
+
+    /// The same for any triple, after the joint before it.
+    pub fn move_triple_to_meeting_point(&mut self, [z, a, b, c]: [usize; 4]) {
         let (on_a, on_c) = (self.meeting(a, false), self.meeting(b, true));
         let shift = |g: &mut Graph, link: Link, before: Expr, after: Expr| {
             let along = |e: Expr| Rigid { p: [Expr::ZERO, Expr::ZERO, e], ..Rigid::identity() };

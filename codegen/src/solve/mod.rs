@@ -18,6 +18,7 @@ mod rank;
 mod refusal;
 mod rows;
 mod sides;
+mod swivel;
 mod task;
 mod triple;
 mod words;

@@ -2,8 +2,9 @@
 
 use super::problem::{Locked, Slot};
 use crate::model::geometry::Triple;
+use crate::model::numeric::Transform;
 use crate::model::{Angle, Axis, Task};
-use crate::symbolic::{Expr, Graph};
+use crate::symbolic::{Expr, Graph, Vec3};
 
 /// A plan: the steps in order. A step may use the sines, cosines and values of the joints before it.
 #[derive(Debug, Clone)]
@@ -51,7 +52,7 @@ impl Plan {
     pub fn stages(&self) -> impl Iterator<Item = &Stage> {
         self.steps.iter().filter_map(|step| match step {
             PlanStep::Stage(stage) => Some(stage),
-            PlanStep::Angle { .. } => None,
+            PlanStep::Angle { .. } | PlanStep::Swivel { .. } => None,
         })
     }
 
@@ -85,6 +86,21 @@ pub struct PlanTask {
     pub angle: Option<(Vec<f64>, Angle)>,
     /// Whether the target has more equations than the arm joints.
     pub overdetermined: bool,
+    /// The arm angle is given.
+    pub swivel: Option<SwivelFacts>,
+}
+
+/// What the arm angle of a joint vector is read from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SwivelFacts {
+    /// The shoulder, with the first joint's axis as z, in the base frame.
+    pub shoulder: Transform,
+    /// The wrist in the frame of the link after the elbow.
+    pub wrist: [f64; 3],
+    /// The elbow's axis there.
+    pub axis: [f64; 3],
+    /// A point of it.
+    pub elbow: [f64; 3],
 }
 
 impl PlanTask {
@@ -97,6 +113,9 @@ impl PlanTask {
                 Axis::Y => ", axis y",
                 Axis::Z => ", axis z",
             };
+        }
+        if self.swivel.is_some() {
+            name += ", arm angle given";
         }
         if let Some(locked) = &self.locked {
             name += &format!(", q{} given", locked.joint + 1);
@@ -121,6 +140,21 @@ pub enum PlanStep {
         /// Cosine times the same factor.
         x: Expr,
     },
+    /// The rotation of the upper arm from the arm angle: see the runtime's `swivel`.
+    Swivel {
+        /// Its symbols, by rows.
+        names: [[String; 3]; 3],
+        /// What it is.
+        meaning: String,
+        /// From shoulder to wrist, where it has to be.
+        wrist: Vec3,
+        /// The same in the frame of the upper arm.
+        moved: Vec3,
+        /// The elbow's axis there.
+        axis: Vec3,
+        /// The elbow there.
+        elbow: Vec3,
+    },
 }
 
 impl PlanStep {
@@ -129,6 +163,7 @@ impl PlanStep {
         match self {
             PlanStep::Stage(stage) => stage.kernel.inputs(),
             PlanStep::Angle { y, x, .. } => vec![*y, *x],
+            PlanStep::Swivel { wrist, moved, axis, elbow, .. } => [*wrist, *moved, *axis, *elbow].concat(),
         }
     }
 }

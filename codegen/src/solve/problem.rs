@@ -260,6 +260,19 @@ impl Problem {
         (axes, current)
     }
 
+    /// The pose of the link after joint `i` at the generic configuration, as `link_poses` counts links.
+    pub fn body(&self, chain: &Chain, i: usize) -> Transform {
+        let end = chain.link_ends.get(i).copied().unwrap_or(0);
+        chain.steps.iter().take(end).fold(Transform::IDENTITY, |sum, step| {
+            let factor = match step {
+                Step::Revolute { joint, .. } => generic_motion(*joint, true, self.reach),
+                Step::Prismatic { joint } => generic_motion(*joint, false, self.reach),
+                _ => Transform::of(step),
+            };
+            sum.then(&factor)
+        })
+    }
+
     /// Link `i` as numbers.
     pub fn numeric(&self, i: usize, sample: &super::probe::Sample) -> Transform {
         let link = self.link(i);

@@ -2,7 +2,7 @@
 
 use super::plan::{Plan, PlanTask};
 use super::problem::{Problem, Slot};
-use super::{Refusal, cheapest, few, rank, refusal, solve};
+use super::{Refusal, cheapest, few, rank, refusal, solve, swivel};
 use crate::model::chain::Chain;
 use crate::model::geometry::{Geometry, Triple, TripleKind};
 use crate::model::{Angle, Axis, Model, Task};
@@ -12,6 +12,13 @@ use crate::symbolic::{Graph, Rigid, transpose};
 pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, Refusal> {
     let request = &model.inverse;
     let problem = Problem::new(model, chain, geometry.reach, request.redundant);
+    if request.arm_angle {
+        let task = plan_task(Task::Pose, &problem);
+        return match request.task {
+            None | Some(Task::Pose) => swivel::plan(problem, chain, task),
+            Some(_) => Err(Refusal::new("an arm angle belongs to the task `pose`")),
+        };
+    }
     let failed = match request.task {
         Some(task) => match attempt(task, model, geometry, &problem) {
             Ok(plan) => return Ok(plan),
@@ -105,7 +112,7 @@ fn stroke_last(mut problem: Problem) -> Result<Problem, Refusal> {
 }
 
 fn plan_task(task: Task, problem: &Problem) -> PlanTask {
-    PlanTask { task, locked: problem.locked.clone(), axis: Axis::Z, angle: None, overdetermined: false }
+    PlanTask { task, locked: problem.locked.clone(), axis: Axis::Z, angle: None, overdetermined: false, swivel: None }
 }
 
 fn pose(model: &Model, geometry: &Geometry, problem: Problem) -> Result<Plan, Refusal> {

@@ -18,6 +18,11 @@ enum Factor {
 pub fn meeting(c: &mut Closure) {
     let m = triple_rotation(c);
     let [first, second, third, ..] = c.order;
+    rotation(c, &m, [first, second, third]);
+}
+
+/// Three joints that give the rotation `m`.
+pub fn rotation(c: &mut Closure, m: &Mat3, [first, second, third]: [usize; 3]) {
     let (link_a, link_b) = (c.link(first).forward, c.link(second).forward);
     let (na, nb, nc) = (c.label(first), c.label(second), c.label(third));
     let cosines = [Side::along(link_a.z()), Side::along(link_b.z())];
@@ -29,7 +34,7 @@ pub fn meeting(c: &mut Closure) {
         let quarter = Angle::degrees(90.0);
         let left = c.g.constant_pair(quarter.add(fa.neg()), "WRIST_LEFT");
         let right = c.g.constant_pair(bb.add(quarter.neg()), "WRIST_RIGHT");
-        let columns = transpose(&m).map(|column| c.g.rotate_z(left, column));
+        let columns = transpose(m).map(|column| c.g.rotate_z(left, column));
         // R_z(t) on the right turns the rows by -t.
         let right = right.opposite(&mut c.g);
         let m = transpose(&columns).map(|row| c.g.rotate_z(right, row));
@@ -41,12 +46,11 @@ pub fn meeting(c: &mut Closure) {
         c.stage(&joints, first, Unit::Direction, Branching::Wrist, meaning, Kernel::Wrist { m });
         return;
     }
-    oblique(c, &m, [link_a, link_b]);
+    oblique(c, m, [first, second, third], [link_a, link_b]);
 }
 
 /// Axes at other angles: the middle joint from the cosine between the outer axes, then the outer ones.
-fn oblique(c: &mut Closure, m: &Mat3, [link_a, link_b]: [Rigid; 2]) {
-    let [first, second, third, ..] = c.order;
+fn oblique(c: &mut Closure, m: &Mat3, [first, second, third]: [usize; 3], [link_a, link_b]: [Rigid; 2]) {
     let (na, nb, nc) = (c.label(first), c.label(second), c.label(third));
     let approach = m.map(Side::along);
     let rho = c.g.norm(&Side::plane(approach));

@@ -1,0 +1,107 @@
+//! Seven joints whose shoulder and wrist axes meet, with the arm angle given.
+//!
+//! The elbow follows from the distance between shoulder and wrist; the upper arm's rotation from where the wrist has to
+//! be and the arm angle; the shoulder and the wrist are triples that give a rotation each.
+
+use super::closure::Closure;
+use super::plan::{Plan, PlanStep, PlanTask, SwivelFacts, Unit};
+use super::problem::Problem;
+use super::sides::Side;
+use super::{Refusal, triple};
+use crate::model::chain::Chain;
+use crate::model::geometry::{Line, Triple, TripleKind, foot};
+use crate::model::numeric::Transform;
+use crate::symbolic::{Expr, Graph, Rigid, transpose};
+
+/// The plan, or why the arm has no arm angle.
+///
+/// # Errors
+/// If there are not seven joints that turn, three meeting at the shoulder and three at the wrist.
+pub fn plan(mut problem: Problem, chain: &Chain, task: PlanTask) -> Result<Plan, Refusal> {
+    let triples = problem.triples();
+    let meets = |first: usize| triples.contains(&Triple { first, kind: TripleKind::Meeting });
+    let seven = problem.slots.len() == 7 && problem.slots.iter().all(|slot| slot.turns);
+    if !(seven && meets(0) && meets(4)) {
+        return Err(Refusal::new(
+            "an arm angle needs seven joints that turn, axes 1, 2, 3 meeting in a point and axes 5, 6, 7 in another",
+        ));
+    }
+    let names = [["u11", "u12", "u13"], ["u21", "u22", "u23"], ["u31", "u32", "u33"]];
+    let swung = names.map(|row| row.map(|name| problem.g.symbol(name)));
+    let shoulder = Triple { first: 0, kind: TripleKind::Meeting };
+    let numeric = problem.clone();
+    let mut c = Closure::new(problem, shoulder);
+    // Both triples with their meeting point as origin; the shoulder is done by the closure.
+    c.move_triple_to_meeting_point([3, 4, 5, 6]);
+    let flange = c.link(6).back;
+    let wrist = flange.p;
+    let upper = c.link(2);
+    let elbow = Side {
+        joint: 3,
+        undone: false,
+        turns: true,
+        moved: c.clean3(c.link(3).forward.p, Unit::Length),
+        origin: c.clean3(upper.back.p, Unit::Length),
+        axis: upper.back.z(),
+    };
+    for (e, axis) in wrist.iter().zip(["x", "y", "z"]) {
+        c.g.name(*e, format!("wrist_{axis}"));
+    }
+    let rho = c.g.norm(&wrist);
+    c.g.name(rho, "rho4");
+    let meaning = "Joint 4: the wrist center is `{rho}` from the shoulder, `{rho}^2 = a^2 + b^2 + h^2 + 2 a b cos(t)` \
+                   with `a = {a}`, `b = {b}`, `h = {h}`{shift}."
+        .to_string();
+    elbow.distance(&mut c, rho, false, meaning);
+    let turned = elbow.point(&mut c);
+    let moved = upper.forward.point(&mut c.g, turned);
+    let axis = upper.forward.z();
+    let along = c.g.dot3(upper.forward.p, axis);
+    let foot = c.g.scale3(along, axis);
+    let foot = c.g.sub3(upper.forward.p, foot);
+    let foot = c.clean3(foot, Unit::Length);
+    c.push(PlanStep::Swivel {
+        names: names.map(|row| row.map(String::from)),
+        meaning: "Rotation of the upper arm, frame 3 in frame 0: the wrist where it has to be, the elbow swung by the \
+                  arm angle."
+            .into(),
+        wrist,
+        moved,
+        axis,
+        elbow: foot,
+    });
+    triple::rotation(&mut c, &swung, [0, 1, 2]);
+    // (upper arm, elbow, forearm)^T flange
+    let pair = c.pair(3);
+    let columns = Graph::identity().map(|axis| c.g.rotate_z(pair, axis));
+    let turn = Rigid { r: transpose(&columns), p: [Expr::ZERO; 3] };
+    let fore = upper.forward.then(&mut c.g, &turn);
+    let link = c.link(3).forward;
+    let fore = fore.then(&mut c.g, &link);
+    let seen = c.g.matmul(&transpose(&swung), &flange.r);
+    let left = c.g.matmul(&transpose(&fore.r), &seen);
+    triple::rotation(&mut c, &left, [4, 5, 6]);
+    Ok(c.finish(shoulder, PlanTask { swivel: facts(&numeric, chain), ..task }))
+}
+
+/// Where shoulder, wrist and elbow axis lie, as numbers.
+fn facts(problem: &Problem, chain: &Chain) -> Option<SwivelFacts> {
+    let sample = problem.probe.samples().first()?;
+    let (axes, _) = problem.axes_and_tool(sample, 0);
+    let base = problem.numeric(0, sample);
+    let shoulder = meeting_point(&axes, 0)?;
+    let wrist = meeting_point(&axes, 4)?;
+    let body = problem.body(chain, 3);
+    let elbow = axes.get(3)?;
+    Some(SwivelFacts {
+        shoulder: Transform { p: shoulder, ..base },
+        wrist: body.seen(wrist),
+        axis: body.turned_back(elbow.direction),
+        elbow: body.seen(elbow.point),
+    })
+}
+
+/// Where two consecutive axes meet.
+fn meeting_point(axes: &[Line], first: usize) -> Option<[f64; 3]> {
+    foot(axes.get(first)?, axes.get(first + 1)?)
+}

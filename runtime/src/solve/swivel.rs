@@ -1,0 +1,111 @@
+//! The arm angle of a seven-joint arm: how far its elbow is swung about the line from shoulder to wrist.
+
+use super::Tolerances;
+use crate::Pose;
+use crate::math::atan2;
+
+type V<T> = [T; 3];
+
+fn dot<T: Tolerances>([a, b, c]: V<T>, [d, e, f]: V<T>) -> T {
+    a * d + b * e + c * f
+}
+
+fn cross<T: Tolerances>([a, b, c]: V<T>, [d, e, f]: V<T>) -> V<T> {
+    [b * f - c * e, c * d - a * f, a * e - b * d]
+}
+
+/// The direction of a vector; upwards for one without length (a wrist in the shoulder: any direction will do).
+fn unit<T: Tolerances>(v: V<T>) -> V<T> {
+    let size = dot(v, v).sqrt();
+    if size > T::ZERO { v.map(|e| e / size) } else { [T::ZERO, T::ZERO, T::ONE] }
+}
+
+/// The part of `v` across the unit vector `along`, normalized; of the axes that are least along it where that part
+/// vanishes, so that the result is always a unit vector.
+fn across<T: Tolerances>(along: V<T>, v: V<T>) -> V<T> {
+    let part = |v: V<T>| {
+        let k = dot(along, v);
+        let ([a, b, c], [x, y, z]) = (along, v);
+        [x - k * a, y - k * b, z - k * c]
+    };
+    let own = part(v);
+    if dot(own, own) > T::COINCIDENT * T::COINCIDENT {
+        return unit(own);
+    }
+    let [x, y, _] = along.map(|e| e.abs());
+    let (o, i) = (T::ZERO, T::ONE);
+    unit(part(if x <= T::HALF {
+        [i, o, o]
+    } else if y <= T::HALF {
+        [o, i, o]
+    } else {
+        [o, o, i]
+    }))
+}
+
+/// Where the elbow lies off the line from shoulder to wrist, as a unit vector: at right angles to the line and to the
+/// elbow's axis, on the elbow's side. An arm that is stretched out has the side of the axis turned by a right angle.
+fn side<T: Tolerances>(line: V<T>, axis: V<T>, elbow: V<T>) -> V<T> {
+    let normal = across(line, axis);
+    let away = cross(normal, line);
+    if dot(away, elbow) < T::ZERO { away.map(|e| -e) } else { away }
+}
+
+/// The rotation of the upper arm that puts the wrist where it has to be, with the elbow swung by the arm angle.
+///
+/// `wrist`: from shoulder to wrist where it has to be, base frame of the shoulder; `moved`, `axis`, `elbow`: the same
+/// vector, the elbow's axis and the elbow in the frame of the upper arm; `(sin, cos)` of the arm angle. It is zero where
+/// the elbow lies on the side of the base's z axis (Kreutz-Delgado, Long, Seraji 1992); where the wrist lies on that
+/// axis, on the side of its x axis.
+#[inline]
+pub fn swivel<T: Tolerances>(wrist: V<T>, moved: V<T>, axis: V<T>, elbow: V<T>, (sin, cos): (T, T)) -> [[T; 3]; 3] {
+    let a = unit(wrist);
+    let u = across(a, [T::ZERO, T::ZERO, T::ONE]);
+    let [ux, uy, uz] = u;
+    let [vx, vy, vz] = cross(a, u);
+    let d = [cos * ux + sin * vx, cos * uy + sin * vy, cos * uz + sin * vz];
+    let m = unit(moved);
+    let s = side(m, axis, elbow);
+    let (to, from) = ([a, d, cross(a, d)], [m, s, cross(m, s)]);
+    [0, 1, 2].map(|row| {
+        [0, 1, 2].map(|column| {
+            to.iter().zip(&from).fold(T::ZERO, |sum, (to, from)| {
+                let at = |v: &V<T>, i: usize| v.get(i).copied().unwrap_or(T::ZERO);
+                sum + at(to, row) * at(from, column)
+            })
+        })
+    })
+}
+
+/// What the arm angle of a joint vector is read from, all constant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Swivel<T> {
+    /// The frame whose origin is the shoulder and whose z axis is the first joint's, in the base frame.
+    pub shoulder: Pose<T>,
+    /// The wrist in the frame of the link after the elbow.
+    pub wrist: V<T>,
+    /// The direction of the elbow's axis in that frame.
+    pub axis: V<T>,
+    /// A point of the elbow's axis in that frame.
+    pub elbow: V<T>,
+}
+
+impl<T: Tolerances> Swivel<T> {
+    /// The arm angle, rad, from the pose of the link after the elbow.
+    pub fn angle(&self, link: &Pose<T>) -> T {
+        let seen = self.shoulder.inverse() * *link;
+        let [[a, b, c], [d, e, f], [g, h, i]] = seen.rotation;
+        let [x, y, z] = self.axis;
+        let axis = [a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z];
+        let line = unit(seen.transform_point(&self.wrist));
+        let foot = {
+            let point = seen.transform_point(&self.elbow);
+            let along = dot(point, axis);
+            let ([px, py, pz], [x, y, z]) = (point, axis);
+            [px - along * x, py - along * y, pz - along * z]
+        };
+        let up = across(line, [T::ZERO, T::ZERO, T::ONE]);
+        let side = side(line, axis, foot);
+        atan2(dot(cross(line, up), side), dot(up, side))
+    }
+}
