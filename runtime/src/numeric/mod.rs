@@ -28,7 +28,8 @@
 //! # Limits
 //! Joints stay within the arm's limits at every iterate. A joint at its limit that the error pushes outward is held for
 //! the step, and the others solve the rest (Bertsekas 1982, "Projected Newton methods", SIAM J. Control Optim. 20(2)). A
-//! revolute joint that leaves its range comes back in by a whole turn if the range has room for one.
+//! revolute joint that leaves its range comes back in by a whole turn if the range has room for one. Limits of sums of
+//! joints are not kept.
 //!
 //! # Redundancy
 //! [`NumericInverse::solve_towards`] moves along the null space towards a preferred posture,
