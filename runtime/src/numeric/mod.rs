@@ -15,7 +15,8 @@
 //! also where it makes the error greater for a while: that leads out of more valleys than a descent in every step.
 //!
 //! Where the error stays above the least one seen, damping fades by a factor of ten a step, until Newton's steps, of which
-//! the cap bounds the length, leave the local minimum (the Jacobian is singular there). Then it starts anew.
+//! the cap bounds the length, leave the local minimum (the Jacobian is singular there). Then it starts anew. If in the end
+//! nothing converged, the iterations that are left descend from the closest iterate (Marquardt 1963, J. SIAM 11(2)).
 //!
 //! [`Method::NewtonRaphson`] has no damping but what rounding asks for: the pseudoinverse (Whitney 1969; for six joints
 //! the inverse), with capped steps.
