@@ -62,6 +62,21 @@ pub mod taken {
     #[derive(::denhart::Arm)]
     #[arm(spec = "../specs/salman_rrr.yaml")]
     pub struct Counting;
+    #[arm(yaml = "
+        name: planar
+        convention: modified
+        units: {length: m, angle: deg}
+        parameters: {q: 0.5, s1: 0.25, arm: 2}
+        joints:
+          - {type: revolute, a: 0, alpha: 0, d: 2*arm, theta: 0}
+          - {type: revolute, a: q, alpha: 0, d: 0, theta: 0}
+        tool: {xyz: [-s1, 0, 0]}
+    ")]
+    pub struct Named {
+        pub q: f64,
+        pub s1: f64,
+        pub arm: f64,
+    }
 }
 
 /// `denhart` under another name and deeper in.
@@ -98,6 +113,8 @@ fn arms_work_in_hard_surroundings() {
     assert_eq!(taken::Stanford::DOF, 6);
     assert_eq!(taken::Tx40.jacobian(&[0.0; 6]).rows.len(), 6);
     assert_eq!(Elsewhere::DOF, 6);
+    let named = taken::Named { q: 1.0, s1: 0.5, arm: -1.0 };
+    assert_eq!(named.forward(&[0.0; 2]).translation.map(f64::to_bits), [0.5, 0.0, -2.0].map(f64::to_bits));
     let tip: denhart::Pose<f32> = Lever.forward(&[0.0]);
     assert_eq!(tip.translation.map(f32::to_bits), [500.0, 0.0, 0.0].map(f32::to_bits));
 }

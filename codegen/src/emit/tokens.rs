@@ -67,8 +67,9 @@ impl Writer<'_> {
         let (tokens, own) = match self.graph.node(e) {
             Node::Number(bits) => (number(f64::from_bits(bits)), Level::Atom),
             Node::Symbol(symbol) => {
-                let name = ident(&symbol.name);
-                (quote!(#name), Level::Atom)
+                // A run-time parameter is a field: `self.l2`.
+                let name = symbol.name.split('.').map(ident);
+                (quote!(#(#name).*), Level::Atom)
             }
             Node::Neg(a) => {
                 let a = self.at(a, Level::Product);

@@ -1,0 +1,152 @@
+//! Run-time parameters: the fields of the struct, and what is computed from them outside the kinematics.
+
+use super::tokens::{ident, integer, number};
+use super::{Target, angle, docs};
+use crate::model::{Frame, Length, Model, Parameter, RowKind};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The struct of a written file: a field for each run-time parameter.
+pub fn item(model: &Model, doc: &TokenStream, target: &Target) -> TokenStream {
+    let (name, scalar) = (&target.type_name, target.scalar.tokens());
+    if model.parameters.is_empty() {
+        return quote! {
+            #doc
+            #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+            pub struct #name;
+        };
+    }
+    let fields = model.parameters.iter().map(|parameter| {
+        let text = format!("{}, {}; {} in the arm file.", uses(model, parameter), docs::unit(model), parameter.default);
+        let (doc, field) = (docs::lines(&text), ident(&parameter.name));
+        // The field has the name in the file, whatever its case.
+        let case = (parameter.name.to_lowercase() != parameter.name).then(|| quote!(#[allow(non_snake_case)]));
+        quote!(#doc #case pub #field: #scalar)
+    });
+    quote! {
+        #doc
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct #name {
+            #(#fields),*
+        }
+
+        /// The arm with the parameters at the values of its file.
+        impl ::core::default::Default for #name {
+            fn default() -> Self {
+                Self::nominal()
+            }
+        }
+    }
+}
+
+/// `a` of row 2, twice `d` of row 3.
+fn uses(model: &Model, parameter: &Parameter) -> String {
+    let mut uses = Vec::new();
+    let mut note = |length: &Length, place: String| {
+        if let Length::Multiple { factor, parameter: name, .. } = length
+            && *name == parameter.name
+        {
+            let factor = if *factor == 1.0 { String::new() } else { format!(" times {factor}") };
+            uses.push(format!("{place}{factor}"));
+        }
+    };
+    for (row, number) in model.rows.iter().zip(1..) {
+        note(&row.a, format!("`a` of row {number}"));
+        note(&row.d, format!("`d` of row {number}"));
+    }
+    for (frame, what) in [(&model.base, "base"), (&model.tool, "tool")] {
+        for (length, axis) in frame.xyz.iter().zip(["x", "y", "z"]) {
+            note(length, format!("`{axis}` of the {what}"));
+        }
+    }
+    let text = if uses.is_empty() { "not used".to_owned() } else { uses.join(", ") };
+    format!("Parameter `{}`: {text}", parameter.name)
+}
+
+/// The arm with the file's values, and its table as it is bound.
+pub fn methods(model: &Model, target: &Target) -> TokenStream {
+    if model.parameters.is_empty() {
+        return TokenStream::new();
+    }
+    let krate = &target.krate;
+    let values = model.parameters.iter().map(|parameter| {
+        let (field, value) = (ident(&parameter.name), number(parameter.default));
+        quote!(#field: #value)
+    });
+    // The table is f64 whatever the scalar: it feeds the runtime chain.
+    let exact = Target { scalar: super::Scalar::F64, ..target.clone() };
+    let rows = model.rows.iter().map(|row| {
+        let kind = match row.kind {
+            RowKind::Revolute => quote!(revolute),
+            RowKind::Prismatic => quote!(prismatic),
+            RowKind::Fixed => quote!(fixed),
+        };
+        let (a, d) = (value(&row.a, target), value(&row.d, target));
+        let (alpha, theta) = (angle::tokens(row.alpha, &exact), angle::tokens(row.theta, &exact));
+        quote!(#krate::DhRow::#kind(#a, #alpha, #d, #theta))
+    });
+    let count = integer(model.rows.len());
+    let frame = |frame: &Frame| {
+        let xyz = frame.xyz.each_ref().map(|length| value(length, target));
+        let rpy = frame.rpy.map(|a| angle::tokens(a, &exact));
+        quote!(#krate::DhFrame { xyz: [#(#xyz),*], rpy: [#(#rpy),*] })
+    };
+    let (base, tool) = (frame(&model.base), frame(&model.tool));
+    let symbol = docs::unit(model);
+    let rows_doc = docs::lines(&format!(
+        "The rows of the Denavit-Hartenberg table with the parameters of this arm, `[{count}]`; lengths in {symbol}, \
+         angles in rad. With `dh_base` and `dh_tool` they make a `Chain`; the constant `DH` has the file's values."
+    ));
+    quote! {
+        /// The arm with the parameters at the values of its file.
+        #[must_use]
+        pub const fn nominal() -> Self {
+            Self { #(#values),* }
+        }
+
+        #rows_doc
+        #[must_use]
+        pub fn dh_rows(&self) -> [#krate::DhRow; #count] {
+            [#(#rows),*]
+        }
+
+        /// The constant frame before the first row, with the parameters of this arm.
+        #[must_use]
+        pub fn dh_base(&self) -> #krate::DhFrame {
+            #base
+        }
+
+        /// The constant frame after the last row, with the parameters of this arm.
+        #[must_use]
+        pub fn dh_tool(&self) -> #krate::DhFrame {
+            #tool
+        }
+    }
+}
+
+/// A length as an f64 in a method.
+fn value(length: &Length, target: &Target) -> TokenStream {
+    match length {
+        Length::Constant(value) => number(*value),
+        Length::Multiple { factor, parameter, .. } => {
+            let field = ident(parameter);
+            let field = match target.scalar {
+                super::Scalar::F64 => quote!(self.#field),
+                super::Scalar::F32 => quote!(::core::primitive::f64::from(self.#field)),
+            };
+            multiple(*factor, &field)
+        }
+    }
+}
+
+/// A factor of 1 is not written.
+fn multiple(factor: f64, of: &TokenStream) -> TokenStream {
+    if factor == 1.0 {
+        return of.clone();
+    }
+    if factor == -1.0 {
+        return quote!(-#of);
+    }
+    let factor = number(factor);
+    quote!(#factor * #of)
+}
