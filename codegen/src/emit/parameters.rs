@@ -2,7 +2,7 @@
 
 use super::tokens::{ident, integer, number};
 use super::{Target, angle, docs};
-use crate::model::{Frame, Length, Model, Parameter, RowKind};
+use crate::model::{Frame, Length, Model, Parameter, RowKind, strokes};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -136,6 +136,54 @@ fn value(length: &Length, target: &Target) -> TokenStream {
             };
             multiple(*factor, &field)
         }
+    }
+}
+
+/// The size of the arm as it is bound, and what follows from it: `length`, `facts`.
+pub fn sizes(model: &Model, target: &Target) -> TokenStream {
+    let (krate, scalar) = (&target.krate, target.scalar.tokens());
+    let mut constant = strokes(model);
+    let mut parts: Vec<TokenStream> = Vec::new();
+    let size = |length: &Length| {
+        let Length::Multiple { factor, parameter, .. } = length else { return None };
+        let field = ident(parameter);
+        Some(multiple(factor.abs(), &quote!(arm.#field.abs())))
+    };
+    for length in model.rows.iter().flat_map(|row| [&row.a, &row.d]) {
+        match size(length) {
+            Some(part) => parts.push(part),
+            None => constant += length.default_value().abs(),
+        }
+    }
+    for frame in [&model.base, &model.tool] {
+        let components: Vec<&Length> = frame.xyz.iter().filter(|length| !length.is_zero()).collect();
+        match components.as_slice() {
+            _ if components.iter().all(|length| length.parameter().is_none()) => {
+                constant += components.iter().map(|length| length.default_value().powi(2)).sum::<f64>().sqrt();
+            }
+            [one] => parts.extend(size(one)),
+            _ => {
+                let squares = components.iter().map(|length| {
+                    let size = size(length).unwrap_or_else(|| number(length.default_value().abs()));
+                    quote!(#size * #size)
+                });
+                parts.push(quote!(#krate::math::sqrt(#(#squares)+*)));
+            }
+        }
+    }
+    if constant > 0.0 {
+        parts.push(number(constant));
+    }
+    let tolerance = match model.inverse.tolerance_length {
+        Some(length) => number(length),
+        None => quote!(0.000001 * reach),
+    };
+    quote! {
+        let reach: #scalar = #(#parts)+*;
+        let ::core::option::Option::Some(facts) = FACTS.with_reach(reach, #tolerance) else {
+            return solutions;
+        };
+        let length = #krate::solve::Measure::length(facts.reach);
     }
 }
 

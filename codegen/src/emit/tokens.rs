@@ -87,10 +87,17 @@ impl Writer<'_> {
                 let (a, b) = (self.at(a, Level::Product), self.at(b, Level::Unary));
                 (quote!(#a * #b), Level::Product)
             }
-            Node::Sqrt(a) => {
-                let (a, krate) = (self.at(a, Level::Sum), self.krate);
-                (quote!(#krate::math::sqrt(#a)), Level::Atom)
-            }
+            Node::Sqrt(a) => match self.graph.node(a) {
+                // The length of a vector of one component.
+                Node::Mul(x, y) if x == y => {
+                    let x = self.at(x, Level::Atom);
+                    (quote!(#x.abs()), Level::Atom)
+                }
+                _ => {
+                    let (a, krate) = (self.at(a, Level::Sum), self.krate);
+                    (quote!(#krate::math::sqrt(#a)), Level::Atom)
+                }
+            },
         };
         if own < level { quote!((#tokens)) } else { tokens }
     }

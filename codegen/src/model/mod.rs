@@ -21,6 +21,7 @@ pub use check::check;
 pub use combined_limits::CombinedLimit;
 pub use coupling::Coupling;
 pub use parameter::{Bound, Parameter};
+pub use reach::strokes;
 
 use crate::error::Location;
 pub use crate::spec::{Axis, Convention, Length, LengthUnit, RowKind, Task};

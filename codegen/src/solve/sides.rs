@@ -64,6 +64,9 @@ impl Side {
             c.clean(difference, Unit::Length)
         };
         let range = ElbowRange { a: c.g.norm(&origin), b: c.g.norm(&moved), height };
+        for link in [range.a, range.b] {
+            c.g.name(link, "link");
+        }
         // Stretched: the turned vector points away from the other. The angle turns one onto the other's opposite.
         let away = |c: &mut Closure, v: [Expr; 2]| v.map(|e| c.g.neg(e));
         let (shift, about) = if self.undone {
@@ -143,15 +146,20 @@ impl Side {
     }
 
     /// A point on y's axis that this joint does not move: where the axes meet, if they do.
-    pub fn meeting_height(&self, c: &Closure) -> Option<f64> {
+    pub fn meeting_height(&self, c: &mut Closure) -> Option<Expr> {
         let [ox, oy, _] = self.origin.map(|e| c.value(e));
         let [ax, ay, _] = self.axis.map(|e| c.value(e));
-        let (ox, oy, ax, ay) = (ox?, oy?, ax?, ay?);
+        let (ax, ay) = (ax?, ay?);
         let size = ax * ax + ay * ay;
         if size <= 1e-20 {
             return None;
         }
-        Some(-(ox * ax + oy * ay) / size)
+        let (Some(ox), Some(oy)) = (ox, oy) else {
+            let height = c.foot(self.origin, self.axis)?;
+            return Some(c.g.name(height, "meet_y"));
+        };
+        let height = -(ox * ax + oy * ay) / size;
+        Some(if height.abs() <= 1e-12 * c.reach() { Expr::ZERO } else { c.g.dimension("MEET_Y", height) })
     }
 
     /// The same side with another point on y's axis as origin.

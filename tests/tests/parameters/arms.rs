@@ -78,6 +78,7 @@ name: planar2r
 convention: standard
 units: {length: cm, angle: deg}
 parameters: {l1: 10, l2: 20}
+inverse: {task: planar_position}
 joints:
   - {type: revolute, a: l1, alpha: 0, d: 0, theta: 0}
   - {type: revolute, a: l2, alpha: 0, d: 0, theta: 0}
@@ -95,6 +96,7 @@ name: planar3r
 convention: standard
 units: {length: cm, angle: deg}
 parameters: {l1: 20, l2: 10, l3: 7}
+inverse: {task: planar_pose}
 joints:
   - {type: revolute, a: l1, alpha: 0, d: 0, theta: 0}
   - {type: revolute, a: l2, alpha: 0, d: 0, theta: 0}
@@ -113,6 +115,7 @@ name: jupiter
 convention: modified
 units: {length: cm, angle: deg}
 parameters: {a0: 4, l2: 10, l3: 10, l4: 6}
+inverse: {task: position_angle}
 joints:
   - {type: revolute, a: 0, alpha: 0, d: a0, theta: 0}
   - {type: revolute, a: 0, alpha: -90, d: 0, theta: 0}
@@ -164,5 +167,68 @@ joints:
   - {type: revolute, a: 0, alpha: 90, d: q, theta: 0}
   - {type: revolute, a: 0, alpha: -90, d: px, theta: 0}
   - {type: revolute, a: 0, alpha: 0, d: d6, theta: 0}
+"
+);
+
+parametric!(
+    /// Shoulder axes that meet in a point where the lengths put it, askew; then an elbow out of line, two parallel axes and
+    /// a wrist of one more: the triple is the shoulder, and its meeting point depends on two parameters.
+    Askew,
+    FoldedAskew,
+    6,
+    [rise, off, upper, fore],
+    "
+name: askew
+convention: standard
+units: {length: m, angle: deg}
+parameters: {rise: 0.3, off: 0.1, upper: 0.5, fore: 0.4}
+joints:
+  - {type: revolute, a: 0, alpha: 90, d: rise, theta: 0}
+  - {type: revolute, a: 0, alpha: 60, d: 0, theta: 0}
+  - {type: revolute, a: off, alpha: -90, d: upper, theta: 0}
+  - {type: revolute, a: fore, alpha: 0, d: 0, theta: 0}
+  - {type: revolute, a: 2*off, alpha: 90, d: 0, theta: 30}
+  - {type: revolute, a: 0, alpha: 0, d: -rise, theta: 0}
+"
+);
+
+parametric!(
+    /// A spherical wrist whose axes meet at the far end of two offsets along tilted axes.
+    Tilted,
+    FoldedTilted,
+    6,
+    [d1, a2, d4, slip],
+    "
+name: tilted
+convention: standard
+units: {length: m, angle: deg}
+parameters: {d1: 0.4, a2: 0.6, d4: 0.5, slip: 0.2}
+joints:
+  - {type: revolute, a: 0.1, alpha: 90, d: d1, theta: 0}
+  - {type: revolute, a: a2, alpha: 0, d: 0, theta: 0}
+  - {type: revolute, a: 0, alpha: 90, d: 0, theta: 0}
+  - {type: revolute, a: 0, alpha: 60, d: d4, theta: 0}
+  - {type: fixed, a: 0, alpha: 0, d: slip, theta: 0}
+  - {type: revolute, a: 0, alpha: -60, d: -slip, theta: 0}
+  - {type: revolute, a: 0, alpha: 0, d: 0.1, theta: 0}
+"
+);
+
+parametric!(
+    /// A point with an arm of three links.
+    Reacher,
+    FoldedReacher,
+    3,
+    [d1, side, upper, fore],
+    "
+name: reacher
+convention: standard
+units: {length: mm, angle: deg}
+parameters: {d1: 170, side: -10, upper: 197, fore: 258}
+inverse: {task: position}
+joints:
+  - {type: revolute, a: 0, alpha: 90, d: d1, theta: 0}
+  - {type: revolute, a: upper, alpha: 0, d: side, theta: 0}
+  - {type: revolute, a: fore, alpha: 0, d: 0, theta: 0}
 "
 );

@@ -4,8 +4,9 @@
 
 mod arms;
 mod code;
+mod inverse;
 
-use arms::{Jupiter, Parametric, Planar2r, Planar3r, Puma560, Ur5};
+use arms::{Askew, Jupiter, Parametric, Planar2r, Planar3r, Puma560, Reacher, Tilted, Ur5};
 use denhart::{Arm, Jacobian, Pose};
 use denhart_tests::random::Random;
 use denhart_tests::subject::largest;
@@ -102,6 +103,9 @@ fn forward_functions_follow_the_lengths() {
     forward_beside_chain::<Jupiter, 4>("jupiter");
     forward_beside_chain::<Puma560, 6>("puma560");
     forward_beside_chain::<Ur5, 6>("ur5");
+    forward_beside_chain::<Askew, 6>("askew");
+    forward_beside_chain::<Tilted, 6>("tilted");
+    forward_beside_chain::<Reacher, 3>("reacher");
 }
 
 #[test]
@@ -111,20 +115,9 @@ fn the_values_of_the_file_give_the_arm_of_the_file() {
     nominal_is_folded::<Jupiter, 4>("jupiter");
     nominal_is_folded::<Puma560, 6>("puma560");
     nominal_is_folded::<Ur5, 6>("ur5");
-}
-
-/// The rows of Table 2 of Balerao et al. 2023 have link lengths of their own: the tool of the 3R arm at the joint angles
-/// of a row is where the row says, printed to 1e-3 degree, thus within 1e-3 rad / 57 times the arm's 37 cm.
-#[test]
-fn published_rows_with_lengths_of_their_own() {
-    let arm = Planar2r { l1: 15.0, l2: 10.0 };
-    let [q1, q2] = [56.196193_f64, -104.477512].map(f64::to_radians);
-    let [x, y, _] = arm.forward(&[q1, q2]).translation;
-    assert!((x - 15.0).abs() < 1e-6 && (y - 5.0).abs() < 1e-6, "{x} {y}");
-    let arm = Planar2r { l1: 10.0, l2: 5.0 };
-    let [q1, q2] = [-8.214770_f64, 60.006550].map(f64::to_radians);
-    let [x, y, _] = arm.forward(&[q1, q2]).translation;
-    assert!((x - 12.99).abs() < 1e-6 && (y - 2.5).abs() < 1e-6, "{x} {y}");
+    nominal_is_folded::<Askew, 6>("askew");
+    nominal_is_folded::<Tilted, 6>("tilted");
+    nominal_is_folded::<Reacher, 3>("reacher");
 }
 
 /// A struct with some of the fields binds those.
