@@ -19,13 +19,15 @@ pub fn item(model: &Model, doc: &TokenStream, target: &Target) -> TokenStream {
     let fields = model.parameters.iter().map(|parameter| {
         let text = format!("{}, {}; {} in the arm file.", uses(model, parameter), docs::unit(model), parameter.default);
         let (doc, field) = (docs::lines(&text), ident(&parameter.name));
-        // The field has the name in the file, whatever its case.
-        let case = (parameter.name.to_lowercase() != parameter.name).then(|| quote!(#[allow(non_snake_case)]));
-        quote!(#doc #case pub #field: #scalar)
+        quote!(#doc pub #field: #scalar)
     });
+    // A field has the name in the file, whatever its case.
+    let cased = model.parameters.iter().any(|parameter| parameter.name.to_lowercase() != parameter.name);
+    let case = cased.then(|| quote!(#[allow(non_snake_case, reason = "the names of the arm file")]));
     quote! {
         #doc
         #[derive(Debug, Clone, Copy, PartialEq)]
+        #case
         pub struct #name {
             #(#fields),*
         }

@@ -29,6 +29,10 @@ pub struct TaskCode {
 pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>) -> TaskCode {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
     let unit = docs::unit(model);
+    let field = |name: &str| {
+        let (field, unused) = (ident(name), ident(&format!("_{name}")));
+        if used.contains(name) { quote!(#field) } else { quote!(#field: #unused) }
+    };
     let pattern = |name: &str| if used.contains(name) { ident(name) } else { ident(&format!("_{name}")) };
     let position = ["px", "py", "pz"].map(&pattern);
     let rows = (1..=3).map(|i| {
@@ -84,9 +88,9 @@ pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>)
                 goal: quote!(let goal = &#goal;),
                 check: quote!(&#goal),
                 unpack: {
-                    let (angle, sin, cos) = (pattern("angle"), pattern("sin_angle"), pattern("cos_angle"));
+                    let (angle, sin, cos) = (field("angle"), pattern("sin_angle"), pattern("cos_angle"));
                     quote! {
-                        let #krate::PointAngle { point: [#(#position),*], angle: #angle } = *target;
+                        let #krate::PointAngle { point: [#(#position),*], #angle } = *target;
                         let (#sin, #cos) = #krate::math::sin_cos(target.angle);
                     }
                 },
@@ -101,10 +105,10 @@ pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>)
             goal: TokenStream::new(),
             check: quote!(target),
             unpack: {
-                let ([px, py, _], phi) = (&position, pattern("phi"));
+                let ([px, py, _], phi) = (&position, field("phi"));
                 let (sin, cos) = (pattern("sin_phi"), pattern("cos_phi"));
                 quote! {
-                    let #krate::PlanarPose { x: #px, y: #py, phi: #phi } = *target;
+                    let #krate::PlanarPose { x: #px, y: #py, #phi } = *target;
                     let (#sin, #cos) = #krate::math::sin_cos(target.phi);
                 }
             },

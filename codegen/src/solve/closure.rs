@@ -4,7 +4,7 @@ use super::plan::Phase;
 use super::plan::{Branching, Kernel, Plan, PlanStep, PlanTask, Stage, Unit, Value};
 use super::probe::Probe;
 use super::problem::{Problem, Slot};
-use super::sides::Side;
+use super::sides::{Side, foot};
 use crate::model::Angle;
 use crate::model::geometry::{Triple, TripleKind};
 use crate::symbolic::{Expr, Graph, Pair, Rigid, Vec3};
@@ -360,7 +360,7 @@ impl Closure {
         match heights.as_slice() {
             [[first, _], others @ ..] if others.iter().any(|[height, _]| (height - first).abs() > small) => {
                 // It depends on run-time parameters: -(p . h) in the plane, as a share of h, on top of the height of p.
-                let Some(foot) = self.foot(p, h) else { return Expr::ZERO };
+                let Some(foot) = foot(self, p, h) else { return Expr::ZERO };
                 let rise = self.g.mul(foot, Side::along(h));
                 let height = self.g.add(Side::along(p), rise);
                 self.g.name(height, name.to_lowercase())
@@ -368,21 +368,6 @@ impl Closure {
             [[height, _], ..] if height.abs() > small => self.g.dimension(name, *height),
             _ => Expr::ZERO,
         }
-    }
-
-    /// `t` at which the line `p + t h` is nearest to the z axis; `None` for a direction that is not constant, or along z.
-    pub fn foot(&mut self, p: Vec3, h: Vec3) -> Option<Expr> {
-        let [hx, hy] = [self.value(h[0])?, self.value(h[1])?];
-        let square = hx * hx + hy * hy;
-        if square <= 1e-20 {
-            return None;
-        }
-        let [px, py, _] = self.clean3(p, Unit::Length);
-        // A factor that vanishes is rounding of the direction.
-        let share = |g: &mut Graph, x: f64| g.number(if x.abs() <= 1e-15 { 0.0 } else { -x / square });
-        let (kx, ky) = (share(&mut self.g, hx), share(&mut self.g, hy));
-        let (x, y) = (self.g.mul(kx, px), self.g.mul(ky, py));
-        Some(self.g.add(x, y))
     }
 
     /// The plan. A last stage that gives a virtual joint alone is left out.

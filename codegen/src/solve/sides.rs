@@ -4,7 +4,7 @@ use super::closure::Closure;
 use super::plan::{Branching, ElbowRange, Kernel, Range, Unit};
 use super::rows::{Row, turned, turned_back};
 use crate::model::Angle;
-use crate::symbolic::{Expr, Vec3};
+use crate::symbolic::{Expr, Graph, Vec3};
 
 /// One side: joint `joint` moves the vector `moved`; joint y sees it from `origin`, along `axis`.
 ///
@@ -155,7 +155,7 @@ impl Side {
             return None;
         }
         let (Some(ox), Some(oy)) = (ox, oy) else {
-            let height = c.foot(self.origin, self.axis)?;
+            let height = foot(c, self.origin, self.axis)?;
             return Some(c.g.name(height, "meet_y"));
         };
         let height = -(ox * ax + oy * ay) / size;
@@ -168,4 +168,19 @@ impl Side {
         let origin = c.g.add3(self.origin, along);
         Side { origin: c.clean3(origin, Unit::Length), ..*self }
     }
+}
+
+/// `t` at which the line `p + t h` is nearest to the z axis; `None` for a direction that is not constant, or along z.
+pub fn foot(c: &mut Closure, [px, py, pz]: Vec3, [hx, hy, _]: Vec3) -> Option<Expr> {
+    let (hx, hy) = (c.value(hx)?, c.value(hy)?);
+    let square = hx * hx + hy * hy;
+    if square <= 1e-20 {
+        return None;
+    }
+    let [px, py, _] = c.clean3([px, py, pz], Unit::Length);
+    // A factor that vanishes is rounding of the direction.
+    let share = |g: &mut Graph, x: f64| g.number(if x.abs() <= 1e-15 { 0.0 } else { -x / square });
+    let (kx, ky) = (share(&mut c.g, hx), share(&mut c.g, hy));
+    let (x, y) = (c.g.mul(kx, px), c.g.mul(ky, py));
+    Some(c.g.add(x, y))
 }
