@@ -55,7 +55,6 @@ pub mod taken {
     #[arm(spec = "../specs/staubli_tx40.yaml")]
     pub struct Tx40;
 
-    /// Fields with the names of locals and arguments of generated code.
     #[derive(::denhart::Arm)]
     #[arm(spec = "../specs/fanuc_lrmate200id.yaml")]
     pub struct Linked;
@@ -63,6 +62,9 @@ pub mod taken {
     #[derive(::denhart::Arm)]
     #[arm(spec = "../specs/salman_rrr.yaml")]
     pub struct Counting;
+
+    /// Fields with the names of locals and arguments of generated code.
+    #[derive(::denhart::Arm)]
     #[arm(yaml = "
         name: reacher
         convention: standard

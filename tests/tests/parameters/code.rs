@@ -54,7 +54,7 @@ fn a_written_struct_has_the_fields_when_asked() {
     let bound = Builder::new(&path).type_name("Robot").runtime_parameters(true).generate().unwrap();
     let structure = "\
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[allow(non_snake_case, reason = "the names of the arm file")]
+#[allow(non_snake_case, reason = \"the names of the arm file\")]
 pub struct Robot {
     /// Parameter `l1`: `a` of row 1, `d` of row 2, m; 0.5 in the arm file.
     pub l1: f64,
