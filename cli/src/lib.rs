@@ -58,6 +58,9 @@ struct Expand {
     /// Number type of the generated code
     #[arg(long, value_name = "TYPE", default_value = "f64")]
     scalar: Scalar,
+    /// Bind the `parameters` of the file at run time: a public field of the struct for each
+    #[arg(long)]
+    parameters: bool,
 }
 
 #[derive(Args)]
@@ -112,8 +115,8 @@ where
 }
 
 fn expand(options: Expand) -> Result<String, String> {
-    let Expand { file, type_name, scalar } = options;
-    let mut builder = Builder::new(file).scalar(ScalarKind::from(scalar));
+    let Expand { file, type_name, scalar, parameters } = options;
+    let mut builder = Builder::new(file).scalar(ScalarKind::from(scalar)).runtime_parameters(parameters);
     if let Some(name) = type_name {
         builder = builder.type_name(name);
     }

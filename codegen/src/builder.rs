@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use crate::arm_file::{self, ReadError};
 use crate::error::{Diagnostic, Errors};
-use crate::{Options, ScalarKind, generate};
+use crate::{Bound, Options, ScalarKind, generate};
 
 /// Writes the code of one arm file: the struct and its impls, formatted.
 ///
@@ -28,13 +28,15 @@ pub struct Builder {
     type_name: Option<String>,
     scalar: Result<ScalarKind, String>,
     crate_path: String,
+    runtime_parameters: bool,
 }
 
 impl Builder {
     /// A builder for the arm file at `path`, relative to the current directory: in a build script, the package's own.
     pub fn new(path: impl Into<PathBuf>) -> Self {
         let crate_path = "::denhart".to_owned();
-        Self { path: path.into(), type_name: None, scalar: Ok(ScalarKind::F64), crate_path }
+        let scalar = Ok(ScalarKind::F64);
+        Self { path: path.into(), type_name: None, scalar, crate_path, runtime_parameters: false }
     }
 
     /// The name of the struct. Without it: the `name` of the file in upper camel case, `kuka_kr6_r700` as
@@ -58,6 +60,13 @@ impl Builder {
     /// re-export.
     pub fn crate_path(mut self, path: impl Into<String>) -> Self {
         self.crate_path = path.into();
+        self
+    }
+
+    /// Whether the `parameters` of the file are bound at run time: the struct then has a public field for each. By
+    /// default it has none, and their values in the file are constants.
+    pub fn runtime_parameters(mut self, bound: bool) -> Self {
+        self.runtime_parameters = bound;
         self
     }
 
@@ -111,7 +120,8 @@ impl Builder {
         if syn::parse_str::<syn::Ident>(&type_name).is_err() {
             return Err(BuildError::TypeName { written: type_name });
         }
-        let generated = generate(&text, &file, &Options { type_name, scalar, crate_path })?;
+        let bound = if self.runtime_parameters { Bound::All } else { Bound::None };
+        let generated = generate(&text, &file, &Options { type_name, scalar, crate_path, bound })?;
         Ok((generated.to_file()?, generated.warnings))
     }
 

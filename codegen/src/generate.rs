@@ -5,7 +5,7 @@ use crate::error::{Diagnostic, Errors};
 use crate::kinematics::{Wanted, kinematics};
 use crate::model::chain::Chain;
 use crate::model::geometry::{Geometry, geometry};
-use crate::model::{self, Model};
+use crate::model::{self, Bound, Model};
 use crate::report::Report;
 use crate::solve::{Plan, Refusal, plan};
 use crate::{ScalarKind, spec, stages};
@@ -21,12 +21,15 @@ pub struct Options {
     pub scalar: ScalarKind,
     /// Path of the runtime crate.
     pub crate_path: syn::Path,
+    /// Which parameters of the file are fields of the type, bound at run time.
+    pub bound: Bound,
 }
 
 impl Options {
     /// f64, with the runtime at `::denhart`.
     pub fn new(type_name: impl Into<String>) -> Self {
-        Options { type_name: type_name.into(), scalar: ScalarKind::F64, crate_path: syn::parse_quote!(::denhart) }
+        let crate_path = syn::parse_quote!(::denhart);
+        Options { type_name: type_name.into(), scalar: ScalarKind::F64, crate_path, bound: Bound::None }
     }
 }
 
@@ -69,9 +72,9 @@ struct Analyzed {
     warnings: Vec<Diagnostic>,
 }
 
-fn analyze(text: &str, file: &str) -> Result<Analyzed, Errors> {
+fn analyze(text: &str, file: &str, bound: &Bound) -> Result<Analyzed, Errors> {
     let (spec, warnings) = spec::read(text, file)?;
-    let model = model::check(&spec)?;
+    let model = model::check(&spec)?.bind(bound);
     let chain = Chain::of(&model);
     let geometry = geometry(&model, &chain);
     let inverse = plan(&model, &chain, &geometry);
@@ -90,7 +93,7 @@ impl Analyzed {
 /// # Errors
 /// Every mistake in the file, with its place; an arm without an inverse whose file requires one.
 pub fn generate(text: &str, file: &str, options: &Options) -> Result<Generated, Errors> {
-    let analyzed = analyze(text, file)?;
+    let analyzed = analyze(text, file, &options.bound)?;
     let Analyzed { model, chain, inverse, .. } = &analyzed;
     if let (Err(refusal), true) = (inverse, model.inverse.require) {
         let message = format!("no inverse kinematics: {}", refusal.reason);
@@ -117,7 +120,7 @@ pub fn generate(text: &str, file: &str, options: &Options) -> Result<Generated, 
 /// # Errors
 /// Every mistake in the file, with its place.
 pub fn check(text: &str, file: &str) -> Result<Report, Errors> {
-    Ok(analyze(text, file)?.report())
+    Ok(analyze(text, file, &Bound::None)?.report())
 }
 
 /// What the stages before code find, as text. For the snapshots of this repository: no contract.
@@ -126,6 +129,6 @@ pub fn check(text: &str, file: &str) -> Result<Report, Errors> {
 /// Every mistake in the file, with its place.
 #[doc(hidden)]
 pub fn stages_text(text: &str, file: &str) -> Result<String, Errors> {
-    let Analyzed { model, chain, geometry, inverse, .. } = analyze(text, file)?;
+    let Analyzed { model, chain, geometry, inverse, .. } = analyze(text, file, &Bound::None)?;
     Ok(stages::text(&model, &chain, &geometry, &inverse))
 }

@@ -28,4 +28,5 @@ pub use error::{Diagnostic, Errors, Location, Severity};
 #[doc(hidden)]
 pub use generate::stages_text;
 pub use generate::{Generated, Options, check, generate};
+pub use model::Bound;
 pub use report::Report;

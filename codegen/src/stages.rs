@@ -3,7 +3,7 @@
 use crate::emit::{Block, Writer};
 use crate::model::chain::{Chain, Step};
 use crate::model::geometry::Geometry;
-use crate::model::{Angle, Model};
+use crate::model::{Angle, Length, Model};
 use crate::solve::{Plan, PlanStep, Refusal};
 use crate::symbolic::Expr;
 use std::fmt::Write;
@@ -42,13 +42,21 @@ fn factor(step: &Step) -> String {
     match step {
         Step::RotateX { angle, name } => format!("Rx({name} = {})", angle.text()),
         Step::RotateZ { angle, name } => format!("Rz({name} = {})", angle.text()),
-        Step::ShiftX { length, name } => format!("Tx({name} = {length:?})"),
-        Step::ShiftZ { length, name } => format!("Tz({name} = {length:?})"),
+        Step::ShiftX { length, name } => format!("Tx({name} = {})", size(length)),
+        Step::ShiftZ { length, name } => format!("Tz({name} = {})", size(length)),
         Step::Revolute { joint, offset } => format!("Rz(q{} + {})", joint + 1, offset.text()),
         Step::Prismatic { joint } => format!("Tz(q{})", joint + 1),
         Step::Frame { frame, name } => {
-            format!("{name} xyz {:?} rpy {:?}", frame.xyz, frame.rpy.map(|angle| angle.text()))
+            let xyz = frame.xyz.each_ref().map(size).join(", ");
+            format!("{name} xyz [{xyz}] rpy {:?}", frame.rpy.map(|angle| angle.text()))
         }
+    }
+}
+
+fn size(length: &Length) -> String {
+    match length {
+        Length::Constant(value) => format!("{value:?}"),
+        Length::Multiple { factor, parameter, .. } => format!("{factor:?} {parameter}"),
     }
 }
 

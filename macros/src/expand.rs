@@ -2,13 +2,14 @@
 
 use std::path::Path;
 
-use denhart_codegen::{Diagnostic, Generated, Options, ScalarKind};
+use denhart_codegen::{Bound, Diagnostic, Generated, Options, ScalarKind};
 use proc_macro2::{Span, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::{Data, DeriveInput, Error, LitStr};
 
 use crate::attribute::{ArmAttribute, Source};
 use crate::fallback::{self, Outline};
+use crate::fields;
 
 /// What an arm file given as `yaml = "..."` is called in messages.
 const INLINE: &str = "<inline>";
@@ -20,23 +21,21 @@ pub fn expand(input: &DeriveInput, package: Option<&Path>) -> TokenStream {
     let attribute = ArmAttribute::read(&input.attrs, &mut errors);
     check_shape(input, &mut errors);
     let mut outline = Outline::default();
-    let generated = match &attribute.source {
-        None => None,
-        Some(source) => match read(source, package).and_then(|arm| {
-            outline = Outline::of(&arm.text);
-            generate(input, &attribute, &arm)
-        }) {
-            Ok(tokens) => Some(tokens),
-            Err(error) => {
-                errors.push(error);
-                None
-            }
-        },
-    };
+    let arm = attribute.source.as_ref().map(|source| read(source, package)).transpose();
+    let arm = arm.map_err(|error| errors.push(error)).unwrap_or(None);
+    let text = arm.as_ref().map(|arm| (arm.text.as_str(), arm.file.as_str()));
+    let before = errors.len();
+    let bound = bound(input, text, attribute.scalar, &mut errors);
+    let fields_fit = errors.len() == before;
+    let generated = arm.and_then(|arm| {
+        outline = Outline::of(&arm.text);
+        generate(input, &attribute, bound, &arm).map_err(|error| errors.push(error)).ok()
+    });
     let rebuild = attribute.source.as_ref().and_then(|source| rebuild_on_change(source, package));
-    // Impls for a generic type would need its parameters: the stub has them.
+    // Impls for a generic type would need its parameters, and those for fields that are wrong would repeat it: the stub
+    // does neither.
     let impls = match generated {
-        Some(impls) if input.generics.params.is_empty() => impls,
+        Some(impls) if input.generics.params.is_empty() && fields_fit => impls,
         _ => fallback::stub(input, &outline, &attribute.crate_path, attribute.scalar),
     };
     let errors = errors.iter().map(Error::to_compile_error);
@@ -67,11 +66,17 @@ fn read<'a>(source: &'a Source, package: Option<&Path>) -> Result<ArmText<'a>, E
     }
 }
 
-fn generate(input: &DeriveInput, attribute: &ArmAttribute, arm: &ArmText<'_>) -> Result<TokenStream, Error> {
+fn generate(
+    input: &DeriveInput,
+    attribute: &ArmAttribute,
+    bound: Bound,
+    arm: &ArmText<'_>,
+) -> Result<TokenStream, Error> {
     let options = Options {
         type_name: input.ident.to_string(),
         scalar: attribute.scalar,
         crate_path: attribute.crate_path.clone(),
+        bound,
     };
     let Generated { impls, warnings, .. } = denhart_codegen::generate(&arm.text, &arm.file, &options)
         .map_err(|errors| Error::new(arm.at.span(), errors))?;
@@ -108,28 +113,12 @@ fn rebuild_on_change(source: &Source, package: Option<&Path>) -> Option<TokenStr
     Some(quote! { const _: &[::core::primitive::u8] = ::core::include_bytes!(#path); })
 }
 
-/// An arm is a struct without fields and without parameters.
+/// An arm is a struct without generic parameters.
 fn check_shape(input: &DeriveInput, errors: &mut Vec<Error>) {
     let name = &input.ident;
     let as_struct = format!("help: write `struct {name};`");
     match &input.data {
-        Data::Struct(data) => {
-            for field in &data.fields {
-                let (at, text) = match &field.ident {
-                    Some(field) => (
-                        field.span(),
-                        format!(
-                            "a field binds the run-time parameter of its name, and the arm file has no parameter `{field}`"
-                        ),
-                    ),
-                    None => (
-                        syn::spanned::Spanned::span(&field.ty),
-                        "a field binds the run-time parameter of its name, and this field has no name".to_owned(),
-                    ),
-                };
-                errors.push(Error::new(at, format!("{text}\n{as_struct}")));
-            }
-        }
+        Data::Struct(_) => {}
         Data::Enum(data) => {
             errors.push(Error::new(data.enum_token.span, format!("an arm is a struct, not an enum\n{as_struct}")));
         }
@@ -140,6 +129,14 @@ fn check_shape(input: &DeriveInput, errors: &mut Vec<Error>) {
     if !input.generics.params.is_empty() {
         let text = format!("an arm is one type: it has no parameters\n{as_struct}");
         errors.push(Error::new_spanned(&input.generics, text));
+    }
+}
+
+/// The parameters bound by the fields of the struct; an enum or a union is wrong already.
+fn bound(input: &DeriveInput, text: Option<(&str, &str)>, scalar: ScalarKind, errors: &mut Vec<Error>) -> Bound {
+    match &input.data {
+        Data::Struct(data) => fields::bound(&data.fields, &input.ident, text, scalar, errors),
+        Data::Enum(_) | Data::Union(_) => Bound::None,
     }
 }
 

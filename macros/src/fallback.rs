@@ -101,6 +101,18 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
                 (#krate::Pose::identity(), #krate::Jacobian { rows: [[0.0; #q]; 6] })
             }
             #motion
+            pub fn nominal() -> Self {
+                loop {}
+            }
+            pub fn dh_rows(&self) -> [#krate::DhRow; 0] {
+                []
+            }
+            pub fn dh_base(&self) -> #krate::DhFrame {
+                #krate::DhFrame::IDENTITY
+            }
+            pub fn dh_tool(&self) -> #krate::DhFrame {
+                #krate::DhFrame::IDENTITY
+            }
             pub fn inverse #any_target_list (&self, _: &#target) -> #solutions {
                 #krate::Solutions::new(#krate::Status::BadTarget)
             }

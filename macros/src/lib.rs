@@ -8,11 +8,12 @@ use syn::{DeriveInput, parse_macro_input};
 mod attribute;
 mod expand;
 mod fallback;
+mod fields;
 mod stub_motors;
 #[cfg(test)]
 mod tests;
 
-/// Implements the kinematics of the arm in `#[arm(..)]` for a unit struct: `forward`, `link_poses`, `jacobian`,
+/// Implements the kinematics of the arm in `#[arm(..)]` for a struct: `forward`, `link_poses`, `jacobian`,
 /// `forward_and_jacobian`, and `inverse`, `inverse_near` where the arm has a closed form; the constants `DOF`,
 /// `LIMITS`,
 /// `JOINT_NAMES`, `LENGTH_UNIT`, `DH`, `MAX_SOLUTIONS`; and the trait `denhart::Arm`.
@@ -25,6 +26,20 @@ mod tests;
 /// struct Ur5;
 ///
 /// let tool = Ur5.forward(&[0.0; 6]);
+/// ```
+///
+/// # Fields
+/// A field binds the parameter of its name in the file's `parameters` at run time. A parameter without a field is its
+/// value in the file, a constant of the code. A struct with fields has `nominal()`, the arm with the file's values, and
+/// `dh_rows()`, `dh_base()` and `dh_tool()`, its table as it is bound.
+///
+/// ```text
+/// #[derive(Arm)]
+/// #[arm(spec = "specs/planar.yaml")] // parameters: {l2: 0.425, l3: 0.392}
+/// struct Planar {
+///     l2: f64,
+///     l3: f64,
+/// }
 /// ```
 ///
 /// # `#[arm(..)]`

@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-use denhart_codegen::{Options, ScalarKind};
+use denhart_codegen::{Bound, Options, ScalarKind};
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{File, Item, LitStr};
@@ -52,6 +52,7 @@ fn the_impls_are_those_of_the_generator() {
                 type_name: "Robot".to_owned(),
                 scalar: kind,
                 crate_path: syn::parse_quote!(crate::kinematics),
+                bound: Bound::None,
             };
             let text = std::fs::read_to_string(root().join(&file)).unwrap();
             let impls = denhart_codegen::generate(&text, &file, &options).unwrap().impls;
@@ -218,6 +219,77 @@ fn every_mistake_of_the_attribute_and_of_the_struct_is_told() {
     ] {
         assert_eq!(errors(input.clone()), expected, "{input}");
     }
+}
+
+/// Two links whose lengths have names.
+const NAMED: &str = "\
+name: planar
+convention: standard
+units: {length: m, angle: deg}
+parameters: {l2: 1, l3: 2}
+joints:
+  - {type: revolute, a: l2, alpha: 0, d: 0, theta: 0}
+  - {type: revolute, a: l3, alpha: 0, d: 0, theta: 0}
+";
+
+#[test]
+fn a_field_binds_the_parameter_of_its_name() {
+    for (fields, bound) in [
+        (quote!(;), Bound::None),
+        (quote!({}), Bound::None),
+        (quote!({ l3: f64 }), Bound::Fields(vec!["l3".into()])),
+        (quote!({ pub l2: core::primitive::f64, l3: Length }), Bound::Fields(vec!["l2".into(), "l3".into()])),
+    ] {
+        let input = quote!(
+            #[arm(yaml = #NAMED)]
+            struct Robot #fields
+        );
+        let impls =
+            denhart_codegen::generate(NAMED, "<inline>", &Options { bound, ..Options::new("Robot") }).unwrap().impls;
+        assert_eq!(expand(&syn::parse2(input).unwrap(), None).to_string(), impls.to_string(), "{fields}");
+    }
+}
+
+#[test]
+fn a_field_that_binds_nothing_is_told() {
+    let of = |fields: TokenStream| {
+        errors(quote!(
+            #[arm(yaml = #NAMED)]
+            struct A #fields
+        ))
+    };
+    let none = "a field binds the run-time parameter of its name, and the arm file has no parameter";
+    assert_eq!(
+        of(quote!({ l2: f64, length: f64, l4: f64 })),
+        [
+            format!("{none} `length`\nhelp: write `struct A {{ l2: f64, l3: f64 }}`, or fewer fields, or `struct A;`"),
+            format!("{none} `l4`\nhelp: did you mean `l2`? the parameters are l2, l3"),
+        ]
+    );
+    assert_eq!(
+        of(quote!((f64);)),
+        ["a field binds the run-time parameter of its name, and this field has no name\n\
+          help: write `struct A { l2: f64, l3: f64 }`, or fewer fields, or `struct A;`"]
+    );
+    let scalar = "is of the arm's scalar type, f64\nhelp: write";
+    assert_eq!(
+        of(quote!({ l2: f32, l3: Option<f64> })),
+        [
+            format!("the parameter `l2` {scalar} `l2: f64`, or `scalar = \"f32\"` in #[arm(..)]"),
+            format!("the parameter `l3` {scalar} `l3: f64`"),
+        ]
+    );
+    assert_eq!(of(quote!({ l2: usize, l3: [f64; 1] })).len(), 2);
+    // The calls of a struct with a wrong field still compile.
+    let input = quote!(
+        #[arm(yaml = #NAMED)]
+        struct A {
+            l2: f64,
+            l4: f64,
+        }
+    );
+    let derived = expand(&syn::parse2(input).unwrap(), None).to_string();
+    assert!(derived.contains("fn forward") && !derived.contains("self . l"), "{derived}");
 }
 
 #[test]

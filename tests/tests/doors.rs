@@ -127,6 +127,23 @@ fn halt(_: &core::panic::PanicInfo<'_>) -> ! {
 }
 ";
 
+/// Six joints, every kind of length a parameter, one of them not named as Rust would.
+const NAMED: &str = "\
+name: named
+convention: standard
+units: {length: m, angle: deg}
+parameters: {d1: 0.67, a2: 0.43, Off3: 0.02, d4: 0.43, height: 0.5, tip: 0.1}
+joints:
+  - {type: revolute, a: 0, alpha: 90, d: d1, theta: 0}
+  - {type: revolute, a: -a2, alpha: 0, d: 0, theta: 0}
+  - {type: revolute, a: Off3, alpha: -90, d: 2*Off3, theta: 0}
+  - {type: revolute, a: 0, alpha: 90, d: d4, theta: 0}
+  - {type: revolute, a: 0, alpha: -90, d: 0, theta: 0}
+  - {type: revolute, a: 0, alpha: 0, d: 0, theta: 0}
+base: {xyz: [0, 0, height/2]}
+tool: {xyz: [0, 0, tip]}
+";
+
 /// No `std`, no default feature, nothing but `denhart`; and nothing that rustc or clippy would warn of.
 #[test]
 fn written_files_compile_without_std() {
@@ -149,6 +166,15 @@ panic = "abort"
             user.write(&format!("src/{module}.rs"), &Builder::new(&path).scalar(scalar).generate().unwrap());
             library += &format!("/// The arm {arm}.\npub mod {module} {{\n    include!(\"{module}.rs\");\n}}\n");
         }
+    }
+    let named = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("named.yaml");
+    fs::write(&named, NAMED).unwrap();
+    for scalar in ["f64", "f32"] {
+        let builder = Builder::new(&named).scalar(scalar).runtime_parameters(true);
+        user.write(&format!("src/named_{scalar}.rs"), &builder.generate().unwrap());
+        library += &format!(
+            "/// Lengths bound at run time.\npub mod named_{scalar} {{\n    include!(\"named_{scalar}.rs\");\n}}\n"
+        );
     }
     user.write("src/lib.rs", &library);
     user.succeeds(&["clippy"]);

@@ -62,6 +62,25 @@ pub mod taken {
     #[derive(::denhart::Arm)]
     #[arm(spec = "../specs/salman_rrr.yaml")]
     pub struct Counting;
+
+    /// Fields with the names of locals and arguments of generated code.
+    #[derive(::denhart::Arm)]
+    #[arm(yaml = "
+        name: reacher
+        convention: standard
+        units: {length: m, angle: deg}
+        parameters: {q: 2, arm: 0.5, length: 0.25}
+        inverse: {task: position}
+        joints:
+          - {type: revolute, a: 0, alpha: 90, d: 2*q, theta: 0}
+          - {type: revolute, a: arm, alpha: 0, d: 0, theta: 0}
+          - {type: revolute, a: -length, alpha: 0, d: 0, theta: 0}
+    ")]
+    pub struct Named {
+        pub q: f64,
+        pub arm: f64,
+        pub length: f64,
+    }
 }
 
 /// `denhart` under another name and deeper in.
@@ -98,6 +117,10 @@ fn arms_work_in_hard_surroundings() {
     assert_eq!(taken::Stanford::DOF, 6);
     assert_eq!(taken::Tx40.jacobian(&[0.0; 6]).rows.len(), 6);
     assert_eq!(Elsewhere::DOF, 6);
+    let named = taken::Named { q: 1.0, arm: 0.5, length: -1.0 };
+    let tip = named.forward(&[0.0; 3]).translation;
+    assert_eq!(tip.map(f64::to_bits), [1.5, 0.0, 2.0].map(f64::to_bits));
+    assert!(named.inverse(&tip).iter().any(denhart::Solution::is_exact));
     let tip: denhart::Pose<f32> = Lever.forward(&[0.0]);
     assert_eq!(tip.translation.map(f32::to_bits), [500.0, 0.0, 0.0].map(f32::to_bits));
 }

@@ -1,8 +1,8 @@
 //! Serial arms of the crate `k`, made from the DH table.
 
 use denhart::{Convention, DhFrame, DhRow, DhTable, JointKind, Pose};
-use k::nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
 use k::joint::Range;
+use k::nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
 use k::{JointType, NodeBuilder, SerialChain};
 
 /// The arm of a table, with limits where they are finite.

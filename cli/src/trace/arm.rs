@@ -4,7 +4,7 @@ use std::env;
 use std::path::Path;
 
 use denhart::{Chain, Convention, DhFrame, DhRow, JointKind};
-use denhart_codegen::model::{self, Frame, Model, RowKind};
+use denhart_codegen::model::{self, Frame, Length, Model, RowKind};
 use denhart_codegen::spec;
 
 /// The chain of the arm file, with the names of the joints.
@@ -31,9 +31,18 @@ fn chain(model: &Model) -> Chain {
                 RowKind::Prismatic => JointKind::Prismatic,
                 RowKind::Fixed => JointKind::Fixed,
             };
-            DhRow { kind, a: row.a, alpha: row.alpha.rad(), d: row.d, theta: row.theta.rad() }
+            DhRow {
+                kind,
+                a: row.a.default_value(),
+                alpha: row.alpha.rad(),
+                d: row.d.default_value(),
+                theta: row.theta.rad(),
+            }
         })
         .collect();
-    let frame = |frame: &Frame| DhFrame { xyz: frame.xyz, rpy: frame.rpy.map(|angle| angle.rad()) };
+    let frame = |frame: &Frame| DhFrame {
+        xyz: frame.xyz.each_ref().map(Length::default_value),
+        rpy: frame.rpy.map(|angle| angle.rad()),
+    };
     Chain::new(convention, &rows).with_base(frame(&model.base)).with_tool(frame(&model.tool))
 }

@@ -4,6 +4,7 @@ mod arm;
 mod jet;
 mod law;
 mod times;
+mod token;
 
 use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};

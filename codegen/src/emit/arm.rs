@@ -3,7 +3,7 @@
 use super::constants::Dimensions;
 use super::inverse::{Inverse as InverseCode, inverse};
 use super::tokens::integer;
-use super::{Target, actuator, combined_limits, coupling, docs, kinematics, motion, tables};
+use super::{Target, actuator, combined_limits, coupling, docs, kinematics, motion, parameters, tables};
 use crate::model::chain::Chain;
 use crate::model::{Model, Task};
 use crate::solve::{Plan, Refusal};
@@ -25,13 +25,7 @@ pub struct Arm<'a> {
 
 /// The struct item, for the doors that write a whole file.
 pub fn item(arm: &Arm, target: &Target) -> TokenStream {
-    let name = &target.type_name;
-    let doc = docs::lines(&type_doc(arm));
-    quote! {
-        #doc
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-        pub struct #name;
-    }
+    parameters::item(arm.model, &docs::lines(&type_doc(arm)), target)
 }
 
 fn type_doc(arm: &Arm) -> String {
@@ -68,6 +62,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     let dimensions = dimensions.items(model, target);
     let associated = tables::associated(model, target);
     let motors = [combined_limits::constant(model, target), linked.methods, actuator::methods(model, target)];
+    let bound = parameters::methods(model, target);
     let task = motion::task(model, arm.inverse);
     let arm_trait = arm_trait(model, task, target);
     let functions = functions.tokens;
@@ -94,6 +89,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
             #doc
             impl #name {
                 #associated
+                #bound
                 #functions
                 #motion
                 #methods

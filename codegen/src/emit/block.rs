@@ -100,7 +100,10 @@ impl<'a> Block<'a> {
             let x = self.graph.strip(x).0;
             match (self.graph.node(x), self.bound.get(&x)) {
                 (_, Some(name)) => Some(name.clone()),
-                (Node::Symbol(symbol), _) => Some(symbol.name.to_lowercase()),
+                (Node::Symbol(symbol), _) => {
+                    let name = symbol.name.rsplit('.').next().unwrap_or_default();
+                    Some(name.to_lowercase())
+                }
                 _ => None,
             }
         };

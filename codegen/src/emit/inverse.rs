@@ -55,10 +55,12 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
         }
     }
     let labels = (1..=plan.joints()).map(|i| i.to_string()).chain(plan.slots.iter().map(|slot| slot.label.clone()));
-    let reserved =
-        labels.flat_map(|i| [format!("q{i}"), format!("index{i}"), format!("roots{i}"), format!("trail{i}")]);
+    let prefixes = ["q", "index", "roots", "trail", "elbow", "cone", "phase"];
+    let reserved = labels.flat_map(|label| prefixes.map(|prefix| format!("{prefix}{label}")));
     let names = ["search", "solutions", "start", "target", "near", "arm", "goal", "frame", "swing"];
-    let reserved = reserved.chain(names.map(String::from));
+    // The size of an arm with run-time parameters.
+    let sizes: &[&str] = if model.parameters.is_empty() { &[] } else { &["reach", "facts", "length"] };
+    let reserved = reserved.chain(names.iter().chain(sizes).map(|name| name.to_string()));
     let krate = &target.krate;
     let mut nest = Nest {
         plan,
@@ -70,7 +72,7 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
         trail: quote!(start),
         branch: quote!(#krate::Branch::NONE),
     };
-    let mut calls = Calls::new(plan, target);
+    let mut calls = Calls::new(model, plan, target);
     for step in &plan.steps {
         match step {
             PlanStep::Stage(stage) => nest.stage(stage, &mut calls),
@@ -84,8 +86,8 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
     let task = task(model, plan, target, &used);
     Inverse {
         items: items(model, plan, target, calls.items),
-        function: function(plan, target, &task, &given_symbols(plan, target, &used), &body),
-        methods: methods(plan, target, &task),
+        function: function(model, plan, target, &task, &given_symbols(plan, target, &used), &body),
+        methods: methods(model, plan, target, &task),
         trait_impl: inverse_trait(plan, target, &task),
     }
 }
@@ -143,6 +145,10 @@ impl Nest<'_> {
     fn stage(&mut self, stage: &Stage, calls: &mut Calls) {
         let level = self.bind(&stage.kernel.inputs());
         let call = calls.call(stage, &self.block);
+        for (inputs, statement) in calls.before.drain(..) {
+            let level = inputs.iter().map(|e| self.level(*e)).max().unwrap_or(0);
+            self.at(level, statement);
+        }
         let number: String = stage.joints.iter().map(|j| self.plan.label(*j)).collect();
         let roots = ident(&format!("roots{number}"));
         let meaning = docs::lines(&self.meaning(stage));
@@ -284,7 +290,7 @@ impl Nest<'_> {
         let text = |e: Expr| {
             let tokens = writer.write(e).to_string();
             let path = format!("{krate} :: math :: sqrt ");
-            tokens.replace(&path, "sqrt").replace("(- ", "(-").replace(", - ", ", -")
+            tokens.replace(&path, "sqrt").replace("(- ", "(-").replace(", - ", ", -").replace("arm . ", "arm.")
         };
         let text = |e: Expr| text(e).strip_prefix("- ").map_or_else(|| text(e), |rest| format!("-{rest}"));
         let list = |items: &[Expr]| items.iter().map(|e| text(*e)).collect::<Vec<_>>().join(", ");

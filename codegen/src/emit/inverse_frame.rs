@@ -2,7 +2,7 @@
 
 use super::task::TaskCode;
 use super::tokens::{ident, integer, number};
-use super::{Target, docs};
+use super::{Target, docs, parameters};
 use crate::model::{JointKind, Model};
 use crate::solve::Plan;
 use proc_macro2::{Ident, TokenStream};
@@ -25,12 +25,20 @@ pub(super) fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStr
     let unit = docs::unit(model);
     let reach_doc = format!(" Reach of the arm, {unit}: the scale of every length comparison.");
     let type_name = &target.type_name;
+    let (measure, facts_doc) = if model.parameters.is_empty() {
+        let measure = quote! {
+            /// Lengths are compared relative to the reach.
+            const LENGTH: #krate::solve::Measure<#scalar> = #krate::solve::Measure::length(REACH);
+        };
+        (measure, " What the search needs to know about the arm.")
+    } else {
+        (TokenStream::new(), " What the search needs to know about the arm; the reach is that of the file's lengths.")
+    };
     quote! {
         #[doc = #reach_doc]
         const REACH: #scalar = #reach;
-        /// Lengths are compared relative to the reach.
-        const LENGTH: #krate::solve::Measure<#scalar> = #krate::solve::Measure::length(REACH);
-        /// What the search needs to know about the arm.
+        #measure
+        #[doc = #facts_doc]
         const FACTS: #krate::solve::Facts<#scalar, #n> = #krate::solve::Facts {
             limits: #type_name::LIMITS,
             limited: #limited,
@@ -58,6 +66,7 @@ pub(super) fn given(plan: &Plan) -> Option<Ident> {
 
 /// The function around the loops.
 pub(super) fn function(
+    model: &Model,
     plan: &Plan,
     target: &Target,
     task: &TaskCode,
@@ -82,6 +91,11 @@ pub(super) fn function(
     }
     let unproven = plan.task.overdetermined.then(|| quote!(.unproven()));
     let sought = if goal.is_empty() { quote!(target) } else { quote!(goal) };
+    let (facts, sizes) = if model.parameters.is_empty() {
+        (quote!(&FACTS), TokenStream::new())
+    } else {
+        (quote!(&facts), parameters::sizes(model, target))
+    };
     quote! {
         #doc
         fn branches(
@@ -91,9 +105,10 @@ pub(super) fn function(
             near: ::core::option::Option<&[#scalar; #n]>,
         ) -> #solutions {
             let mut solutions = #krate::Solutions::new(#krate::Status::BadTarget);
+            #sizes
             #goal
             let ::core::option::Option::Some(mut search) =
-                #krate::solve::Search::new(&FACTS, #sought, near, &mut solutions)
+                #krate::solve::Search::new(#facts, #sought, near, &mut solutions)
             else {
                 return solutions;
             };
@@ -108,7 +123,7 @@ pub(super) fn function(
 }
 
 /// `inverse`, `inverse_near` and `residual`.
-pub(super) fn methods(plan: &Plan, target: &Target, task: &TaskCode) -> TokenStream {
+pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCode) -> TokenStream {
     let (krate, scalar, n, m) =
         (&target.krate, target.scalar.tokens(), integer(plan.joints()), integer(plan.max_solutions()));
     let solutions = solutions(plan, target);
@@ -124,13 +139,14 @@ pub(super) fn methods(plan: &Plan, target: &Target, task: &TaskCode) -> TokenStr
         "Every joint vector that reaches `target`: up to {m} branches, in a fixed order.\n\n\
          {}\n{}Angles are in (-pi, pi], each solution once.\n\
          A joint that a singular target leaves free stays at 0 (or its limit nearest to 0) and is named in `free`.\n\
-         Status: `Reachable`, `Unreachable` with the least gap, or `BadTarget` if the target {}.\n\
+         Status: `Reachable`, `Unreachable` with the least gap, or `BadTarget` if the target {}{}.\n\
          Limits only set a flag; filter with `within_limits()`.\n\n\
          Method: Pieper (1968) and cyclic closure around three axes that meet or are parallel; the stages are\n\
          documented where they are solved.",
         task.doc,
         fixed.unwrap_or_default(),
         task.bad,
+        if model.parameters.is_empty() { "" } else { ", or a length of the arm is not finite" },
     ));
     let (asked, check) = (&task.target, &task.check);
     let argument = q.as_ref().map(|q| quote!(, #q: #scalar));

@@ -3,7 +3,8 @@
 use super::block::Block;
 use super::tokens::{Writer, ident, integer, number};
 use super::{Target, angle};
-use crate::solve::{ElbowRange, Kernel, Plan, Range, Stage, Unit};
+use crate::model::Model;
+use crate::solve::{ElbowRange, Kernel, Phase, Plan, Range, Stage, Unit};
 use crate::symbolic::Expr;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -14,12 +15,18 @@ pub struct Calls<'a> {
     target: &'a Target,
     /// Constant items collected so far.
     pub items: TokenStream,
+    /// Whether lengths are compared to a reach that is known at run time only.
+    bound: bool,
+    /// Statements that the last call needs before it, each with the expressions it reads: what is the same for every
+    /// root of the stages before is worked out once.
+    pub before: Vec<(Vec<Expr>, TokenStream)>,
 }
 
 impl<'a> Calls<'a> {
     /// None yet.
-    pub fn new(plan: &'a Plan, target: &'a Target) -> Self {
-        Calls { plan, target, items: TokenStream::new() }
+    pub fn new(model: &Model, plan: &'a Plan, target: &'a Target) -> Self {
+        let bound = !model.parameters.is_empty();
+        Calls { plan, target, items: TokenStream::new(), bound, before: Vec::new() }
     }
 
     /// The expression that gives the stage's roots.
@@ -29,6 +36,7 @@ impl<'a> Calls<'a> {
         let w = |e: &Expr| writer.write(*e);
         let home = self.home(stage);
         let measure = match stage.unit {
+            Unit::Length if self.bound => quote!(length),
             Unit::Length => quote!(LENGTH),
             Unit::Direction => quote!(#krate::solve::Measure::DIRECTION),
         };
@@ -49,15 +57,13 @@ impl<'a> Calls<'a> {
             Kernel::Distance { rho, range, about } => {
                 let rho = w(rho);
                 let range = self.elbow(&joint, range, &writer);
-                let about = about.map(|p| (w(&p.y), w(&p.x)));
-                let about = about.map(|(y, x)| quote!(.about(#krate::solve::Turn::towards(#y, #x))));
+                let about = about.map(|phase| self.phase(&joint, phase, &writer));
                 quote!(#krate::solve::distance(#home, #measure, #rho, #range) #about)
             }
             Kernel::Cone { d, rho, range, about } => {
                 let (d, rho) = (w(d), w(rho));
                 let range = self.cone(&joint, range, &writer);
-                let about = about.map(|p| (w(&p.y), w(&p.x)));
-                let about = about.map(|(y, x)| quote!(.about(#krate::solve::Turn::towards(#y, #x))));
+                let about = about.map(|phase| self.phase(&joint, phase, &writer));
                 quote!(#krate::solve::cone(#home, #measure, #d, #rho, #range) #about)
             }
             Kernel::Align { from, to } => {
@@ -139,13 +145,30 @@ impl<'a> Calls<'a> {
         self.plan.graph.constant(e)
     }
 
+    /// The call that adds to a kernel's angle where it is counted from, if that is only known at run time.
+    fn phase(&mut self, joint: &str, phase: Phase, writer: &Writer) -> TokenStream {
+        let krate = &self.target.krate;
+        let name = ident(&format!("phase{joint}"));
+        let (y, x) = (writer.write(phase.y), writer.write(phase.x));
+        // Links along one line are stretched or folded: that needs no angle.
+        if phase.y == Expr::ZERO {
+            return quote!(.turned_back(#x < 0.0));
+        }
+        let statement = quote!(let #name = #krate::solve::Turn::direction(#y, #x););
+        self.before.push((vec![phase.y, phase.x], statement));
+        quote!(.about(#name))
+    }
+
     /// A constant range becomes an item, with its numbers worked out here.
     fn elbow(&mut self, joint: &str, range: &ElbowRange, writer: &Writer) -> TokenStream {
         let krate = &self.target.krate;
         let values = [range.a, range.b, range.height].map(|e| self.constant(e));
         let [Some(a), Some(b), Some(height)] = values else {
             let [a, b, height] = [range.a, range.b, range.height].map(|e| writer.write(e));
-            return quote!(#krate::solve::Elbow::new(#a, #b, #height));
+            let name = ident(&format!("elbow{joint}"));
+            let statement = quote!(let #name = #krate::solve::Elbow::new(#a, #b, #height););
+            self.before.push((vec![range.a, range.b, range.height], statement));
+            return quote!(#name);
         };
         let name = ident(&format!("ELBOW{}", joint.to_uppercase()));
         let scalar = self.target.scalar.tokens();
@@ -163,7 +186,10 @@ impl<'a> Calls<'a> {
         let all = [range.along, range.across, range.cos, range.sin];
         let [Some(along), Some(across), Some(cos), Some(sin)] = all.map(|e| self.constant(e)) else {
             let [along, across, cos, sin] = all.map(|e| writer.write(e));
-            return quote!(#krate::solve::Cone::new(#along, #across, #cos, #sin));
+            let name = ident(&format!("cone{joint}"));
+            let statement = quote!(let #name = #krate::solve::Cone::new(#along, #across, #cos, #sin););
+            self.before.push((vec![range.along, range.across, range.cos, range.sin], statement));
+            return quote!(#name);
         };
         let name = ident(&format!("CONE{}", joint.to_uppercase()));
         let scalar = self.target.scalar.tokens();

@@ -13,6 +13,7 @@ mod inverse_frame;
 mod kernel;
 mod kinematics;
 mod motion;
+mod parameters;
 mod tables;
 mod task;
 mod tokens;

@@ -25,6 +25,13 @@ pub fn associated(model: &Model, target: &Target) -> TokenStream {
         "Lower and upper limit of every joint, rad (sliding joints: {symbol}); infinite where the file has none."
     ));
     let unit_doc = docs::lines(&format!("Unit of all lengths: {symbol}."));
+    let mut text = String::from(
+        "The Denavit-Hartenberg table, rows `(a, alpha, d, theta)`; lengths in [`Self::LENGTH_UNIT`], angles in rad.",
+    );
+    if !model.parameters.is_empty() {
+        text += "\nThe parameters are at the values of the arm file; `dh_rows` has those of an arm.";
+    }
+    let dh_doc = docs::lines(&text);
     quote! {
         /// Number of moving joints.
         pub const DOF: usize = #n;
@@ -36,7 +43,7 @@ pub fn associated(model: &Model, target: &Target) -> TokenStream {
         pub const LIMITS: [[#scalar; 2]; #n] = #limits;
         #unit_doc
         pub const LENGTH_UNIT: #krate::LengthUnit = #krate::LengthUnit::#unit;
-        /// The Denavit-Hartenberg table, rows `(a, alpha, d, theta)`; lengths in [`Self::LENGTH_UNIT`], angles in rad.
+        #dh_doc
         pub const DH: #krate::DhTable = #dh;
     }
 }
@@ -87,12 +94,12 @@ fn dh_table(model: &Model, target: &Target) -> TokenStream {
             RowKind::Prismatic => quote!(prismatic),
             RowKind::Fixed => quote!(fixed),
         };
-        let (a, d) = (number(row.a), number(row.d));
+        let (a, d) = (number(row.a.default_value()), number(row.d.default_value()));
         let (alpha, theta) = (angle::tokens(row.alpha, &exact), angle::tokens(row.theta, &exact));
         quote!(#krate::DhRow::#kind(#a, #alpha, #d, #theta))
     });
     let frame = |frame: &Frame| {
-        let xyz = frame.xyz.map(number);
+        let xyz = frame.xyz.each_ref().map(|x| number(x.default_value()));
         let rpy = frame.rpy.map(|a| angle::tokens(a, &exact));
         quote!(#krate::DhFrame { xyz: [#(#xyz),*], rpy: [#(#rpy),*] })
     };

@@ -29,11 +29,6 @@ pub struct TaskCode {
 pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>) -> TaskCode {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
     let unit = docs::unit(model);
-    let pattern = |name: &str| if used.contains(name) { ident(name) } else { ident(&format!("_{name}")) };
-    let field = |name: &str| {
-        let name = ident(name);
-        if used.contains(&name.to_string()) { quote!(#name) } else { quote!(#name: _) }
-    };
     let position = ["px", "py", "pz"].map(&pattern);
     let rows = (1..=3).map(|i| {
         let entries = (1..=3).map(|j| pattern(&format!("r{i}{j}")));

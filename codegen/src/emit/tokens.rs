@@ -67,8 +67,9 @@ impl Writer<'_> {
         let (tokens, own) = match self.graph.node(e) {
             Node::Number(bits) => (number(f64::from_bits(bits)), Level::Atom),
             Node::Symbol(symbol) => {
-                let name = ident(&symbol.name);
-                (quote!(#name), Level::Atom)
+                // A run-time parameter is a field: `self.l2`.
+                let name = symbol.name.split('.').map(ident);
+                (quote!(#(#name).*), Level::Atom)
             }
             Node::Neg(a) => {
                 let a = self.at(a, Level::Product);
@@ -86,10 +87,17 @@ impl Writer<'_> {
                 let (a, b) = (self.at(a, Level::Product), self.at(b, Level::Unary));
                 (quote!(#a * #b), Level::Product)
             }
-            Node::Sqrt(a) => {
-                let (a, krate) = (self.at(a, Level::Sum), self.krate);
-                (quote!(#krate::math::sqrt(#a)), Level::Atom)
-            }
+            Node::Sqrt(a) => match self.graph.node(a) {
+                // The length of a vector of one component.
+                Node::Mul(x, y) if x == y => {
+                    let x = self.at(x, Level::Atom);
+                    (quote!(#x.abs()), Level::Atom)
+                }
+                _ => {
+                    let (a, krate) = (self.at(a, Level::Sum), self.krate);
+                    (quote!(#krate::math::sqrt(#a)), Level::Atom)
+                }
+            },
         };
         if own < level { quote!((#tokens)) } else { tokens }
     }

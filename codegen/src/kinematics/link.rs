@@ -7,9 +7,8 @@ use crate::symbolic::{Angles, Expr, Graph, Rigid, Vec3, transpose};
 /// A constant frame `T(xyz) R_z(yaw) R_y(pitch) R_x(roll)`.
 pub fn frame(g: &mut Graph, frame: &Frame, name: &str) -> Rigid {
     let [roll, pitch, yaw] = frame.rpy;
-    let [x, y, z] = frame.xyz;
-    let p =
-        [g.dimension(format!("{name}_X"), x), g.dimension(format!("{name}_Y"), y), g.dimension(format!("{name}_Z"), z)];
+    let [x, y, z] = &frame.xyz;
+    let p = [g.length(format!("{name}_X"), x), g.length(format!("{name}_Y"), y), g.length(format!("{name}_Z"), z)];
     let turns = [roll, pitch, yaw].iter().filter(|a| a.quarter_turns().is_none()).count();
     let identity = Graph::identity();
     if turns <= 1 {
@@ -50,8 +49,8 @@ pub fn frame(g: &mut Graph, frame: &Frame, name: &str) -> Rigid {
 pub fn step(g: &mut Graph, step: &Step) -> Rigid {
     let mut out = Rigid::identity();
     match step {
-        Step::ShiftX { length, name } => out.p = [g.dimension(name, *length), Expr::ZERO, Expr::ZERO],
-        Step::ShiftZ { length, name } => out.p = [Expr::ZERO, Expr::ZERO, g.dimension(name, *length)],
+        Step::ShiftX { length, name } => out.p = [g.length(name, length), Expr::ZERO, Expr::ZERO],
+        Step::ShiftZ { length, name } => out.p = [Expr::ZERO, Expr::ZERO, g.length(name, length)],
         Step::RotateX { angle, name } => {
             let pair = g.constant_pair(*angle, name);
             out.r = transpose(&Graph::identity().map(|axis| g.rotate_x(pair, axis)));

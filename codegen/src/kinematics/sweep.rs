@@ -179,12 +179,12 @@ impl Sweep {
                 }
                 Step::ShiftX { length, name } => {
                     let pair = self.angles.pair(g, &sum);
-                    let a = g.dimension(name, *length);
+                    let a = g.length(name, length);
                     let along = g.scale3(a, [pair.cos, pair.sin, Expr::ZERO]);
                     self.p = g.add3(self.p, along);
                 }
                 Step::ShiftZ { length, name } => {
-                    let d = g.dimension(name, *length);
+                    let d = g.length(name, length);
                     let d = signed(g, d);
                     self.p = g.add3(self.p, [Expr::ZERO, Expr::ZERO, d]);
                 }

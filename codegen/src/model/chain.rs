@@ -1,6 +1,8 @@
 //! The chain as a product of elementary transforms, the same for both conventions.
 
-use super::{Angle, Convention, Frame, Model, RowKind};
+use std::collections::HashMap;
+
+use super::{Angle, Convention, Frame, Length, Model, RowKind};
 
 /// One factor of `T = base . rows . tool`, with the name its dimension has in the generated code.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,14 +24,14 @@ pub enum Step {
     /// `T_x(length)`
     ShiftX {
         /// In the file's unit.
-        length: f64,
+        length: Length,
         /// Its name, such as `A2`.
         name: String,
     },
     /// `T_z(length)`
     ShiftZ {
         /// In the file's unit.
-        length: f64,
+        length: Length,
         /// Its name, such as `D4`.
         name: String,
     },
@@ -82,8 +84,8 @@ impl Chain {
         for (index, row) in model.rows.iter().enumerate() {
             let name = |letter: &str| format!("{letter}{}", index + 1);
             let mut twist = Vec::new();
-            if row.a != 0.0 {
-                twist.push(Step::ShiftX { length: row.a, name: name("A") });
+            if !row.a.is_zero() {
+                twist.push(Step::ShiftX { length: row.a.clone(), name: name("A") });
             }
             if !row.alpha.is_zero() {
                 twist.push(Step::RotateX { angle: row.alpha, name: name("ALPHA") });
@@ -97,8 +99,8 @@ impl Chain {
             if let (RowKind::Prismatic, Some(joint)) = (row.kind, row.joint) {
                 motion.push(Step::Prismatic { joint });
             }
-            if row.d != 0.0 {
-                motion.push(Step::ShiftZ { length: row.d, name: name("D") });
+            if !row.d.is_zero() {
+                motion.push(Step::ShiftZ { length: row.d.clone(), name: name("D") });
             }
             match model.convention {
                 Convention::Standard => steps.extend(motion.into_iter().chain(twist)),
@@ -117,6 +119,21 @@ impl Chain {
         Chain { steps, link_ends }
     }
 
+    /// The same chain with its parameters at the given values, all lengths numbers.
+    pub fn at(&self, values: &HashMap<String, f64>) -> Chain {
+        let number = |length: &Length| Length::Constant(length.at(values));
+        let step = |step: &Step| match step.clone() {
+            Step::ShiftX { length, name } => Step::ShiftX { length: number(&length), name },
+            Step::ShiftZ { length, name } => Step::ShiftZ { length: number(&length), name },
+            Step::Frame { frame, name } => {
+                let xyz = frame.xyz.each_ref().map(number);
+                Step::Frame { frame: Frame { xyz, ..frame }, name }
+            }
+            other => other,
+        };
+        Chain { steps: self.steps.iter().map(step).collect(), link_ends: self.link_ends.clone() }
+    }
+
     /// The constant factors before, between and after the joints: one more list than joints.
     pub fn links(&self) -> Vec<Vec<Step>> {
         let mut links = vec![Vec::new()];
@@ -131,8 +148,8 @@ impl Chain {
 }
 
 fn push_frame(steps: &mut Vec<Step>, frame: &Frame, name: &'static str) {
-    let moves = frame.xyz.iter().any(|x| *x != 0.0) || frame.rpy.iter().any(|a| !a.is_zero());
+    let moves = frame.xyz.iter().any(|x| !x.is_zero()) || frame.rpy.iter().any(|a| !a.is_zero());
     if moves {
-        steps.push(Step::Frame { frame: *frame, name });
+        steps.push(Step::Frame { frame: frame.clone(), name });
     }
 }

@@ -4,7 +4,7 @@ use super::actuator::actuators;
 use super::combined_limits::combined_limits;
 use super::coupling::coupling;
 use super::joint_names::named;
-use super::{Angle, Frame, InverseRequest, Joint, JointKind, MOST_JOINTS, Model, Row};
+use super::{Angle, Frame, InverseRequest, Joint, JointKind, MOST_JOINTS, Model, Parameter, Row};
 use crate::error::{Diagnostic, Errors};
 use crate::spec::{FrameSpec, LimitsSpec, Place, RowKind, RowSpec, Spec};
 
@@ -17,6 +17,7 @@ pub fn check(spec: &Spec) -> Result<Model, Errors> {
     let joints = joints(spec, &mut mistakes);
     count(spec, &joints, &mut mistakes);
     unique_names(spec, &joints, &mut mistakes);
+    let parameters = parameters(spec, &joints, &mut mistakes);
     let inverse = inverse(spec, &joints, &mut mistakes);
     let coupling = coupling(spec, &joints, &mut mistakes);
     let combined_limits = combined_limits(spec, &joints, &mut mistakes);
@@ -26,9 +27,9 @@ pub fn check(spec: &Spec) -> Result<Model, Errors> {
     }
     let row = |(index, row): (usize, &RowSpec)| Row {
         kind: row.kind,
-        a: row.a,
+        a: row.a.clone(),
         alpha: row.alpha.into(),
-        d: row.d,
+        d: row.d.clone(),
         theta: row.theta.into(),
         name: row.name.as_ref().map(|(name, _)| name.clone()),
         joint: joints.iter().position(|joint| joint.row == index),
@@ -39,9 +40,10 @@ pub fn check(spec: &Spec) -> Result<Model, Errors> {
         convention: spec.convention,
         length_unit: spec.length_unit,
         rows: spec.rows.iter().enumerate().map(row).collect(),
-        base: frame(spec.base),
-        tool: frame(spec.tool),
+        base: frame(&spec.base),
+        tool: frame(&spec.tool),
         joints,
+        parameters,
         inverse,
         coupling,
         combined_limits,
@@ -49,8 +51,8 @@ pub fn check(spec: &Spec) -> Result<Model, Errors> {
     })
 }
 
-fn frame(spec: FrameSpec) -> Frame {
-    Frame { xyz: spec.xyz, rpy: spec.rpy.map(Angle::from) }
+fn frame(spec: &FrameSpec) -> Frame {
+    Frame { xyz: spec.xyz.clone(), rpy: spec.rpy.map(Angle::from) }
 }
 
 /// The moving joints, named.
@@ -119,6 +121,19 @@ fn unique_names(spec: &Spec, joints: &[Joint], mistakes: &mut Vec<Diagnostic>) {
         let mistake = Diagnostic::error(message).at(place.map(|place| spec.source.location(place)));
         mistakes.push(mistake.help("give each joint a name of its own"));
     }
+}
+
+/// The parameters, none with the name of a joint.
+fn parameters(spec: &Spec, joints: &[Joint], mistakes: &mut Vec<Diagnostic>) -> Vec<Parameter> {
+    let parameter = |written: &crate::spec::ParameterSpec| {
+        if let Some(joint) = joints.iter().position(|joint| joint.name == written.name) {
+            let message = format!("the parameter `{}` has the name of joint {}", written.name, joint + 1);
+            let mistake = spec.source.mistake(&written.place, message);
+            mistakes.push(mistake.help("give the parameter a name of its own"));
+        }
+        Parameter { name: written.name.clone(), default: written.default }
+    };
+    spec.parameters.iter().map(parameter).collect()
 }
 
 fn inverse(spec: &Spec, joints: &[Joint], mistakes: &mut Vec<Diagnostic>) -> InverseRequest {

@@ -4,7 +4,9 @@
 
 use super::chain::{Chain, Step};
 use super::numeric::{Transform, cross, distance, dot, length, scaled, sub};
+pub use super::reach::reach;
 use super::{JointKind, Model};
+use std::collections::HashMap;
 
 /// Structure is decided within this, relative to reach for lengths and in rad for angles.
 pub const TOLERANCE: f64 = 1e-10;
@@ -75,9 +77,46 @@ pub struct Geometry {
     pub misses: Vec<(usize, f64)>,
 }
 
-/// Analyzes the axes of a chain.
+/// Analyzes the axes of a chain. With run-time parameters only what holds for all their values is said; distances are
+/// those at the defaults where these are not special.
 pub fn geometry(model: &Model, chain: &Chain) -> Geometry {
-    let reach = reach(model);
+    let mut geometry = analyzed(model, chain, reach(model, &HashMap::new()));
+    if !model.parameters.is_empty() {
+        for (chain, reach) in chain.samples(model) {
+            geometry.weaken(analyzed(model, &chain, reach));
+        }
+    }
+    geometry
+}
+
+impl Geometry {
+    /// Keeps what also holds for other values of the parameters.
+    fn weaken(&mut self, other: Geometry) {
+        for (relation, other) in self.relations.iter_mut().zip(other.relations) {
+            if other.generality() > relation.generality() {
+                *relation = other;
+            }
+        }
+        self.triples.retain(|triple| other.triples.contains(triple));
+        for ((_, miss), (_, other)) in self.misses.iter_mut().zip(other.misses) {
+            if *miss <= TOLERANCE * self.reach {
+                *miss = other;
+            }
+        }
+    }
+}
+
+impl Relation {
+    fn generality(self) -> u8 {
+        match self {
+            Relation::Coincident => 0,
+            Relation::Parallel { .. } | Relation::Meeting { .. } => 1,
+            Relation::Skew { .. } => 2,
+        }
+    }
+}
+
+fn analyzed(model: &Model, chain: &Chain, reach: f64) -> Geometry {
     let axes = axes(chain, reach);
     let relations: Vec<Relation> = axes.iter().zip(axes.iter().skip(1)).map(|(a, b)| relation(a, b, reach)).collect();
     let turns: Vec<bool> = model.joints.iter().map(|joint| joint.kind == JointKind::Revolute).collect();
@@ -118,20 +157,6 @@ pub fn triples(axes: &[Line], turns: &[bool], reach: f64) -> (Vec<Triple>, Vec<(
         }
     }
     (triples, misses)
-}
-
-/// `sum(|a| + |d|) + |base| + |tool| + sum of max |limit|` of the sliding joints; 1 if that is zero.
-pub fn reach(model: &Model) -> f64 {
-    let rows: f64 = model.rows.iter().map(|row| row.a.abs() + row.d.abs()).sum();
-    let strokes: f64 = model
-        .joints
-        .iter()
-        .filter(|joint| joint.kind == JointKind::Prismatic)
-        .filter_map(|joint| joint.limits)
-        .map(|ends| ends.iter().filter(|end| end.is_finite()).fold(0.0, |m: f64, end| m.max(end.abs())))
-        .sum();
-    let total = rows + strokes + length(model.base.xyz) + length(model.tool.xyz);
-    if total > 0.0 { total } else { 1.0 }
 }
 
 /// The axes with every joint at a value that is special for no arm.

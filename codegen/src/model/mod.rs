@@ -9,7 +9,9 @@ mod coupling;
 pub mod geometry;
 mod joint_names;
 pub mod numeric;
+mod parameter;
 mod rational;
+mod reach;
 #[cfg(test)]
 mod tests;
 
@@ -18,9 +20,11 @@ pub use angle::Angle;
 pub use check::check;
 pub use combined_limits::CombinedLimit;
 pub use coupling::Coupling;
+pub use parameter::{Bound, Parameter};
+pub use reach::strokes;
 
 use crate::error::Location;
-pub use crate::spec::{Axis, Convention, LengthUnit, RowKind, Task};
+pub use crate::spec::{Axis, Convention, Length, LengthUnit, RowKind, Task};
 
 /// Most moving joints an arm may have.
 pub const MOST_JOINTS: usize = 10;
@@ -44,6 +48,8 @@ pub struct Model {
     pub tool: Frame,
     /// The moving joints in order, 1 to [`MOST_JOINTS`].
     pub joints: Vec<Joint>,
+    /// The names for lengths, in the order of the file.
+    pub parameters: Vec<Parameter>,
     /// What the inverse is asked for.
     pub inverse: InverseRequest,
     /// How motors move joints, where they are linked.
@@ -60,11 +66,11 @@ pub struct Row {
     /// What the joint of the row does.
     pub kind: RowKind,
     /// Length.
-    pub a: f64,
+    pub a: Length,
     /// Angle between the axes.
     pub alpha: Angle,
     /// Length; the joint's offset where it is prismatic.
-    pub d: f64,
+    pub d: Length,
     /// Angle; the joint's offset where it is revolute.
     pub theta: Angle,
     /// The name in the file, if there is one.
@@ -96,10 +102,10 @@ pub struct Joint {
 }
 
 /// A constant frame: translation `xyz`, rotation `Rz(yaw) Ry(pitch) Rx(roll)`.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Frame {
     /// Length.
-    pub xyz: [f64; 3],
+    pub xyz: [Length; 3],
     /// Roll, pitch, yaw.
     pub rpy: [Angle; 3],
 }

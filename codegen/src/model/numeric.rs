@@ -1,7 +1,7 @@
 //! Numeric rigid transforms: what the structure of an arm is decided on.
 
-use super::Frame;
 use super::chain::Step;
+use super::{Frame, Length};
 
 type V = [f64; 3];
 
@@ -38,23 +38,23 @@ impl Transform {
         Transform { p, ..Transform::IDENTITY }
     }
 
-    /// A constant frame.
+    /// A constant frame, parameters at their defaults.
     pub fn frame(frame: &Frame) -> Transform {
         let [roll, pitch, yaw] = frame.rpy;
-        Transform::shift(frame.xyz)
+        Transform::shift(frame.xyz.each_ref().map(Length::default_value))
             .then(&Transform::rotate_z(yaw.sin(), yaw.cos()))
             .then(&Transform::rotate_y(pitch.sin(), pitch.cos()))
             .then(&Transform::rotate_x(roll.sin(), roll.cos()))
     }
 
-    /// A constant factor of the chain; a joint at zero (with its offset).
+    /// A constant factor of the chain, parameters at their defaults; a joint at zero (with its offset).
     pub fn of(step: &Step) -> Transform {
         match step {
             Step::RotateX { angle, .. } => Transform::rotate_x(angle.sin(), angle.cos()),
             Step::RotateZ { angle, .. } => Transform::rotate_z(angle.sin(), angle.cos()),
             Step::Revolute { offset, .. } => Transform::rotate_z(offset.sin(), offset.cos()),
-            Step::ShiftX { length, .. } => Transform::shift([*length, 0.0, 0.0]),
-            Step::ShiftZ { length, .. } => Transform::shift([0.0, 0.0, *length]),
+            Step::ShiftX { length, .. } => Transform::shift([length.default_value(), 0.0, 0.0]),
+            Step::ShiftZ { length, .. } => Transform::shift([0.0, 0.0, length.default_value()]),
             Step::Prismatic { .. } => Transform::IDENTITY,
             Step::Frame { frame, .. } => Transform::frame(frame),
         }

@@ -52,11 +52,15 @@ fn values_are_converted() {
         ("q3", 3, JointKind::Revolute, None),
     ];
     assert_eq!(joints, expected);
-    let rows: Vec<_> = model.rows.iter().map(|row| (row.joint, row.a, row.alpha, row.d, row.theta)).collect();
+    let rows: Vec<_> = model
+        .rows
+        .iter()
+        .map(|row| (row.joint, row.a.default_value(), row.alpha, row.d.default_value(), row.theta))
+        .collect();
     assert_eq!(rows.first(), Some(&(None, 1.0, Angle::ZERO, 0.0, Angle::ZERO)));
     assert_eq!(rows.get(1), Some(&(Some(0), 1.0, Angle::pi_fraction(1, 2), 2.0, Angle::degrees(-45.0))));
     assert_eq!(rows.get(2), Some(&(Some(1), 0.0, Angle::radians(1.0), 3.0, Angle::ZERO)));
-    assert_eq!(model.base, Frame { xyz: [0.0; 3], rpy: [Angle::ZERO; 3] });
+    assert_eq!(model.base, Frame { xyz: [const { Length::ZERO }; 3], rpy: [Angle::ZERO; 3] });
     assert_eq!(model.tool.rpy, [Angle::ZERO, Angle::degrees(90.0), Angle::ZERO]);
     // `q2` is no name here: it means the second joint.
     assert_eq!((model.inverse.redundant, model.inverse.tolerance_angle), (Some(1), Some(PI)));
@@ -185,4 +189,42 @@ fn actuators_come_all_or_none() {
     assert_eq!(found, [turns, Actuator { pulses_per_unit: 4.0, resolution: 0.25, home: 5.0 }]);
     assert_eq!(model(&arm(&[PLAIN], "")).unwrap().actuators, None);
     only(&arm(&[PLAIN, turning, PLAIN], ""), "6:48", &["`actuator`: there is none for `q1`, `q3`", "to none"]);
+}
+
+#[test]
+fn a_parameter_may_not_have_the_name_of_a_joint() {
+    let row = "{a: q1, alpha: 0, d: 0, theta: 0}";
+    only(&arm(&[row], "parameters: {q1: 1}\n"), "6:14", &["the parameter `q1` has the name of joint 1"]);
+}
+
+/// Two links in a plane and a wrist off the plane by `off`.
+fn parametric(off: &str, bound: &Bound) -> Model {
+    let rows = ["{a: l1, alpha: 0, d: 0, theta: 0}", "{a: 2*l2, alpha: 90, d: 0, theta: 0}"];
+    let wrist = format!("{{a: {off}, alpha: 90, d: 0, theta: 0}}");
+    let rows = [rows[0], rows[1], &wrist, "{a: 0, alpha: 90, d: 0, theta: 0}", "{a: 0, alpha: 0, d: 0, theta: 0}"];
+    model(&arm(&rows, "parameters: {l1: 3, l2: 2, off: 0}\n")).unwrap().bind(bound)
+}
+
+#[test]
+fn a_parameter_without_a_field_is_a_number() {
+    let lengths = |bound: &Bound| parametric("0", bound).rows.iter().map(|row| row.a.clone()).collect::<Vec<_>>();
+    let folded = lengths(&Bound::None);
+    assert_eq!(folded.get(..2), Some(&[Length::Constant(3.0), Length::Constant(4.0)][..]));
+    let one = Bound::Fields(vec!["l2".into()]);
+    let half = Length::Multiple { factor: 2.0, parameter: "l2".into(), default: 4.0 };
+    assert_eq!(lengths(&one).get(..2), Some(&[Length::Constant(3.0), half][..]));
+    assert_eq!(parametric("0", &one).parameters.len(), 1);
+}
+
+#[test]
+fn structure_rests_on_symbols_not_on_their_defaults() {
+    let triples = |off: &str, bound: &Bound| {
+        let model = parametric(off, bound);
+        geometry::geometry(&model, &chain::Chain::of(&model)).triples.iter().map(|t| t.first).collect::<Vec<_>>()
+    };
+    // Axes 2, 3 and 4 meet in a point while the offset between them is the number 0, which is the default.
+    assert_eq!(triples("0", &Bound::All), [1]);
+    assert_eq!(triples("off", &Bound::None), [1]);
+    assert_eq!(triples("off", &Bound::All), []);
+    assert_eq!(triples("off", &Bound::Fields(vec!["l1".into(), "l2".into()])), [1]);
 }

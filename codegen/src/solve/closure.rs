@@ -4,7 +4,7 @@ use super::plan::Phase;
 use super::plan::{Branching, Kernel, Plan, PlanStep, PlanTask, Stage, Unit, Value};
 use super::probe::Probe;
 use super::problem::{Problem, Slot};
-use super::sides::Side;
+use super::sides::{Side, foot};
 use crate::model::Angle;
 use crate::model::geometry::{Triple, TripleKind};
 use crate::symbolic::{Expr, Graph, Pair, Rigid, Vec3};
@@ -370,10 +370,16 @@ impl Closure {
         if heights.iter().all(|[height, along]| (height - along).abs() <= small) {
             return Side::along(p);
         }
-        match heights.first() {
-            Some([height, _]) if height.abs() > small => {
-                self.g.dimension(format!("MEET{}{}", self.label(joint), if far { "B" } else { "A" }), *height)
+        let name = format!("MEET{}{}", self.label(joint), if far { "B" } else { "A" });
+        match heights.as_slice() {
+            [[first, _], others @ ..] if others.iter().any(|[height, _]| (height - first).abs() > small) => {
+                // It depends on run-time parameters: -(p . h) in the plane, as a share of h, on top of the height of p.
+                let Some(foot) = foot(self, p, h) else { return Expr::ZERO };
+                let rise = self.g.mul(foot, Side::along(h));
+                let height = self.g.add(Side::along(p), rise);
+                self.g.name(height, name.to_lowercase())
             }
+            [[height, _], ..] if height.abs() > small => self.g.dimension(name, *height),
             _ => Expr::ZERO,
         }
     }

@@ -154,7 +154,6 @@ fn meeting_origin(c: &mut Closure, a: &Side, b: &Side, with_a: bool) -> Option<(
         return None;
     }
     let height = side.meeting_height(c)?;
-    let height = if height.abs() <= 1e-12 * c.reach() { Expr::ZERO } else { c.g.dimension("MEET_Y", height) };
     let (a, b) = (a.at_height(c, height), b.at_height(c, height));
     let side = if with_a { &a } else { &b };
     c.vanish(&Side::plane(side.origin), Unit::Length).then_some((a, b))

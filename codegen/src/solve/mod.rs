@@ -23,7 +23,7 @@ mod task;
 mod triple;
 mod words;
 
-pub use plan::{Branching, ElbowRange, Kernel, Plan, PlanStep, PlanTask, Range, Stage, Unit};
+pub use plan::{Branching, ElbowRange, Kernel, Phase, Plan, PlanStep, PlanTask, Range, Stage, Unit};
 
 pub use refusal::Refusal;
 pub use words::describe;

@@ -54,6 +54,9 @@ fn elbow(c: &mut Closure, [first, second, third]: [usize; 3], [link_a, link_b, l
     c.g.name(rho, format!("rho{nb}"));
     let (own, other) = (Side::plane(link_b.forward.p), Side::plane(link_a.back.p));
     let range = ElbowRange { a: c.g.norm(&other), b: c.g.norm(&own), height: Expr::ZERO };
+    for link in [range.a, range.b] {
+        c.g.name(link, "link");
+    }
     let away = other.map(|e| c.g.neg(e));
     let (shift, about) = c.between(own, away);
     let meaning = format!(

@@ -1,5 +1,6 @@
 //! Deciding on numbers whether an expression vanishes for every target.
 
+use crate::model::Model;
 use crate::model::geometry::TOLERANCE;
 use crate::symbolic::{Expr, Graph, Node};
 use std::collections::HashMap;
@@ -41,6 +42,13 @@ impl Probe {
             })
             .to_vec();
         Probe { samples, angles: Vec::new(), reach }
+    }
+
+    /// Run-time parameters are symbols with generic values.
+    pub fn parameters(&mut self, g: &Graph, model: &Model) {
+        for (sample, values) in self.samples.iter_mut().zip(model.samples()) {
+            sample.extend(values.into_iter().map(|(name, value)| (g.field(&name), value)));
+        }
     }
 
     /// A sliding joint whose position is given.

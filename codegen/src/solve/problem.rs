@@ -60,7 +60,7 @@ pub struct Problem {
 impl Problem {
     /// The arm as it is, with the joint `locked` moved into its link.
     pub fn new(model: &Model, chain: &Chain, reach: f64, locked: Option<usize>) -> Problem {
-        let mut g = Graph::default();
+        let mut g = Graph::default().with_owner("arm");
         let links: Vec<Rigid> = chain
             .links()
             .iter()
@@ -90,7 +90,9 @@ impl Problem {
             .collect();
         let target =
             Rigid { r: ROTATION.map(|row| row.map(|name| g.symbol(name))), p: POSITION.map(|name| g.symbol(name)) };
-        let mut problem = Problem { g, probe: Probe::new(reach), slots, links, target, locked: None, reach };
+        let mut probe = Probe::new(reach);
+        probe.parameters(&g, model);
+        let mut problem = Problem { g, probe, slots, links, target, locked: None, reach };
         if let Some(joint) = locked {
             problem.lock(joint);
         }

@@ -43,6 +43,10 @@ pub(super) fn no_triple(model: &Model, geometry: &Geometry) -> Refusal {
         let (length, unit) = readable(*miss, model.length_unit);
         reason += &format!("; closest: axes {}, {}, {} miss by {length} {unit}", first + 1, first + 2, first + 3);
     }
+    if !model.parameters.is_empty() {
+        let names: Vec<&str> = model.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
+        reason += &format!("; run-time parameters ({}) may have any value", names.join(", "));
+    }
     Refusal::new(reason)
 }
 

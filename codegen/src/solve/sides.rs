@@ -4,7 +4,7 @@ use super::closure::Closure;
 use super::plan::{Branching, ElbowRange, Kernel, Range, Unit};
 use super::rows::{Row, turned, turned_back};
 use crate::model::Angle;
-use crate::symbolic::{Expr, Vec3};
+use crate::symbolic::{Expr, Graph, Vec3};
 
 /// One side: joint `joint` moves the vector `moved`; joint y sees it from `origin`, along `axis`.
 ///
@@ -64,6 +64,9 @@ impl Side {
             c.clean(difference, Unit::Length)
         };
         let range = ElbowRange { a: c.g.norm(&origin), b: c.g.norm(&moved), height };
+        for link in [range.a, range.b] {
+            c.g.name(link, "link");
+        }
         // Stretched: the turned vector points away from the other. The angle turns one onto the other's opposite.
         let away = |c: &mut Closure, v: [Expr; 2]| v.map(|e| c.g.neg(e));
         let (shift, about) = if self.undone {
@@ -143,15 +146,20 @@ impl Side {
     }
 
     /// A point on y's axis that this joint does not move: where the axes meet, if they do.
-    pub fn meeting_height(&self, c: &Closure) -> Option<f64> {
+    pub fn meeting_height(&self, c: &mut Closure) -> Option<Expr> {
         let [ox, oy, _] = self.origin.map(|e| c.value(e));
         let [ax, ay, _] = self.axis.map(|e| c.value(e));
-        let (ox, oy, ax, ay) = (ox?, oy?, ax?, ay?);
+        let (ax, ay) = (ax?, ay?);
         let size = ax * ax + ay * ay;
         if size <= 1e-20 {
             return None;
         }
-        Some(-(ox * ax + oy * ay) / size)
+        let (Some(ox), Some(oy)) = (ox, oy) else {
+            let height = foot(c, self.origin, self.axis)?;
+            return Some(c.g.name(height, "meet_y"));
+        };
+        let height = -(ox * ax + oy * ay) / size;
+        Some(if height.abs() <= 1e-12 * c.reach() { Expr::ZERO } else { c.g.dimension("MEET_Y", height) })
     }
 
     /// The same side with another point on y's axis as origin.
@@ -160,4 +168,19 @@ impl Side {
         let origin = c.g.add3(self.origin, along);
         Side { origin: c.clean3(origin, Unit::Length), ..*self }
     }
+}
+
+/// `t` at which the line `p + t h` is nearest to the z axis; `None` for a direction that is not constant, or along z.
+pub fn foot(c: &mut Closure, [px, py, pz]: Vec3, [hx, hy, _]: Vec3) -> Option<Expr> {
+    let (hx, hy) = (c.value(hx)?, c.value(hy)?);
+    let square = hx * hx + hy * hy;
+    if square <= 1e-20 {
+        return None;
+    }
+    let [px, py, _] = c.clean3([px, py, pz], Unit::Length);
+    // A factor that vanishes is rounding of the direction.
+    let share = |g: &mut Graph, x: f64| g.number(if x.abs() <= 1e-15 { 0.0 } else { -x / square });
+    let (kx, ky) = (share(&mut c.g, hx), share(&mut c.g, hy));
+    let (x, y) = (c.g.mul(kx, px), c.g.mul(ky, py));
+    Some(c.g.add(x, y))
 }

@@ -10,7 +10,9 @@ mod combined_limits;
 mod coupling;
 mod frame;
 mod inverse;
+mod length;
 mod nearest;
+mod parameter;
 mod place;
 mod reader;
 mod row;
@@ -27,7 +29,9 @@ pub use combined_limits::CombinedLimitSpec;
 pub use coupling::{CouplingSpec, Factor, MotorSpec, TermSpec};
 pub use frame::FrameSpec;
 pub use inverse::{Axis, InverseSpec, Task};
+pub use length::Length;
 pub use nearest::nearest;
+pub use parameter::ParameterSpec;
 pub use place::Place;
 pub use row::{LimitsSpec, RowKind, RowSpec};
 pub use source::Source;
@@ -57,6 +61,8 @@ pub struct Spec {
     pub base: FrameSpec,
     /// The frame after the last row.
     pub tool: FrameSpec,
+    /// Names for lengths, in the order of the file.
+    pub parameters: Vec<ParameterSpec>,
     /// What the inverse is asked for.
     pub inverse: InverseSpec,
     /// Which motor moves which joint, where they are linked.
@@ -68,7 +74,7 @@ pub struct Spec {
 }
 
 const KEYS: &[&str] =
-    &["name", "convention", "units", "inverse", "joints", "base", "tool", "coupling", "combined_limits"];
+    &["name", "convention", "units", "inverse", "joints", "base", "tool", "parameters", "coupling", "combined_limits"];
 const SMALLEST: &str = "\
 an arm file is a mapping such as
 name: arm
@@ -87,9 +93,9 @@ pub fn read(text: &str, file: &str) -> Result<(Spec, Vec<Diagnostic>), Errors> {
     let mut reader = Reader::new(&source);
     let field = Field { node: &root, place: Place::default(), key: "arm file".to_owned() };
     let Some(fields) = reader.mapping(&field, "an arm file", KEYS) else { return Err(Errors::new(reader.mistakes)) };
-    let parameters = parameter_names(&root);
+    let parameters = reader.parameters(&fields);
     let units = reader.units(&fields);
-    let context = RowContext { angle: units.angle, parameters: &parameters };
+    let context = RowContext { angle: units.angle, parameters: parameters.as_deref() };
     let name = match fields.get("name") {
         Some(field) => reader.text(&field, "the arm's name", "write a name, such as `name: ur5`"),
         None => None,
@@ -98,6 +104,8 @@ pub fn read(text: &str, file: &str) -> Result<(Spec, Vec<Diagnostic>), Errors> {
     let rows = reader.rows(&fields, context);
     let base = reader.frame(&fields, "base", context);
     let tool = reader.frame(&fields, "tool", context);
+    let parameters = parameters.unwrap_or_default();
+    reader.unused_parameters(&parameters, &rows, [&base, &tool]);
     let inverse = reader.inverse(&fields, units.angle);
     let coupling = reader.coupling(&fields, units.angle);
     let combined_limits = reader.combined_limits(&fields, units.angle);
@@ -110,6 +118,7 @@ pub fn read(text: &str, file: &str) -> Result<(Spec, Vec<Diagnostic>), Errors> {
         rows,
         base,
         tool,
+        parameters,
         inverse,
         coupling,
         combined_limits,
@@ -159,15 +168,6 @@ fn advice(message: &str, line: &str) -> Option<&'static str> {
     } else {
         None
     }
-}
-
-/// The names under `parameters`: that key is refused once, and not again where the names are used.
-fn parameter_names(root: &Node) -> Vec<String> {
-    let entries = |node: &Node| if let Node::Mapping(entries) = node { entries.clone() } else { Vec::new() };
-    let is = |key: &Node, word: &str| matches!(key, Node::Text(text) if text == word);
-    let parameters = entries(root).into_iter().filter(|(key, _)| is(key, "parameters"));
-    let names = parameters.flat_map(|(_, node)| entries(&node));
-    names.filter_map(|(name, _)| if let Node::Text(name) = name { Some(name) } else { None }).collect()
 }
 
 impl Reader<'_> {

@@ -9,9 +9,6 @@ use crate::error::Diagnostic;
 /// For a length or an angle without a value.
 pub const NOTHING: &str = "write 0 where there is none";
 
-/// Keys that are planned: refused by name, not as unknown.
-const LATER: &[&str] = &["parameters"];
-
 /// A node and where it stands.
 #[derive(Debug, Clone)]
 pub struct Field<'n> {
@@ -85,9 +82,6 @@ impl<'s> Reader<'s> {
                 self.mistakes.push(mistake.help(format!("the first one is in line {line}: remove one of them")));
             } else if known.contains(&name.as_str()) {
                 fields.entries.push(entry);
-            } else if LATER.contains(&name.as_str()) {
-                let mistake = self.source.mistake(&at_key, format!("`{name}` is not supported yet"));
-                self.mistakes.push(mistake.help(format!("remove it; {what} has {}", known.join(", "))));
             } else {
                 let (word, rest) =
                     name.split_once(':').map_or((name.as_str(), None), |(word, rest)| (word, Some(rest)));

@@ -3,6 +3,8 @@
 use super::actuator::ActuatorSpec;
 use super::angle::{AngleUnit, WrittenAngle};
 use super::angle_field::AngleRole;
+use super::length::Length;
+use super::parameter::ParameterSpec;
 use super::place::Place;
 use super::reader::{Field, Fields, Reader};
 use super::yaml::Node;
@@ -26,11 +28,11 @@ pub struct RowSpec {
     /// The name, where there is one, and its place.
     pub name: Option<(String, Place)>,
     /// Length unit of the file.
-    pub a: f64,
+    pub a: Length,
     /// Angle between the axes.
     pub alpha: WrittenAngle,
     /// Length unit of the file.
-    pub d: f64,
+    pub d: Length,
     /// Angle about the joint's axis.
     pub theta: WrittenAngle,
     /// The range, where there is one, and its place.
@@ -69,8 +71,8 @@ const KIND_SYNONYMS: &[(&str, &str)] = &[
 #[derive(Clone, Copy)]
 pub struct RowContext<'c> {
     pub angle: Option<AngleUnit>,
-    /// The names of `parameters`, which are refused once and not again where they are used.
-    pub parameters: &'c [String],
+    /// `None` where they are a mistake.
+    pub parameters: Option<&'c [ParameterSpec]>,
 }
 
 impl Reader<'_> {
@@ -79,9 +81,9 @@ impl Reader<'_> {
         let mut row = RowSpec {
             kind: RowKind::Revolute,
             name: None,
-            a: 0.0,
+            a: Length::ZERO,
             alpha: WrittenAngle::ZERO,
-            d: 0.0,
+            d: Length::ZERO,
             theta: WrittenAngle::ZERO,
             limits: None,
             actuator: None,
@@ -102,8 +104,8 @@ impl Reader<'_> {
                 )
                 .map(|name| (name, field.place));
         }
-        row.a = fields.get("a").and_then(|field| self.length(&field, context.parameters)).unwrap_or(0.0);
-        row.d = fields.get("d").and_then(|field| self.length(&field, context.parameters)).unwrap_or(0.0);
+        row.a = self.length_of(&fields, "a", context);
+        row.d = self.length_of(&fields, "d", context);
         let mut angle = |key, role| fields.get(key).and_then(|field| self.angle(&field, context.angle, role));
         row.alpha = angle("alpha", AngleRole::Twist).unwrap_or(WrittenAngle::ZERO);
         row.theta = angle("theta", AngleRole::Offset).unwrap_or(WrittenAngle::ZERO);
@@ -127,12 +129,10 @@ impl Reader<'_> {
         self.mistakes.push(mistake.help("every row has a, alpha, d and theta; write 0 where there is none"));
     }
 
-    /// A length; a parameter's name is passed over because `parameters` itself is already refused.
-    pub fn length(&mut self, field: &Field<'_>, parameters: &[String]) -> Option<f64> {
-        match field.node {
-            Node::Text(text) if parameters.iter().any(|name| name == text.trim()) => None,
-            _ => self.number(field),
-        }
+    /// The length under `key`; zero if there is none that can be read.
+    fn length_of(&mut self, fields: &Fields<'_>, key: &str, context: RowContext<'_>) -> Length {
+        let length = fields.get(key).and_then(|field| self.length(&field, context.parameters));
+        length.unwrap_or(Length::ZERO)
     }
 
     fn limits(&mut self, field: &Field<'_>, kind: RowKind, unit: Option<AngleUnit>) -> Option<LimitsSpec> {

@@ -52,10 +52,10 @@ fn a_whole_arm_is_read() {
     let (spec, warnings) = read(&arm(row, more), "f").unwrap();
     assert_eq!((spec.mistakes.as_slice(), warnings.as_slice()), (&[][..], &[][..]));
     let row = spec.rows.first().unwrap();
-    assert_eq!((row.kind, row.a, row.d), (RowKind::Prismatic, 1.0, 2.5));
+    assert_eq!((row.kind, &row.a, &row.d), (RowKind::Prismatic, &Length::Constant(1.0), &Length::Constant(2.5)));
     assert_eq!((row.alpha, row.theta), (WrittenAngle::PiFraction(1, 2), WrittenAngle::Degrees(-90.0)));
     assert!(matches!(row.limits, Some((LimitsSpec::Lengths([None, Some(3.0)]), _))));
-    assert_eq!((spec.base.xyz, spec.tool.rpy[2]), ([1.0, 2.0, 3.0], WrittenAngle::Radians(1.0)));
+    assert_eq!((spec.base.xyz, spec.tool.rpy[2]), ([1.0, 2.0, 3.0].map(Length::Constant), WrittenAngle::Radians(1.0)));
     let inverse = spec.inverse;
     assert_eq!((inverse.task, inverse.require, inverse.axis), (Some(Task::Position), true, None));
     assert_eq!(inverse.tolerance_length, Some(1e-3));
@@ -94,11 +94,49 @@ fn keys() {
 }
 
 #[test]
-fn keys_that_come_later() {
-    // The names are refused once, where they are defined.
-    let used = arm("{a: l2, alpha: 0, d: 0, theta: 0}", "parameters: {l2: 1}\ntool: {xyz: [0, l2, 0]}\n");
-    only(&mistakes(&used), "6:1", &["`parameters` is not supported yet"]);
-    row_mistake("{a: l2, alpha: 0, d: 0, theta: 0}", "5:9", &["`a`: expected a number", "found `l2`"]);
+fn parameters() {
+    let row = "{a: l2, alpha: 0, d: -l2/2, theta: 0}";
+    let text = arm(row, "parameters: {l2: 3, l3: 0}\ntool: {xyz: [0, 2*l3, 1]}\n");
+    let (spec, warnings) = read(&text, "f").unwrap();
+    assert_eq!((spec.mistakes.as_slice(), warnings.as_slice()), (&[][..], &[][..]));
+    let multiple = |factor, name: &str, default| Length::Multiple { factor, parameter: name.into(), default };
+    let row = spec.rows.first().unwrap();
+    assert_eq!((&row.a, &row.d), (&multiple(1.0, "l2", 3.0), &multiple(-0.5, "l2", -1.5)));
+    assert_eq!(spec.tool.xyz, [Length::ZERO, multiple(2.0, "l3", 0.0), Length::Constant(1.0)]);
+    let names: Vec<_> = spec.parameters.iter().map(|p| (p.name.as_str(), p.default)).collect();
+    assert_eq!(names, [("l2", 3.0), ("l3", 0.0)]);
+    let unused = warnings_of_more("parameters: {l2: 1}\n");
+    only(&unused, "6:14", &["warning: the parameter `l2` is not used", "write its name for an `a`"]);
+}
+
+#[test]
+fn mistakes_of_parameters() {
+    let more = |row: &str, parameters: &str| mistakes(&arm(row, &format!("parameters: {parameters}\n")));
+    let of_a = |a: &str| more(&format!("{{a: {a}, alpha: 0, d: 0, theta: 0}}"), "{l2: 1, l3: 2}");
+    only(&of_a("l4"), "5:9", &["`a`: no parameter is named `l4`", "did you mean `l2`? the parameters are l2, l3"]);
+    only(&of_a("elbow"), "5:9", &["no parameter is named `elbow`", "help: the parameters are l2, l3"]);
+    only(&of_a("l2 + l3"), "5:9", &["`a`: expected a number, or one parameter with a sign or a numeric factor"]);
+    only(&of_a("l2*l3"), "5:9", &["or one parameter: products of two are no length", "found `l2*l3`"]);
+    only(&of_a("1/l2"), "5:9", &["or a parameter that is not divided by"]);
+    only(&of_a("0*l2"), "5:9", &["or a factor that is finite and not zero"]);
+    only(&of_a("'0.5'"), "5:9", &["write 0.5 without quotes"]);
+    let row = "{a: l2, alpha: 0, d: 0, theta: 0}";
+    row_mistake(row, "5:9", &["`a`: expected a number", "found `l2`", "add `parameters: {l2: 0.5}` to the file"]);
+    only(&more(row, "[l2]"), "6:13", &["`parameters`: expected a mapping of names and lengths, found a list"]);
+    only(&more(row, "{l2: .inf}"), "6:18", &["`l2`: expected a finite number"]);
+    only(&more(row, "{l2: long}"), "6:18", &["`l2`: expected a number in the file's length unit, found `long`"]);
+    only(&more(row, "{l2: }"), "6:14", &["`l2`: expected a number", "found nothing"]);
+    only(&more(row, "{l2: 1, l2: 2}"), "6:21", &["the parameter `l2` occurs twice", "in line 6"]);
+    for (name, place) in [("2l", "6:21"), ("type", "6:21"), ("a-b", "6:21"), ("self", "6:21"), ("3", "6:21")] {
+        let found = more(row, &format!("{{l2: 1, {name}: 1}}"));
+        only(&found, place, &[&format!("`{name}` cannot be the name of a parameter"), "a field of a struct"]);
+    }
+    // Parameters are lengths.
+    only(&more("{a: l2, alpha: l2, d: 0, theta: 0}", "{l2: 1}"), "5:20", &["`alpha`: expected an angle"]);
+}
+
+fn warnings_of_more(more: &str) -> Vec<String> {
+    warnings(&arm(ROW, more))
 }
 
 #[test]

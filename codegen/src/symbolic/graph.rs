@@ -1,5 +1,6 @@
 //! The arena of expressions and its folding constructors.
 
+use crate::model::Length;
 use indexmap::IndexSet;
 use std::collections::HashMap;
 
@@ -63,6 +64,7 @@ pub struct Graph {
     constant: Vec<Option<f64>>,
     names: HashMap<Expr, String>,
     products: Products,
+    owner: &'static str,
 }
 
 impl Default for Graph {
@@ -74,7 +76,8 @@ impl Default for Graph {
 impl Graph {
     /// A graph that holds zero and one.
     pub fn new(products: Products) -> Self {
-        let mut graph = Graph { nodes: IndexSet::new(), constant: Vec::new(), names: HashMap::new(), products };
+        let (nodes, constant, names) = (IndexSet::new(), Vec::new(), HashMap::new());
+        let mut graph = Graph { nodes, constant, names, products, owner: "self" };
         graph.intern(Node::Number(0.0f64.to_bits()), Some(0.0));
         graph.intern(Node::Number(1.0f64.to_bits()), Some(1.0));
         graph
@@ -137,6 +140,28 @@ impl Graph {
             return Expr::ZERO;
         }
         self.intern(Node::Symbol(Symbol { name: name.into(), value: Some(value.to_bits()) }), Some(value))
+    }
+
+    /// The same graph for a function in which the arm, whose fields are the run-time parameters, is called `owner`.
+    pub fn with_owner(self, owner: &'static str) -> Self {
+        Graph { owner, ..self }
+    }
+
+    /// The symbol of a run-time parameter: a field of the arm, so that its name is in nobody's way.
+    pub fn field(&self, parameter: &str) -> String {
+        format!("{}.{parameter}", self.owner)
+    }
+
+    /// A length of the arm: a dimension, or a multiple of a run-time parameter, which is never taken for zero.
+    pub fn length(&mut self, name: impl Into<String>, length: &Length) -> Expr {
+        match length {
+            Length::Constant(value) => self.dimension(name, *value),
+            Length::Multiple { factor, parameter, .. } => {
+                let value = self.symbol(self.field(parameter));
+                let factor = self.number(*factor);
+                self.mul(factor, value)
+            }
+        }
     }
 
     /// A run-time value.

@@ -51,6 +51,10 @@ pub(crate) fn run<T: Tolerances, M: Model<T>>(
         }
         (best.solution.iterations, best.solution.restarts) = (iterations, restart);
     }
+    if best.solution.stop == Stop::Stalled {
+        let steps = settings.max_iterations.saturating_sub(best.steps);
+        descent.approach(&mut best, steps);
+    }
     unwind(model, settings.within_limits, &mut best.solution.q, start);
     best.solution
 }
@@ -71,6 +75,16 @@ where
 /// The closest iterate of a descent, with its squared error.
 struct Closest<T, Q> {
     solution: NumericSolution<T, Q>,
+    size: T,
+    /// Steps from this start.
+    steps: usize,
+}
+
+/// What the tool misses the target by: as a twist, squared position and orientation error, and both in one.
+struct Miss<T> {
+    error: [T; 6],
+    position: T,
+    orientation: T,
     size: T,
 }
 
@@ -101,10 +115,8 @@ impl<T: Scalar> Progress<T> {
 impl<T: Tolerances, M: Model<T>> Descent<'_, T, M> {
     /// Iterates from one start.
     fn from(&self, start: &M::Joints) -> Closest<T, M::Joints> {
-        let Self { settings, model, target, length, .. } = *self;
-        let square = |x: T| x * x;
-        let (near, aligned) = (square(self.tolerance.position), square(self.tolerance.orientation));
-        let weight = T::ONE / square(length);
+        let Self { settings, model, .. } = *self;
+        let (near, aligned) = self.bounds();
         let mut q = start.clone();
         self.advance(&mut q, None);
         let mut change = q.clone();
@@ -115,12 +127,7 @@ impl<T: Tolerances, M: Model<T>> Descent<'_, T, M> {
         let mut posture = self.posture;
         let stop = loop {
             let mut evaluation = model.evaluate(&q);
-            let (pose, rows) = M::parts(&mut evaluation);
-            let mut error = pose.error_to(target);
-            settings.task.reduce(pose, target, &mut error, rows);
-            let [x, y, z, u, v, w] = error;
-            let (position, orientation) = (x * x + y * y + z * z, u * u + v * v + w * w);
-            let size = position * weight + orientation;
+            let (rows, Miss { error, position, orientation, size }) = self.miss(&mut evaluation);
             let is_reached = position <= near && orientation <= aligned;
             if is_reached || (size < least && !reached) {
                 idle = if size < least * T::from_f64(0.99) { 0 } else { idle + 1 };
@@ -169,7 +176,58 @@ impl<T: Tolerances, M: Model<T>> Descent<'_, T, M> {
         let stop = if reached { Stop::Converged } else { stop };
         let residual = Residual { position, orientation };
         let solution = NumericSolution { q: closest, stop, iterations, restarts: 0, residual };
-        Closest { solution, size: least }
+        Closest { solution, size: least, steps: iterations }
+    }
+
+    /// Goes on from the closest iterate by steps that descend, damped as much as that takes, for a target out of reach:
+    /// Levenberg and Marquardt's method as Marquardt has it (1963, J. SIAM 11(2)).
+    #[cold]
+    fn approach(&self, closest: &mut Closest<T, M::Joints>, steps: usize) {
+        let (near, aligned) = self.bounds();
+        let mut evaluation = self.model.evaluate(&closest.solution.q);
+        let mut change = closest.solution.q.clone();
+        let mut damping = closest.size;
+        for _ in 0..steps {
+            let (rows, Miss { error, .. }) = self.miss(&mut evaluation);
+            self.step(&closest.solution.q, rows, &error, damping + T::EPSILON, None, &mut change);
+            let mut q = closest.solution.q.clone();
+            self.advance(&mut q, Some(&change));
+            closest.solution.iterations += 1;
+            let mut next = self.model.evaluate(&q);
+            let (_, Miss { position, orientation, size, .. }) = self.miss(&mut next);
+            if size < closest.size {
+                closest.size = size;
+                closest.solution.q.as_mut().copy_from_slice(q.as_ref());
+                let [position, orientation] = [position, orientation].map(math::sqrt);
+                closest.solution.residual = Residual { position, orientation };
+                evaluation = next;
+                damping *= T::from_f64(0.2);
+            } else {
+                damping *= T::from_f64(5.0);
+            }
+            if position <= near && orientation <= aligned {
+                closest.solution.stop = Stop::Converged;
+                break;
+            }
+        }
+    }
+
+    /// The squares of the tolerances.
+    #[inline(always)]
+    fn bounds(&self) -> (T, T) {
+        let Residual { position, orientation } = self.tolerance;
+        (position * position, orientation * orientation)
+    }
+
+    /// What the tool misses the target by, and the Jacobian of what the task asks for.
+    #[inline(always)]
+    fn miss<'e>(&self, evaluation: &'e mut M::Evaluation) -> (&'e mut [M::Joints; 6], Miss<T>) {
+        let (pose, rows) = M::parts(evaluation);
+        let mut error = pose.error_to(self.target);
+        self.settings.task.reduce(pose, self.target, &mut error, rows);
+        let [x, y, z, u, v, w] = error;
+        let (position, orientation) = (x * x + y * y + z * z, u * u + v * v + w * w);
+        (rows, Miss { error, position, orientation, size: position / (self.length * self.length) + orientation })
     }
 
     /// The step from `q`, before it is capped.

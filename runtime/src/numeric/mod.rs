@@ -15,7 +15,8 @@
 //! also where it makes the error greater for a while: that leads out of more valleys than a descent in every step.
 //!
 //! Where the error stays above the least one seen, damping fades by a factor of ten a step, until Newton's steps, of which
-//! the cap bounds the length, leave the local minimum (the Jacobian is singular there). Then it starts anew.
+//! the cap bounds the length, leave the local minimum (the Jacobian is singular there). Then it starts anew. If in the end
+//! nothing converged, the iterations that are left descend from the closest iterate (Marquardt 1963, J. SIAM 11(2)).
 //!
 //! [`Method::NewtonRaphson`] has no damping but what rounding asks for: the pseudoinverse (Whitney 1969; for six joints
 //! the inverse), with capped steps.
@@ -28,7 +29,8 @@
 //! # Limits
 //! Joints stay within the arm's limits at every iterate. A joint at its limit that the error pushes outward is held for
 //! the step, and the others solve the rest (Bertsekas 1982, "Projected Newton methods", SIAM J. Control Optim. 20(2)). A
-//! revolute joint that leaves its range comes back in by a whole turn if the range has room for one.
+//! revolute joint that leaves its range comes back in by a whole turn if the range has room for one. Limits of sums of
+//! joints are not kept.
 //!
 //! # Redundancy
 //! [`NumericInverse::solve_towards`] moves along the null space towards a preferred posture,

@@ -43,7 +43,8 @@ impl fmt::Display for Stop {
 #[must_use]
 pub struct NumericSolution<T, Q> {
     /// The joint values, rad or length unit: the iterate of the least error over all starts. It reaches the target only if
-    /// [`converged`](Self::converged); for a target out of reach it is near the closest approach, but not that itself.
+    /// [`converged`](Self::converged). Where [`stop`](Self::stop) is [`Stop::Stalled`], it is close to a place that no
+    /// small motion within the limits brings nearer: for a target out of reach, where the arm comes closest.
     pub q: Q,
     /// Why the last iteration ended.
     pub stop: Stop,

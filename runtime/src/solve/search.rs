@@ -20,6 +20,25 @@ pub struct Facts<T, const N: usize> {
     pub tolerance: Residual<T>,
 }
 
+impl<T: Tolerances, const N: usize> Facts<T, N> {
+    /// The same arm with lengths that are known at run time: its reach, and up to which position residual a solution is
+    /// listed. An arm without any length has the reach 1.
+    ///
+    /// `None` if the reach is not finite, or so large or so small that fourth powers of the arm's lengths, which the
+    /// kernels compute, leave the range of the scalar: beyond 1e60 and 1e-60 (f32: 1e8 and 1e-4) of the length unit.
+    #[inline]
+    pub fn with_reach(mut self, reach: T, position: T) -> Option<Self> {
+        if reach == T::ZERO {
+            self.tolerance.position = position.max(T::from_f64(1e-6));
+            self.reach = T::ONE;
+            return Some(self);
+        }
+        self.reach = reach;
+        self.tolerance.position = position;
+        (reach < T::LARGEST_REACH && reach > T::SMALLEST_REACH).then_some(self)
+    }
+}
+
 /// One run of the inverse kinematics.
 #[derive(Debug)]
 pub struct Search<'a, T, G, const N: usize, const M: usize> {

@@ -187,6 +187,20 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         self.roots.get(..len).unwrap_or(&[]).iter().enumerate()
     }
 
+    /// The roots turned by a further half turn (first joint) if `reverse` is set: for links whose lengths have unlike
+    /// signs, stretched is where folded would be.
+    #[inline]
+    pub fn turned_back(mut self, reverse: bool) -> Self {
+        if reverse && self.free.is_empty() {
+            for root in &mut self.roots {
+                if let Some(first) = root.first_mut() {
+                    *first = first.opposite();
+                }
+            }
+        }
+        self
+    }
+
     /// The roots turned by a further angle (first joint).
     #[inline]
     pub fn about(mut self, phase: Turn<T>) -> Self {

@@ -43,6 +43,17 @@ impl<T: Tolerances> Turn<T> {
         Self::of(y * k, x * k)
     }
 
+    /// From any vector in the plane; no turn for one that is zero, or too short to have a direction.
+    #[inline]
+    pub fn direction(y: T, x: T) -> Self {
+        let square = x * x + y * y;
+        if !(square > T::ZERO && square.is_finite()) {
+            return Self::ZERO;
+        }
+        let k = T::ONE / square.sqrt();
+        Self::of(y * k, x * k)
+    }
+
     /// From an angle.
     pub fn at(value: T) -> Self {
         let (sin, cos) = sin_cos(value);

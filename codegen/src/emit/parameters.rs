@@ -1,0 +1,202 @@
+//! Run-time parameters: the fields of the struct, and what is computed from them outside the kinematics.
+
+use super::tokens::{ident, integer, number};
+use super::{Target, angle, docs};
+use crate::model::{Frame, Length, Model, Parameter, RowKind, strokes};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The struct of a written file: a field for each run-time parameter.
+pub fn item(model: &Model, doc: &TokenStream, target: &Target) -> TokenStream {
+    let (name, scalar) = (&target.type_name, target.scalar.tokens());
+    if model.parameters.is_empty() {
+        return quote! {
+            #doc
+            #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+            pub struct #name;
+        };
+    }
+    let fields = model.parameters.iter().map(|parameter| {
+        let text = format!("{}, {}; {} in the arm file.", uses(model, parameter), docs::unit(model), parameter.default);
+        let (doc, field) = (docs::lines(&text), ident(&parameter.name));
+        quote!(#doc pub #field: #scalar)
+    });
+    // A field has the name in the file, whatever its case.
+    let cased = model.parameters.iter().any(|parameter| parameter.name.to_lowercase() != parameter.name);
+    let case = cased.then(|| quote!(#[allow(non_snake_case, reason = "the names of the arm file")]));
+    quote! {
+        #doc
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        #case
+        pub struct #name {
+            #(#fields),*
+        }
+
+        /// The arm with the parameters at the values of its file.
+        impl ::core::default::Default for #name {
+            fn default() -> Self {
+                Self::nominal()
+            }
+        }
+    }
+}
+
+/// `a` of row 2, twice `d` of row 3.
+fn uses(model: &Model, parameter: &Parameter) -> String {
+    let mut uses = Vec::new();
+    let mut note = |length: &Length, place: String| {
+        if let Length::Multiple { factor, parameter: name, .. } = length
+            && *name == parameter.name
+        {
+            let factor = if *factor == 1.0 { String::new() } else { format!(" times {factor}") };
+            uses.push(format!("{place}{factor}"));
+        }
+    };
+    for (row, number) in model.rows.iter().zip(1..) {
+        note(&row.a, format!("`a` of row {number}"));
+        note(&row.d, format!("`d` of row {number}"));
+    }
+    for (frame, what) in [(&model.base, "base"), (&model.tool, "tool")] {
+        for (length, axis) in frame.xyz.iter().zip(["x", "y", "z"]) {
+            note(length, format!("`{axis}` of the {what}"));
+        }
+    }
+    let text = if uses.is_empty() { "not used".to_owned() } else { uses.join(", ") };
+    format!("Parameter `{}`: {text}", parameter.name)
+}
+
+/// The arm with the file's values, and its table as it is bound.
+pub fn methods(model: &Model, target: &Target) -> TokenStream {
+    if model.parameters.is_empty() {
+        return TokenStream::new();
+    }
+    let krate = &target.krate;
+    let values = model.parameters.iter().map(|parameter| {
+        let (field, value) = (ident(&parameter.name), number(parameter.default));
+        quote!(#field: #value)
+    });
+    // The table is f64 whatever the scalar: it feeds the runtime chain.
+    let exact = Target { scalar: super::Scalar::F64, ..target.clone() };
+    let rows = model.rows.iter().map(|row| {
+        let kind = match row.kind {
+            RowKind::Revolute => quote!(revolute),
+            RowKind::Prismatic => quote!(prismatic),
+            RowKind::Fixed => quote!(fixed),
+        };
+        let (a, d) = (value(&row.a, target), value(&row.d, target));
+        let (alpha, theta) = (angle::tokens(row.alpha, &exact), angle::tokens(row.theta, &exact));
+        quote!(#krate::DhRow::#kind(#a, #alpha, #d, #theta))
+    });
+    let count = integer(model.rows.len());
+    let frame = |frame: &Frame| {
+        let xyz = frame.xyz.each_ref().map(|length| value(length, target));
+        let rpy = frame.rpy.map(|a| angle::tokens(a, &exact));
+        quote!(#krate::DhFrame { xyz: [#(#xyz),*], rpy: [#(#rpy),*] })
+    };
+    let (base, tool) = (frame(&model.base), frame(&model.tool));
+    let symbol = docs::unit(model);
+    let rows_doc = docs::lines(&format!(
+        "The rows of the Denavit-Hartenberg table with the parameters of this arm, `[{count}]`; lengths in {symbol}, \
+         angles in rad. With `dh_base` and `dh_tool` they make a `Chain`; the constant `DH` has the file's values."
+    ));
+    quote! {
+        /// The arm with the parameters at the values of its file.
+        #[must_use]
+        pub const fn nominal() -> Self {
+            Self { #(#values),* }
+        }
+
+        #rows_doc
+        #[must_use]
+        pub fn dh_rows(&self) -> [#krate::DhRow; #count] {
+            [#(#rows),*]
+        }
+
+        /// The constant frame before the first row, with the parameters of this arm.
+        #[must_use]
+        pub fn dh_base(&self) -> #krate::DhFrame {
+            #base
+        }
+
+        /// The constant frame after the last row, with the parameters of this arm.
+        #[must_use]
+        pub fn dh_tool(&self) -> #krate::DhFrame {
+            #tool
+        }
+    }
+}
+
+/// A length as an f64 in a method.
+fn value(length: &Length, target: &Target) -> TokenStream {
+    match length {
+        Length::Constant(value) => number(*value),
+        Length::Multiple { factor, parameter, .. } => {
+            let field = ident(parameter);
+            let field = match target.scalar {
+                super::Scalar::F64 => quote!(self.#field),
+                super::Scalar::F32 => quote!(::core::primitive::f64::from(self.#field)),
+            };
+            multiple(*factor, &field)
+        }
+    }
+}
+
+/// The size of the arm as it is bound, and what follows from it: `length`, `facts`.
+pub fn sizes(model: &Model, target: &Target) -> TokenStream {
+    let (krate, scalar) = (&target.krate, target.scalar.tokens());
+    let mut constant = strokes(model);
+    let mut parts: Vec<TokenStream> = Vec::new();
+    let size = |length: &Length| {
+        let Length::Multiple { factor, parameter, .. } = length else { return None };
+        let field = ident(parameter);
+        Some(multiple(factor.abs(), &quote!(arm.#field.abs())))
+    };
+    for length in model.rows.iter().flat_map(|row| [&row.a, &row.d]) {
+        match size(length) {
+            Some(part) => parts.push(part),
+            None => constant += length.default_value().abs(),
+        }
+    }
+    for frame in [&model.base, &model.tool] {
+        let components: Vec<&Length> = frame.xyz.iter().filter(|length| !length.is_zero()).collect();
+        match components.as_slice() {
+            _ if components.iter().all(|length| length.parameter().is_none()) => {
+                constant += components.iter().map(|length| length.default_value().powi(2)).sum::<f64>().sqrt();
+            }
+            [one] => parts.extend(size(one)),
+            _ => {
+                let squares = components.iter().map(|length| {
+                    let size = size(length).unwrap_or_else(|| number(length.default_value().abs()));
+                    quote!(#size * #size)
+                });
+                parts.push(quote!(#krate::math::sqrt(#(#squares)+*)));
+            }
+        }
+    }
+    if constant > 0.0 {
+        parts.push(number(constant));
+    }
+    let tolerance = match model.inverse.tolerance_length {
+        Some(length) => number(length),
+        None => quote!(0.000001 * reach),
+    };
+    quote! {
+        let reach: #scalar = #(#parts)+*;
+        let ::core::option::Option::Some(facts) = FACTS.with_reach(reach, #tolerance) else {
+            return solutions;
+        };
+        let length = #krate::solve::Measure::length(facts.reach);
+    }
+}
+
+/// A factor of 1 is not written.
+fn multiple(factor: f64, of: &TokenStream) -> TokenStream {
+    if factor == 1.0 {
+        return of.clone();
+    }
+    if factor == -1.0 {
+        return quote!(-#of);
+    }
+    let factor = number(factor);
+    quote!(#factor * #of)
+}

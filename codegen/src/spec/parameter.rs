@@ -1,0 +1,112 @@
+//! `parameters:`, names for lengths that may be bound at run time.
+
+use super::length::{Length, factored};
+use super::nearest::nearest;
+use super::place::{Place, Step};
+use super::reader::{Field, Fields, Reader};
+use super::yaml::Node;
+use super::{FrameSpec, RowSpec};
+
+/// A parameter as written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ParameterSpec {
+    /// Its name, the name of a field of the user's struct.
+    pub name: String,
+    /// Its value where nothing else is bound, length unit of the file.
+    pub default: f64,
+    /// Its key.
+    pub place: Place,
+}
+
+impl Reader<'_> {
+    /// The parameters in the order of the file. One whose value is a mistake is there all the same, and there is no list
+    /// where a name is one, so that their uses are not mistakes too.
+    pub fn parameters(&mut self, root: &Fields<'_>) -> Option<Vec<ParameterSpec>> {
+        let Some(field) = root.get("parameters") else { return (!root.has("parameters")).then(Vec::new) };
+        let Node::Mapping(entries) = field.node else {
+            let help = "write a name and a length for each, such as `parameters: {l2: 0.425, l3: 0.392}`";
+            self.unexpected(&field, "a mapping of names and lengths", Some(help.to_owned()));
+            return None;
+        };
+        let mut parameters: Vec<ParameterSpec> = Vec::new();
+        let mut legible = true;
+        for (index, (key, node)) in entries.iter().enumerate() {
+            let place = field.place.to(Step::Key(index));
+            let written = self.source.written(&place);
+            let name = match key {
+                Node::Text(name) if is_field_name(name) => name.clone(),
+                _ => {
+                    let message = format!("`{written}` cannot be the name of a parameter");
+                    let help = "a parameter is a field of a struct: write letters, digits and `_`, no digit first, \
+                                and no word of Rust, such as `l2`";
+                    self.mistakes.push(self.source.mistake(&place, message).help(help));
+                    legible = false;
+                    continue;
+                }
+            };
+            if let Some(first) = parameters.iter().find(|earlier| earlier.name == name) {
+                let line = self.source.location(&first.place).line;
+                let mistake = self.source.mistake(&place, format!("the parameter `{name}` occurs twice"));
+                self.mistakes.push(mistake.help(format!("the first one is in line {line}: remove one of them")));
+                continue;
+            }
+            let value_place = if *node == Node::Null { place.clone() } else { field.place.to(Step::Value(index)) };
+            let default = self.number(&Field { node, place: value_place, key: name.clone() });
+            parameters.push(ParameterSpec { name, default: default.unwrap_or(1.0), place });
+        }
+        legible.then_some(parameters)
+    }
+
+    /// A length: a number or a multiple of a parameter. Without a list of parameters no text is judged.
+    pub fn length(&mut self, field: &Field<'_>, parameters: Option<&[ParameterSpec]>) -> Option<Length> {
+        let Node::Text(text) = field.node else { return self.number(field).map(Length::Constant) };
+        let parameters = parameters?;
+        let names = || parameters.iter().map(|parameter| parameter.name.as_str());
+        match factored(text) {
+            Ok((factor, name)) => match parameters.iter().find(|parameter| parameter.name == name) {
+                Some(parameter) => {
+                    return Some(Length::Multiple {
+                        factor,
+                        parameter: name.to_owned(),
+                        default: factor * parameter.default,
+                    });
+                }
+                None if parameters.is_empty() => {
+                    self.number(field);
+                    self.advise(&format!("to name a length, add `parameters: {{{name}: 0.5}}` to the file"));
+                }
+                None => {
+                    let message = format!("`{}`: no parameter is named `{name}`", field.key);
+                    let meant = nearest(name, names()).map(|word| format!("did you mean `{word}`? "));
+                    let listed: Vec<&str> = names().collect();
+                    let help = format!("{}the parameters are {}", meant.unwrap_or_default(), listed.join(", "));
+                    self.mistakes.push(self.source.mistake(&field.place, message).help(help));
+                }
+            },
+            // A quoted number has a message of its own.
+            Err(expected) if !parameters.is_empty() && text.trim().parse::<f64>().is_err() => {
+                self.unexpected(field, &format!("a number, or {expected}"), None);
+            }
+            Err(_) => {
+                self.number(field);
+            }
+        }
+        None
+    }
+
+    /// Says which parameters no length names.
+    pub fn unused_parameters(&mut self, parameters: &[ParameterSpec], rows: &[RowSpec], frames: [&FrameSpec; 2]) {
+        let lengths = rows.iter().flat_map(|row| [&row.a, &row.d]).chain(frames.into_iter().flat_map(|f| &f.xyz));
+        let used: Vec<&str> = lengths.filter_map(Length::parameter).collect();
+        for parameter in parameters.iter().filter(|parameter| !used.contains(&parameter.name.as_str())) {
+            let message = format!("the parameter `{}` is not used", parameter.name);
+            let warning = self.source.warning(&parameter.place, message);
+            self.warnings.push(warning.help("write its name for an `a`, a `d` or an entry of `xyz`, or remove it"));
+        }
+    }
+}
+
+/// Whether a text can name a field as it stands: an identifier of Rust that is no keyword.
+fn is_field_name(text: &str) -> bool {
+    !text.starts_with("r#") && syn::parse_str::<syn::Ident>(text).is_ok()
+}
