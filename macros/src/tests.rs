@@ -318,7 +318,8 @@ fn without_cargo_a_path_starts_nowhere() {
 #[test]
 fn the_outline_of_a_file_is_seen_without_a_reader_of_yaml() {
     let outline = |text: &str| Outline::of(text);
-    let of = |joints: Option<usize>, task: Option<&str>| Outline { joints, task: task.map(str::to_owned) };
+    let of =
+        |joints: Option<usize>, task: Option<&str>| Outline { joints, task: task.map(str::to_owned), redundant: false };
     assert_eq!(outline(PLANAR), of(Some(2), None));
     assert_eq!(outline(""), of(None, None));
     assert_eq!(outline("inverse: {task: position_axis, axis: z}\njoints: ]["), of(None, Some("position_axis")));

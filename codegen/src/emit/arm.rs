@@ -145,6 +145,8 @@ fn refused(model: &Model, refusal: &Refusal, target: &Target) -> InverseCode {
     // What it returns lets the rest of the call type-check: the message is the only error.
     let none = quote!(#krate::Solutions<#scalar, #n, 1>);
     let message = format!("`{name}` has no inverse kinematics: {}", refusal.reason);
+    let takes_value = model.inverse.redundant.is_some() || model.inverse.arm_angle;
+    let given = takes_value.then(|| quote!(, _given: #scalar));
     let solvable = format_ident!("{name}HasInverse");
     let doc = docs::lines(&format!("Does not compile: {}.", refusal.reason));
     InverseCode {
@@ -157,7 +159,7 @@ fn refused(model: &Model, refusal: &Refusal, target: &Target) -> InverseCode {
         trait_impl: TokenStream::new(),
         methods: quote! {
             #doc
-            pub fn inverse<Target: #solvable>(&self, _target: Target) -> #none {
+            pub fn inverse<Target: #solvable>(&self, _target: Target #given) -> #none {
                 #krate::Solutions::new(#krate::Status::BadTarget)
             }
 

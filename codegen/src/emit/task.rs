@@ -29,6 +29,11 @@ pub struct TaskCode {
 pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>) -> TaskCode {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
     let unit = docs::unit(model);
+    let field = |name: &str| {
+        let (field, unused) = (ident(name), ident(&format!("_{name}")));
+        if used.contains(name) { quote!(#field) } else { quote!(#field: #unused) }
+    };
+    let pattern = |name: &str| if used.contains(name) { ident(name) } else { ident(&format!("_{name}")) };
     let position = ["px", "py", "pz"].map(&pattern);
     let rows = (1..=3).map(|i| {
         let entries = (1..=3).map(|j| pattern(&format!("r{i}{j}")));

@@ -15,6 +15,9 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, R
     if request.arm_angle {
         let task = plan_task(Task::Pose, &problem);
         return match request.task {
+            _ if !model.parameters.is_empty() => Err(Refusal::new(
+                "an arm angle needs lengths known when the code is generated, not run-time parameters",
+            )),
             None | Some(Task::Pose) => swivel::plan(problem, chain, task),
             Some(_) => Err(Refusal::new("an arm angle belongs to the task `pose`")),
         };
