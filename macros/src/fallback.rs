@@ -198,6 +198,9 @@ fn traits(name: &Ident, outline: &Outline, krate: &Path, number: &TokenStream) -
             fn inverse_near(&self, _: &Self::Target, _: &[#number; #q]) -> Self::Solutions {
                 #krate::Solutions::new(#krate::Status::BadTarget)
             }
+            fn residual(&self, _: &[#number; #q], _: &Self::Target) -> #krate::Residual<#number> {
+                #krate::Residual::ZERO
+            }
             fn status(_: &Self::Solutions) -> #krate::Status<#number> {
                 #krate::Status::BadTarget
             }
