@@ -76,6 +76,12 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
             {
                 (checked.q, residual) = (q, closed);
             }
+        } else {
+            // It closes, but near a singularity what is left of the residual still moves the joints.
+            let (q, refined) = refine(facts, target, &solution.q, evaluate, STEPS);
+            if relative(facts, &refined) < relative(facts, &residual) {
+                (checked.q, residual) = (q, refined);
+            }
         }
         residual.orientation += self.deviation;
         checked.residual = residual;
