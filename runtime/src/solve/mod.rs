@@ -28,6 +28,7 @@ mod circle;
 mod cone;
 mod curve;
 mod distance;
+mod elsewhere;
 mod goal;
 mod offset;
 mod offset_of_two;

@@ -22,7 +22,7 @@ pub fn pair<T: Tolerances>(
     for root in stage.roots.iter_mut().take(stage.len) {
         *root = newton(&p, &q, *root);
     }
-    finished(stage, measure)
+    finished(stage, homes, measure, [&p, &q])
 }
 
 /// The same where a joint between the two turns one vector onto another, which both joints move: `across` has its
@@ -72,7 +72,7 @@ pub fn pair_turning<T: Tolerances>(
             }
         }
     }
-    finished(stage, measure)
+    finished(stage, homes, measure, [&p, &q])
 }
 
 /// Solves `scale x = line (cos z, sin z, 1)` and `x^2 + m x + n = q (cos z, sin z, 1)` for `(x, z)`, `x` sliding;
@@ -103,7 +103,24 @@ fn apart<T: Tolerances>([x, z]: &[Turn<T>; 2], [u, w]: &[Turn<T>; 2]) -> T {
     crate::math::wrap(x.value - u.value).abs().max(crate::math::wrap(z.value - w.value).abs())
 }
 
-fn finished<T: Tolerances>(mut stage: Stage<T, 2, 4>, measure: Measure<T>) -> Stage<T, 2, 4> {
+/// How far a joint moves its rows.
+fn amplitude<T: Tolerances>(rows: &[Row<T>; 2]) -> T {
+    rows.iter().fold(T::ZERO, |sum, [a, b, _]| sum + *a * *a + *b * *b).sqrt()
+}
+
+fn finished<T: Tolerances>(
+    mut stage: Stage<T, 2, 4>,
+    homes: [Home<T>; 2],
+    measure: Measure<T>,
+    sides: [&[Row<T>; 2]; 2],
+) -> Stage<T, 2, 4> {
+    for (home, rows) in homes.iter().zip(sides) {
+        let amplitude = amplitude(rows);
+        stage.amplitude = stage.amplitude.min(amplitude);
+        if amplitude < T::WEAK {
+            stage.weak |= home.joint;
+        }
+    }
     stage.angular = Stage::<T, 2, 4>::solved(stage.roots, measure).angular;
     stage.gap = T::ZERO;
     stage.doubt = true;
@@ -158,7 +175,7 @@ fn eliminated<T: Tolerances>(home: Home<T>, p: &[Row<T>; 2], det: T, q: &[Row<T>
     };
     // What the coefficients are sums of, and so their rounding.
     let size = gram(0, 0) + gram(1, 1) + gram(2, 2) + det * det;
-    if circle.largest() <= T::EPSILON * T::from_f64(8.0) * size {
+    if circle.largest() <= T::EPSILON * T::from_f64(8.0) * size || amplitude(q) < T::VANISHING {
         let z = Turn::at(crate::math::wrap(home.value));
         let stage = Stage::<T, 2, 4>::solved([[other(&z), z]; 4], Measure::DIRECTION);
         return Stage { len: 1, free: home.joint, ..stage };
