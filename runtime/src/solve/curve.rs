@@ -15,14 +15,35 @@ pub struct Across<T> {
     pub z: [[T; 3]; 2],
 }
 
+/// Values of both joints.
+type Place<T> = [Turn<T>; 2];
+
 impl<T: Tolerances> Across<T> {
-    /// The larger of the vector's two lengths across the axis, relative to what they may be.
-    pub(super) fn relative(&self, [x, z]: &[Turn<T>; 2]) -> T {
+    /// What the lengths across may be at most.
+    fn scale(&self) -> T {
         let size = |rows: &[Row<T>; 2]| rows.iter().flatten().fold(T::ZERO, |sum, k| sum + *k * *k);
-        let largest = size(&self.x).max(size(&self.z));
-        let square = |rows: &[Row<T>; 2], turn: &Turn<T>| rows.iter().fold(T::ZERO, |sum, row| sum + at(row, turn) * at(row, turn));
-        let square = square(&self.x, x).max(square(&self.z, z));
-        if largest > T::ZERO { (square / largest).sqrt() } else { T::ONE }
+        size(&self.x).max(size(&self.z)).sqrt()
+    }
+
+    /// The lengths across, over either joint.
+    fn lengths(&self, [x, z]: &Place<T>) -> [T; 2] {
+        let length = |[u, v]: &[Row<T>; 2], turn: &Turn<T>| {
+            let (u, v) = (at(u, turn), at(v, turn));
+            (u * u + v * v).sqrt()
+        };
+        [length(&self.x, x), length(&self.z, z)]
+    }
+
+    /// The larger of the lengths, relative to what it may be.
+    pub(super) fn relative(&self, place: &Place<T>) -> T {
+        let ([a, b], scale) = (self.lengths(place), self.scale());
+        if scale > T::ZERO { a.max(b) / scale } else { T::ONE }
+    }
+
+    /// By how much the lengths differ, relative to what they may be, or the row does if that is more.
+    pub(super) fn gap(&self, [p, q]: [&Row<T>; 2], place: &Place<T>) -> T {
+        let ([a, b], [x, z]) = (self.lengths(place), place);
+        ((a - b) / self.scale()).abs().max((at(p, x) - at(q, z)).abs())
     }
 }
 
@@ -39,14 +60,14 @@ fn curvature<T: Tolerances>([a, b, _]: &Row<T>, turn: &Turn<T>) -> T {
     -(*a * turn.cos + *b * turn.sin)
 }
 
-fn moved<T: Tolerances>([x, z]: &[Turn<T>; 2], dx: T, dz: T) -> [Turn<T>; 2] {
+fn moved<T: Tolerances>([x, z]: &Place<T>, [dx, dz]: [T; 2]) -> Place<T> {
     [Turn::at(wrap(x.value + dx)), Turn::at(wrap(z.value + dz))]
 }
 
 /// A few steps of Newton's method on both rows, as long as they bring the root closer.
-pub(super) fn newton<T: Tolerances>(p: &[Row<T>; 2], q: &[Row<T>; 2], root: [Turn<T>; 2]) -> [Turn<T>; 2] {
+pub(super) fn newton<T: Tolerances>(p: &[Row<T>; 2], q: &[Row<T>; 2], root: Place<T>) -> Place<T> {
     let ([p1, p2], [q1, q2]) = (p, q);
-    let miss = |[x, z]: &[Turn<T>; 2]| [at(p1, x) - at(q1, z), at(p2, x) - at(q2, z)];
+    let miss = |[x, z]: &Place<T>| [at(p1, x) - at(q1, z), at(p2, x) - at(q2, z)];
     let square = |[u, v]: [T; 2]| u * u + v * v;
     let mut best = root;
     let mut size = square(miss(&best));
@@ -62,7 +83,7 @@ pub(super) fn newton<T: Tolerances>(p: &[Row<T>; 2], q: &[Row<T>; 2], root: [Tur
         if !(dx.abs().max(dz.abs()) < T::HALF) {
             break;
         }
-        let next = moved(&best, dx, dz);
+        let next = moved(&best, [dx, dz]);
         let next_size = square(miss(&next));
         if !(next_size < size) {
             break;
@@ -72,70 +93,68 @@ pub(super) fn newton<T: Tolerances>(p: &[Row<T>; 2], q: &[Row<T>; 2], root: [Tur
     best
 }
 
-/// The two roots of `p = q` and of equal lengths across the axis that are nearest to a place where those lengths are small. `None`
-/// if the row does not say which way to go.
+/// The two roots of `p = q` and of equal lengths across the axis that are nearest to a place where those lengths are
+/// small; none where the steps do not lead to one.
 ///
-/// Along the curve of the row, the difference of the squared lengths is to second order a quadratic polynomial, and that is accurate to
-/// rounding where the lengths vanish.
-pub(super) fn beside<T: Tolerances>(
-    p: &Row<T>,
-    q: &Row<T>,
-    across: &Across<T>,
-    place: [Turn<T>; 2],
-) -> Option<[[Turn<T>; 2]; 2]> {
-    let (start, [low, high]) = steps(p, q, across, place)?;
-    let mut roots = [start; 2];
-    for (root, first) in roots.iter_mut().zip([low, high]) {
-        let mut step = first;
-        for _ in 0..4 {
-            *root = moved(root, step[0], step[1]);
-            let (on_curve, [low, high]) = steps(p, q, across, *root)?;
-            *root = on_curve;
-            let length = |step: &[T; 2]| step[0] * step[0] + step[1] * step[1];
-            step = if length(&low) < length(&high) { low } else { high };
+/// Along the curve of the row, the difference of the squared lengths is to second order a quadratic polynomial, and it
+/// is accurate to rounding where the lengths vanish.
+pub(super) fn beside<T: Tolerances>(row: [&Row<T>; 2], across: &Across<T>, place: Place<T>) -> [Option<Place<T>>; 2] {
+    let Some(start) = Ahead::new(row, across, place) else { return [None; 2] };
+    let square = |[dx, dz]: &[T; 2]| *dx * *dx + *dz * *dz;
+    start.steps.map(|first| {
+        let (mut place, mut step) = (start.place, first);
+        for _ in 0..5 {
+            let ahead = Ahead::new(row, across, moved(&place, step))?;
+            let [low, high] = ahead.steps;
+            step = if square(&low) < square(&high) { low } else { high };
+            place = ahead.place;
         }
-        *root = moved(root, step[0], step[1]);
-    }
-    Some(roots)
+        // Far below what tells two solutions apart.
+        let still = T::COINCIDENT * T::from_f64(0.1);
+        (square(&step) < still * still).then(|| moved(&place, step))
+    })
 }
 
-/// The place moved onto the curve of the row, and from there the steps to the two roots along it.
-fn steps<T: Tolerances>(
-    p: &Row<T>,
-    q: &Row<T>,
-    across: &Across<T>,
-    mut place: [Turn<T>; 2],
-) -> Option<([Turn<T>; 2], [[T; 2]; 2])> {
-    let mut along = [T::ZERO; 2];
-    for _ in 0..2 {
-        let [x, z] = &place;
-        let (l, lx, lz) = (at(p, x) - at(q, z), slope(p, x), -slope(q, z));
-        let square = lx * lx + lz * lz;
-        if !(square > T::WEAK * T::WEAK) {
-            return None;
+/// A place on the curve of a row, and the steps along it to where the lengths across are equal.
+struct Ahead<T> {
+    place: Place<T>,
+    steps: [[T; 2]; 2],
+}
+
+impl<T: Tolerances> Ahead<T> {
+    /// From a place near the curve. `None` if the row does not say which way it goes.
+    fn new([p, q]: [&Row<T>; 2], across: &Across<T>, mut place: Place<T>) -> Option<Self> {
+        let mut along = [T::ZERO; 2];
+        for _ in 0..2 {
+            let [x, z] = &place;
+            let (miss, dx, dz) = (at(p, x) - at(q, z), slope(p, x), -slope(q, z));
+            let square = dx * dx + dz * dz;
+            if !(square > T::WEAK * T::WEAK) {
+                return None;
+            }
+            let k = -miss / square;
+            along = [-dz / square.sqrt(), dx / square.sqrt()];
+            place = moved(&place, [k * dx, k * dz]);
         }
-        let k = -l / square;
-        along = [-lz / square.sqrt(), lx / square.sqrt()];
-        place = moved(&place, k * lx, k * lz);
+        let ([x, z], [tx, tz]) = (&place, along);
+        // The squared length along the curve: half its slope, and half its curvature.
+        let second = |rows: &[Row<T>; 2], turn: &Turn<T>, t: T| {
+            rows.iter().fold([T::ZERO; 2], |[n1, n2], row| {
+                let (v, d, c) = (at(row, turn), slope(row, turn) * t, curvature(row, turn) * t * t);
+                [n1 + v * d, n2 + d * d + v * c]
+            })
+        };
+        let ([a1, a2], [b1, b2]) = (second(&across.x, x, tx), second(&across.z, z, tz));
+        // The difference of the squares as a product, so that it is as accurate as the lengths.
+        let [a0, b0] = across.lengths(&place);
+        let (a, half, c) = (a2 - b2, a1 - b1, (a0 - b0) * (a0 + b0));
+        let root = (half * half - a * c).max(T::ZERO).sqrt();
+        let larger = if half < T::ZERO { root - half } else { -half - root };
+        let step = |n: T, d: T| {
+            let s = if d == T::ZERO { T::ZERO } else { n / d };
+            let s = if s.abs() < T::HALF { s } else { T::ZERO };
+            [s * tx, s * tz]
+        };
+        Some(Self { place, steps: [step(larger, a), step(c, larger)] })
     }
-    // |v|^2 along the curve: value, slope and half the curvature.
-    let length = |rows: &[Row<T>; 2], turn: &Turn<T>, t: T| {
-        rows.iter().fold([T::ZERO; 3], |[n0, n1, n2], row| {
-            let (v, d, c) = (at(row, turn), slope(row, turn) * t, curvature(row, turn) * t * t);
-            [n0 + v * v, n1 + T::TWO * v * d, n2 + d * d + v * c]
-        })
-    };
-    let ([x, z], [tx, tz]) = (&place, along);
-    let ([a0, a1, a2], [b0, b1, b2]) = (length(&across.x, x, tx), length(&across.z, z, tz));
-    // The difference of the values as a product, so that it is as accurate as the lengths.
-    let (va, vb) = (a0.sqrt(), b0.sqrt());
-    let (c, half, a) = ((va - vb) * (va + vb), (a1 - b1) * T::HALF, a2 - b2);
-    let root = (half * half - a * c).max(T::ZERO).sqrt();
-    let larger = if half < T::ZERO { root - half } else { -half - root };
-    let safe = |n: T, d: T| if d == T::ZERO { T::ZERO } else { n / d };
-    let step = |s: T| {
-        let s = if s.abs() < T::HALF { s } else { T::ZERO };
-        [s * tx, s * tz]
-    };
-    Some((place, [step(safe(larger, a)), step(safe(c, larger))]))
 }

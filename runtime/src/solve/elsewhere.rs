@@ -26,8 +26,7 @@ pub(super) struct Elsewhere<const M: usize> {
 
 impl<const M: usize> Elsewhere<M> {
     /// Nothing to do yet.
-    pub(super) const START: Self =
-        Self { pass: 0, settled: 0, open: [Branch::NONE; M], len: 0, free: JointMask::NONE };
+    pub(super) const START: Self = Self { pass: 0, settled: 0, open: [Branch::NONE; M], len: 0, free: JointMask::NONE };
 
     /// Whether a branch is to be met with a free joint elsewhere.
     #[inline]

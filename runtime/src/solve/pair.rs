@@ -11,12 +11,7 @@ use super::{Home, Measure, Stage, Tolerances, Turn};
 /// and solved one after the other. Where the polynomial vanishes for every angle, that joint is free.
 ///
 /// Every root is marked for a full check: near a double root a candidate may turn out not to be a solution.
-pub fn pair<T: Tolerances>(
-    homes: [Home<T>; 2],
-    measure: Measure<T>,
-    p: [Row<T>; 2],
-    q: [Row<T>; 2],
-) -> Stage<T, 2, 4> {
+pub fn pair<T: Tolerances>(homes: [Home<T>; 2], measure: Measure<T>, p: [Row<T>; 2], q: [Row<T>; 2]) -> Stage<T, 2, 4> {
     let (p, q) = normalized(p, q);
     let mut stage = candidates(homes, &p, &q);
     for root in stage.roots.iter_mut().take(stage.len) {
@@ -39,37 +34,34 @@ pub fn pair_turning<T: Tolerances>(
 ) -> Stage<T, 2, 4> {
     let (p, q) = normalized(p, q);
     let mut stage = candidates(homes, &p, &q);
-    let ([p1, _], [q1, _]) = (p, q);
-    let found = stage.roots;
-    let mut taken = [false; 4];
-    for i in 0..stage.len.min(4) {
-        let Some(&root) = found.get(i) else { continue };
-        if taken.get(i) == Some(&true) {
-            continue;
-        }
-        let small = across.relative(&root) < T::from_f64(1e-2);
-        let local = if small { beside(&p1, &q1, &across, root) } else { None };
-        let Some([first, second]) = local else {
-            if let Some(slot) = stage.roots.get_mut(i) {
-                *slot = newton(&p, &q, root);
-            }
-            continue;
-        };
+    let mut found = stage.roots;
+    let mut done = 0;
+    while let Some(&root) = found.get(done).filter(|_| done < stage.len) {
+        let itself = newton(&p, &q, root);
+        let size = across.relative(&root);
+        let near = if size < T::from_f64(1e-2) { beside([&p[0], &q[0]], &across, root) } else { [None; 2] };
         // Two candidates for two roots that are closer than the quartic tells apart: one each.
-        let close = T::from_f64(1e-3);
-        let twin = (i + 1..stage.len).find(|j| found.get(*j).is_some_and(|other| apart(other, &root) < close));
-        let (mine, others) = match twin {
-            Some(_) => (first, second),
-            None if apart(&second, &root) < apart(&first, &root) => (second, first),
-            None => (first, second),
+        let close = |other: &[Turn<T>; 2]| apart(other, &root) < T::from_f64(1e-3);
+        let twin = found.iter().take(stage.len).skip(done + 1).position(close);
+        if let Some(twin) = twin {
+            found.swap(done + 1, done + 1 + twin);
+        }
+        let pair = if let ([Some(first), Some(second)], Some(_)) = (near, twin) {
+            [Some(first), Some(second)]
+        } else {
+            let nearest = near
+                .into_iter()
+                .flatten()
+                .min_by(|a, b| apart(a, &root).partial_cmp(&apart(b, &root)).unwrap_or(core::cmp::Ordering::Equal));
+            let close = size * T::from_f64(0.25) + T::COINCIDENT;
+            let poor = across.gap([&p[0], &q[0]], &itself) > T::VANISHING;
+            [nearest.filter(|found| poor || apart(found, &root) < close).or(Some(itself)), None]
         };
-        for (place, value) in [(Some(i), mine), (twin, others)] {
-            if let Some(place) = place
-                && let (Some(slot), Some(mark)) = (stage.roots.get_mut(place), taken.get_mut(place))
-            {
+        for value in pair.into_iter().flatten() {
+            if let Some(slot) = stage.roots.get_mut(done) {
                 *slot = value;
-                *mark = true;
             }
+            done += 1;
         }
     }
     finished(stage, homes, measure, [&p, &q])
