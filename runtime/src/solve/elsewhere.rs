@@ -91,7 +91,7 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
         }
         let known = || {
             let mut listed = self.solutions.iter();
-            listed.any(|s| s.branch == branch && s.free == trail.free.intersection(JointMask::first(N)))
+            listed.any(|s| s.branch == branch && s.free == trail.free)
         };
         !trail.missed && !trail.free.intersection(free).is_empty() && (open || !known())
     }

@@ -39,9 +39,10 @@ pub fn pair_turning<T: Tolerances>(
     while let Some(&root) = found.get(done).filter(|_| done < stage.len) {
         let itself = newton(&p, &q, root);
         let size = across.relative(&root);
-        let near = if size < T::from_f64(1e-2) { beside([&p[0], &q[0]], &across, root) } else { [None; 2] };
-        // Two candidates for two roots that are closer than the quartic tells apart: one each.
-        let close = |other: &[Turn<T>; 2]| apart(other, &root) < T::from_f64(1e-3);
+        let near = if size < T::DOUBTFUL { beside([&p[0], &q[0]], &across, root) } else { [None; 2] };
+        // Two candidates for two roots that are closer than the quartic tells apart, which is the fourth root of
+        // rounding at worst: one each.
+        let close = |other: &[Turn<T>; 2]| apart(other, &root) < T::COINCIDENT.sqrt();
         let twin = found.iter().take(stage.len).skip(done + 1).position(close);
         if let Some(twin) = twin {
             found.swap(done + 1, done + 1 + twin);
@@ -53,7 +54,8 @@ pub fn pair_turning<T: Tolerances>(
                 .into_iter()
                 .flatten()
                 .min_by(|a, b| apart(a, &root).partial_cmp(&apart(b, &root)).unwrap_or(core::cmp::Ordering::Equal));
-            let close = size * T::from_f64(0.25) + T::COINCIDENT;
+            // One that is farther away belongs to another candidate, unless this one is no root itself.
+            let close = size * T::HALF * T::HALF + T::COINCIDENT;
             let poor = across.gap([&p[0], &q[0]], &itself) > T::VANISHING;
             [nearest.filter(|found| poor || apart(found, &root) < close).or(Some(itself)), None]
         };
@@ -165,7 +167,7 @@ fn eliminated<T: Tolerances>(home: Home<T>, p: &[Row<T>; 2], det: T, q: &[Row<T>
         let (u1, u2) = (at(&w1, z), at(&w2, z));
         if u1 == T::ZERO && u2 == T::ZERO { Turn::ZERO } else { Turn::towards(u2 * sign, u1 * sign) }
     };
-    // What the coefficients are sums of, and so their rounding.
+    // With coefficients of no more than rounding, or without any of z in the rows, every angle is as good.
     let size = gram(0, 0) + gram(1, 1) + gram(2, 2) + det * det;
     if circle.largest() <= T::EPSILON * T::from_f64(8.0) * size || amplitude(q) < T::VANISHING {
         let z = Turn::at(crate::math::wrap(home.value));
@@ -178,4 +180,94 @@ fn eliminated<T: Tolerances>(home: Home<T>, p: &[Row<T>; 2], det: T, q: &[Row<T>
         [other(&z), z]
     });
     Stage { len, ..Stage::solved(roots, Measure::DIRECTION) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::JointMask;
+    use std::vec::Vec;
+
+    const LENGTH: Measure<f64> = Measure::length(1.0);
+
+    fn homes() -> [Home<f64>; 2] {
+        [0, 1].map(|joint| Home { value: 0.0, joint: JointMask::single(joint) })
+    }
+
+    /// Three parallel axes seen from a joint y between x and z, all at right angles: rows of the distance along their
+    /// direction and of its component along y, and the components across y, for a target that `(x, y, z)` reaches.
+    fn three_parallel([x, y, z]: [f64; 3]) -> ([Row<f64>; 2], [Row<f64>; 2], Across<f64>) {
+        let (u, v, w) = (y.cos() * x.sin(), x.cos(), -y.sin() * x.sin());
+        let (r1, r2) = (u * z.cos() + v * z.sin(), v * z.cos() - u * z.sin());
+        let (a, b) = (0.2 * r1 - 0.15 * r2, -(0.15 * r1 + 0.2 * r2));
+        let distance = -0.1 * x.sin() - a * z.cos() - b * z.sin();
+        let p = [[0.0, -0.1, 0.0], [-1.0, 0.0, 0.0]];
+        let q = [[a, b, distance], [-r2, -r1, 0.0]];
+        (p, q, Across { x: [[0.0, 1.0, 0.0], [0.0; 3]], z: [[r1, -r2, 0.0], [0.0, 0.0, w]] })
+    }
+
+    fn roots(stage: &Stage<f64, 2, 4>) -> Vec<[f64; 2]> {
+        stage.roots.iter().take(stage.len).map(|root| root.map(|turn| turn.value)).collect()
+    }
+
+    fn distance([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
+        crate::math::wrap(a - c).abs().max(crate::math::wrap(b - d).abs())
+    }
+
+    #[test]
+    fn what_made_the_rows_comes_back() {
+        for k in 0..500 {
+            let [x, y, z] = [2.399, 1.117, 4.441].map(|step| (f64::from(k) * step).sin() * 3.1);
+            let (p, q, across) = three_parallel([x, y, z]);
+            for stage in [pair(homes(), LENGTH, p, q), pair_turning(homes(), LENGTH, p, q, across)] {
+                let nearest = roots(&stage).into_iter().map(|root| distance(root, [x, z])).fold(9.0, f64::min);
+                assert!(nearest < 1e-10, "{x} {y} {z}: {nearest:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn two_roots_beside_a_vanishing_vector_are_both_accurate() {
+        for digits in 3..=12 {
+            for (sign, middle) in [(1.0, 0.0), (-1.0, 0.0), (1.0, core::f64::consts::PI), (-1.0, core::f64::consts::PI)]
+            {
+                let [x, y, z] = [middle + sign * 10.0_f64.powi(-digits), 0.7, -1.2];
+                let (p, q, across) = three_parallel([x, y, z]);
+                let found = roots(&pair_turning(homes(), LENGTH, p, q, across));
+                assert!(found.iter().any(|root| distance(*root, [x, z]) < 1e-13), "{x} {z}: {found:?}");
+                // The twin is as far on the other side of where the vector vanishes.
+                let beside = |root: &[f64; 2]| distance(*root, [x, z]) > 1e-13 && distance(*root, [x, z]) < 1e-2;
+                assert!(found.iter().any(beside), "{x} {z}: {found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_joint_that_moves_nothing_is_free() {
+        // cos x = 0, sin x = 1, whatever z is.
+        let p = [[0.0, 0.3, -0.3], [1.0, 0.0, 0.0]];
+        let stage = pair(homes(), LENGTH, p, [[0.0; 3]; 2]);
+        assert_eq!(stage.free, JointMask::single(1));
+        assert_eq!(roots(&stage), [[core::f64::consts::FRAC_PI_2, 0.0]]);
+        let stage = pair(homes(), LENGTH, [[0.0; 3]; 2], p);
+        assert_eq!(stage.free, JointMask::single(0));
+    }
+
+    #[test]
+    fn joints_that_move_together_leave_one_free() {
+        // (cos x, sin x) = (cos z, sin z)
+        let rows = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let [_, home_z] = homes();
+        let away = Home { value: 0.4, ..home_z };
+        let stage = pair([homes()[0], away], LENGTH, rows, rows);
+        assert_eq!(stage.free, JointMask::single(1));
+        assert!(distance(roots(&stage)[0], [0.4, 0.4]) < 1e-15);
+    }
+
+    #[test]
+    fn a_joint_that_moves_little_is_weak() {
+        let p = [[0.0, 0.3, -0.3], [1.0, 0.0, 0.0]];
+        let q = [[1e-9, 0.0, 0.0], [0.0, 1e-9, 0.0]];
+        assert_eq!(pair(homes(), LENGTH, p, q).weak, JointMask::single(1));
+    }
 }
