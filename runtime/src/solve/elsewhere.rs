@@ -93,7 +93,7 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
             let mut listed = self.solutions.iter();
             listed.any(|s| s.branch == branch && s.free == trail.free)
         };
-        !trail.missed && !trail.free.intersection(free).is_empty() && (open || !known())
+        !trail.missed && trail.free.iter().any(|joint| free.contains(joint)) && (open || !known())
     }
 
     /// Strikes out the branches that have been met, and goes on to the next place. False if there is nothing left to do.
