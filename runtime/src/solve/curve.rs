@@ -102,11 +102,23 @@ pub(super) fn beside<T: Tolerances>(row: [&Row<T>; 2], across: &Across<T>, place
     let Some(start) = Ahead::new(row, across, place) else { return [None; 2] };
     let square = |[dx, dz]: &[T; 2]| *dx * *dx + *dz * *dz;
     start.steps.map(|first| {
-        let (mut place, mut step) = (start.place, first);
-        for _ in 0..5 {
+        let (mut place, mut step) = (start.place, first?);
+        for _ in 0..16 {
+            if square(&step) < T::EPSILON * T::EPSILON {
+                break;
+            }
             let ahead = Ahead::new(row, across, moved(&place, step))?;
             let [low, high] = ahead.steps;
-            step = if square(&low) < square(&high) { low } else { high };
+            step = match (low, high) {
+                (Some(low), Some(high)) => {
+                    if square(&low) < square(&high) {
+                        low
+                    } else {
+                        high
+                    }
+                }
+                (low, high) => low.or(high)?,
+            };
             place = ahead.place;
         }
         // Far below what tells two solutions apart.
@@ -115,10 +127,11 @@ pub(super) fn beside<T: Tolerances>(row: [&Row<T>; 2], across: &Across<T>, place
     })
 }
 
-/// A place on the curve of a row, and the steps along it to where the lengths across are equal.
+/// A place on the curve of a row, and the steps along it to where the lengths across are equal; none where that is too
+/// far to say.
 struct Ahead<T> {
     place: Place<T>,
-    steps: [[T; 2]; 2],
+    steps: [Option<[T; 2]>; 2],
 }
 
 impl<T: Tolerances> Ahead<T> {
@@ -151,9 +164,9 @@ impl<T: Tolerances> Ahead<T> {
         let root = (half * half - a * c).max(T::ZERO).sqrt();
         let larger = if half < T::ZERO { root - half } else { -half - root };
         let step = |n: T, d: T| {
-            let s = if d == T::ZERO { T::ZERO } else { n / d };
-            let s = if s.abs() < T::HALF { s } else { T::ZERO };
-            [s * tx, s * tz]
+            // Without any difference, here is as good as anywhere.
+            let s = if n == T::ZERO { T::ZERO } else { n / d };
+            (s.abs() < T::HALF).then_some([s * tx, s * tz])
         };
         Some(Self { place, steps: [step(larger, a), step(c, larger)] })
     }
