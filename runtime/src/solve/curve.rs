@@ -71,8 +71,10 @@ pub(super) fn newton<T: Tolerances>(p: &[Row<T>; 2], q: &[Row<T>; 2], root: Plac
     let square = |[u, v]: [T; 2]| u * u + v * v;
     let mut best = root;
     let mut size = square(miss(&best));
+    // The rounding of the rows, which are of unit length.
+    let floor = T::EPSILON * T::from_f64(8.0);
     for _ in 0..4 {
-        if !(size > T::EPSILON * T::EPSILON) {
+        if !(size > floor * floor) {
             break;
         }
         let [x, z] = &best;

@@ -114,6 +114,12 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
         (self.elsewhere.open, self.elsewhere.len) = (left, len);
         self.elsewhere.settled = self.solutions.len();
         self.elsewhere.pass += 1;
+        for (joint, home) in self.facts.homes(self.near).into_iter().enumerate() {
+            let away = self.away(joint, home);
+            if let Some(slot) = self.homes.get_mut(joint) {
+                *slot = away;
+            }
+        }
         len != 0 && pass < PLACES
     }
 }

@@ -38,6 +38,23 @@ impl<T: Tolerances, const N: usize> Facts<T, N> {
         self.tolerance.position = position;
         (reach < T::LARGEST_REACH && reach > T::SMALLEST_REACH).then_some(self)
     }
+
+    /// Where each joint stays if it is free: its reference value; without one 0, or the limit nearest to 0.
+    #[inline]
+    pub(super) fn homes(&self, near: Option<&[T; N]>) -> [T; N] {
+        match near {
+            Some(near) => *near,
+            None => self.limits.map(|[low, high]| {
+                if low > T::ZERO {
+                    low
+                } else if high < T::ZERO {
+                    high
+                } else {
+                    T::ZERO
+                }
+            }),
+        }
+    }
 }
 
 /// One run of the inverse kinematics.
@@ -48,7 +65,7 @@ pub struct Search<'a, T, G, const N: usize, const M: usize> {
     pub(super) near: Option<&'a [T; N]>,
     pub(super) solutions: &'a mut Solutions<T, N, M>,
     /// Where each joint stays if it is free.
-    homes: [T; N],
+    pub(super) homes: [T; N],
     /// Branches that have to be followed again with a free joint elsewhere.
     pub(super) elsewhere: Elsewhere<M>,
     /// Bit i: solution i is to be checked in full.
@@ -81,18 +98,7 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
             solutions.set_status(Status::BadTarget);
             return None;
         }
-        let homes = match near {
-            Some(near) => *near,
-            None => facts.limits.map(|[low, high]| {
-                if low > T::ZERO {
-                    low
-                } else if high < T::ZERO {
-                    high
-                } else {
-                    T::ZERO
-                }
-            }),
-        };
+        let homes = facts.homes(near);
         let loose = [JointMask::NONE; M];
         let (elsewhere, combined) = (Elsewhere::START, &[]);
         let (doubtful, least_gap) = (0, None);
@@ -118,18 +124,13 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
     #[inline]
     pub fn home(&self, joint: usize) -> Home<T> {
         let value = self.homes.get(joint).copied().unwrap_or(T::ZERO);
-        self.stay(joint, value)
+        Home { value, joint: JointMask::single(joint) }
     }
 
     /// The same for a virtual joint: 0. The joint named is one of the arm's that moves with it.
     #[inline]
     pub fn virtual_home(&self, joint: usize) -> Home<T> {
-        self.stay(joint, T::ZERO)
-    }
-
-    #[inline]
-    fn stay(&self, joint: usize, value: T) -> Home<T> {
-        let value = if self.elsewhere.wanted() { self.away(joint, value) } else { value };
+        let value = if self.elsewhere.wanted() { self.away(joint, T::ZERO) } else { T::ZERO };
         Home { value, joint: JointMask::single(joint) }
     }
 

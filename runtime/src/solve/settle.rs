@@ -1,7 +1,7 @@
 //! The end of a search: doubtful solutions are checked in full, coinciding ones merged, and with a reference the
 //! joints are unwound next to it.
 
-use super::refine::{Evaluate, refine, relative};
+use super::refine::{Evaluate, NOISE, refine, relative};
 use super::{Goal, Search, Tolerances};
 use crate::math::wrap;
 use crate::{Flags, JointMask, Residual, Solution};
@@ -77,7 +77,7 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
             {
                 (checked.q, residual) = (q, closed);
             }
-        } else {
+        } else if relative(facts, &residual) > T::from_f64(NOISE) * T::EPSILON {
             // It closes, but near a singularity what is left of the residual still moves the joints.
             let (q, refined) = refine(facts, goal, &solution.q, evaluate, FREE_STEPS);
             if relative(facts, &refined) < relative(facts, &residual) {
