@@ -101,7 +101,7 @@ impl<'a> Calls<'a> {
                     return quote!(#krate::solve::pair([#home, #second], #measure, [#(#p),*], [#(#q),*]));
                 };
                 let (x, z) = (x.iter().map(row), z.iter().map(row));
-                let across = quote!(#krate::solve::Across { x: [#(#x),*], z: [#(#z),*] });
+                let across = quote!([#(#x,)* #(#z),*]);
                 quote!(#krate::solve::pair_turning([#home, #second], #measure, [#(#p),*], [#(#q),*], #across))
             }
             Kernel::PairSliding { line, scale, square, q } => {

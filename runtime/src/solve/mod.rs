@@ -46,7 +46,6 @@ mod wrist;
 pub use aim::{Sight, aim};
 pub use align::align;
 pub use cone::{Cone, cone};
-pub use curve::Across;
 pub use distance::{Elbow, distance};
 pub use goal::{Goal, InPlane, Locked, Pointing};
 pub use offset::offset;

@@ -21,7 +21,7 @@ pub fn pair<T: Tolerances>(homes: [Home<T>; 2], measure: Measure<T>, p: [Row<T>;
 }
 
 /// The same where a joint between the two turns one vector onto another, which both joints move: `across` has its
-/// components across that joint's axis. Of the rows, the second says that the vectors have the same length.
+/// components across that joint's axis, two rows as x moves it and two as z does. Of the rows, the second says that the vectors have the same length.
 ///
 /// Where the vectors themselves vanish, two roots meet and the second row knows them to the root of rounding only. There
 /// they are found from the lengths across, which are accurate, along the curve that the first row describes.
@@ -30,8 +30,9 @@ pub fn pair_turning<T: Tolerances>(
     measure: Measure<T>,
     p: [Row<T>; 2],
     q: [Row<T>; 2],
-    across: Across<T>,
+    [x1, x2, z1, z2]: [Row<T>; 4],
 ) -> Stage<T, 2, 4> {
+    let across = Across { x: [x1, x2], z: [z1, z2] };
     let (p, q) = normalized(p, q);
     let mut stage = candidates(homes, &p, &q);
     let mut found = stage.roots;
@@ -196,14 +197,14 @@ mod tests {
 
     /// Three parallel axes seen from a joint y between x and z, all at right angles: rows of the distance along their
     /// direction and of its component along y, and the components across y, for a target that `(x, y, z)` reaches.
-    fn three_parallel([x, y, z]: [f64; 3]) -> ([Row<f64>; 2], [Row<f64>; 2], Across<f64>) {
+    fn three_parallel([x, y, z]: [f64; 3]) -> ([Row<f64>; 2], [Row<f64>; 2], [Row<f64>; 4]) {
         let (u, v, w) = (y.cos() * x.sin(), x.cos(), -y.sin() * x.sin());
         let (r1, r2) = (u * z.cos() + v * z.sin(), v * z.cos() - u * z.sin());
         let (a, b) = (0.2 * r1 - 0.15 * r2, -(0.15 * r1 + 0.2 * r2));
         let distance = -0.1 * x.sin() - a * z.cos() - b * z.sin();
         let p = [[0.0, -0.1, 0.0], [-1.0, 0.0, 0.0]];
         let q = [[a, b, distance], [-r2, -r1, 0.0]];
-        (p, q, Across { x: [[0.0, 1.0, 0.0], [0.0; 3]], z: [[r1, -r2, 0.0], [0.0, 0.0, w]] })
+        (p, q, [[0.0, 1.0, 0.0], [0.0; 3], [r1, -r2, 0.0], [0.0, 0.0, w]])
     }
 
     fn roots(stage: &Stage<f64, 2, 4>) -> Vec<[f64; 2]> {
