@@ -112,12 +112,16 @@ pub(super) fn function(
             else {
                 return solutions;
             };
-            let start = search.start() #unproven;
             #unpack
             #given_symbols
-            #body
-            search.finish(|q| #type_name::forward_and_jacobian(arm, q));
-            solutions
+            // Once; again with a free joint elsewhere, if a later stage cannot be met with it at home.
+            loop {
+                let start = search.start() #unproven;
+                #body
+                if search.complete(|q| #type_name::forward_and_jacobian(arm, q)) {
+                    return solutions;
+                }
+            }
         }
     }
 }

@@ -94,10 +94,15 @@ impl<'a> Calls<'a> {
                 let (first, second) = (sights.next(), sights.next());
                 quote!(#krate::solve::aim(#home, #first, #second))
             }
-            Kernel::Pair { p, q } => {
+            Kernel::Pair { p, q, across } => {
                 let (p, q) = (p.iter().map(row), q.iter().map(row));
                 let second = self.home_of(stage, 1);
-                quote!(#krate::solve::pair([#home, #second], #measure, [#(#p),*], [#(#q),*]))
+                let Some([x, z]) = across else {
+                    return quote!(#krate::solve::pair([#home, #second], #measure, [#(#p),*], [#(#q),*]));
+                };
+                let (x, z) = (x.iter().map(row), z.iter().map(row));
+                let across = quote!([#(#x,)* #(#z),*]);
+                quote!(#krate::solve::pair_turning([#home, #second], #measure, [#(#p),*], [#(#q),*], #across))
             }
             Kernel::PairSliding { line, scale, square, q } => {
                 let (line, q) = (row(line), row(q));

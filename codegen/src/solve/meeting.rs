@@ -193,7 +193,9 @@ fn together(c: &mut Closure, a: &Side, b: &Side, ny: &str) -> Result<(), Refusal
     let meaning = format!("Joints {n} and {m} together: equal components along axis {ny}, equal distances from it.");
     if a.turns && b.turns {
         let (square_a, square_b) = (square(c, a), square(c, b));
-        let kernel = Kernel::Pair { p: [rows_a.array(), square_a.array()], q: [rows_b.array(), square_b.array()] };
+        let across = across_rows(c, [a, b]);
+        let (p, q) = ([rows_a.array(), square_a.array()], [rows_b.array(), square_b.array()]);
+        let kernel = Kernel::Pair { p, q, across: Some(across) };
         let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
         c.stage(&joints, a.joint, Unit::Length, Branching::Root, meaning, kernel);
         return Ok(());
@@ -253,6 +255,24 @@ fn together(c: &mut Closure, a: &Side, b: &Side, ny: &str) -> Result<(), Refusal
     Ok(())
 }
 
+/// The two directions across y's axis, as the frames of joint x and of joint z see them.
+fn across(c: &Closure) -> [[Vec3; 2]; 2] {
+    let [_, _, _, x, y, _] = c.order;
+    [c.link(x).forward, c.link(y).back].map(|link| [link.axis(0), link.axis(1)])
+}
+
+/// The components of W across y's axis, from y's axis, as rows of either (turning) side.
+fn across_rows(c: &mut Closure, sides: [&Side; 2]) -> [[[Expr; 3]; 2]; 2] {
+    let mut directions = across(c).into_iter();
+    sides.map(|side| {
+        directions.next().unwrap_or([[Expr::ZERO; 3]; 2]).map(|direction| {
+            let dot = c.g.dot3(direction, side.origin);
+            let k = c.g.neg(dot);
+            side.row(c, direction, k).array()
+        })
+    })
+}
+
 /// `|moved - origin|^2` as a row of the side's (turning) joint.
 fn square(c: &mut Closure, side: &Side) -> Row {
     let (mm, oo) = (c.g.dot3(side.moved, side.moved), c.g.dot3(side.origin, side.origin));
@@ -272,23 +292,13 @@ fn stroke_square(c: &mut Closure, side: &Side) -> [Expr; 2] {
 /// Joint y slides: the components across its axis are equal, and its stroke is the difference along it.
 fn sliding(c: &mut Closure, y: usize, a: Side, b: Side) -> Result<(), Refusal> {
     let w = c.center();
-    let [_, _, _, x, _, _] = c.order;
-    let (link_x, link_y) = (c.link(x), c.link(y));
     let (n, m, ny) = (c.label(a.joint), c.label(b.joint), c.label(y));
-    // The two directions across y's axis, seen by either joint.
-    let across_a = [link_x.forward.axis(0), link_x.forward.axis(1)];
-    let across_b = [link_y.back.axis(0), link_y.back.axis(1)];
+    let [across_a, across_b] = across(c);
     let meaning = format!("Joints {n} and {m} together: {w} has equal components across axis {ny}.");
     if a.turns && b.turns {
-        let row = |c: &mut Closure, side: &Side, direction: Vec3| {
-            let dot = c.g.dot3(direction, side.origin);
-            let k = c.g.neg(dot);
-            side.row(c, direction, k).array()
-        };
-        let p = across_a.map(|direction| row(c, &a, direction));
-        let q = across_b.map(|direction| row(c, &b, direction));
+        let [p, q] = across_rows(c, [&a, &b]);
         let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
-        c.stage(&joints, a.joint, Unit::Length, Branching::Root, meaning, Kernel::Pair { p, q });
+        c.stage(&joints, a.joint, Unit::Length, Branching::Root, meaning, Kernel::Pair { p, q, across: None });
     } else {
         one_slides(c, [&a, &b], [across_a, across_b], &ny);
     }

@@ -159,14 +159,18 @@ fn turning(c: &mut Closure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> R
         let height = heights.next().unwrap_or(Expr::ZERO);
         distance_row(c, &side, height).array()
     });
-    let ([p1, q1], [p2, q2]) = (rows, distances);
+    let ([p2, q2], [p1, q1]) = (rows, distances);
+    let [_, _, _, x, y, _] = c.order;
+    let links = [c.link(x).forward, c.link(y).back];
+    let across = [(a, links[0]), (b, links[1])]
+        .map(|(side, link)| [0, 1].map(|axis| side.row(c, link.axis(axis), Expr::ZERO).array()));
     let meaning = format!(
         "Joints {} and {} together: {H} has equal components along axis {ny}, and equal distances from it.",
         c.label(a.joint),
         c.label(b.joint)
     );
     let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
-    let kernel = Kernel::Pair { p: [p1, p2], q: [q1, q2] };
+    let kernel = Kernel::Pair { p: [p1, p2], q: [q1, q2], across: Some(across) };
     c.stage(&joints, a.joint, Unit::Length, Branching::Root, meaning, kernel);
     aligned(c, y, a, b);
     Ok(())

@@ -328,6 +328,9 @@ pub enum Kernel {
         p: [[Expr; 3]; 2],
         /// Rows of the second.
         q: [[Expr; 3]; 2],
+        /// Where the joint between the two turns: rows of the vector's components across its axis, as the first joint
+        /// moves it and as the second does. The second row of `p` and `q` is then the one that compares lengths.
+        across: Option<[[[Expr; 3]; 2]; 2]>,
     },
     /// `x = line`, `x^2 + m x + n = q`: a sliding and a revolute joint.
     PairSliding {
@@ -375,7 +378,10 @@ impl Kernel {
             Kernel::Slide { rho, across, middle } => vec![*rho, *across, *middle],
             Kernel::SlideTo { denominator, numerator } => vec![*denominator, *numerator],
             Kernel::Aim { moved, frames } => [moved.concat(), frames.concat().concat()].concat(),
-            Kernel::Pair { p, q } => [p.concat(), q.concat()].concat(),
+            Kernel::Pair { p, q, across } => {
+                let across = across.iter().flatten().flatten().flatten().copied().collect();
+                [p.concat(), q.concat(), across].concat()
+            }
             Kernel::PairSliding { line, scale, square, q } => {
                 [line.to_vec(), vec![*scale], square.to_vec(), q.to_vec()].concat()
             }

@@ -11,6 +11,14 @@ pub(super) struct Circle<T> {
     pub k2: [T; 2],
 }
 
+impl<T: Tolerances> Circle<T> {
+    /// The largest coefficient.
+    pub(super) fn largest(&self) -> T {
+        let Circle { k0, k1: [k1c, k1s], k2: [k2c, k2s] } = *self;
+        k0.abs().max(k1c.abs()).max(k1s.abs()).max(k2c.abs()).max(k2s.abs())
+    }
+}
+
 type Complex<T> = [T; 2];
 
 fn times<T: Tolerances>([a, b]: Complex<T>, [c, d]: Complex<T>) -> Complex<T> {
@@ -35,7 +43,7 @@ fn over<T: Tolerances>(a: Complex<T>, [c, d]: Complex<T>) -> Complex<T> {
 pub(super) fn angles<T: Tolerances>(circle: &Circle<T>) -> ([T; 4], usize) {
     let Circle { k0, k1: [k1c, k1s], k2: [k2c, k2s] } = *circle;
     let mut found = ([T::ZERO; 4], 0);
-    let largest = k0.abs().max(k1c.abs()).max(k1s.abs()).max(k2c.abs()).max(k2s.abs());
+    let largest = circle.largest();
     if !(largest > T::ZERO) {
         return found;
     }

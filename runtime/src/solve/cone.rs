@@ -41,7 +41,8 @@ pub fn cone<T: Tolerances>(home: Home<T>, measure: Measure<T>, d: T, rho: T, con
         if end * d > T::ZERO { (rho - across) * (rho + across) / (d + end) } else { end - d }
     };
     let (top, bottom) = (below(max, max_across), -below(min, min_across));
-    let close = measure.rounding();
+    // The rounding of the component itself; roots farther apart are told apart.
+    let close = T::EPSILON * (T::TWO + T::TWO) * measure.scale;
     let met = |end: T, across: T| (end - d).abs() <= close && (rho - across.abs()).abs() <= close;
     if !(top > T::ZERO) || met(max, max_across) {
         return Stage::edge([Turn::ZERO], gap(d, rho, max, max_across), measure);

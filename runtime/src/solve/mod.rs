@@ -15,7 +15,7 @@
 //! | [`flip`], [`wrist`] | an orthogonal pair or triple of axes: two roots half a turn apart |
 //! | [`slide`], [`slide_to`], [`quadratic`] | a sliding joint reaches a given distance |
 //! | [`aim`] | one direction seen over a sliding joint |
-//! | [`pair`], [`pair_sliding`] | two equations in two joints that no other kernel separates (a quartic) |
+//! | [`pair`], [`pair_turning`], [`pair_sliding`] | two equations in two joints that no other kernel separates (a quartic) |
 //!
 //! [`Search`] follows the branches, collects the solutions, and gives every doubtful one (near a singularity or at
 //! the edge of reach) a full check and, if needed, a few damped Newton steps.
@@ -26,13 +26,16 @@ mod aim;
 mod align;
 mod circle;
 mod cone;
+mod curve;
 mod distance;
+mod elsewhere;
 mod goal;
 mod offset;
 mod offset_of_two;
 mod pair;
 mod refine;
 mod search;
+mod separated;
 mod settle;
 mod slide;
 mod stage;
@@ -49,7 +52,7 @@ pub use distance::{Elbow, distance};
 pub use goal::{Goal, InPlane, Locked, Pointing};
 pub use offset::offset;
 pub use offset_of_two::offset_of_two;
-pub use pair::{pair, pair_sliding};
+pub use pair::{pair, pair_sliding, pair_turning};
 pub use search::{Facts, Search};
 pub use slide::{quadratic, slide, slide_to};
 pub use stage::{Measure, Stage, Trail};

@@ -15,7 +15,8 @@ pub fn offset<T: Tolerances>(home: Home<T>, measure: Measure<T>, a: T, b: T, d: 
         return Stage::free([Turn::ZERO], home, d.abs(), measure);
     }
     let h2 = (r - d) * (r + d);
-    if !(h2 > T::ROUNDING * r2) {
+    // The rounding of h2 itself; roots farther apart are told apart.
+    if !(h2 > T::EPSILON * (T::TWO + T::TWO) * r2) {
         let side = if d < T::ZERO { -T::ONE / r } else { T::ONE / r };
         return Stage::edge([Turn::of(b * side, a * side)], (d.abs() - r).max(T::ZERO), measure);
     }

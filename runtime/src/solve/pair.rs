@@ -1,36 +1,73 @@
 //! Two equations in two joints that do not separate.
 
 use super::circle::{Circle, angles};
-use super::{Home, Measure, Stage, Tolerances, Turn, offset};
-use crate::JointMask;
-
-type Row<T> = [T; 3];
+use super::curve::{Across, Row, at, beside, newton};
+use super::separated::{combined, separated};
+use super::{Home, Measure, Stage, Tolerances, Turn};
 
 /// Solves the two rows `p (cos x, sin x, 1) = q (cos z, sin z, 1)` for `(x, z)`: one side is eliminated, which leaves
-/// a trigonometric polynomial of degree two (a quartic), at most four pairs. Where the rows lose rank (a point on a
-/// joint axis) they are combined so that one joint drops out, and solved one after the other.
+/// a trigonometric polynomial of degree two (a quartic), at most four pairs, each polished by Newton's method on the
+/// rows themselves. Where the rows lose rank (a point on a joint axis) they are combined so that one joint drops out,
+/// and solved one after the other. Where the polynomial vanishes for every angle, that joint is free.
 ///
 /// Every root is marked for a full check: near a double root a candidate may turn out not to be a solution.
-pub fn pair<T: Tolerances>(
-    [home_x, home_z]: [Home<T>; 2],
+pub fn pair<T: Tolerances>(homes: [Home<T>; 2], measure: Measure<T>, p: [Row<T>; 2], q: [Row<T>; 2]) -> Stage<T, 2, 4> {
+    let (p, q) = normalized(p, q);
+    let mut stage = candidates(homes, &p, &q);
+    for root in stage.roots.iter_mut().take(stage.len) {
+        *root = newton(&p, &q, *root);
+    }
+    finished(stage, homes, measure, [&p, &q])
+}
+
+/// The same where a joint between the two turns one vector onto another, which both joints move: `across` has its
+/// components across that joint's axis, two rows as x moves it and two as z does. Of the rows, the second says that the vectors have the same length.
+///
+/// Where the vectors themselves vanish, two roots meet and the second row knows them to the root of rounding only. There
+/// they are found from the lengths across, which are accurate, along the curve that the first row describes.
+pub fn pair_turning<T: Tolerances>(
+    homes: [Home<T>; 2],
     measure: Measure<T>,
     p: [Row<T>; 2],
     q: [Row<T>; 2],
+    [x1, x2, z1, z2]: [Row<T>; 4],
 ) -> Stage<T, 2, 4> {
-    let ((p1, q1), (p2, q2)) = (normalized(p[0], q[0]), normalized(p[1], q[1]));
-    let (p, q) = ([p1, p2], [q1, q2]);
-    let (det_p, det_q) = (determinant(&p), determinant(&q));
-    let mut stage = if det_p.abs().max(det_q.abs()) < T::COINCIDENT {
-        separated([home_x, home_z], &p, &q)
-    } else if det_p.abs() >= det_q.abs() {
-        eliminated(&p, det_p, &q)
-    } else {
-        swapped(eliminated(&q, det_q, &p))
-    };
-    stage.angular = Stage::<T, 2, 4>::solved(stage.roots, measure).angular;
-    stage.gap = T::ZERO;
-    stage.doubt = true;
-    stage
+    let across = Across { x: [x1, x2], z: [z1, z2] };
+    let (p, q) = normalized(p, q);
+    let mut stage = candidates(homes, &p, &q);
+    let mut found = stage.roots;
+    let mut done = 0;
+    while let Some(&root) = found.get(done).filter(|_| done < stage.len) {
+        let itself = newton(&p, &q, root);
+        let size = across.relative(&root);
+        let near = if size < T::DOUBTFUL { beside([&p[0], &q[0]], &across, root) } else { [None; 2] };
+        // Two candidates for two roots that are closer than the quartic tells apart, which is the fourth root of
+        // rounding at worst: one each.
+        let close = |other: &[Turn<T>; 2]| apart(other, &root) < T::COINCIDENT.sqrt();
+        let twin = found.iter().take(stage.len).skip(done + 1).position(close);
+        if let Some(twin) = twin {
+            found.swap(done + 1, done + 1 + twin);
+        }
+        let pair = if let ([Some(first), Some(second)], Some(_)) = (near, twin) {
+            [Some(first), Some(second)]
+        } else {
+            let nearest = near
+                .into_iter()
+                .flatten()
+                .min_by(|a, b| apart(a, &root).partial_cmp(&apart(b, &root)).unwrap_or(core::cmp::Ordering::Equal));
+            // One that is farther away belongs to another candidate, unless this one is no root itself.
+            let close = size * T::HALF * T::HALF + T::COINCIDENT;
+            let poor = across.gap([&p[0], &q[0]], &itself) > T::VANISHING;
+            [nearest.filter(|found| poor || apart(found, &root) < close).or(Some(itself)), None]
+        };
+        for value in pair.into_iter().flatten() {
+            if let Some(slot) = stage.roots.get_mut(done) {
+                *slot = value;
+            }
+            done += 1;
+        }
+    }
+    finished(stage, homes, measure, [&p, &q])
 }
 
 /// Solves `scale x = line (cos z, sin z, 1)` and `x^2 + m x + n = q (cos z, sin z, 1)` for `(x, z)`, `x` sliding;
@@ -56,32 +93,67 @@ pub fn pair_sliding<T: Tolerances>(
     Stage { len, doubt: true, ..Stage::solved(roots, measure) }
 }
 
-fn normalized<T: Tolerances>(p: Row<T>, q: Row<T>) -> (Row<T>, Row<T>) {
-    let size = p.iter().chain(&q).fold(T::ZERO, |sum, k| sum + *k * *k).sqrt();
-    if !(size > T::ZERO) {
-        return (p, q);
+/// The larger of the distances in x and z.
+fn apart<T: Tolerances>([x, z]: &[Turn<T>; 2], [u, w]: &[Turn<T>; 2]) -> T {
+    crate::math::wrap(x.value - u.value).abs().max(crate::math::wrap(z.value - w.value).abs())
+}
+
+/// How far a joint moves its rows.
+fn amplitude<T: Tolerances>(rows: &[Row<T>; 2]) -> T {
+    rows.iter().fold(T::ZERO, |sum, [a, b, _]| sum + *a * *a + *b * *b).sqrt()
+}
+
+fn finished<T: Tolerances>(
+    mut stage: Stage<T, 2, 4>,
+    homes: [Home<T>; 2],
+    measure: Measure<T>,
+    sides: [&[Row<T>; 2]; 2],
+) -> Stage<T, 2, 4> {
+    for (home, rows) in homes.iter().zip(sides) {
+        let amplitude = amplitude(rows);
+        stage.amplitude = stage.amplitude.min(amplitude);
+        if amplitude < T::WEAK {
+            stage.weak |= home.joint;
+        }
     }
-    (p.map(|k| k / size), q.map(|k| k / size))
+    stage.angular = Stage::<T, 2, 4>::solved(stage.roots, measure).angular;
+    stage.gap = T::ZERO;
+    stage.doubt = true;
+    stage
+}
+
+/// Both rows scaled to unit length.
+fn normalized<T: Tolerances>([p1, p2]: [Row<T>; 2], [q1, q2]: [Row<T>; 2]) -> ([Row<T>; 2], [Row<T>; 2]) {
+    let unit = |p: Row<T>, q: Row<T>| {
+        let size = p.iter().chain(&q).fold(T::ZERO, |sum, k| sum + *k * *k).sqrt();
+        let k = if size > T::ZERO { T::ONE / size } else { T::ONE };
+        (p.map(|e| e * k), q.map(|e| e * k))
+    };
+    let ((p1, q1), (p2, q2)) = (unit(p1, q1), unit(p2, q2));
+    ([p1, p2], [q1, q2])
+}
+
+/// The roots as the quartic (or what takes its place) gives them.
+fn candidates<T: Tolerances>([home_x, home_z]: [Home<T>; 2], p: &[Row<T>; 2], q: &[Row<T>; 2]) -> Stage<T, 2, 4> {
+    let (det_p, det_q) = (determinant(p), determinant(q));
+    if det_p.abs().max(det_q.abs()) < T::COINCIDENT {
+        separated([home_x, home_z], p, q)
+    } else if det_p.abs() >= det_q.abs() {
+        eliminated(home_z, p, det_p, q)
+    } else {
+        eliminated(home_x, q, det_q, p).swapped()
+    }
 }
 
 fn determinant<T: Tolerances>([a, b]: &[Row<T>; 2]) -> T {
     a[0] * b[1] - a[1] * b[0]
 }
 
-fn swapped<T: Tolerances>(mut stage: Stage<T, 2, 4>) -> Stage<T, 2, 4> {
-    for [x, z] in &mut stage.roots {
-        core::mem::swap(x, z);
-    }
-    stage
-}
-
 /// Eliminates the side `p`, whose determinant does not vanish: with `u = adj(P) (q - p3)`, `|u| = |det P|`.
-fn eliminated<T: Tolerances>(p: &[Row<T>; 2], det: T, q: &[Row<T>; 2]) -> Stage<T, 2, 4> {
+fn eliminated<T: Tolerances>(home: Home<T>, p: &[Row<T>; 2], det: T, q: &[Row<T>; 2]) -> Stage<T, 2, 4> {
     let [[a, b, e], [c, d, f]] = *p;
-    let [[q11, q12, q13], [q21, q22, q23]] = *q;
-    let (q13, q23) = (q13 - e, q23 - f);
-    let w1 = [d * q11 - b * q21, d * q12 - b * q22, d * q13 - b * q23];
-    let w2 = [a * q21 - c * q11, a * q22 - c * q12, a * q23 - c * q13];
+    let shifted = [[q[0][0], q[0][1], q[0][2] - e], [q[1][0], q[1][1], q[1][2] - f]];
+    let (w1, w2) = (combined([d, -b], &shifted), combined([-c, a], &shifted));
     let gram = |i: usize, j: usize| {
         let at = |w: &Row<T>, k: usize| w.get(k).copied().unwrap_or(T::ZERO);
         at(&w1, i) * at(&w1, j) + at(&w2, i) * at(&w2, j)
@@ -91,75 +163,112 @@ fn eliminated<T: Tolerances>(p: &[Row<T>; 2], det: T, q: &[Row<T>; 2]) -> Stage<
         k1: [T::TWO * gram(0, 2), T::TWO * gram(1, 2)],
         k2: [(gram(0, 0) - gram(1, 1)) * T::HALF, gram(0, 1)],
     };
-    let (roots, len) = angles(&circle);
     let sign = if det < T::ZERO { -T::ONE } else { T::ONE };
+    let other = |z: &Turn<T>| {
+        let (u1, u2) = (at(&w1, z), at(&w2, z));
+        if u1 == T::ZERO && u2 == T::ZERO { Turn::ZERO } else { Turn::towards(u2 * sign, u1 * sign) }
+    };
+    // With coefficients of no more than rounding, or without any of z in the rows, every angle is as good.
+    let size = gram(0, 0) + gram(1, 1) + gram(2, 2) + det * det;
+    if circle.largest() <= T::EPSILON * T::from_f64(8.0) * size || amplitude(q) < T::VANISHING {
+        let z = Turn::at(crate::math::wrap(home.value));
+        let stage = Stage::<T, 2, 4>::solved([[other(&z), z]; 4], Measure::DIRECTION);
+        return Stage { len: 1, free: home.joint, ..stage };
+    }
+    let (roots, len) = angles(&circle);
     let roots = roots.map(|angle| {
         let z = Turn::at(angle);
-        let u1 = w1[0] * z.cos + w1[1] * z.sin + w1[2];
-        let u2 = w2[0] * z.cos + w2[1] * z.sin + w2[2];
-        let x = if u1 == T::ZERO && u2 == T::ZERO { Turn::ZERO } else { Turn::towards(u2 * sign, u1 * sign) };
-        [x, z]
+        [other(&z), z]
     });
     Stage { len, ..Stage::solved(roots, Measure::DIRECTION) }
 }
 
-/// Rows of lost rank: the combination without `x` gives `z`, the other one `x`; or the other way round.
-fn separated<T: Tolerances>([home_x, home_z]: [Home<T>; 2], p: &[Row<T>; 2], q: &[Row<T>; 2]) -> Stage<T, 2, 4> {
-    let (n, m) = (null_row(p, q), null_row(q, p));
-    let amplitude = |n: [T; 2], rows: &[Row<T>; 2]| {
-        let [a, b, _] = combined(n, rows);
-        a * a + b * b
-    };
-    if amplitude(n, q) >= amplitude(m, p) {
-        in_turn([home_x, home_z], n, p, q)
-    } else {
-        swapped(in_turn([home_z, home_x], m, q, p))
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::JointMask;
+    use std::vec::Vec;
+
+    const LENGTH: Measure<f64> = Measure::length(1.0);
+
+    fn homes() -> [Home<f64>; 2] {
+        [0, 1].map(|joint| Home { value: 0.0, joint: JointMask::single(joint) })
     }
-}
 
-/// A unit combination of the rows in which `x` drops out as far as it can; if it never appears, the combination with
-/// the most of `z`.
-fn null_row<T: Tolerances>([a, b]: &[Row<T>; 2], [c, d]: &[Row<T>; 2]) -> [T; 2] {
-    let size = |v: [T; 2]| v[0] * v[0] + v[1] * v[1];
-    let larger = |u: [T; 2], v: [T; 2]| if size(u) >= size(v) { u } else { v };
-    let column = larger([a[0], b[0]], [a[1], b[1]]);
-    let combination = if size(column) > T::VANISHING * T::VANISHING {
-        [-column[1], column[0]]
-    } else {
-        larger([c[0], d[0]], [c[1], d[1]])
-    };
-    let length = size(combination).sqrt();
-    if length > T::ZERO { [combination[0] / length, combination[1] / length] } else { [T::ONE, T::ZERO] }
-}
+    /// Three parallel axes seen from a joint y between x and z, all at right angles: rows of the distance along their
+    /// direction and of its component along y, and the components across y, for a target that `(x, y, z)` reaches.
+    fn three_parallel([x, y, z]: [f64; 3]) -> ([Row<f64>; 2], [Row<f64>; 2], [Row<f64>; 4]) {
+        let (u, v, w) = (y.cos() * x.sin(), x.cos(), -y.sin() * x.sin());
+        let (r1, r2) = (u * z.cos() + v * z.sin(), v * z.cos() - u * z.sin());
+        let (a, b) = (0.2 * r1 - 0.15 * r2, -(0.15 * r1 + 0.2 * r2));
+        let distance = -0.1 * x.sin() - a * z.cos() - b * z.sin();
+        let p = [[0.0, -0.1, 0.0], [-1.0, 0.0, 0.0]];
+        let q = [[a, b, distance], [-r2, -r1, 0.0]];
+        (p, q, [[0.0, 1.0, 0.0], [0.0; 3], [r1, -r2, 0.0], [0.0, 0.0, w]])
+    }
 
-fn combined<T: Tolerances>([n1, n2]: [T; 2], [a, b]: &[Row<T>; 2]) -> Row<T> {
-    [n1 * a[0] + n2 * b[0], n1 * a[1] + n2 * b[1], n1 * a[2] + n2 * b[2]]
-}
+    fn roots(stage: &Stage<f64, 2, 4>) -> Vec<[f64; 2]> {
+        stage.roots.iter().take(stage.len).map(|root| root.map(|turn| turn.value)).collect()
+    }
 
-fn in_turn<T: Tolerances>(
-    [home_x, home_z]: [Home<T>; 2],
-    n: [T; 2],
-    p: &[Row<T>; 2],
-    q: &[Row<T>; 2],
-) -> Stage<T, 2, 4> {
-    let ([.., p0], [qc, qs, q0]) = (combined(n, p), combined(n, q));
-    let across = [-n[1], n[0]];
-    let ([pc, ps, p1], [rc, rs, r0]) = (combined(across, p), combined(across, q));
-    let first = offset(home_z, Measure::DIRECTION, qc, qs, p0 - q0);
-    let mut roots = [[Turn::ZERO; 2]; 4];
-    let mut slots = roots.iter_mut();
-    let (mut len, mut free) = (0, first.free);
-    for [z] in first.roots.iter().take(first.len) {
-        let wanted = rc * z.cos + rs * z.sin + r0 - p1;
-        let second = offset(home_x, Measure::DIRECTION, pc, ps, wanted);
-        let fits = second.free == JointMask::NONE || wanted.abs() <= T::COINCIDENT;
-        for [x] in second.roots.iter().take(if fits { second.len } else { 0 }) {
-            if let Some(slot) = slots.next() {
-                *slot = [*x, *z];
-                len += 1;
-                free |= second.free;
+    fn distance([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
+        crate::math::wrap(a - c).abs().max(crate::math::wrap(b - d).abs())
+    }
+
+    #[test]
+    fn what_made_the_rows_comes_back() {
+        for k in 0..500 {
+            let [x, y, z] = [2.399, 1.117, 4.441].map(|step| (f64::from(k) * step).sin() * 3.1);
+            let (p, q, across) = three_parallel([x, y, z]);
+            for stage in [pair(homes(), LENGTH, p, q), pair_turning(homes(), LENGTH, p, q, across)] {
+                let nearest = roots(&stage).into_iter().map(|root| distance(root, [x, z])).fold(9.0, f64::min);
+                assert!(nearest < 1e-10, "{x} {y} {z}: {nearest:e}");
             }
         }
     }
-    Stage { len, free, ..Stage::solved(roots, Measure::DIRECTION) }
+
+    #[test]
+    fn two_roots_beside_a_vanishing_vector_are_both_accurate() {
+        for digits in 3..=12 {
+            for (sign, middle) in [(1.0, 0.0), (-1.0, 0.0), (1.0, core::f64::consts::PI), (-1.0, core::f64::consts::PI)]
+            {
+                let [x, y, z] = [middle + sign * 10.0_f64.powi(-digits), 0.7, -1.2];
+                let (p, q, across) = three_parallel([x, y, z]);
+                let found = roots(&pair_turning(homes(), LENGTH, p, q, across));
+                assert!(found.iter().any(|root| distance(*root, [x, z]) < 1e-13), "{x} {z}: {found:?}");
+                // The twin is as far on the other side of where the vector vanishes.
+                let beside = |root: &[f64; 2]| distance(*root, [x, z]) > 1e-13 && distance(*root, [x, z]) < 1e-2;
+                assert!(found.iter().any(beside), "{x} {z}: {found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_joint_that_moves_nothing_is_free() {
+        // cos x = 0, sin x = 1, whatever z is.
+        let p = [[0.0, 0.3, -0.3], [1.0, 0.0, 0.0]];
+        let stage = pair(homes(), LENGTH, p, [[0.0; 3]; 2]);
+        assert_eq!(stage.free, JointMask::single(1));
+        assert_eq!(roots(&stage), [[core::f64::consts::FRAC_PI_2, 0.0]]);
+        let stage = pair(homes(), LENGTH, [[0.0; 3]; 2], p);
+        assert_eq!(stage.free, JointMask::single(0));
+    }
+
+    #[test]
+    fn joints_that_move_together_leave_one_free() {
+        // (cos x, sin x) = (cos z, sin z)
+        let rows = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let [_, home_z] = homes();
+        let away = Home { value: 0.4, ..home_z };
+        let stage = pair([homes()[0], away], LENGTH, rows, rows);
+        assert_eq!(stage.free, JointMask::single(1));
+        assert!(distance(roots(&stage)[0], [0.4, 0.4]) < 1e-15);
+    }
+
+    #[test]
+    fn a_joint_that_moves_little_is_weak() {
+        let p = [[0.0, 0.3, -0.3], [1.0, 0.0, 0.0]];
+        let q = [[1e-9, 0.0, 0.0], [0.0, 1e-9, 0.0]];
+        assert_eq!(pair(homes(), LENGTH, p, q).weak, JointMask::single(1));
+    }
 }

@@ -8,6 +8,10 @@ use crate::{Jacobian, Pose, Residual};
 pub trait Evaluate<T, const N: usize>: Fn(&[T; N]) -> (Pose<T>, Jacobian<T, N>) {}
 impl<T, const N: usize, F: Fn(&[T; N]) -> (Pose<T>, Jacobian<T, N>)> Evaluate<T, N> for F {}
 
+/// Residuals up to so many roundings say nothing about where the solution is, and where the arm is nearly singular a step
+/// that chases them leads far away.
+pub(super) const NOISE: f64 = 20.0;
+
 /// The residual, lengths relative to reach, as one number; infinite if it is not a number.
 pub(super) fn relative<T: Tolerances, const N: usize>(facts: &Facts<T, N>, residual: &Residual<T>) -> T {
     let position = residual.position / facts.reach;
@@ -30,9 +34,8 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
     let mut error = scaled(facts, goal.error(&q, &pose));
     let mut size = square(&error);
     let mut boost = T::ONE;
-    // Some twenty roundings: what is left says nothing about where the solution is, and where the arm is nearly singular
-    // a step that chases it leads far away.
-    let floor = T::EPSILON * T::EPSILON * T::from_f64(400.0);
+    let floor = T::from_f64(NOISE) * T::EPSILON;
+    let floor = floor * floor;
     for _ in 0..steps {
         if !(size > floor) {
             break;

@@ -1,5 +1,6 @@
 //! Following the branches of the cascade and collecting the solutions.
 
+use super::elsewhere::Elsewhere;
 use super::refine::Evaluate;
 use super::stage::Met;
 use super::{Goal, Home, Measure, Stage, Tolerances, Trail};
@@ -37,6 +38,23 @@ impl<T: Tolerances, const N: usize> Facts<T, N> {
         self.tolerance.position = position;
         (reach < T::LARGEST_REACH && reach > T::SMALLEST_REACH).then_some(self)
     }
+
+    /// Where each joint stays if it is free: its reference value; without one 0, or the limit nearest to 0.
+    #[inline]
+    pub(super) fn homes(&self, near: Option<&[T; N]>) -> [T; N] {
+        match near {
+            Some(near) => *near,
+            None => self.limits.map(|[low, high]| {
+                if low > T::ZERO {
+                    low
+                } else if high < T::ZERO {
+                    high
+                } else {
+                    T::ZERO
+                }
+            }),
+        }
+    }
 }
 
 /// One run of the inverse kinematics.
@@ -47,7 +65,9 @@ pub struct Search<'a, T, G, const N: usize, const M: usize> {
     pub(super) near: Option<&'a [T; N]>,
     pub(super) solutions: &'a mut Solutions<T, N, M>,
     /// Where each joint stays if it is free.
-    homes: [T; N],
+    pub(super) homes: [T; N],
+    /// Branches that have to be followed again with a free joint elsewhere.
+    pub(super) elsewhere: Elsewhere<M>,
     /// Bit i: solution i is to be checked in full.
     pub(super) doubtful: u32,
     /// For each solution the joints that are free or nearly so.
@@ -78,21 +98,11 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
             solutions.set_status(Status::BadTarget);
             return None;
         }
-        let homes = match near {
-            Some(near) => *near,
-            None => facts.limits.map(|[low, high]| {
-                if low > T::ZERO {
-                    low
-                } else if high < T::ZERO {
-                    high
-                } else {
-                    T::ZERO
-                }
-            }),
-        };
+        let homes = facts.homes(near);
         let loose = [JointMask::NONE; M];
-        let combined = &[];
-        Some(Self { facts, goal, near, solutions, homes, doubtful: 0, loose, deviation, least_gap: None, combined })
+        let (elsewhere, combined) = (Elsewhere::START, &[]);
+        let (doubtful, least_gap) = (0, None);
+        Some(Self { facts, goal, near, solutions, homes, elsewhere, doubtful, loose, deviation, least_gap, combined })
     }
 
     /// Solutions outside one of these limits are out of limits too. An arm without any does not call this.
@@ -107,19 +117,21 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
         // Far away (a long slide may reach there) the rounding of the target alone can exceed what closes.
         let limit = self.facts.reach * T::from_f64(10.0);
         let far = self.goal.point().iter().any(|x| x.abs() > limit);
-        Trail { doubt: far || self.deviation > T::ROUNDING, ..Trail::START }
+        Trail { doubt: far || self.deviation > T::ROUNDING || self.elsewhere.wanted(), ..Trail::START }
     }
 
     /// Where a joint stays if it is free: its reference value; without one 0, or the limit nearest to 0.
     #[inline]
     pub fn home(&self, joint: usize) -> Home<T> {
-        Home { value: self.homes.get(joint).copied().unwrap_or(T::ZERO), joint: JointMask::single(joint) }
+        let value = self.homes.get(joint).copied().unwrap_or(T::ZERO);
+        Home { value, joint: JointMask::single(joint) }
     }
 
     /// The same for a virtual joint: 0. The joint named is one of the arm's that moves with it.
     #[inline]
     pub fn virtual_home(&self, joint: usize) -> Home<T> {
-        Home { value: T::ZERO, joint: JointMask::single(joint) }
+        let value = if self.elsewhere.wanted() { self.away(joint, T::ZERO) } else { T::ZERO };
+        Home { value, joint: JointMask::single(joint) }
     }
 
     /// The trail of a branch after a stage. A stage that misses by more than the tolerance ends the branch; its gap is
@@ -140,9 +152,12 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
         // What an earlier stage of small amplitude leaves uncertain shows up here magnified.
         let rounding = measure.rounding() / trail.amplitude;
         // With a joint earlier on the branch that is free, or nearly, the gap may close by moving that joint.
-        if gap > tolerance.max(rounding) && trail.free.is_empty() && trail.weak.is_empty() {
+        if gap > tolerance.max(rounding) {
+            next.missed = !trail.free.is_empty();
+            next.ended = trail.free.is_empty() && trail.weak.is_empty();
+        }
+        if next.ended {
             self.least_gap = Some(self.least_gap.map_or(gap, |least| least.min(gap)));
-            next.ended = true;
         }
         next
     }
@@ -150,6 +165,9 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
     /// Adds a solution. `q`: joint angles in (-pi, pi], rad; strokes in the length unit.
     #[inline]
     pub fn push(&mut self, trail: &Trail<T>, q: [T; N], branch: Branch) {
+        if trail.doubt && !self.takes(trail, branch) {
+            return;
+        }
         let at = self.solutions.len();
         let orientation = trail.gap.orientation + self.deviation;
         let solution = Solution {
@@ -169,10 +187,17 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
 
     /// Checks what is doubtful, sorts by distance if there is a reference, marks limits, and sets the status.
     /// `evaluate` gives the tool's pose and the Jacobian.
+    ///
+    /// Returns whether that is all. If not, a stage could not be met because of where a free joint stays: the branches
+    /// are to be followed once more, with that joint elsewhere.
     #[inline]
-    pub fn finish(mut self, evaluate: impl Evaluate<T, N>) {
+    #[must_use]
+    pub fn complete(&mut self, evaluate: impl Evaluate<T, N>) -> bool {
         if self.doubtful != 0 {
             self.settle(&evaluate);
+        }
+        if self.elsewhere.wanted() && self.move_on() {
+            return false;
         }
         if let Some(near) = self.near {
             self.approach(near, &evaluate);
@@ -183,6 +208,7 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
         let exact = self.solutions.iter().any(|s| s.flags.contains(Flags::EXACT));
         let status = if exact { Status::Reachable } else { self.unreachable() };
         self.solutions.set_status(status);
+        true
     }
 
     #[inline]

@@ -1,7 +1,7 @@
 //! The end of a search: doubtful solutions are checked in full, coinciding ones merged, and with a reference the
 //! joints are unwound next to it.
 
-use super::refine::{Evaluate, refine, relative};
+use super::refine::{Evaluate, NOISE, refine, relative};
 use super::{Goal, Search, Tolerances};
 use crate::math::wrap;
 use crate::{Flags, JointMask, Residual, Solution};
@@ -20,8 +20,9 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
     #[inline(never)]
     pub(super) fn settle(&mut self, evaluate: &impl Evaluate<T, N>) {
         let found = *self.solutions;
-        self.solutions.truncate(0);
-        for (index, solution) in found.iter().enumerate() {
+        let before = self.elsewhere.settled;
+        self.solutions.truncate(before);
+        for (index, solution) in found.iter().enumerate().skip(before) {
             let doubtful = self.doubtful.checked_shr(index as u32).unwrap_or(0) & 1 == 1;
             let loose = self.loose.get(index).copied().unwrap_or(JointMask::NONE);
             let (checked, near) =
@@ -75,6 +76,12 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
                 && let Some((q, closed)) = self.restarted(&solution.q, loose, evaluate)
             {
                 (checked.q, residual) = (q, closed);
+            }
+        } else if relative(facts, &residual) > T::from_f64(NOISE) * T::EPSILON {
+            // It closes, but near a singularity what is left of the residual still moves the joints.
+            let (q, refined) = refine(facts, goal, &solution.q, evaluate, FREE_STEPS);
+            if relative(facts, &refined) < relative(facts, &residual) {
+                (checked.q, residual) = (q, refined);
             }
         }
         residual.orientation += self.deviation;
@@ -137,7 +144,7 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
     /// first.
     #[inline(never)]
     pub(super) fn approach(&mut self, near: &[T; N], evaluate: &impl Evaluate<T, N>) {
-        if self.doubtful != 0 {
+        if self.doubtful != 0 || self.solutions.is_empty() {
             self.hold(near, evaluate);
         }
         let facts = self.facts;
@@ -184,8 +191,8 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
         };
         let slots = self.solutions.as_mut_slice().iter_mut();
         let nearest = slots.min_by(|a, b| apart(a).partial_cmp(&apart(b)).unwrap_or(core::cmp::Ordering::Equal));
-        let Some(nearest) = nearest else { return };
-        let mut held = Solution { q, residual, ..*nearest };
+        let mut held = nearest.map_or(Solution::EMPTY, |nearest| *nearest);
+        (held.q, held.residual) = (q, residual);
         held.flags.remove(Flags::APPROXIMATE);
         held.flags |= Flags::EXACT;
         let full = !self.solutions.push(held);

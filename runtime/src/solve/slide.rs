@@ -39,9 +39,11 @@ pub fn quadratic<T: Tolerances>(measure: Measure<T>, [a, b, c]: [T; 3]) -> Stage
         return Stage { len: 1, doubt: true, ..Stage::solved([[Turn::position(root)]; 2], measure) };
     }
     let discriminant = half * half - a * c;
-    let size = measure.scale * measure.scale;
-    if !(discriminant > T::ROUNDING * size) {
-        let gap = (-discriminant).max(T::ZERO).sqrt() / a.abs();
+    // Rounding of the discriminant itself; roots farther apart are told apart.
+    let close = T::EPSILON * T::TWO * (half * half + (a * c).abs());
+    if !(discriminant > close) {
+        // The equation is a difference of two squared distances, at its extremum off by `discriminant / a`.
+        let gap = (-discriminant).max(T::ZERO) / (a.abs() * measure.scale);
         return Stage::edge([Turn::position(-half / a)], gap, measure);
     }
     let root = discriminant.sqrt();

@@ -51,6 +51,8 @@ pub struct Trail<T> {
     pub(super) doubt: bool,
     /// The branch leads nowhere: a stage has no root near it.
     pub(super) ended: bool,
+    /// A stage has no root near the branch, but a joint before it is free and may be elsewhere.
+    pub(super) missed: bool,
 }
 
 impl<T: Tolerances> Trail<T> {
@@ -63,6 +65,7 @@ impl<T: Tolerances> Trail<T> {
         weak: JointMask::NONE,
         doubt: false,
         ended: false,
+        missed: false,
     };
 
     /// The same, with every branch to be checked in full: for targets with more equations than the arm has joints.

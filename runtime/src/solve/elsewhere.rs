@@ -1,0 +1,125 @@
+//! Following the branches again with a free joint elsewhere.
+
+use super::{Goal, Search, Tolerances, Trail};
+use crate::math::wrap;
+use crate::{Branch, Flags, JointMask};
+
+/// Places on the turn of a free joint, its home among them.
+const PLACES: u32 = 16;
+
+/// The branches on which a joint is free and a later stage has no root with that joint at home.
+///
+/// Where such a branch can be met at all, it can be met on an interval of the free joint. The whole cascade is run
+/// again with the joint at further places, until every such branch has been met, or they are used up.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Elsewhere<const M: usize> {
+    /// 0: at home; then the places; after them at home once more, where what is left is refined as it is.
+    pass: u32,
+    /// The solutions of earlier passes.
+    pub(super) settled: usize,
+    /// Branches that are still to be met, the first `len`.
+    open: [Branch; M],
+    len: usize,
+    /// The joints that are free on them.
+    free: JointMask,
+}
+
+impl<const M: usize> Elsewhere<M> {
+    /// Nothing to do yet.
+    pub(super) const START: Self = Self { pass: 0, settled: 0, open: [Branch::NONE; M], len: 0, free: JointMask::NONE };
+
+    /// Whether a branch is to be met with a free joint elsewhere.
+    #[inline]
+    pub(super) fn wanted(&self) -> bool {
+        self.len != 0
+    }
+
+    /// How far from home a joint is in this pass, in turns.
+    fn turns<T: Tolerances>(&self, joint: usize) -> T {
+        if !self.free.contains(joint) {
+            return T::ZERO;
+        }
+        // Bits in reverse: half a turn, quarters, eighths. Several joints go round in different order.
+        let reversed = (self.pass % PLACES).reverse_bits() >> (u32::BITS - PLACES.ilog2());
+        let before = self.free.iter().filter(|other| *other < joint).count() as u32;
+        let place = (reversed * (2 * before + 1)) % PLACES;
+        T::from_f64(f64::from(place) / f64::from(PLACES))
+    }
+
+    fn open(&self) -> &[Branch] {
+        self.open.get(..self.len).unwrap_or(&[])
+    }
+}
+
+impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T, G, N, M> {
+    /// Where a joint stays in this pass if it is free.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn away(&self, joint: usize, home: T) -> T {
+        let turns: T = self.elsewhere.turns(joint);
+        if turns == T::ZERO {
+            home
+        } else if self.facts.prismatic.contains(joint) {
+            home + self.facts.reach * wrap(T::TWO * T::PI * turns) / T::PI
+        } else {
+            wrap(home + T::TWO * T::PI * turns)
+        }
+    }
+
+    /// Whether the solution at the end of a doubtful branch is to be listed in this pass. If not because a stage was
+    /// missed, the branch is remembered.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn takes(&mut self, trail: &Trail<T>, branch: Branch) -> bool {
+        let Elsewhere { pass, len, free, .. } = self.elsewhere;
+        if pass == 0 {
+            if !trail.missed {
+                return true;
+            }
+            if !self.elsewhere.open().contains(&branch)
+                && let Some(slot) = self.elsewhere.open.get_mut(len)
+            {
+                *slot = branch;
+                self.elsewhere.len += 1;
+            }
+            self.elsewhere.free |= trail.free;
+            return false;
+        }
+        let open = self.elsewhere.open().contains(&branch);
+        if pass == PLACES {
+            return open;
+        }
+        let known = || {
+            let mut listed = self.solutions.iter();
+            listed.any(|s| s.branch == branch && s.free == trail.free)
+        };
+        !trail.missed && trail.free.iter().any(|joint| free.contains(joint)) && (open || !known())
+    }
+
+    /// Strikes out the branches that have been met, and goes on to the next place. False if there is nothing left to do.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn move_on(&mut self) -> bool {
+        let Elsewhere { pass, settled, .. } = self.elsewhere;
+        let mut left = [Branch::NONE; M];
+        let mut len = 0;
+        for branch in self.elsewhere.open() {
+            let new = self.solutions.iter().skip(settled);
+            let met = new.into_iter().any(|s| s.branch == *branch && s.flags.contains(Flags::EXACT));
+            if !met && let Some(slot) = left.get_mut(len) {
+                *slot = *branch;
+                len += 1;
+            }
+        }
+        (self.elsewhere.open, self.elsewhere.len) = (left, len);
+        self.elsewhere.settled = self.solutions.len();
+        self.elsewhere.pass += 1;
+        for (joint, home) in self.facts.homes(self.near).into_iter().enumerate() {
+            let away = self.away(joint, home);
+            if let Some(slot) = self.homes.get_mut(joint) {
+                *slot = away;
+            }
+        }
+        len != 0 && pass < PLACES
+    }
+}

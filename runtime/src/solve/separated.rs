@@ -1,0 +1,81 @@
+//! Two equations in two joints whose rows lose rank.
+
+use super::curve::Row;
+use super::{Home, Measure, Stage, Tolerances, Turn, offset};
+use crate::JointMask;
+
+impl<T: Tolerances> Stage<T, 2, 4> {
+    /// The same with the joints in the other order.
+    pub(super) fn swapped(mut self) -> Self {
+        for [x, z] in &mut self.roots {
+            core::mem::swap(x, z);
+        }
+        self
+    }
+}
+
+/// Rows of lost rank: the combination without `x` gives `z`, the other one `x`; or the other way round.
+pub(super) fn separated<T: Tolerances>(
+    [home_x, home_z]: [Home<T>; 2],
+    p: &[Row<T>; 2],
+    q: &[Row<T>; 2],
+) -> Stage<T, 2, 4> {
+    let (n, m) = (null_row(p, q), null_row(q, p));
+    let amplitude = |n: [T; 2], rows: &[Row<T>; 2]| {
+        let [a, b, _] = combined(n, rows);
+        a * a + b * b
+    };
+    if amplitude(n, q) >= amplitude(m, p) {
+        in_turn([home_x, home_z], n, p, q)
+    } else {
+        in_turn([home_z, home_x], m, q, p).swapped()
+    }
+}
+
+/// A unit combination of the rows in which `x` drops out as far as it can; if it never appears, the combination with
+/// the most of `z`.
+fn null_row<T: Tolerances>([a, b]: &[Row<T>; 2], [c, d]: &[Row<T>; 2]) -> [T; 2] {
+    let size = |v: [T; 2]| v[0] * v[0] + v[1] * v[1];
+    let larger = |u: [T; 2], v: [T; 2]| if size(u) >= size(v) { u } else { v };
+    let column = larger([a[0], b[0]], [a[1], b[1]]);
+    let combination = if size(column) > T::VANISHING * T::VANISHING {
+        [-column[1], column[0]]
+    } else {
+        larger([c[0], d[0]], [c[1], d[1]])
+    };
+    let length = size(combination).sqrt();
+    if length > T::ZERO { [combination[0] / length, combination[1] / length] } else { [T::ONE, T::ZERO] }
+}
+
+/// The combination of two rows.
+pub(super) fn combined<T: Tolerances>([n1, n2]: [T; 2], [a, b]: &[Row<T>; 2]) -> Row<T> {
+    [n1 * a[0] + n2 * b[0], n1 * a[1] + n2 * b[1], n1 * a[2] + n2 * b[2]]
+}
+
+fn in_turn<T: Tolerances>(
+    [home_x, home_z]: [Home<T>; 2],
+    n: [T; 2],
+    p: &[Row<T>; 2],
+    q: &[Row<T>; 2],
+) -> Stage<T, 2, 4> {
+    let ([.., p0], [qc, qs, q0]) = (combined(n, p), combined(n, q));
+    let across = [-n[1], n[0]];
+    let ([pc, ps, p1], [rc, rs, r0]) = (combined(across, p), combined(across, q));
+    let first = offset(home_z, Measure::DIRECTION, qc, qs, p0 - q0);
+    let mut roots = [[Turn::ZERO; 2]; 4];
+    let mut slots = roots.iter_mut();
+    let (mut len, mut free) = (0, first.free);
+    for [z] in first.roots.iter().take(first.len) {
+        let wanted = rc * z.cos + rs * z.sin + r0 - p1;
+        let second = offset(home_x, Measure::DIRECTION, pc, ps, wanted);
+        let fits = second.free == JointMask::NONE || wanted.abs() <= T::COINCIDENT;
+        for [x] in second.roots.iter().take(if fits { second.len } else { 0 }) {
+            if let Some(slot) = slots.next() {
+                *slot = [*x, *z];
+                len += 1;
+                free |= second.free;
+            }
+        }
+    }
+    Stage { len, free, ..Stage::solved(roots, Measure::DIRECTION) }
+}
