@@ -19,6 +19,8 @@ pub struct Outline {
     pub joints: Option<usize>,
     /// `task` of `inverse`.
     pub task: Option<String>,
+    /// Whether `inverse` has a `redundant` joint, whose value is a further argument.
+    pub redundant: bool,
 }
 
 impl Outline {
@@ -39,7 +41,8 @@ impl Outline {
             let after = line.split_once("task:")?.1;
             after.split(|c: char| !(c.is_alphanumeric() || c == '_')).find(|word| !word.is_empty()).map(str::to_owned)
         });
-        Self { joints: (moving > 0).then_some(moving), task }
+        let redundant = lines().any(|line| line.contains("redundant:"));
+        Self { joints: (moving > 0).then_some(moving), task, redundant }
     }
 
     /// Whether `inverse` takes a pose, as far as can be seen.
@@ -65,6 +68,7 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
     } else {
         (quote!(Target), Some(quote!(Target: ?::core::marker::Sized)))
     };
+    let given = outline.redundant.then(|| quote!(, _: #number));
     let motors = motors(krate, &number, joints, &q, any_list.as_ref());
     let any_target_list = any_target.as_ref().map(|any| quote!(<#any>));
     let near = [any_target, any].into_iter().flatten();
@@ -113,7 +117,7 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
             pub fn dh_tool(&self) -> #krate::DhFrame {
                 #krate::DhFrame::IDENTITY
             }
-            pub fn inverse #any_target_list (&self, _: &#target) -> #solutions {
+            pub fn inverse #any_target_list (&self, _: &#target #given) -> #solutions {
                 #krate::Solutions::new(#krate::Status::BadTarget)
             }
             pub fn inverse_near <#(#near),*> (&self, _: &#target, _: &[#number; #q]) -> #solutions {
