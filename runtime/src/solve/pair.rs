@@ -195,9 +195,11 @@ mod tests {
         [0, 1].map(|joint| Home { value: 0.0, joint: JointMask::single(joint) })
     }
 
+    type Equations = ([Row<f64>; 2], [Row<f64>; 2], [Row<f64>; 4]);
+
     /// Three parallel axes seen from a joint y between x and z, all at right angles: rows of the distance along their
     /// direction and of its component along y, and the components across y, for a target that `(x, y, z)` reaches.
-    fn three_parallel([x, y, z]: [f64; 3]) -> ([Row<f64>; 2], [Row<f64>; 2], [Row<f64>; 4]) {
+    fn three_parallel([x, y, z]: [f64; 3]) -> Equations {
         let (u, v, w) = (y.cos() * x.sin(), x.cos(), -y.sin() * x.sin());
         let (r1, r2) = (u * z.cos() + v * z.sin(), v * z.cos() - u * z.sin());
         let (a, b) = (0.2 * r1 - 0.15 * r2, -(0.15 * r1 + 0.2 * r2));
