@@ -5,6 +5,7 @@
 //! seeded by the name of the arm, so that a failure comes back at every run.
 
 pub mod arms;
+pub mod bad_targets;
 pub mod boundary;
 pub mod known_gaps;
 pub mod poses;
@@ -15,4 +16,6 @@ pub mod report;
 pub mod series;
 pub mod singular;
 pub mod subject;
+pub mod suite;
+pub mod task;
 pub mod timing;

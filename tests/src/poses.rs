@@ -90,7 +90,7 @@ impl<const N: usize> Space<N> {
     }
 
     /// Every joint vector of a grid of `steps` (a multiple of 4) to a turn.
-    pub fn grid(&self, steps: usize) -> impl Iterator<Item = [f64; N]> + use<N> {
+    pub fn grid(&self, steps: usize) -> impl ExactSizeIterator<Item = [f64; N]> + use<N> {
         let values: [Vec<f64>; N] = std::array::from_fn(|joint| self.grid_values(joint, steps));
         let count = values.iter().map(Vec::len).product();
         (0..count).map(move |index| {
@@ -172,7 +172,7 @@ impl<const N: usize> Space<N> {
 
 /// Joint vectors on the singular surface of the arm and beside it: stretched elbows, wrist centers on axis 1, folded
 /// wrists, as the determinant of the Jacobian finds them.
-pub fn singular_surface(subject: &Subject<6>, random: &mut Random) -> Family<6> {
+pub fn singular_surface<const N: usize>(subject: &Subject<N>, random: &mut Random) -> Family<N> {
     let mut poses = Vec::new();
     for (on, joint) in singular::surface(subject, random, 180) {
         poses.extend(offsets().map(|offset| {

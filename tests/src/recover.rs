@@ -2,13 +2,13 @@
 
 use std::f64::consts::{PI, TAU};
 
-use denhart::{Flags, JointKind, Pose, Solution};
-use nalgebra::Isometry3;
+use denhart::{Flags, JointKind, Solution};
 
 use crate::random::Random;
 use crate::report::Report;
 use crate::singular::{self, Svd};
 use crate::subject::{Answer, Subject};
+use crate::task::Goal;
 
 /// A solution flagged EXACT reaches its target within this, in reaches and in rad: some thousand roundings, so that it
 /// holds after any chain of six joints, and far below every tolerance that lets an inexact solution pass.
@@ -31,16 +31,14 @@ pub enum Form<'a, const N: usize> {
 /// With `s` the least singular value of the Jacobian scaled by reach:
 /// - `s >= 1e-9`: an EXACT solution equals `q` within `max(1e-6, 1e-14 / s)`, as one rounding of the pose moves the
 ///   joints by up to `1e-16 / s`;
-/// - below, at rank 5: an EXACT solution equals `q` in every joint that the null space does not move, neither along the
+/// - below, at one rank less than the arm has joints: an EXACT solution equals `q` in every joint that the null space does not move, neither along the
 ///   self-motion through `q` nor at the solution;
-/// - below, at rank 4 or less: whatever is EXACT closes, and something is;
+/// - below, at a lower rank: whatever is EXACT closes, and something is;
 /// - always: `inverse_near` with reference `q` contains `q` within 1e-6.
 pub fn check<const N: usize>(subject: &Subject<N>, report: &mut Report, family: &'static str, q: &[f64; N]) {
     report.count();
-    let target = subject.pose(q);
-    let pose = Pose::from(target);
-
-    let answer = subject.inverse(&pose);
+    let target = subject.goal(q);
+    let answer = subject.inverse(&target);
     examine(subject, report, family, &target, &answer, Form::Principal);
     if !answer.status.is_reachable() {
         report.fail(family, "a pose made from joints is not Reachable", || describe(subject, &target, q, &answer));
@@ -59,8 +57,8 @@ fn check_near<const N: usize>(
     q: &[f64; N],
     q_ref: &[f64; N],
 ) {
-    let target = subject.pose(q);
-    let near = subject.inverse_near(&Pose::from(target), q_ref);
+    let target = subject.goal(q);
+    let near = subject.inverse_near(&target, q_ref);
     examine(subject, report, family, &target, &near, Form::Near(q_ref));
     if !near.exact().any(|solution| subject.distance_with_turns(&solution.q, q_ref) <= SAME) {
         report.fail(family, "inverse_near lost the reference", || describe(subject, &target, q_ref, &near));
@@ -84,9 +82,12 @@ pub fn check_references<const N: usize>(
     check_near(subject, report, family, q, &wound);
 
     if Svd::at(subject, q).least() > 1e-2 {
-        let beside = std::array::from_fn(|joint| q[joint] + 1e-4 * subject.unit(joint) * random.uniform(-1.0, 1.0));
-        let target = subject.pose(q);
-        let near = subject.inverse_near(&Pose::from(target), &beside);
+        let mut beside = std::array::from_fn(|joint| q[joint] + 1e-4 * subject.unit(joint) * random.uniform(-1.0, 1.0));
+        if let Some(given) = subject.task.given {
+            beside[given] = q[given];
+        }
+        let target = subject.goal(q);
+        let near = subject.inverse_near(&target, &beside);
         examine(subject, report, family, &target, &near, Form::Near(&beside));
         if !near.solutions.first().is_some_and(|first| subject.distance_with_turns(&first.q, q) <= SAME) {
             report.fail(family, "the nearest solution is not first", || describe(subject, &target, &beside, &near));
@@ -127,7 +128,7 @@ pub fn examine<const N: usize>(
     subject: &Subject<N>,
     report: &mut Report,
     family: &'static str,
-    target: &Isometry3<f64>,
+    target: &Goal,
     answer: &Answer<N>,
     form: Form<'_, N>,
 ) {
@@ -164,7 +165,7 @@ pub fn examine<const N: usize>(
 /// The first rule that a solution breaks by itself.
 fn broken_rule<const N: usize>(
     subject: &Subject<N>,
-    target: &Isometry3<f64>,
+    target: &Goal,
     solution: &Solution<f64, N>,
     form: Form<'_, N>,
 ) -> Option<&'static str> {
@@ -197,6 +198,9 @@ fn broken_rule<const N: usize>(
     if is(Flags::FREE) == free.is_empty() || free.iter().any(|joint| joint >= N) {
         return Some("FREE and its mask disagree");
     }
+    if subject.task.given.is_some_and(|given| free.iter().any(|joint| joint == given)) {
+        return Some("the joint that is given is called free");
+    }
     // Within rounding of a limit either answer will do.
     let beyond = |margin: f64| {
         (0..N).any(|joint| {
@@ -225,20 +229,14 @@ fn in_order<const N: usize>(subject: &Subject<N>, q_ref: &[f64; N], solutions: &
 
 /// Everything needed to look into a failure: joints, singular values, and each solution with its distance from `q` and
 /// from the target.
-pub fn describe<const N: usize>(
-    subject: &Subject<N>,
-    target: &Isometry3<f64>,
-    q: &[f64; N],
-    answer: &Answer<N>,
-) -> String {
+pub fn describe<const N: usize>(subject: &Subject<N>, target: &Goal, q: &[f64; N], answer: &Answer<N>) -> String {
     use std::fmt::Write;
     let mut text = format!("q = {q:?}");
     if q.iter().all(|x| x.is_finite()) {
         let values = Svd::at(subject, q).values.map(|value| format!("{value:.1e}"));
         let _ = write!(text, "\n      singular values {}", values.join(" "));
     }
-    let pose = Pose::from(*target);
-    let _ = write!(text, "\n      target {:?} {:?}\n      {answer}", pose.rotation, pose.translation);
+    let _ = write!(text, "\n      {target:?}\n      {answer}");
     for (index, solution) in answer.solutions.iter().enumerate() {
         let [position, orientation] = subject.miss(target, &solution.q);
         let _ = write!(

@@ -1,9 +1,10 @@
 //! Singular poses: how singular a pose is, which joints its null space moves, and how to find more of them.
 
-use nalgebra::Isometry3;
+use nalgebra::DMatrix;
 
 use crate::random::Random;
 use crate::subject::Subject;
+use crate::task::{EQUATIONS, Goal};
 
 /// Below this a singular value of the scaled Jacobian counts as zero.
 pub const ZERO: f64 = 1e-9;
@@ -14,7 +15,7 @@ const SELF_MOTION: f64 = 1e-7;
 /// Below this the least singular value but one means that another self-motion is near.
 const CROSSING: f64 = 1e-5;
 
-/// Singular values of a `[6, N]` matrix, `N <= 6`, and the right singular vectors that belong to them.
+/// Singular values of a matrix with `N` columns and at least as many rows, and the right singular vectors that belong to them.
 #[derive(Debug, Clone)]
 pub struct Svd<const N: usize> {
     /// In falling order.
@@ -28,7 +29,7 @@ impl<const N: usize> Svd<N> {
     /// which a threshold of 1e-9 asks for.
     ///
     /// `columns[j]` is column j of the matrix.
-    pub fn new(mut columns: [[f64; 6]; N]) -> Self {
+    pub fn new<const R: usize>(mut columns: [[f64; R]; N]) -> Self {
         let mut vectors: [[f64; N]; N] = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
         for _sweep in 0..40 {
             let mut rotated = false;
@@ -59,9 +60,9 @@ impl<const N: usize> Svd<N> {
         Self { values: order.map(|k| norms[k]), vectors: order.map(|k| vectors[k]) }
     }
 
-    /// The decomposition of the scaled Jacobian at `q`.
+    /// The decomposition of the task's scaled Jacobian at `q`.
     pub fn at(subject: &Subject<N>, q: &[f64; N]) -> Self {
-        Self::new(columns(subject, q))
+        Self::new(subject.columns(q))
     }
 
     /// Smallest singular value.
@@ -91,11 +92,11 @@ impl<const N: usize> Svd<N> {
 
     /// The joint motion that is orthogonal to the null space and brings about `twist`, in the least squares sense.
     /// Singular values below `cut` count as zero.
-    fn solve(&self, columns: &[[f64; 6]; N], twist: &[f64; 6], cut: f64) -> [f64; N] {
+    fn solve(&self, columns: &[[f64; EQUATIONS]; N], twist: &[f64; EQUATIONS], cut: f64) -> [f64; N] {
         let mut motion = [0.0; N];
         for (value, vector) in self.values.iter().zip(&self.vectors).filter(|(value, _)| **value > cut) {
             // J v = sigma u, so that the share along v is u . twist / sigma.
-            let along: [f64; 6] =
+            let along: [f64; EQUATIONS] =
                 std::array::from_fn(|row| (0..N).map(|joint| columns[joint][row] * vector[joint]).sum());
             let share = dot(&along, twist) / (value * value);
             for (m, v) in motion.iter_mut().zip(vector) {
@@ -114,12 +115,6 @@ fn rotate<const M: usize>(columns: &mut [[f64; M]], i: usize, j: usize, c: f64, 
 
 fn dot<const M: usize>(a: &[f64; M], b: &[f64; M]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
-}
-
-/// Columns of the scaled Jacobian at `q`.
-pub fn columns<const N: usize>(subject: &Subject<N>, q: &[f64; N]) -> [[f64; 6]; N] {
-    let jacobian = subject.scaled_jacobian(q);
-    std::array::from_fn(|joint| std::array::from_fn(|row| jacobian[(row, joint)]))
 }
 
 /// Whether `accepts` holds for the joints that move along the self-motion through `q`, which is followed over up to
@@ -143,7 +138,7 @@ pub fn accepts_moved<const N: usize>(
         moved = std::array::from_fn(|joint| before[joint] || also[joint]);
         moved != before && accepts(&moved)
     };
-    let target = subject.pose(q);
+    let target = subject.goal(q);
     for sign in [1.0, -1.0] {
         let first = Step { q: *q, heading: start.vectors[N - 1].map(|v| sign * v), clearance: start.values[N - 2] };
         let [mut before, mut here] = [first, first];
@@ -176,7 +171,7 @@ struct Step<const N: usize> {
 
 impl<const N: usize> Step<N> {
     /// The place `stride` further on, and the joints that the null space moves there.
-    fn ahead(&self, subject: &Subject<N>, target: &Isometry3<f64>, stride: f64) -> Option<(Self, [bool; N])> {
+    fn ahead(&self, subject: &Subject<N>, target: &Goal, stride: f64) -> Option<(Self, [bool; N])> {
         let guess = |joint: usize| self.q[joint] + stride * subject.unit(joint) * self.heading[joint];
         let q = back_onto(subject, target, std::array::from_fn(guess))?;
         let svd = Svd::at(subject, &q);
@@ -192,30 +187,21 @@ impl<const N: usize> Step<N> {
 
 /// The joints that move where the clearance is least within two strides after `before`, by a golden section search;
 /// none besides those of the one self-motion where nothing crosses.
-fn crossing<const N: usize>(subject: &Subject<N>, target: &Isometry3<f64>, before: &Step<N>) -> [bool; N] {
-    const GOLDEN: f64 = 0.618_033_988_749_894_8;
+fn crossing<const N: usize>(subject: &Subject<N>, target: &Goal, before: &Step<N>) -> [bool; N] {
     let look = |stride: f64| before.ahead(subject, target, stride);
     let clearance = |stride: f64| look(stride).map_or(f64::INFINITY, |(step, _)| step.clearance);
-    let (mut low, mut high) = (1e-3 * STRIDE, 2.0 * STRIDE);
-    for _ in 0..45 {
-        let [left, right] = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
-        if clearance(left) < clearance(right) { high = right } else { low = left }
-    }
-    look(0.5 * (low + high)).map_or([false; N], |(_, moved)| moved)
+    look(minimum(clearance, 45, [1e-3 * STRIDE, 2.0 * STRIDE])).map_or([false; N], |(_, moved)| moved)
 }
 
 /// The joint vector near `q` that reaches `target`, by Gauss-Newton steps across the null space.
-fn back_onto<const N: usize>(subject: &Subject<N>, target: &Isometry3<f64>, mut q: [f64; N]) -> Option<[f64; N]> {
+fn back_onto<const N: usize>(subject: &Subject<N>, target: &Goal, mut q: [f64; N]) -> Option<[f64; N]> {
     for _ in 0..12 {
-        let reached = subject.pose(&q);
-        let shift = (target.translation.vector - reached.translation.vector) / subject.reach;
-        let turn = (target.rotation * reached.rotation.inverse()).scaled_axis();
-        let twist = [shift.x, shift.y, shift.z, turn.x, turn.y, turn.z];
-        if dot(&twist, &twist) < 1e-24 {
+        let error = subject.error(target, &q);
+        if dot(&error, &error) < 1e-24 {
             return Some(q);
         }
-        let columns = columns(subject, &q);
-        let motion = Svd::new(columns).solve(&columns, &twist, 1e-4);
+        let columns = subject.columns(&q);
+        let motion = Svd::new(columns).solve(&columns, &error, 1e-4);
         for (joint, m) in motion.iter().enumerate() {
             q[joint] += m * subject.unit(joint);
         }
@@ -225,12 +211,27 @@ fn back_onto<const N: usize>(subject: &Subject<N>, target: &Isometry3<f64>, mut 
 
 /// A joint vector on the singular surface, to the last place of one joint: a random vector of which joint `joint` is
 /// moved to a change of sign of the Jacobian's determinant, if there is one.
-pub fn on_surface(subject: &Subject<6>, q: &[f64; 6], joint: usize, span: [f64; 2]) -> Option<[f64; 6]> {
+///
+/// Where the task has more equations than the arm has joints there is no determinant; then the joint is moved to a zero
+/// of the least singular value.
+pub fn on_surface<const N: usize>(
+    subject: &Subject<N>,
+    q: &[f64; N],
+    joint: usize,
+    [low, high]: [f64; 2],
+) -> Option<[f64; N]> {
     const STEPS: usize = 24;
-    let moved = |value: f64| -> [f64; 6] { std::array::from_fn(|j| if j == joint { value } else { q[j] }) };
-    let determinant = |value: f64| subject.scaled_jacobian(&moved(value)).fixed_columns::<6>(0).determinant();
-    let [low, high] = span;
+    let moved = |value: f64| -> [f64; N] { std::array::from_fn(|j| if j == joint { value } else { q[j] }) };
     let at = |k: usize| low + (high - low) * k as f64 / STEPS as f64;
+    if subject.task.equations() != N {
+        let least = |value: f64| Svd::at(subject, &moved(value)).least();
+        let k = (1..STEPS).find(|&k| least(at(k)) < least(at(k - 1)).min(least(at(k + 1))))?;
+        return Some(minimum(least, 75, [at(k - 1), at(k + 1)])).filter(|value| least(*value) < ZERO).map(moved);
+    }
+    let determinant = |value: f64| {
+        let columns = subject.columns(&moved(value));
+        DMatrix::from_fn(N, N, |row, column| columns[column][row]).determinant()
+    };
     let (mut left, mut right) =
         (0..STEPS).map(|k| (at(k), at(k + 1))).find(|&(left, right)| determinant(left) * determinant(right) < 0.0)?;
     let sign = determinant(left).signum();
@@ -243,18 +244,30 @@ pub fn on_surface(subject: &Subject<6>, q: &[f64; 6], joint: usize, span: [f64; 
     }
 }
 
+/// Where a function with one minimum is least, by a golden section search. A least singular value has a kink at its
+/// zero, so that it is found to the last place.
+fn minimum(f: impl Fn(f64) -> f64, steps: usize, [mut low, mut high]: [f64; 2]) -> f64 {
+    const GOLDEN: f64 = 0.618_033_988_749_894_8;
+    for _ in 0..steps {
+        let [left, right] = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
+        if f(left) < f(right) { high = right } else { low = left }
+    }
+    0.5 * (low + high)
+}
+
 /// Random joint vectors on the singular surface: stretched elbows, wrist centers on axis 1, folded wrists, and
 /// whatever else makes this arm singular. Each with the joint that was moved there.
-pub fn surface(subject: &Subject<6>, random: &mut Random, count: usize) -> Vec<([f64; 6], usize)> {
+pub fn surface<const N: usize>(subject: &Subject<N>, random: &mut Random, count: usize) -> Vec<([f64; N], usize)> {
     let space = crate::poses::Space::of(subject);
     let mut found = Vec::new();
-    // An arm whose determinant is exactly zero where it is sampled (a gantry at q5 = 0) needs samples beside.
-    for aside in [0.0, 0.1] {
+    // An arm whose determinant is exactly zero where it is sampled (a gantry at q5 = 0) needs samples beside; a column
+    // whose slide starts on its axis is singular at the end of the range, so that it has to be left.
+    for aside in [|_| 0.0, |_| 0.1, |[low, high]: [f64; 2]| 0.37 * (low - high)] {
         for attempt in 0..count {
-            let joint = attempt % 6;
+            let joint = attempt % N;
             let q = space.random(random);
             let [low, high] = space.span(joint);
-            found.extend(on_surface(subject, &q, joint, [low + aside, high]).map(|q| (q, joint)));
+            found.extend(on_surface(subject, &q, joint, [low + aside([low, high]), high]).map(|q| (q, joint)));
         }
         if !found.is_empty() {
             break;

@@ -2,8 +2,10 @@
 
 use std::fmt;
 
-use denhart::{Chain, DhTable, InverseKinematics, JointKind, Pose, Solution, Status};
-use nalgebra::{Isometry3, Matrix6xX};
+use denhart::{Chain, DhTable, InverseKinematics, JointKind, Solution, Status};
+use nalgebra::{Isometry3, Matrix6xX, Translation3, UnitQuaternion, Vector3};
+
+use crate::task::{Asked, EQUATIONS, Goal, Kind, Pitch, Task, across, heading, tool_axis};
 
 /// The constants of a derived arm, for code that is generic over the arm.
 pub trait Specified<const N: usize>: denhart::Arm<f64, N> + Default + Send + Sync + 'static {
@@ -11,6 +13,8 @@ pub trait Specified<const N: usize>: denhart::Arm<f64, N> + Default + Send + Syn
     const NAME: &'static str;
     /// Its table.
     const TABLE: DhTable;
+    /// What its inverse is asked for.
+    const TASK: Task = Task::new(Kind::Pose);
 }
 
 /// What a call of an inverse gave.
@@ -40,23 +44,26 @@ impl<const N: usize> fmt::Display for Answer<N> {
 
 /// The two inverse functions behind a pointer, so that the rules compile once and not once an arm.
 trait Solver<const N: usize>: Send + Sync {
-    fn inverse(&self, target: &Pose<f64>) -> Answer<N>;
-    fn inverse_near(&self, target: &Pose<f64>, q_ref: &[f64; N]) -> Answer<N>;
+    fn inverse(&self, goal: &Goal) -> Answer<N>;
+    fn inverse_near(&self, goal: &Goal, q_ref: &[f64; N]) -> Answer<N>;
 }
 
-struct Derived<A>(A);
+struct Derived<A> {
+    arm: A,
+    kind: Kind,
+}
 
 impl<A, const N: usize> Solver<N> for Derived<A>
 where
-    A: InverseKinematics<f64, N, Target = Pose<f64>> + Send + Sync,
+    A: InverseKinematics<f64, N, Target: Asked> + Send + Sync,
 {
-    fn inverse(&self, target: &Pose<f64>) -> Answer<N> {
-        let solutions = self.0.inverse(target);
+    fn inverse(&self, goal: &Goal) -> Answer<N> {
+        let solutions = self.arm.inverse(&A::Target::of(self.kind, goal));
         Answer { solutions: solutions.as_ref().to_vec(), status: A::status(&solutions) }
     }
 
-    fn inverse_near(&self, target: &Pose<f64>, q_ref: &[f64; N]) -> Answer<N> {
-        let solutions = self.0.inverse_near(target, q_ref);
+    fn inverse_near(&self, goal: &Goal, q_ref: &[f64; N]) -> Answer<N> {
+        let solutions = self.arm.inverse_near(&A::Target::of(self.kind, goal), q_ref);
         Answer { solutions: solutions.as_ref().to_vec(), status: A::status(&solutions) }
     }
 }
@@ -72,6 +79,9 @@ pub struct Subject<const N: usize> {
     pub kinds: [JointKind; N],
     pub limits: [[f64; 2]; N],
     pub max_solutions: usize,
+    /// What the inverse is asked for.
+    pub task: Task,
+    pitch: Pitch<N>,
     solver: Box<dyn Solver<N>>,
 }
 
@@ -79,27 +89,37 @@ impl<const N: usize> Subject<N> {
     /// The arm `A` with its generated inverse.
     pub fn new<A>() -> Self
     where
-        A: Specified<N> + InverseKinematics<f64, N, Target = Pose<f64>>,
+        A: Specified<N> + InverseKinematics<f64, N, Target: Asked>,
     {
+        let chain = Chain::from(A::TABLE);
+        let pitch = if A::TASK.kind == Kind::PositionAngle { Pitch::of(&chain) } else { Pitch::NONE };
         Self {
             name: A::NAME,
-            chain: Chain::from(A::TABLE),
+            chain,
             reach: reach(&A::TABLE, &A::LIMITS),
             kinds: A::JOINT_KINDS,
             limits: A::LIMITS,
             max_solutions: A::MAX_SOLUTIONS,
-            solver: Box::new(Derived(A::default())),
+            task: A::TASK,
+            pitch,
+            solver: Box::new(Derived { arm: A::default(), kind: A::TASK.kind }),
         }
     }
 
     /// Every branch, by the generated code.
-    pub fn inverse(&self, target: &Pose<f64>) -> Answer<N> {
-        self.solver.inverse(target)
+    pub fn inverse(&self, goal: &Goal) -> Answer<N> {
+        self.solver.inverse(goal)
     }
 
     /// Every branch next to `q_ref`, by the generated code.
-    pub fn inverse_near(&self, target: &Pose<f64>, q_ref: &[f64; N]) -> Answer<N> {
-        self.solver.inverse_near(target, q_ref)
+    pub fn inverse_near(&self, goal: &Goal, q_ref: &[f64; N]) -> Answer<N> {
+        self.solver.inverse_near(goal, q_ref)
+    }
+
+    /// What the arm reaches at `q`, by the chain.
+    pub fn goal(&self, q: &[f64; N]) -> Goal {
+        let given = self.task.given.map_or(0.0, |joint| q[joint]);
+        Goal { pose: self.pose(q), angle: self.pitch.angle(q), given }
     }
 
     /// Pose of the tool, by the chain.
@@ -119,14 +139,121 @@ impl<const N: usize> Subject<N> {
         jacobian
     }
 
-    /// How far the tool at `q` is from `target`: position in reaches, orientation in rad.
-    ///
-    /// The angle is taken from the vector part of the quaternion, so that it is accurate down to rounding.
-    pub fn miss(&self, target: &Isometry3<f64>, q: &[f64; N]) -> [f64; 2] {
+    /// How the equations of the task change with the joints: column by joint, lengths in reaches, rows as in
+    /// [`error`](Self::error). A given joint has nothing but its own equation.
+    pub fn columns(&self, q: &[f64; N]) -> [[f64; EQUATIONS]; N] {
+        let jacobian = self.scaled_jacobian(q);
+        let directions = match self.task.kind {
+            Kind::PositionAxis(axis) => across(&tool_axis(&self.pose(q), axis)),
+            _ => [Vector3::zeros(); 2],
+        };
+        std::array::from_fn(|joint| {
+            let mut rows = [0.0; EQUATIONS];
+            if self.task.given == Some(joint) {
+                rows[self.task.equations() - 1] = 1.0;
+                return rows;
+            }
+            let column = jacobian.column(joint);
+            let turn: Vector3<f64> = column.fixed_rows::<3>(3).into();
+            match self.task.kind {
+                Kind::Pose => rows[..6].copy_from_slice(column.as_slice()),
+                Kind::Position | Kind::PositionAxis(_) | Kind::PositionAngle => {
+                    rows[..3].copy_from_slice(&column.as_slice()[..3]);
+                }
+                Kind::PlanarPose | Kind::PlanarPosition => rows[..2].copy_from_slice(&column.as_slice()[..2]),
+            }
+            match self.task.kind {
+                Kind::PositionAxis(_) => directions.iter().zip(3..).for_each(|(d, row)| rows[row] = d.dot(&turn)),
+                Kind::PositionAngle => rows[3] = self.pitch.signs[joint],
+                Kind::PlanarPose => rows[2] = turn.z,
+                Kind::Pose | Kind::Position | Kind::PlanarPosition => {}
+            }
+            rows
+        })
+    }
+
+    /// What is left to do from `q` to the goal, one number an equation: lengths in reaches, angles in rad, to first
+    /// order.
+    pub fn error(&self, goal: &Goal, q: &[f64; N]) -> [f64; EQUATIONS] {
         let reached = self.pose(q);
-        let position = (reached.translation.vector - target.translation.vector).norm() / self.reach;
-        let turn = target.rotation.rotation_to(&reached.rotation);
-        [position, 2.0 * turn.vector().norm().atan2(turn.scalar().abs())]
+        let shift = (goal.pose.translation.vector - reached.translation.vector) / self.reach;
+        let mut rows = [shift.x, shift.y, shift.z, 0.0, 0.0, 0.0, 0.0];
+        match self.task.kind {
+            Kind::Pose => {
+                let turn = (goal.pose.rotation * reached.rotation.inverse()).scaled_axis();
+                rows[3..6].copy_from_slice(turn.as_slice());
+            }
+            Kind::PositionAxis(axis) => {
+                let [here, there] = [&reached, &goal.pose].map(|pose| tool_axis(pose, axis));
+                let turn = here.cross(&there);
+                across(&here).iter().zip(3..).for_each(|(direction, row)| rows[row] = direction.dot(&turn));
+            }
+            Kind::PositionAngle => rows[3] = wrap(goal.angle - self.pitch.angle(q)),
+            Kind::PlanarPose => rows[2] = wrap(heading(&goal.pose) - heading(&reached)),
+            Kind::PlanarPosition => rows[2] = 0.0,
+            Kind::Position => {}
+        }
+        if let Some(joint) = self.task.given {
+            rows[self.task.equations() - 1] = self.difference(joint, goal.given, q[joint]);
+        }
+        rows
+    }
+
+    /// The goal moved by `size` along `twist`, a number for each equation as in [`error`](Self::error).
+    pub fn moved(&self, goal: &Goal, twist: &[f64; EQUATIONS], size: f64) -> Goal {
+        let t = twist.map(|t| t * size);
+        let mut moved = *goal;
+        if let Some(joint) = self.task.given {
+            moved.given += t[self.task.equations() - 1] * self.unit(joint);
+        }
+        let mut shift = Vector3::new(t[0], t[1], t[2]);
+        let turn = match self.task.kind {
+            Kind::Pose => Vector3::new(t[3], t[4], t[5]),
+            Kind::PositionAxis(axis) => {
+                let [first, second] = across(&tool_axis(&goal.pose, axis));
+                t[3] * first + t[4] * second
+            }
+            Kind::PlanarPose => Vector3::new(0.0, 0.0, t[2]),
+            Kind::Position | Kind::PositionAngle | Kind::PlanarPosition => Vector3::zeros(),
+        };
+        if self.task.is_planar() {
+            shift.z = 0.0;
+        }
+        if self.task.kind == Kind::PositionAngle {
+            moved.angle += t[3];
+        }
+        let position = goal.pose.translation.vector + shift * self.reach;
+        let rotation = UnitQuaternion::from_scaled_axis(turn) * goal.pose.rotation;
+        moved.pose = Isometry3::from_parts(Translation3::from(position), rotation);
+        moved
+    }
+
+    /// How far `q` is from what is asked for: position in reaches, orientation in rad. A given joint that is not where
+    /// it has to be counts as orientation.
+    ///
+    /// Angles are taken from sine and cosine, so that they are accurate down to rounding.
+    pub fn miss(&self, goal: &Goal, q: &[f64; N]) -> [f64; 2] {
+        let reached = self.pose(q);
+        let mut shift = reached.translation.vector - goal.pose.translation.vector;
+        if self.task.is_planar() {
+            shift.z = 0.0;
+        }
+        let orientation = match self.task.kind {
+            Kind::Pose => {
+                let turn = goal.pose.rotation.rotation_to(&reached.rotation);
+                2.0 * turn.vector().norm().atan2(turn.scalar().abs())
+            }
+            Kind::PositionAxis(axis) => {
+                let [here, there] = [&reached, &goal.pose].map(|pose| tool_axis(pose, axis));
+                here.cross(&there).norm().atan2(here.dot(&there))
+            }
+            Kind::PositionAngle => wrap(goal.angle - self.pitch.angle(q)).abs(),
+            Kind::PlanarPose => wrap(heading(&goal.pose) - heading(&reached)).abs(),
+            Kind::Position | Kind::PlanarPosition => 0.0,
+        };
+        let displaced = self.task.given.map_or(0.0, |joint| self.difference(joint, goal.given, q[joint]).abs());
+        // A number that is none stays one, as `max` would not have it.
+        [shift.norm() / self.reach, if displaced > orientation { displaced } else { orientation }]
     }
 
     /// How far the slides at `q` reach beyond their travel, as a factor on the reach: a slide at a thousand reaches

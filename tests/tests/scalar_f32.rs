@@ -77,7 +77,7 @@ where
         let bound = CLOSES * (0.02 / least).clamp(1.0, 100.0);
         for solution in solutions.as_ref() {
             assert!(solution.q.iter().all(|x| x.is_finite()), "{q:?}: {solution:?}");
-            let miss = largest(subject.miss(&target, &double(solution.q)).into_iter());
+            let miss = largest(subject.miss(&target.into(), &double(solution.q)).into_iter());
             assert!(!solution.is_exact() || miss < bound, "{q:?}: {solution:?} misses by {miss:e}");
         }
         if least > 0.02 {

@@ -4,6 +4,7 @@ use super::elsewhere::Elsewhere;
 use super::refine::Evaluate;
 use super::stage::Met;
 use super::{Goal, Home, Measure, Stage, Tolerances, Trail};
+use crate::math::wrap;
 use crate::{Branch, CombinedLimit, Flags, JointMask, Residual, Solution, Solutions, Status};
 
 /// What the search needs to know about an arm.
@@ -199,8 +200,10 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
         if self.elsewhere.wanted() && self.move_on() {
             return false;
         }
-        if let Some(near) = self.near {
-            self.approach(near, &evaluate);
+        match self.near {
+            Some(near) => self.approach(near, &evaluate),
+            None if !self.goal.given().is_empty() => self.wrap_given(),
+            None => {}
         }
         if self.facts.limited || !self.combined.is_empty() {
             self.mark_limits();
@@ -209,6 +212,16 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
         let status = if exact { Status::Reachable } else { self.unreachable() };
         self.solutions.set_status(status);
         true
+    }
+
+    /// A given angle may have come with whole turns; in a solution it is in (-pi, pi] like every other.
+    #[inline]
+    fn wrap_given(&mut self) {
+        for joint in self.goal.given().iter().filter(|joint| !self.facts.prismatic.contains(*joint)) {
+            for value in self.solutions.as_mut_slice().iter_mut().filter_map(|solution| solution.q.get_mut(joint)) {
+                *value = wrap(*value);
+            }
+        }
     }
 
     #[inline]

@@ -11,7 +11,7 @@ fn check_counts(subject: &Subject<6>) {
     let found: Vec<usize> = reference
         .samples
         .iter()
-        .map(|sample| subject.inverse(&reference::pose(&sample.pose)).exact().count())
+        .map(|sample| subject.inverse(&reference::isometry(&sample.pose).into()).exact().count())
         .collect();
     assert_eq!(found, counts);
 }
@@ -20,7 +20,7 @@ fn check_counts(subject: &Subject<6>) {
 fn check_truths(subject: &Subject<6>) -> usize {
     let truths: Vec<_> = reference::truths().into_iter().filter(|truth| truth.arm == subject.name).collect();
     for truth in &truths {
-        let answer: Answer<6> = subject.inverse(&reference::pose(&truth.pose));
+        let answer: Answer<6> = subject.inverse(&reference::isometry(&truth.pose).into());
         let exact = answer.exact().count();
         assert_eq!((answer.solutions.len(), exact), (truth.real_solution_count, truth.real_solution_count), "{answer}");
         for solution in &truth.solutions {

@@ -1,0 +1,218 @@
+//! Targets that mean nothing, targets that mean the same in other words, and targets that are right up to a little.
+
+use denhart::{InverseKinematics, PlanarPose, PointAngle, PointAxis, Pose, Status};
+
+use crate::poses::Space;
+use crate::random::Random;
+use crate::recover::{self, Form};
+use crate::report::Report;
+use crate::singular::Svd;
+use crate::subject::{Answer, Specified, Subject};
+use crate::task::Asked;
+
+use std::f64::consts::TAU;
+
+/// What is no number.
+const NO_NUMBERS: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+
+/// A target that can be spoiled.
+pub trait Spoil: Asked + Clone {
+    /// Copies that cannot be meant, each with what is wrong about it.
+    fn spoiled(&self) -> Vec<(String, Self)>;
+
+    /// Copies that mean the same.
+    fn same(&self) -> Vec<Self> {
+        Vec::new()
+    }
+
+    /// A copy that fails by up to `size` to be a target; nothing where every target is one.
+    fn almost(&self, _size: f64, _random: &mut Random) -> Option<Self> {
+        None
+    }
+
+    /// Whether `inverse_near` reads the part that is spoiled. A given joint it takes from its reference.
+    fn is_bad_beside_a_reference(&self) -> bool {
+        true
+    }
+}
+
+/// Copies with one number after the other replaced by what is none.
+fn numbers<T: Clone, const K: usize>(target: &T, name: &str, at: impl Fn(&mut T) -> [&mut f64; K]) -> Vec<(String, T)> {
+    let spoil = |(value, index): (f64, usize)| {
+        let mut target = target.clone();
+        *at(&mut target)[index] = value;
+        (format!("{value} in the {name}"), target)
+    };
+    NO_NUMBERS.iter().flat_map(|value| (0..K).map(|index| (*value, index))).map(spoil).collect()
+}
+
+impl Spoil for Pose<f64> {
+    fn spoiled(&self) -> Vec<(String, Self)> {
+        let mut targets = numbers(self, "translation", |t| t.translation.each_mut());
+        for row in 0..3 {
+            targets.extend(numbers(self, "rotation", |t| t.rotation[row].each_mut()));
+        }
+        let mut spoil = |what: String, change: &dyn Fn(&mut Self)| {
+            let mut target = *self;
+            change(&mut target);
+            targets.push((what, target));
+        };
+        for scale in [1.0 + 1e-5, 1.0 - 1e-5, 2.0, 0.5, 0.0, 1e200] {
+            spoil(format!("rotation times {scale}"), &|t| t.rotation = t.rotation.map(|row| row.map(|x| scale * x)));
+        }
+        spoil("x column longer by 1e-5".into(), &|t| (0..3).for_each(|row| t.rotation[row][0] *= 1.0 + 1e-5));
+        spoil("z column shorter by 1e-5".into(), &|t| (0..3).for_each(|row| t.rotation[row][2] *= 1.0 - 1e-5));
+        for (from, to) in [(0, 1), (1, 2), (2, 0)] {
+            spoil(format!("column {to} leans towards {from} by 1e-5"), &|t| {
+                (0..3).for_each(|row| t.rotation[row][to] += 1e-5 * t.rotation[row][from]);
+            });
+        }
+        for column in 0..3 {
+            spoil(format!("column {column} mirrored"), &|t| (0..3).for_each(|row| t.rotation[row][column] *= -1.0));
+        }
+        spoil("mirrored through the origin".into(), &|t| t.rotation = t.rotation.map(|row| row.map(|x| -x)));
+        spoil("rows exchanged".into(), &|t| t.rotation.swap(0, 1));
+        targets
+    }
+
+    fn almost(&self, size: f64, random: &mut Random) -> Option<Self> {
+        let mut almost = *self;
+        almost.rotation.as_flattened_mut().iter_mut().for_each(|x| *x += random.uniform(-size, size));
+        Some(almost)
+    }
+}
+
+impl<const K: usize> Spoil for [f64; K]
+where
+    Self: Asked,
+{
+    fn spoiled(&self) -> Vec<(String, Self)> {
+        numbers(self, "point", |t| t.each_mut())
+    }
+}
+
+impl Spoil for PointAxis<f64> {
+    fn spoiled(&self) -> Vec<(String, Self)> {
+        let mut targets = numbers(self, "point", |t| t.point.each_mut());
+        targets.extend(numbers(self, "axis", |t| t.axis.each_mut()));
+        for length in [0.0, 1e-13, 1e-200, 1e-320] {
+            targets.push((format!("axis of length {length}"), Self { axis: self.axis.map(|x| x * length), ..*self }));
+        }
+        targets
+    }
+
+    /// A direction of any length is one, from 1e-12 on and to where squares overflow.
+    fn same(&self) -> Vec<Self> {
+        let scaled = |length: f64| Self { axis: self.axis.map(|x| x * length), ..*self };
+        [4e-12, 1e-6, 0.5, 1.0 - 1e-5, 3.0, 1e6, 1e200, 1e300].map(scaled).to_vec()
+    }
+}
+
+impl Spoil for PointAngle<f64> {
+    fn spoiled(&self) -> Vec<(String, Self)> {
+        let mut targets = numbers(self, "point", |t| t.point.each_mut());
+        targets.extend(numbers(self, "angle", |t| [&mut t.angle]));
+        targets
+    }
+
+    fn same(&self) -> Vec<Self> {
+        [-2.0, -1.0, 1.0, 7.0].map(|turns| Self { angle: self.angle + turns * TAU, ..*self }).to_vec()
+    }
+}
+
+impl Spoil for PlanarPose<f64> {
+    fn spoiled(&self) -> Vec<(String, Self)> {
+        numbers(self, "pose", |t| [&mut t.x, &mut t.y, &mut t.phi])
+    }
+
+    fn same(&self) -> Vec<Self> {
+        [-2.0, -1.0, 1.0, 7.0].map(|turns| Self { phi: self.phi + turns * TAU, ..*self }).to_vec()
+    }
+}
+
+impl<T: Spoil> Spoil for (T, f64) {
+    fn spoiled(&self) -> Vec<(String, Self)> {
+        let mut targets: Vec<_> = self.0.spoiled().into_iter().map(|(what, target)| (what, (target, self.1))).collect();
+        targets.extend(numbers(self, "given joint", |t| [&mut t.1]));
+        targets
+    }
+
+    fn same(&self) -> Vec<Self> {
+        self.0.same().into_iter().map(|target| (target, self.1)).collect()
+    }
+
+    fn almost(&self, size: f64, random: &mut Random) -> Option<Self> {
+        self.0.almost(size, random).map(|target| (target, self.1))
+    }
+
+    fn is_bad_beside_a_reference(&self) -> bool {
+        self.1.is_finite()
+    }
+}
+
+/// What cannot be meant is a BadTarget without solutions, and so is a reference that is not finite. What means the same
+/// has the same solutions. A pose within 1e-7 of a rotation is used as given.
+pub fn check<A, const N: usize>()
+where
+    A: Specified<N> + InverseKinematics<f64, N, Target: Spoil>,
+{
+    let subject = &Subject::new::<A>();
+    let arm = A::default();
+    let answer =
+        |solutions: &A::Solutions| Answer { solutions: solutions.as_ref().to_vec(), status: A::status(solutions) };
+    let is_bad = |answer: &Answer<N>| answer.status == Status::BadTarget && answer.solutions.is_empty();
+    let mut report = Report::new(subject.name);
+    let mut random = Random::named(subject.name);
+    let space = Space::of(subject);
+    for _ in 0..20 {
+        let q = space.random(&mut random);
+        let goal = subject.goal(&q);
+        let target = A::Target::of(subject.task.kind, &goal);
+        for (what, spoiled) in target.spoiled() {
+            report.count();
+            let mut answers = vec![answer(&arm.inverse(&spoiled))];
+            if spoiled.is_bad_beside_a_reference() {
+                answers.push(answer(&arm.inverse_near(&spoiled, &q)));
+            }
+            for answer in answers.iter().filter(|answer| !is_bad(answer)) {
+                report.fail("bad targets", "not a BadTarget", || format!("{what}: {spoiled:?}\n      {answer}"));
+            }
+        }
+        for joint in 0..N {
+            for value in NO_NUMBERS {
+                let mut q_ref = q;
+                q_ref[joint] = value;
+                let answer = answer(&arm.inverse_near(&target, &q_ref));
+                if !is_bad(&answer) {
+                    report.fail("bad references", "not a BadTarget", || format!("{q_ref:?}\n      {answer}"));
+                }
+            }
+        }
+        if Svd::at(subject, &q).least() < 1e-2 {
+            continue;
+        }
+        let plain = subject.inverse(&goal);
+        for same in target.same() {
+            report.count();
+            let answer = answer(&arm.inverse(&same));
+            let is_there = |q: &[f64; N]| answer.exact().any(|s| subject.distance(&s.q, q, |_| true) < 1e-9);
+            if answer.solutions.len() != plain.solutions.len() || !plain.exact().all(|s| is_there(&s.q)) {
+                report
+                    .fail("the same target", "other solutions", || format!("{same:?}\n      {answer}\n      {plain}"));
+            }
+        }
+        for size in [1e-7, 1e-9, 1e-13] {
+            let Some(almost) = target.almost(size, &mut random) else { continue };
+            let answer = answer(&arm.inverse(&almost));
+            recover::examine(subject, &mut report, "almost rotations", &goal, &answer, Form::Principal);
+            // The joints follow the target by its deviation over the least singular value, and some more where they bend.
+            let found = answer.solutions.iter().any(|s| subject.distance(&s.q, &q, |_| true) < 1e4 * size);
+            if answer.status == Status::BadTarget || !found {
+                report.fail("almost rotations", "not used as given", || {
+                    format!("by {size:e}\n      {}", recover::describe(subject, &goal, &q, &answer))
+                });
+            }
+        }
+    }
+    report.assert_nothing_new();
+}

@@ -1,0 +1,90 @@
+//! What every arm with an inverse has to pass, group by group.
+
+use crate::boundary::{self, Carried};
+use crate::poses::{Space, singular_surface};
+use crate::random::Random;
+use crate::recover;
+use crate::report::Report;
+use crate::subject::Subject;
+
+/// How large grids may be.
+#[derive(Debug, Clone, Copy)]
+pub struct Grids {
+    /// A grid with more joint vectors than this is sampled.
+    pub complete: usize,
+    /// By so many.
+    pub samples: usize,
+}
+
+/// 2,000 random joint vectors, with references beside them and whole turns away.
+pub fn random_poses<const N: usize>(subject: &Subject<N>) {
+    let mut report = Report::new(subject.name);
+    let mut random = Random::named(subject.name);
+    let space = Space::of(subject);
+    for _ in 0..2000 {
+        let q = space.random(&mut random);
+        recover::check(subject, &mut report, "random", &q);
+        recover::check_references(subject, &mut report, "random", &q, &mut random);
+    }
+    report.assert_nothing_new();
+}
+
+/// Grids of 90, 45, 15 and 30 degrees. With `DENHART_FULL_GRID=1` that of 30 degrees is complete.
+pub fn grids<const N: usize>(subject: &Subject<N>, grids: Grids) {
+    let mut report = Report::new(subject.name);
+    let mut random = Random::named(subject.name);
+    let space = Space::of(subject);
+    let full = std::env::var_os("DENHART_FULL_GRID").is_some_and(|value| value == "1");
+    for (steps, family) in
+        [(4, "90 degree grid"), (8, "45 degree grid"), (24, "15 degree grid"), (12, "30 degree grid")]
+    {
+        if space.grid(steps).len() <= grids.complete || (steps == 12 && full) {
+            for q in space.grid(steps) {
+                recover::check(subject, &mut report, family, &q);
+            }
+        } else {
+            for q in space.grid_samples(steps, grids.samples, &mut random) {
+                recover::check(subject, &mut report, family, &q);
+            }
+        }
+    }
+    report.assert_nothing_new();
+}
+
+/// Joints at and beside the values where arms tend to be singular, and where this one is.
+pub fn awkward_poses<const N: usize>(subject: &Subject<N>) {
+    let mut report = Report::new(subject.name);
+    let mut random = Random::named(subject.name);
+    let space = Space::of(subject);
+    let special = [
+        space.first_joint_square(&mut random),
+        space.one_special(&mut random),
+        space.two_special(&mut random),
+        space.all_special(&mut random),
+    ];
+    let surface = singular_surface(subject, &mut random);
+    // Slides alone are singular nowhere.
+    let rigid = subject.kinds.iter().all(|kind| *kind == denhart::JointKind::Prismatic);
+    assert!(rigid || !surface.poses.is_empty(), "{}: nothing in the family {}", subject.name, surface.name);
+    for family in special.iter().chain([&surface]) {
+        for q in &family.poses {
+            recover::check(subject, &mut report, family.name, q);
+        }
+    }
+    report.assert_nothing_new();
+}
+
+/// Targets at the edge of what the arm reaches, and beyond it.
+pub fn out_of_reach<const N: usize>(subject: &Subject<N>) {
+    let mut report = Report::new(subject.name);
+    let mut random = Random::named(subject.name);
+    if let Some(carried) = Carried::of(subject) {
+        boundary::check_outermost(subject, &carried, &mut random, &mut report);
+    }
+    match subject.task.equations() {
+        equations if equations == N => boundary::check_folds(subject, &mut random, &mut report),
+        _ => boundary::check_leftover(subject, &mut random, &mut report),
+    }
+    boundary::check_far(subject, &mut random, &mut report);
+    report.assert_nothing_new();
+}

@@ -1,0 +1,178 @@
+//! What the tool of an arm is asked for, and how far a joint vector is from it.
+//!
+//! A [`Goal`] always knows the whole pose; the arm's [`Task`] says which part of it counts, and so what a miss is.
+
+use denhart::{Chain, DhRow, JointKind, PlanarPose, PointAngle, PointAxis, Pose};
+use nalgebra::{Isometry3, Vector3};
+
+/// What a task asks of the tool.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Position and orientation.
+    Pose,
+    /// The tool point.
+    Position,
+    /// The tool point and the direction of a tool axis: 0 for x to 2 for z.
+    PositionAxis(usize),
+    /// The tool point and the sum of the pitch joints.
+    PositionAngle,
+    /// The tool point in the base frame's x-y plane, and the direction of the tool's x axis in it.
+    PlanarPose,
+    /// The tool point in the base frame's x-y plane.
+    PlanarPosition,
+}
+
+/// The task of an arm.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Task {
+    pub kind: Kind,
+    /// The joint whose value is an argument, from 0.
+    pub given: Option<usize>,
+}
+
+impl Task {
+    /// A task without a joint whose value is given.
+    pub const fn new(kind: Kind) -> Self {
+        Self { kind, given: None }
+    }
+
+    /// The same with the value of joint `number`, counted from 1 as in arm files, as an argument.
+    pub const fn redundant(self, number: usize) -> Self {
+        Self { given: Some(number - 1), ..self }
+    }
+
+    /// Number of equations, the given joint's among them.
+    pub fn equations(&self) -> usize {
+        let asked = match self.kind {
+            Kind::Pose => 6,
+            Kind::PositionAxis(_) => 5,
+            Kind::PositionAngle => 4,
+            Kind::Position | Kind::PlanarPose => 3,
+            Kind::PlanarPosition => 2,
+        };
+        asked + usize::from(self.given.is_some())
+    }
+
+    /// Whether only what happens in the base frame's x-y plane counts.
+    pub fn is_planar(&self) -> bool {
+        matches!(self.kind, Kind::PlanarPose | Kind::PlanarPosition)
+    }
+}
+
+/// Most equations a task has: six of a pose and one of a given joint.
+pub const EQUATIONS: usize = 7;
+
+/// What is asked for, whatever the task.
+#[derive(Debug, Clone, Copy)]
+pub struct Goal {
+    pub pose: Isometry3<f64>,
+    /// Sum of the pitch joints, rad; 0 unless the task asks for it.
+    pub angle: f64,
+    /// Value of the given joint; 0 if there is none.
+    pub given: f64,
+}
+
+impl From<Isometry3<f64>> for Goal {
+    fn from(pose: Isometry3<f64>) -> Self {
+        Self { pose, angle: 0.0, given: 0.0 }
+    }
+}
+
+/// The type of a target in the generated code.
+pub trait Asked: Sized + std::fmt::Debug {
+    /// The part of the goal that the task looks at.
+    fn of(kind: Kind, goal: &Goal) -> Self;
+}
+
+impl Asked for Pose<f64> {
+    fn of(_: Kind, goal: &Goal) -> Self {
+        Pose::from(goal.pose)
+    }
+}
+
+impl Asked for [f64; 3] {
+    fn of(_: Kind, goal: &Goal) -> Self {
+        goal.pose.translation.vector.into()
+    }
+}
+
+impl Asked for [f64; 2] {
+    fn of(_: Kind, goal: &Goal) -> Self {
+        goal.pose.translation.vector.xy().into()
+    }
+}
+
+impl Asked for PointAxis<f64> {
+    fn of(kind: Kind, goal: &Goal) -> Self {
+        let Kind::PositionAxis(axis) = kind else { panic!("the task of the list is not position_axis") };
+        PointAxis::new(goal.pose.translation.vector.into(), tool_axis(&goal.pose, axis).into())
+    }
+}
+
+impl Asked for PointAngle<f64> {
+    fn of(_: Kind, goal: &Goal) -> Self {
+        PointAngle::new(goal.pose.translation.vector.into(), goal.angle)
+    }
+}
+
+impl Asked for PlanarPose<f64> {
+    fn of(_: Kind, goal: &Goal) -> Self {
+        let point = goal.pose.translation.vector;
+        PlanarPose::new(point.x, point.y, heading(&goal.pose))
+    }
+}
+
+impl<A: Asked> Asked for (A, f64) {
+    fn of(kind: Kind, goal: &Goal) -> Self {
+        (A::of(kind, goal), goal.given)
+    }
+}
+
+/// The tool's axis in the base frame: 0 for x to 2 for z.
+pub fn tool_axis(pose: &Isometry3<f64>, axis: usize) -> Vector3<f64> {
+    pose.rotation * Vector3::from(std::array::from_fn::<f64, 3, _>(|k| f64::from(u8::from(k == axis))))
+}
+
+/// Two unit vectors across a unit vector and across one another; the same two for the same vector.
+pub fn across(axis: &Vector3<f64>) -> [Vector3<f64>; 2] {
+    let first = Vector3::ith(axis.iamin(), 1.0).cross(axis).normalize();
+    [first, axis.cross(&first)]
+}
+
+/// Direction of the tool's x axis in the base frame's x-y plane, rad.
+pub fn heading(pose: &Isometry3<f64>) -> f64 {
+    let x = tool_axis(pose, 0);
+    x.y.atan2(x.x)
+}
+
+/// How the joints add up to the angle of a `position_angle` task.
+#[derive(Debug, Clone, Copy)]
+pub struct Pitch<const N: usize> {
+    /// `+-1` for a pitch joint, by the sense of its axis beside that of the first one; 0 for others.
+    pub signs: [f64; N],
+    /// The sum of the table's angles of these joints, with the same signs, rad.
+    pub offset: f64,
+}
+
+impl<const N: usize> Pitch<N> {
+    /// No joint counts.
+    pub const NONE: Self = Self { signs: [0.0; N], offset: 0.0 };
+
+    /// Every turning joint after the first one whose axis is parallel to that of joint 2, which has to be one of them.
+    pub fn of(chain: &Chain) -> Self {
+        let jacobian = chain.jacobian(&[0.0; N]).expect("the chain has as many joints as the arm");
+        let axis = |joint: usize| -> Vector3<f64> { jacobian.fixed_view::<3, 1>(3, joint).into() };
+        let signs = std::array::from_fn(|joint| match axis(joint).dot(&axis(1)) {
+            along if joint > 0 && along.abs() > 1.0 - 1e-9 => along.signum(),
+            _ => 0.0,
+        });
+        let moving = chain.rows().iter().filter(|row| row.kind != JointKind::Fixed);
+        let offset = moving.zip(&signs).map(|(DhRow { theta, .. }, sign)| theta * sign).sum();
+        Self { signs, offset }
+    }
+
+    /// The angle at `q`, rad.
+    pub fn angle(&self, q: &[f64; N]) -> f64 {
+        self.offset + q.iter().zip(&self.signs).map(|(q, sign)| q * sign).sum::<f64>()
+    }
+}

@@ -1,0 +1,70 @@
+//! Inverse kinematics of every task but the six-joint pose: nothing is lost, nothing wrong is called exact.
+//!
+//! An arm is one line of a list (or a few, where its file is inline): its name, number of joints, task, and the attribute
+//! of the derive. The arms are of this target alone, so that `cargo test -p denhart-tests --no-default-features --test
+//! tasks` builds without all others.
+
+/// One module an arm, one test a group of joint vectors.
+macro_rules! arms {
+    ($($name:ident $dof:tt $kind:ident $(($axis:ident))? $(given $joint:literal)? { $($attribute:tt)* };)*) => {$(
+        mod $name {
+            use denhart_tests::subject::{Specified, Subject};
+            use denhart_tests::task::{Kind, Task};
+            use denhart_tests::{bad_targets, suite};
+
+            #[derive(Debug, Clone, Copy, Default, denhart::Arm)]
+            #[arm($($attribute)*)]
+            struct Tested;
+
+            impl Specified<$dof> for Tested {
+                const NAME: &'static str = stringify!($name);
+                const TABLE: denhart::DhTable = Tested::DH;
+                const TASK: Task = Task::new(Kind::$kind $((crate::$axis))?)$(.redundant($joint))?;
+            }
+
+            #[test]
+            fn random_poses() {
+                suite::random_poses(&Subject::new::<Tested>());
+            }
+
+            #[test]
+            fn grids() {
+                suite::grids(&Subject::new::<Tested>(), crate::GRIDS);
+            }
+
+            #[test]
+            fn awkward_poses() {
+                suite::awkward_poses(&Subject::new::<Tested>());
+            }
+
+            #[test]
+            fn out_of_reach() {
+                suite::out_of_reach(&Subject::new::<Tested>());
+            }
+
+            #[test]
+            fn bad_targets() {
+                bad_targets::check::<Tested, $dof>();
+            }
+        }
+    )*};
+}
+
+mod planar;
+mod pose_of_fewer_joints;
+mod position;
+mod position_angle;
+mod position_axis;
+mod position_redundant;
+mod redundant;
+mod redundant_made_up;
+
+use denhart_tests::suite::Grids;
+
+/// Three joints: all grids in full. Four: up to 30 degrees; five: up to 45; seven: 90.
+const GRIDS: Grids = Grids { complete: 33_000, samples: 4_000 };
+
+/// The axes of the tool, as `position_axis` has them.
+const X: usize = 0;
+const Y: usize = 1;
+const Z: usize = 2;
