@@ -71,7 +71,7 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
     let given = outline.redundant.then(|| quote!(, _: #number));
     let motors = motors(krate, &number, joints, &q, any_list.as_ref());
     let any_target_list = any_target.as_ref().map(|any| quote!(<#any>));
-    let near = [any_target, any].into_iter().flatten();
+    let near: Vec<_> = [any_target, any].into_iter().flatten().collect();
     let solutions = quote!(#krate::Solutions<#number, #joints, 8>);
     let motion = motion(krate, &number, &q, any_list.as_ref());
     let traits = input.generics.params.is_empty().then(|| traits(name, outline, krate, &number));
@@ -119,6 +119,13 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
             }
             pub fn inverse #any_target_list (&self, _: &#target #given) -> #solutions {
                 #krate::Solutions::new(#krate::Status::BadTarget)
+            }
+            pub fn inverse_branch <#(#near),*> (
+                &self,
+                _: &#target,
+                _: #krate::Branch,
+            ) -> ::core::result::Result<#krate::Solution<#number, #q>, #krate::Status<#number>> {
+                ::core::result::Result::Err(#krate::Status::BadTarget)
             }
             pub fn inverse_near <#(#near),*> (&self, _: &#target, _: &[#number; #q]) -> #solutions {
                 #krate::Solutions::new(#krate::Status::BadTarget)
@@ -198,6 +205,13 @@ fn traits(name: &Ident, outline: &Outline, krate: &Path, number: &TokenStream) -
             const MAX_SOLUTIONS: ::core::primitive::usize = 8;
             fn inverse(&self, _: &Self::Target) -> Self::Solutions {
                 #krate::Solutions::new(#krate::Status::BadTarget)
+            }
+            fn inverse_branch(
+                &self,
+                _: &Self::Target,
+                _: #krate::Branch,
+            ) -> ::core::result::Result<#krate::Solution<#number, #q>, #krate::Status<#number>> {
+                ::core::result::Result::Err(#krate::Status::BadTarget)
             }
             fn inverse_near(&self, _: &Self::Target, _: &[#number; #q]) -> Self::Solutions {
                 #krate::Solutions::new(#krate::Status::BadTarget)

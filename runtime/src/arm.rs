@@ -1,11 +1,12 @@
 //! What every generated arm can do, for code that is generic over the arm.
 
+use crate::branch::Branch;
 use crate::dh::JointKind;
 use crate::jacobian::Jacobian;
 use crate::math::Scalar;
 use crate::motion::{Acceleration, Twist};
 use crate::pose::Pose;
-use crate::solution::{Residual, Solution, Status};
+use crate::solution::{OneSolution, Residual, Solution, Status};
 
 /// Forward kinematics of an arm with `N` joints in scalar `T`.
 ///
@@ -185,12 +186,29 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
     #[must_use]
     fn inverse(&self, target: &Self::Target) -> Self::Solutions;
 
-    /// The same solutions with angles unwound next to `q_ref`, the nearest first.
+    /// The same solutions next to `q_ref`, the nearest first.
+    ///
+    /// Each revolute joint is on the turn nearest to its reference, of those inside its limits if there are any. A joint
+    /// whose reference is outside the limits itself follows it all the same, within half a turn. The distance is
+    /// Euclidean, strokes over the reach, with the weights of the arm's file if it has any.
     ///
     /// Joints that the target does not determine take their value from `q_ref`. A `q_ref` that is not finite gives
     /// [`Status::BadTarget`].
     #[must_use]
     fn inverse_near(&self, target: &Self::Target, q_ref: &[T; N]) -> Self::Solutions;
+
+    /// The solution of [`inverse`](Self::inverse) on one branch, without computing the others: for control loops that
+    /// stay on a branch. [`Solution::next_to`] puts it on the turn next to where the arm is.
+    ///
+    /// Where two branches meet they are one solution, flagged [`BOUNDARY`](crate::Flags::BOUNDARY): the answer to
+    /// either. Parts that `branch` does not name may be any, and the first such solution is returned, an exact one if
+    /// there is one; parts that the arm does not have are ignored. The number of a root
+    /// ([`Branch::root`](crate::Branch::root)) means a branch at one target only: roots are numbered anew at the next.
+    ///
+    /// # Errors
+    /// [`Status::BadTarget`], or [`Status::Unreachable`] with the gap at which the branch ends, infinite where the
+    /// target has no such branch.
+    fn inverse_branch(&self, target: &Self::Target, branch: Branch) -> OneSolution<T, N>;
 
     /// By how much `q` misses the target, from the arm's own `forward`: only what the target asks for counts.
     #[must_use]

@@ -33,10 +33,12 @@ mod branch;
 #[cfg(all(feature = "nalgebra", feature = "std"))]
 mod chain;
 mod combined_limit;
+mod delegate;
 mod dh;
 mod flags;
 mod jacobian;
 mod manipulability;
+mod margin;
 pub mod math;
 mod motion;
 #[cfg(feature = "nalgebra")]
@@ -48,6 +50,7 @@ mod solution;
 mod solutions;
 pub mod solve;
 mod target;
+mod windings;
 
 pub use actuator::{Actuator, Quantized};
 pub use analytic::AnalyticJacobian;
@@ -59,13 +62,15 @@ pub use combined_limit::CombinedLimit;
 pub use dh::{Convention, DhFrame, DhRow, DhTable, JointKind, LengthUnit};
 pub use flags::{Flags, JointMask};
 pub use jacobian::Jacobian;
+pub use margin::Margin;
 pub use math::Scalar;
 pub use motion::{Acceleration, Twist};
 pub use orientation::{AxisAngle, Euler, EulerOrder};
 pub use pose::Pose;
-pub use solution::{Residual, Solution, Status};
+pub use solution::{OneSolution, Residual, Solution, Status};
 pub use solutions::Solutions;
 pub use target::{PlanarPose, PointAngle, PointAxis, Target};
+pub use windings::Windings;
 
 /// Derives [`Arm`](trait@Arm), and where the arm has a closed form [`InverseKinematics`], from a table in YAML.
 #[cfg(feature = "derive")]

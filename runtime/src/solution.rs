@@ -2,10 +2,12 @@
 
 use core::fmt;
 
+use crate::arm::Arm;
 use crate::branch::Branch;
 use crate::dh::JointKind;
 use crate::flags::{Flags, JointMask};
 use crate::math::Scalar;
+use crate::windings::{Windings, next_to};
 
 /// How far a pose misses its target.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,6 +74,41 @@ impl<T, const N: usize> Solution<T, N> {
 }
 
 impl<T: Scalar, const N: usize> Solution<T, N> {
+    /// Every joint vector within the arm's limits that differs from this solution by whole turns of its revolute
+    /// joints, the nearest first; see [`Windings`] for the order and for joints without limits.
+    ///
+    /// ```
+    /// # fn main() {}
+    /// # use denhart::{Arm, Solution};
+    /// /// The winding in which joint 6 has most turns left before its limit.
+    /// fn most_room<A: Arm<f64, 6>>(arm: &A, solution: &Solution<f64, 6>) -> Option<[f64; 6]> {
+    ///     solution.windings(arm).min_by(|a, b| a[5].abs().total_cmp(&b[5].abs()))
+    /// }
+    /// ```
+    pub fn windings<A: Arm<T, N>>(&self, _arm: &A) -> Windings<T, N> {
+        Windings::new(&self.q, &A::LIMITS, &A::JOINT_KINDS)
+    }
+
+    /// The same solution with each revolute joint on the turn next to `q_ref` (`[N]`), by the rule of
+    /// [`inverse_near`](crate::InverseKinematics::inverse_near). A joint whose reference is not finite stays.
+    #[must_use]
+    pub fn next_to<A: Arm<T, N>>(&self, _arm: &A, q_ref: &[T; N]) -> Self {
+        let mut solution = *self;
+        let joints = solution.q.iter_mut().zip(q_ref).zip(A::LIMITS.into_iter().zip(A::JOINT_KINDS));
+        let mut inside = true;
+        for ((value, reference), (limits, kind)) in joints {
+            if kind == JointKind::Revolute && reference.is_finite() {
+                *value = next_to(*value, *reference, limits);
+            }
+            inside &= *value >= limits[0] && *value <= limits[1];
+        }
+        solution.flags.remove(Flags::OUT_OF_LIMITS);
+        if !inside {
+            solution.flags |= Flags::OUT_OF_LIMITS;
+        }
+        solution
+    }
+
     /// The solution as text for people: revolute joints in degrees, prismatic ones in the length unit.
     ///
     /// `kinds`: the arm's [`JOINT_KINDS`](crate::Arm::JOINT_KINDS). A precision in the format applies to every joint
@@ -125,6 +162,9 @@ fn write_facts<T, const N: usize>(f: &mut fmt::Formatter<'_>, solution: &Solutio
     }
     write!(f, "  {}", solution.branch)
 }
+
+/// What a query for one solution gives: the solution, or the status that says why there is none.
+pub type OneSolution<T, const N: usize> = Result<Solution<T, N>, Status<T>>;
 
 /// Outcome of an inverse.
 #[derive(Debug, Clone, Copy, PartialEq)]

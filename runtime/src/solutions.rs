@@ -108,6 +108,18 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
         self.as_slice().first()
     }
 
+    /// The first exact solution, else the first approximate one.
+    ///
+    /// # Errors
+    /// The status, if there is no solution.
+    #[inline]
+    pub fn first_or_status(&self) -> Result<Solution<T, N>, Status<T>>
+    where
+        T: Copy,
+    {
+        self.exact().next().or(self.nearest()).copied().ok_or(self.status)
+    }
+
     /// Keeps the first `len` solutions.
     #[inline]
     pub fn truncate(&mut self, len: usize) {

@@ -7,7 +7,7 @@ use denhart::{Flags, JointKind, Solution};
 use crate::random::Random;
 use crate::report::Report;
 use crate::singular::{self, Svd};
-use crate::subject::{Answer, Subject};
+use crate::subject::{Answer, Subject, wrap};
 use crate::task::Goal;
 
 /// A solution flagged EXACT reaches its target within this, in reaches and in rad: some thousand roundings, so that it
@@ -22,7 +22,7 @@ const SAME: f64 = 1e-6;
 pub enum Form<'a, const N: usize> {
     /// `inverse`: angles in `(-pi, pi]`.
     Principal,
-    /// `inverse_near` with this reference: angles within half a turn of it, nearest first.
+    /// `inverse_near` with this reference: angles next to it inside the limits, nearest solution first.
     Near(&'a [f64; N]),
 }
 
@@ -89,7 +89,13 @@ pub fn check_references<const N: usize>(
         let target = subject.goal(q);
         let near = subject.inverse_near(&target, &beside);
         examine(subject, report, family, &target, &near, Form::Near(&beside));
-        if !near.solutions.first().is_some_and(|first| subject.distance_with_turns(&first.q, q) <= SAME) {
+        // Beside a limit `q` may have been taken to another turn, and is no longer the nearest.
+        let keeps_turn = |joint: usize| {
+            subject.kinds[joint] != JointKind::Revolute || next_to(q[joint], beside[joint], subject.limits[joint])
+        };
+        if (0..N).all(keeps_turn)
+            && !near.solutions.first().is_some_and(|first| subject.distance_with_turns(&first.q, q) <= SAME)
+        {
             report.fail(family, "the nearest solution is not first", || describe(subject, &target, &beside, &near));
         }
     }
@@ -181,12 +187,12 @@ fn broken_rule<const N: usize>(
     let in_range = |joint: usize| match form {
         _ if !revolute(joint) => true,
         Form::Principal => -PI < q[joint] && q[joint] <= PI,
-        Form::Near(q_ref) => (q[joint] - q_ref[joint]).abs() <= PI + 1e-9,
+        Form::Near(q_ref) => next_to(q[joint], q_ref[joint], subject.limits[joint]),
     };
     if !(0..N).all(in_range) {
         return Some(match form {
             Form::Principal => "an angle is not in (-pi, pi]",
-            Form::Near(_) => "an angle is more than half a turn from the reference",
+            Form::Near(_) => "an angle is not on the turn next to the reference",
         });
     }
     if is(Flags::EXACT) == is(Flags::APPROXIMATE) {
@@ -212,6 +218,24 @@ fn broken_rule<const N: usize>(
         return Some("OUT_OF_LIMITS is wrong");
     }
     None
+}
+
+/// Whether an angle is on the turn that `inverse_near` has to choose: of those inside the limits the nearest to the
+/// reference, within half a turn of it if none is inside or the reference is not. Within rounding of a limit either will
+/// do.
+fn next_to(angle: f64, reference: f64, [low, high]: [f64; 2]) -> bool {
+    let distance = (angle - reference).abs();
+    let near = reference + wrap(angle - reference);
+    let inside = |angle: f64, margin: f64| angle >= low - margin && angle <= high + margin;
+    if inside(near, -1e-9) || !inside(reference, 1e-9) || distance <= PI + 1e-9 && inside(near, 1e-9) {
+        return distance <= PI + 1e-9;
+    }
+    let windings = (-12..=12).map(|turns| wrap(angle) + TAU * f64::from(turns));
+    let best = windings.filter(|winding| inside(*winding, -1e-9)).map(|winding| (winding - reference).abs());
+    match best.min_by(f64::total_cmp) {
+        Some(best) => inside(angle, 1e-9) && distance <= best + 1e-9,
+        None => distance <= PI + 1e-9 || inside(angle, 1e-9),
+    }
 }
 
 /// Whether the solutions are sorted by their Euclidean distance from the reference. Whether a prismatic joint counts in

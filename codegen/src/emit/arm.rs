@@ -2,6 +2,7 @@
 
 use super::constants::Dimensions;
 use super::inverse::{Inverse as InverseCode, inverse};
+use super::margins::margins;
 use super::tokens::integer;
 use super::{Target, actuator, combined_limits, coupling, docs, kinematics, motion, parameters, tables};
 use crate::model::chain::Chain;
@@ -54,7 +55,10 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     let inverse_code = match arm.inverse {
         Ok(plan) => {
             dimensions.collect(&plan.graph, &plan.inputs());
-            inverse(model, plan, target)
+            let margins = margins(model, plan, target, &mut dimensions);
+            let mut code = inverse(model, plan, target);
+            code.methods.extend(margins);
+            code
         }
         Err(refusal) => refused(model, refusal, target),
     };
@@ -111,28 +115,7 @@ fn arm_trait(model: &Model, task: Option<Task>, target: &Target) -> TokenStream 
     quote! {
         #[automatically_derived]
         impl #krate::Arm<#scalar, #n> for #name {
-            const LIMITS: [[#scalar; 2]; #n] = #name::LIMITS;
-            const JOINT_NAMES: [&'static str; #n] = #name::JOINT_NAMES;
-            const JOINT_KINDS: [#krate::JointKind; #n] = #name::JOINT_KINDS;
-            #[inline]
-            fn forward(&self, q: &[#scalar; #n]) -> #krate::Pose<#scalar> {
-                #name::forward(self, q)
-            }
-            #[inline]
-            fn link_poses(&self, q: &[#scalar; #n]) -> [#krate::Pose<#scalar>; #n] {
-                #name::link_poses(self, q)
-            }
-            #[inline]
-            fn jacobian(&self, q: &[#scalar; #n]) -> #krate::Jacobian<#scalar, #n> {
-                #name::jacobian(self, q)
-            }
-            #[inline]
-            fn forward_and_jacobian(
-                &self,
-                q: &[#scalar; #n],
-            ) -> (#krate::Pose<#scalar>, #krate::Jacobian<#scalar, #n>) {
-                #name::forward_and_jacobian(self, q)
-            }
+            #krate::delegate_arm!(#name, #scalar, #n);
             #motion
         }
     }
@@ -161,6 +144,15 @@ fn refused(model: &Model, refusal: &Refusal, target: &Target) -> InverseCode {
             #doc
             pub fn inverse<Target: #solvable>(&self, _target: Target #given) -> #none {
                 #krate::Solutions::new(#krate::Status::BadTarget)
+            }
+
+            #doc
+            pub fn inverse_branch<Target: #solvable>(
+                &self,
+                _target: Target,
+                _branch: #krate::Branch,
+            ) -> ::core::result::Result<#krate::Solution<#scalar, #n>, #krate::Status<#scalar>> {
+                ::core::result::Result::Err(#krate::Status::BadTarget)
             }
 
             #doc

@@ -57,7 +57,7 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
     let labels = (1..=plan.joints()).map(|i| i.to_string()).chain(plan.slots.iter().map(|slot| slot.label.clone()));
     let prefixes = ["q", "index", "roots", "trail", "elbow", "cone", "phase"];
     let reserved = labels.flat_map(|label| prefixes.map(|prefix| format!("{prefix}{label}")));
-    let names = ["search", "solutions", "start", "target", "near", "arm", "goal", "frame", "swing"];
+    let names = ["search", "solutions", "start", "target", "near", "arm", "goal", "frame", "swing", "wanted"];
     // The size of an arm with run-time parameters.
     let sizes: &[&str] = if model.parameters.is_empty() { &[] } else { &["reach", "facts", "length"] };
     let reserved = reserved.chain(names.iter().chain(sizes).map(|name| name.to_string()));
@@ -165,7 +165,14 @@ impl Nest<'_> {
             let pattern = self.pattern(stage);
             let index = ident(&format!("index{number}"));
             if let Some(level) = self.levels.last_mut() {
-                level.head = quote!(for (#index, &#pattern) in #roots.each(&#trail));
+                let part = match stage.branching {
+                    Branching::None => quote!(::core::option::Option::None),
+                    Branching::Shoulder => quote!(wanted.shoulder()),
+                    Branching::Elbow => quote!(wanted.elbow()),
+                    Branching::Wrist => quote!(wanted.wrist()),
+                    Branching::Root => quote!(wanted.root()),
+                };
+                level.head = quote!(for (#index, &#pattern) in #roots.each(&#trail, #part));
             }
             self.name_branch(stage, &index);
         }

@@ -20,6 +20,8 @@ pub(super) fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStr
         .filter(|(_, joint)| joint.kind == JointKind::Prismatic)
         .map(|(index, _)| integer(index))
         .map(|index| quote!(.union(#krate::JointMask::single(#index))));
+    let weights = model.inverse.weights.clone().unwrap_or_else(|| vec![1.0; model.joints.len()]);
+    let weights = weights.into_iter().map(number);
     let length = number(model.inverse.tolerance_length.unwrap_or(1e-6 * plan.reach));
     let angle = number(model.inverse.tolerance_angle.unwrap_or(1e-6));
     let unit = docs::unit(model);
@@ -41,11 +43,13 @@ pub(super) fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStr
         #[doc = #facts_doc]
         const FACTS: #krate::solve::Facts<#scalar, #n> = #krate::solve::Facts {
             limits: #type_name::LIMITS,
+            weights: [#(#weights),*],
             limited: #limited,
             prismatic: #krate::JointMask::NONE #(#sliding)*,
             reach: REACH,
             tolerance: #krate::Residual { position: #length, orientation: #angle },
         };
+        const ALL: #krate::solve::Every = #krate::solve::Every;
         #calls
     }
 }
@@ -77,7 +81,7 @@ pub(super) fn function(
     let solutions = solutions(plan, target);
     let type_name = &target.type_name;
     let lines: Vec<String> = crate::solve::describe(plan).into_iter().map(|line| format!("- {line}")).collect();
-    let doc = docs::lines(&format!("All branches of the inverse.\n\n{}", lines.join("\n")));
+    let doc = docs::lines(&format!("All branches of the inverse, or those that are wanted.\n\n{}", lines.join("\n")));
     let (asked, unpack) = (&task.target, &task.unpack);
     let argument = given(plan).map(|q| quote!(#q: #scalar,));
     let mut goal = task.goal.clone();
@@ -96,13 +100,16 @@ pub(super) fn function(
     } else {
         (quote!(&facts), parameters::sizes(model, target))
     };
+    // Without a choice between roots there is nothing to select.
+    let wanted = ident(if plan.max_solutions() > 1 { "wanted" } else { "_wanted" });
     quote! {
         #doc
-        fn branches(
+        fn branches<S: #krate::solve::Select>(
             arm: &#type_name,
             target: &#asked,
             #argument
             near: ::core::option::Option<&[#scalar; #n]>,
+            #wanted: S,
         ) -> #solutions {
             let mut solutions = #krate::Solutions::new(#krate::Status::BadTarget);
             #sizes
@@ -164,19 +171,22 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
         None => from_reference,
     };
     let arm_angle = arm_angle(plan, target);
-    let near = match &q {
-        Some(q) => format!(
-            "The same solutions, joints unwound next to `q_ref` and sorted nearest first; `{q}` and free joints stay at \
-             their value in `q_ref`.\n\nA `q_ref` that is not finite is a `BadTarget`."
-        ),
-        None => {
-            "The same solutions, joints unwound next to `q_ref` and sorted nearest first; a free joint stays at its \
-                 value in `q_ref`.\n\nA `q_ref` that is not finite is a `BadTarget`."
-                .into()
-        }
-    };
-    let near = docs::lines(&near);
     let sample = sample_redundancy(plan, target, task);
+    let held = q.as_ref().map_or_else(
+        || "a free joint stays at its value".into(),
+        |q| format!("`{q}` and free joints stay at their value"),
+    );
+    let near = docs::lines(&format!(
+        "The same solutions next to `q_ref`, the nearest first; {held} in `q_ref`.\n\n\
+         Each revolute joint is on the turn nearest to `q_ref`, of those inside the limits if there are any (and `q_ref` \
+         is inside). {} A `q_ref` that is not finite is a `BadTarget`.",
+        distance(model)
+    ));
+    let branch = docs::lines(
+        "The solution of `inverse` on one branch, without computing the others; or the status that says why there is none \
+         (`Unreachable` with the gap at which the branch ends). Where branches meet, either gives the one solution, \
+         flagged `BOUNDARY`. Parts that `branch` does not name may be any.",
+    );
     quote! {
         #arm_angle
         #sample
@@ -187,14 +197,25 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
         #doc
         #[must_use]
         pub fn inverse(&self, target: &#asked #argument) -> #solutions {
-            branches(self, target, #pass ::core::option::Option::None)
+            branches(self, target, #pass ::core::option::Option::None, ALL)
+        }
+
+        #branch
+        #[inline]
+        pub fn inverse_branch(
+            &self,
+            target: &#asked
+            #argument,
+            branch: #krate::Branch,
+        ) -> #krate::OneSolution<#scalar, #n> {
+            branches(self, target, #pass ::core::option::Option::None, branch).first_or_status()
         }
 
         #near
         #[must_use]
         pub fn inverse_near(&self, target: &#asked, q_ref: &[#scalar; #n]) -> #solutions {
             #from_reference
-            branches(self, target, #pass ::core::option::Option::Some(q_ref))
+            branches(self, target, #pass ::core::option::Option::Some(q_ref), ALL)
         }
 
         /// By how much `q` misses the target, from `forward`: the full check of a solution.
@@ -278,29 +299,22 @@ fn sample_redundancy(plan: &Plan, target: &Target, task: &TaskCode) -> Option<To
 pub(super) fn inverse_trait(plan: &Plan, target: &Target, task: &TaskCode) -> TokenStream {
     let (krate, scalar, name) = (&target.krate, target.scalar.tokens(), &target.type_name);
     let (n, m) = (integer(plan.joints()), integer(plan.max_solutions()));
-    let (solutions, asked) = (solutions(plan, target), &task.target);
-    let redundant = given(plan).is_some();
-    let asked = if redundant { quote!((#asked, #scalar)) } else { quote!(#asked) };
-    let part = if redundant { quote!(&target.0) } else { quote!(target) };
-    let given = redundant.then(|| quote!(, target.1));
+    let asked = &task.target;
+    let given = given(plan).is_some().then(|| quote!(, given));
     quote! {
         #[automatically_derived]
         impl #krate::InverseKinematics<#scalar, #n> for #name {
-            type Target = #asked;
-            type Solutions = #solutions;
-            const MAX_SOLUTIONS: usize = #m;
-            fn inverse(&self, target: &Self::Target) -> Self::Solutions {
-                #name::inverse(self, #part #given)
-            }
-            fn inverse_near(&self, target: &Self::Target, q_ref: &[#scalar; #n]) -> Self::Solutions {
-                #name::inverse_near(self, #part, q_ref)
-            }
-            fn residual(&self, q: &[#scalar; #n], target: &Self::Target) -> #krate::Residual<#scalar> {
-                #name::residual(self, q, #part)
-            }
-            fn status(solutions: &Self::Solutions) -> #krate::Status<#scalar> {
-                solutions.status()
-            }
+            #krate::delegate_inverse!(#name, #scalar, #n, #m, #asked #given);
         }
+    }
+}
+
+/// How the distance from a reference is measured.
+fn distance(model: &Model) -> String {
+    let slides = model.joints.iter().any(|joint| joint.kind == JointKind::Prismatic);
+    let unit = if slides { "rad, strokes over the reach" } else { "rad" };
+    match &model.inverse.weights {
+        Some(weights) => format!("Distance: `sqrt(sum w_i (q_i - q_ref_i)^2)` ({unit}), `w = {weights:?}`."),
+        None => format!("Distance: Euclidean ({unit})."),
     }
 }

@@ -12,6 +12,7 @@ mod inverse;
 mod inverse_frame;
 mod kernel;
 mod kinematics;
+mod margins;
 mod motion;
 mod parameters;
 mod tables;

@@ -51,10 +51,17 @@ pub fn associated(model: &Model, target: &Target) -> TokenStream {
 /// Kinds as an array expression.
 fn kinds(model: &Model, target: &Target) -> TokenStream {
     let krate = &target.krate;
-    let kinds = model.joints.iter().map(|joint| match joint.kind {
+    let kind = |kind: JointKind| match kind {
         JointKind::Revolute => quote!(#krate::JointKind::Revolute),
         JointKind::Prismatic => quote!(#krate::JointKind::Prismatic),
-    });
+    };
+    if let [first, rest @ ..] = model.joints.as_slice()
+        && rest.iter().all(|joint| joint.kind == first.kind)
+    {
+        let (kind, n) = (kind(first.kind), integer(model.joints.len()));
+        return quote!([#kind; #n]);
+    }
+    let kinds = model.joints.iter().map(|joint| kind(joint.kind));
     quote!([#(#kinds),*])
 }
 

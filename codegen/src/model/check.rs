@@ -4,6 +4,7 @@ use super::actuator::actuators;
 use super::combined_limits::combined_limits;
 use super::coupling::coupling;
 use super::joint_names::named;
+use super::weights::weights;
 use super::{Angle, Frame, InverseRequest, Joint, JointKind, MOST_JOINTS, Model, Parameter, Row};
 use crate::error::{Diagnostic, Errors};
 use crate::spec::{FrameSpec, LimitsSpec, Place, RowKind, RowSpec, Spec};
@@ -152,6 +153,7 @@ fn inverse(spec: &Spec, joints: &[Joint], mistakes: &mut Vec<Diagnostic>) -> Inv
         axis: request.axis,
         tolerance_length: request.tolerance_length,
         tolerance_angle: request.tolerance_angle.map(|angle| Angle::from(angle).rad()),
+        weights: weights(spec, joints, mistakes),
         at: request.place.as_ref().map(|place| spec.source.location(place)),
         present: request.place.is_some(),
     }

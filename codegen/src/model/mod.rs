@@ -14,6 +14,7 @@ mod rational;
 mod reach;
 #[cfg(test)]
 mod tests;
+mod weights;
 
 pub use actuator::Actuator;
 pub use angle::Angle;
@@ -127,6 +128,8 @@ pub struct InverseRequest {
     pub tolerance_length: Option<f64>,
     /// Greatest orientation residual of an exact solution, rad.
     pub tolerance_angle: Option<f64>,
+    /// How much each joint counts in the distance from a reference; `None` if all count the same.
+    pub weights: Option<Vec<f64>>,
     /// Where `inverse.task` or `inverse` stands in the file.
     pub at: Option<Location>,
     /// Whether the file has `inverse` at all.

@@ -227,7 +227,14 @@ impl Closure {
         let shift = joints.iter().find(|(j, _)| *j == free).map_or(Angle::ZERO, |(_, shift)| *shift);
         let home = self.offset(free).add(shift.neg());
         let joints = joints.iter().map(|(joint, _)| *joint).collect();
-        self.steps.push(PlanStep::Stage(Stage { joints, kernel, unit, meaning, branching, home }));
+        self.steps.push(PlanStep::Stage(Stage { joints, kernel, unit, meaning, branching, home, pivot: None }));
+    }
+
+    /// The derivative that tells the singularity of the last stage, where it is not its kernel's own.
+    pub fn pivot(&mut self, value: Expr) {
+        if let Some(PlanStep::Stage(stage)) = self.steps.last_mut() {
+            stage.pivot = Some(value);
+        }
     }
 
     fn offset(&self, joint: usize) -> Angle {

@@ -249,6 +249,18 @@ fn together(c: &mut Closure, a: &Side, b: &Side, ny: &str) -> Result<(), Refusal
     let kernel = Kernel::Quadratic { coefficients: [c.clean(quadratic, Unit::Direction), linear, constant] };
     c.stage(&[(other.joint, Angle::ZERO)], other.joint, Unit::Length, Branching::Root, meaning, kernel);
     let v = c.position(other.joint);
+    // The quadratic was multiplied by su^2; of the two equations it comes from: sv (2 u + m) - su (2 v + m').
+    let pivot = {
+        let u = c.position(slides.joint);
+        let slope = |c: &mut Closure, factor: Expr, position: Expr, m: Expr| {
+            let twice = c.g.add(position, position);
+            let sum = c.g.add(twice, m);
+            c.g.mul(factor, sum)
+        };
+        let (own, others) = (slope(c, sv, u, m1), slope(c, su, v, m2));
+        c.g.sub(own, others)
+    };
+    c.pivot(pivot);
     let svv = c.g.mul(sv, v);
     let numerator = c.g.add(svv, k);
     slides.slide_to(c, su, numerator, format!("Joint {}: follows from it.", c.label(slides.joint)));

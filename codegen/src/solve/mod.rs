@@ -8,6 +8,7 @@
 
 mod closure;
 mod few;
+mod margins;
 mod meeting;
 mod parallel;
 mod plan;
@@ -23,8 +24,8 @@ mod task;
 mod triple;
 mod words;
 
+pub use margins::{Factor, margins};
 pub use plan::{Branching, ElbowRange, Kernel, Phase, Plan, PlanStep, PlanTask, Range, Stage, Unit};
-
 pub use refusal::Refusal;
 pub use words::describe;
 

@@ -181,6 +181,8 @@ pub struct Stage {
     pub meaning: String,
     /// What its two roots are called.
     pub branching: Branching,
+    /// The derivative that tells its singularity, a length, where it is not the kernel's own.
+    pub pivot: Option<Expr>,
     /// What is added to the free joint's value to give its kernel's variable.
     pub home: Angle,
 }

@@ -4,6 +4,7 @@ use super::angle::{AngleUnit, WrittenAngle};
 use super::angle_field::AngleRole;
 use super::place::Place;
 use super::reader::{Field, Fields, Reader};
+use super::weights::WeightsSpec;
 use super::yaml::Node;
 
 /// What an inverse solves for.
@@ -49,11 +50,13 @@ pub struct InverseSpec {
     pub tolerance_length: Option<f64>,
     /// Positive.
     pub tolerance_angle: Option<WrittenAngle>,
+    /// How much each joint counts in the distance from a reference.
+    pub weights: Option<WeightsSpec>,
     /// Where the request stands: at `task`, or else at `inverse`. `None` where there is no request.
     pub place: Option<Place>,
 }
 
-const KEYS: &[&str] = &["task", "require", "redundant", "axis", "tolerance"];
+const KEYS: &[&str] = &["task", "require", "redundant", "axis", "tolerance", "weights"];
 const TASKS: &[(&str, Task)] = &[
     ("pose", Task::Pose),
     ("position_angle", Task::PositionAngle),
@@ -110,6 +113,7 @@ impl Reader<'_> {
         if let Some(field) = fields.get("tolerance") {
             self.tolerance(&field, unit, &mut inverse);
         }
+        inverse.weights = fields.get("weights").and_then(|field| self.weights(&field));
         inverse
     }
 

@@ -21,6 +21,7 @@ mod source;
 mod tests;
 mod units;
 mod value;
+mod weights;
 mod yaml;
 
 pub use actuator::{ActuatorSpec, HomeSpec};
@@ -37,6 +38,7 @@ pub use row::{LimitsSpec, RowKind, RowSpec};
 pub use source::Source;
 pub use units::{Convention, LengthUnit};
 pub use value::{JointRef, WrittenValue};
+pub use weights::WeightsSpec;
 
 use crate::error::{Diagnostic, Errors};
 use place::Step;

@@ -12,6 +12,8 @@ use crate::{Branch, CombinedLimit, Flags, JointMask, Residual, Solution, Solutio
 pub struct Facts<T, const N: usize> {
     /// Lower and upper limit of every joint, infinite where there is none.
     pub limits: [[T; 2]; N],
+    /// How much each joint counts in the distance from a reference, the squared norm `sum w (q - q_ref)^2`.
+    pub weights: [T; N],
     /// Whether any joint has limits.
     pub limited: bool,
     /// The sliding joints.

@@ -4,6 +4,7 @@
 use super::refine::{Evaluate, NOISE, refine, relative};
 use super::{Goal, Search, Tolerances};
 use crate::math::wrap;
+use crate::windings::next_to;
 use crate::{Flags, JointMask, Residual, Solution};
 
 /// Newton steps for a solution that is already close.
@@ -140,8 +141,8 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
         None
     }
 
-    /// Unwinds the joints next to the reference, keeps the reference's own place on a singular family, and sorts nearest
-    /// first.
+    /// Unwinds the joints next to the reference (inside the limits where some turn is), keeps the reference's own place
+    /// on a singular family, and sorts nearest first.
     #[inline(never)]
     pub(super) fn approach(&mut self, near: &[T; N], evaluate: &impl Evaluate<T, N>) {
         if self.doubtful != 0 || self.solutions.is_empty() {
@@ -149,16 +150,17 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
         }
         let facts = self.facts;
         for solution in self.solutions.as_mut_slice() {
-            for (joint, (value, reference)) in solution.q.iter_mut().zip(near).enumerate() {
+            let joints = solution.q.iter_mut().zip(near).zip(&facts.limits);
+            for (joint, ((value, reference), limits)) in joints.enumerate() {
                 if !facts.prismatic.contains(joint) {
-                    *value = *reference + wrap(*value - *reference);
+                    *value = next_to(*value, *reference, *limits);
                 }
             }
         }
         let distance = |q: &[T; N]| {
-            q.iter().zip(near).enumerate().fold(T::ZERO, |sum, (joint, (a, b))| {
+            q.iter().zip(near).zip(&facts.weights).enumerate().fold(T::ZERO, |sum, (joint, ((a, b), weight))| {
                 let step = if facts.prismatic.contains(joint) { (*a - *b) / facts.reach } else { *a - *b };
-                sum + step * step
+                sum + *weight * step * step
             })
         };
         self.solutions

@@ -183,11 +183,17 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         Self { len: 1, gap, doubt: true, free: home.joint, ..Self::solved([root; R], measure) }
     }
 
-    /// The roots to go on with, each with its index; none if the branch has ended.
+    /// The roots to go on with, each with its index; none if the branch has ended. With `wanted` only the root of that
+    /// index, which is the one root where two have met or the joint is free.
     #[inline]
-    pub fn each(&self, trail: &Trail<T>) -> impl Iterator<Item = (usize, &[Turn<T>; K])> {
+    pub fn each(&self, trail: &Trail<T>, wanted: Option<usize>) -> impl Iterator<Item = (usize, &[Turn<T>; K])> {
         let len = if trail.ended { 0 } else { self.len };
-        self.roots.get(..len).unwrap_or(&[]).iter().enumerate()
+        let (first, end, name) = match wanted {
+            None => (0, len, 0),
+            Some(index) if self.boundary || !self.free.is_empty() => (0, len.min(1), index),
+            Some(index) => (index.min(len), index.saturating_add(1).min(len), index),
+        };
+        self.roots.get(first..end).unwrap_or(&[]).iter().enumerate().map(move |(index, root)| (name + index, root))
     }
 
     /// The roots turned by a further half turn (first joint) if `reverse` is set: for links whose lengths have unlike

@@ -1,0 +1,75 @@
+//! The bodies of the trait impls of a generated arm: each item is the arm's own of the same name.
+
+/// The items of an `impl Arm` for a generated arm.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! delegate_arm {
+    ($name:ident, $scalar:ty, $n:literal) => {
+        const LIMITS: [[$scalar; 2]; $n] = $name::LIMITS;
+        const JOINT_NAMES: [&'static ::core::primitive::str; $n] = $name::JOINT_NAMES;
+        const JOINT_KINDS: [$crate::JointKind; $n] = $name::JOINT_KINDS;
+        #[inline]
+        fn forward(&self, q: &[$scalar; $n]) -> $crate::Pose<$scalar> {
+            $name::forward(self, q)
+        }
+        #[inline]
+        fn link_poses(&self, q: &[$scalar; $n]) -> [$crate::Pose<$scalar>; $n] {
+            $name::link_poses(self, q)
+        }
+        #[inline]
+        fn jacobian(&self, q: &[$scalar; $n]) -> $crate::Jacobian<$scalar, $n> {
+            $name::jacobian(self, q)
+        }
+        #[inline]
+        fn forward_and_jacobian(&self, q: &[$scalar; $n]) -> ($crate::Pose<$scalar>, $crate::Jacobian<$scalar, $n>) {
+            $name::forward_and_jacobian(self, q)
+        }
+    };
+}
+
+/// The items of an `impl InverseKinematics` for a generated arm; `given`: one joint's value comes with the target.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! delegate_inverse {
+    ($name:ident, $scalar:ty, $n:literal, $m:literal, $target:ty) => {
+        type Target = $target;
+        fn inverse(&self, target: &Self::Target) -> Self::Solutions {
+            $name::inverse(self, target)
+        }
+        #[inline]
+        fn inverse_branch(&self, target: &Self::Target, branch: $crate::Branch) -> $crate::OneSolution<$scalar, $n> {
+            $name::inverse_branch(self, target, branch)
+        }
+        fn inverse_near(&self, target: &Self::Target, q_ref: &[$scalar; $n]) -> Self::Solutions {
+            $name::inverse_near(self, target, q_ref)
+        }
+        fn residual(&self, q: &[$scalar; $n], target: &Self::Target) -> $crate::Residual<$scalar> {
+            $name::residual(self, q, target)
+        }
+        $crate::delegate_inverse!($scalar, $n, $m);
+    };
+    ($name:ident, $scalar:ty, $n:literal, $m:literal, $target:ty, given) => {
+        type Target = ($target, $scalar);
+        fn inverse(&self, target: &Self::Target) -> Self::Solutions {
+            $name::inverse(self, &target.0, target.1)
+        }
+        #[inline]
+        fn inverse_branch(&self, target: &Self::Target, branch: $crate::Branch) -> $crate::OneSolution<$scalar, $n> {
+            $name::inverse_branch(self, &target.0, target.1, branch)
+        }
+        fn inverse_near(&self, target: &Self::Target, q_ref: &[$scalar; $n]) -> Self::Solutions {
+            $name::inverse_near(self, &target.0, q_ref)
+        }
+        fn residual(&self, q: &[$scalar; $n], target: &Self::Target) -> $crate::Residual<$scalar> {
+            $name::residual(self, q, &target.0)
+        }
+        $crate::delegate_inverse!($scalar, $n, $m);
+    };
+    ($scalar:ty, $n:literal, $m:literal) => {
+        type Solutions = $crate::Solutions<$scalar, $n, $m>;
+        const MAX_SOLUTIONS: ::core::primitive::usize = $m;
+        fn status(solutions: &Self::Solutions) -> $crate::Status<$scalar> {
+            solutions.status()
+        }
+    };
+}
