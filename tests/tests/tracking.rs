@@ -12,6 +12,7 @@ use denhart_tests::arms::{Puma560, Stanford, Ur5};
 use denhart_tests::random::Random;
 use denhart_tests::singular::Svd;
 use denhart_tests::subject::{Specified, Subject};
+use denhart_tests::task::Goal;
 use nalgebra::{Isometry3, Matrix6, Translation3, Vector3, Vector6};
 
 const POSES: usize = 1000;
@@ -78,7 +79,7 @@ fn newton<A: Specified<6>>(subject: &Subject<6>, target: &Isometry3<f64>, start:
             q[joint] += scale * step[joint] * subject.unit(joint);
         }
     }
-    subject.miss(target, &q).iter().all(|miss| *miss < 1e-10).then_some(q)
+    subject.miss(&Goal::from(*target), &q).iter().all(|miss| *miss < 1e-10).then_some(q)
 }
 
 /// Where a hundred small steps lead, and whether they come through a singular place.
@@ -142,7 +143,7 @@ where
             panic!("{name}: lost at step {k} from {q:?}: {:?}", A::status(&solutions))
         };
         assert!(nearest.is_exact(), "{name}: step {k} from {q:?} gives {nearest}");
-        let miss = subject.miss(&target, &nearest.q);
+        let miss = subject.miss(&Goal::from(target), &nearest.q);
         assert!(miss.iter().all(|miss| *miss <= 1e-9), "{name}: step {k} misses by {miss:?}");
         if k > 0 {
             let (fine, singular) = continued::<A>(subject, path, [at(k - 1), at(k)], &q);
