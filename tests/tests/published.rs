@@ -13,6 +13,8 @@ mod denso;
 mod jupiter;
 #[path = "published/newton_raphson.rs"]
 mod newton_raphson;
+#[path = "published/page.rs"]
+mod page;
 #[path = "published/planar.rs"]
 mod planar;
 #[path = "published/salman.rs"]

@@ -8,6 +8,7 @@ use denhart::numeric::{Method, NumericInverse, Task};
 use denhart::{Arm, PlanarPose, Pose};
 use nalgebra::{Matrix3, Vector3};
 
+use crate::page;
 use crate::tables::{apart, off, radians};
 
 #[derive(Clone, Copy, Arm)]
@@ -60,7 +61,7 @@ fn misprint_the_rotation_is_none() {
     assert!(off(&pose.rpy().angles, &rpy) < 1e-15);
 }
 
-/// The convergence table: the error after each step, and the joint vector, which is that of Newton's steps written out.
+/// The convergence table, as the page has it: the error after each step, and the joint vector, which is that of Newton's steps written out.
 #[test]
 fn the_convergence_table() {
     let arm = Planar3r::nominal();
@@ -77,6 +78,10 @@ fn the_convergence_table() {
         let left = f64::hypot(error[0], error[1]);
         assert!((left - solution.residual.position).abs() < 1e-9, "{steps}: {left:e} for {solution}");
         assert!((error[2].abs() - solution.residual.orientation).abs() < 1e-10, "{steps}: {solution}");
+        if steps < 6 {
+            let degrees = q.map(|joint| format!("{:.5}", joint.to_degrees()));
+            page::has(&[&[steps.to_string()], &degrees[..]].concat());
+        }
         errors.push((left / 37.0).max(error[2].abs()));
         let step = jacobian.lu().solve(&error).unwrap();
         q = std::array::from_fn(|joint| q[joint] + step[joint]);
