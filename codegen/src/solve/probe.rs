@@ -60,8 +60,10 @@ impl Probe {
 
     /// An angle that is given, with its sine and cosine, all by name.
     pub fn angle(&mut self, [name, sin, cos]: [&str; 3]) {
-        for (sample, angle) in self.samples.iter_mut().zip([0.83, -1.37, 2.21]) {
-            let angle: f64 = angle;
+        // No two angles may look alike.
+        let shift = 0.471 * self.angles.len() as f64;
+        for (sample, angle) in self.samples.iter_mut().zip([0.83f64, -1.37, 2.21]) {
+            let angle = angle + shift * angle.signum();
             for (name, value) in [(name, angle), (sin, angle.sin()), (cos, angle.cos())] {
                 sample.insert(name.to_string(), value);
             }

@@ -101,6 +101,12 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
             solutions.set_status(Status::BadTarget);
             return None;
         }
+        // So far away the squares of the coordinates overflow: no arm reaches there.
+        let farthest = goal.point().iter().fold(T::ZERO, |most, x| most.max(x.abs()));
+        if farthest > T::MAX.sqrt() * T::from_f64(1e-3) {
+            solutions.set_status(Status::Unreachable { residual: farthest });
+            return None;
+        }
         let homes = facts.homes(near);
         let loose = [JointMask::NONE; M];
         let (elsewhere, combined) = (Elsewhere::START, &[]);

@@ -68,7 +68,9 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
             let missed = solution.residual.position.max(solution.residual.orientation * facts.reach);
             let clamped = missed > T::ROUNDING * facts.reach;
             let better = relative(facts, &refined) < relative(facts, &residual);
-            if relative(facts, &refined) <= T::EXACT || beyond || (better && !clamped) {
+            // Where only the point counts, or the direction stays, the closest approach is the better answer.
+            let closer = better && refined.orientation <= residual.orientation;
+            if relative(facts, &refined) <= T::EXACT || beyond || (better && !clamped) || closer {
                 (checked.q, residual) = (q, refined);
             }
             let singular = near && !clamped;
