@@ -1,7 +1,8 @@
 //! Arms with four or five joints: a plane that yaws, and the SCARA.
 
+use super::asked::PlanTask;
 use super::closure::{Closure, Link};
-use super::plan::{Branching, Kernel, Plan, PlanTask, Unit};
+use super::plan::{Branching, Kernel, Plan, Unit};
 use super::problem::Problem;
 use super::rows::turned_back;
 use super::sides::Side;

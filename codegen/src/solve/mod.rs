@@ -6,10 +6,12 @@
 //! with its own kernel. Smaller tasks become the same closure with virtual joints for what they leave open; a redundant
 //! joint becomes part of its link.
 
+mod asked;
 mod closure;
 mod few;
 mod margins;
 mod meeting;
+mod meeting_point;
 mod parallel;
 mod plan;
 mod planar;
@@ -24,8 +26,9 @@ mod task;
 mod triple;
 mod words;
 
+pub use asked::PlanTask;
 pub use margins::{Factor, margins};
-pub use plan::{Branching, ElbowRange, Kernel, Phase, Plan, PlanStep, PlanTask, Range, Stage, Unit};
+pub use plan::{Branching, ElbowRange, Kernel, Phase, Plan, PlanStep, Range, Stage, Unit};
 pub use refusal::Refusal;
 pub use words::describe;
 

@@ -3,8 +3,9 @@
 //! The elbow follows from the distance between shoulder and wrist; the upper arm's rotation from where the wrist has to
 //! be and the arm angle; the shoulder and the wrist are triples that give a rotation each.
 
+use super::asked::{PlanTask, SwivelFacts};
 use super::closure::Closure;
-use super::plan::{Plan, PlanStep, PlanTask, SwivelFacts, Unit};
+use super::plan::{Plan, PlanStep, Unit};
 use super::problem::Problem;
 use super::sides::Side;
 use super::{Refusal, triple};

@@ -1,6 +1,7 @@
 //! Tasks as closed chains of six joints.
 
-use super::plan::{Plan, PlanTask};
+use super::asked::PlanTask;
+use super::plan::Plan;
 use super::problem::{Problem, Slot};
 use super::{Refusal, cheapest, few, rank, refusal, solve, swivel};
 use crate::model::chain::Chain;
