@@ -92,7 +92,7 @@ impl<const N: usize> Svd<N> {
 
     /// The joint motion that is orthogonal to the null space and brings about `twist`, in the least squares sense.
     /// Singular values below `cut` count as zero.
-    fn solve(&self, columns: &[[f64; EQUATIONS]; N], twist: &[f64; EQUATIONS], cut: f64) -> [f64; N] {
+    pub fn solve(&self, columns: &[[f64; EQUATIONS]; N], twist: &[f64; EQUATIONS], cut: f64) -> [f64; N] {
         let mut motion = [0.0; N];
         for (value, vector) in self.values.iter().zip(&self.vectors).filter(|(value, _)| **value > cut) {
             // J v = sigma u, so that the share along v is u . twist / sigma.
@@ -262,7 +262,7 @@ pub fn surface<const N: usize>(subject: &Subject<N>, random: &mut Random, count:
     let mut found = Vec::new();
     // An arm whose determinant is exactly zero where it is sampled (a gantry at q5 = 0) needs samples beside; a column
     // whose slide starts on its axis is singular at the end of the range, so that it has to be left.
-    for aside in [|_| 0.0, |_| 0.1, |[low, high]: [f64; 2]| 0.37 * (low - high)] {
+    for aside in [|_| 0.0, |_| 0.1, |[low, high]: [f64; 2]| 0.9 * (low - high)] {
         for attempt in 0..count {
             let joint = attempt % N;
             let q = space.random(random);

@@ -1,11 +1,14 @@
 //! What every arm with an inverse has to pass, group by group.
 
+use denhart::{InverseKinematics, JointKind, Target};
+
 use crate::boundary::{self, Carried};
 use crate::poses::{Space, singular_surface};
 use crate::random::Random;
 use crate::recover;
 use crate::report::Report;
-use crate::subject::Subject;
+use crate::subject::{Specified, Subject};
+use crate::task::Asked;
 
 /// How large grids may be.
 #[derive(Debug, Clone, Copy)]
@@ -64,7 +67,7 @@ pub fn awkward_poses<const N: usize>(subject: &Subject<N>) {
     ];
     let surface = singular_surface(subject, &mut random);
     // Slides alone are singular nowhere.
-    let rigid = subject.kinds.iter().all(|kind| *kind == denhart::JointKind::Prismatic);
+    let rigid = subject.kinds.iter().all(|kind| *kind == JointKind::Prismatic);
     assert!(rigid || !surface.poses.is_empty(), "{}: nothing in the family {}", subject.name, surface.name);
     for family in special.iter().chain([&surface]) {
         for q in &family.poses {
@@ -86,5 +89,38 @@ pub fn out_of_reach<const N: usize>(subject: &Subject<N>) {
         _ => boundary::check_leftover(subject, &mut random, &mut report),
     }
     boundary::check_far(subject, &mut random, &mut report);
+    report.assert_nothing_new();
+}
+
+/// What the arm says a joint vector misses a target by, and what the chain says: the same, near the target and anywhere.
+pub fn residuals<A, const N: usize>()
+where
+    A: Specified<N> + InverseKinematics<f64, N, Target: Asked + Target<A, f64, N>>,
+{
+    let (subject, arm) = (Subject::new::<A>(), A::default());
+    let mut report = Report::new(subject.name);
+    let mut random = Random::named(subject.name);
+    let space = Space::of(&subject);
+    for digits in (0..13).cycle().take(260) {
+        report.count();
+        let there = space.random(&mut random);
+        let step = 10.0_f64.powi(-digits);
+        let mut q = std::array::from_fn(|j| there[j] + step * subject.unit(j) * random.uniform(-1.0, 1.0));
+        if let Some(given) = subject.task.given {
+            q[given] = there[given];
+        }
+        let goal = subject.goal(&there);
+        let target = A::Target::of(subject.task.kind, &goal);
+        let [position, orientation] = subject.miss(&goal, &q);
+        for residual in [arm.residual(&q, &target), target.missed_by(&arm, &q)] {
+            let agrees = (residual.position / subject.reach - position).abs() < recover::CLOSES
+                && (residual.orientation - orientation).abs() < recover::CLOSES;
+            if !agrees {
+                report.fail("residuals", "the arm and the chain disagree", || {
+                    format!("{residual:?}, not {position} reaches and {orientation} rad, at {q:?} for {there:?}")
+                });
+            }
+        }
+    }
     report.assert_nothing_new();
 }

@@ -10,7 +10,7 @@ macro_rules! arms {
         mod $name {
             use denhart_tests::subject::{Specified, Subject};
             use denhart_tests::task::{Kind, Task};
-            use denhart_tests::{bad_targets, suite};
+            use denhart_tests::{bad_targets, branches, suite};
 
             #[derive(Debug, Clone, Copy, Default, denhart::Arm)]
             #[arm($($attribute)*)]
@@ -45,6 +45,16 @@ macro_rules! arms {
             #[test]
             fn bad_targets() {
                 bad_targets::check::<Tested, $dof>();
+            }
+
+            #[test]
+            fn residuals() {
+                suite::residuals::<Tested, $dof>();
+            }
+
+            #[test]
+            fn branch_counts() {
+                branches::check(&Subject::new::<Tested>());
             }
         }
     )*};

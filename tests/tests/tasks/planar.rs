@@ -5,6 +5,30 @@ arms! {
     planar2r_unit 2 PlanarPosition { spec = "../specs/planar2r_unit.yaml" };
     planar3r 3 PlanarPose { spec = "../specs/planar3r.yaml" };
     planar4r_redundant 4 PlanarPose given 1 { spec = "../specs/planar4r_redundant.yaml" };
+    planar4r_q2 4 PlanarPose given 2 { yaml = "
+# planar4r_redundant with joint 2 given
+name: planar4r_q2
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: planar_pose, redundant: q2, require: true}
+joints:
+  - {a: 0.4, alpha: 0, d: 0, theta: 0}
+  - {a: 0.3, alpha: 0, d: 0, theta: 0}
+  - {a: 0.2, alpha: 0, d: 0, theta: 0}
+  - {a: 0.1, alpha: 0, d: 0, theta: 0}
+" };
+    planar4r_q3 4 PlanarPose given 3 { yaml = "
+# planar4r_redundant with joint 3 given
+name: planar4r_q3
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: planar_pose, redundant: q3, require: true}
+joints:
+  - {a: 0.4, alpha: 0, d: 0, theta: 0}
+  - {a: 0.3, alpha: 0, d: 0, theta: 0}
+  - {a: 0.2, alpha: 0, d: 0, theta: 0}
+  - {a: 0.1, alpha: 0, d: 0, theta: 0}
+" };
     planar4r_q4 4 PlanarPose given 4 { yaml = "
 # planar4r_redundant with joint 4 given
 name: planar4r_q4
@@ -78,6 +102,17 @@ joints:
 base: {xyz: [0.3, -0.2, 0.4], rpy: [180, 0, 40]}
 tool: {xyz: [0.1, 0.05, 0.02], rpy: [0, 0, -25]}
 " };
+    planar_rpr 3 PlanarPose { yaml = "
+# planar RPR
+name: planar_rpr
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: planar_pose, require: true}
+joints:
+  - {a: 0.1, alpha: 90, d: 0, theta: 0}
+  - {type: prismatic, a: 0, alpha: -90, d: 0.2, theta: 0, limits: [0, 0.5]}
+  - {a: 0.15, alpha: 0, d: 0, theta: 0}
+" };
     planar_rrp 3 PlanarPose { yaml = "
 # planar RRP
 name: planar_rrp
@@ -100,6 +135,16 @@ joints:
   - {a: 0.3, alpha: 0, d: 0, theta: 0}
   - {a: 0.2, alpha: 0, d: 0, theta: 0}
 base: {xyz: [0, 0, 0], rpy: [-90, 0, 0]}
+" };
+    planar_rp 2 PlanarPosition { yaml = "
+# planar RP
+name: planar_rp
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: planar_position, require: true}
+joints:
+  - {a: 0.1, alpha: 90, d: 0, theta: 0}
+  - {type: prismatic, a: 0, alpha: -90, d: 0.2, theta: 0, limits: [0, 0.5]}
 " };
     planar_pr 2 PlanarPosition { yaml = "
 # planar PR

@@ -4,6 +4,7 @@ arms! {
     anthro3r 3 Position { spec = "../specs/anthro3r.yaml" };
     cartesian_ppp 3 Position { spec = "../specs/cartesian_ppp.yaml" };
     cylindrical_rpp 3 Position { spec = "../specs/cylindrical_rpp.yaml" };
+    polar_rrp 3 Position { spec = "../specs/polar_rrp.yaml" };
     salman_rrr 3 Position { spec = "../specs/salman_rrr.yaml" };
     salman_rrr_table1 3 Position { spec = "../specs/salman_rrr_table1.yaml" };
     ppp_skew 3 Position { yaml = "
@@ -27,6 +28,17 @@ joints:
   - {a: -0.109, alpha: -137.8, d: 0.146, theta: 135.8}
   - {type: prismatic, a: 0.235, alpha: -81.1, d: -0.177, theta: 131.9, limits: [-0.31, 0.54]}
   - {type: prismatic, a: -0.269, alpha: 136.6, d: 0.306, theta: 108.2, limits: [-0.31, 0.5]}
+" };
+    prp_skew 3 Position { yaml = "
+# PRP, nothing parallel, nothing meets
+name: prp_skew
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: position, require: true}
+joints:
+  - {type: prismatic, a: 0.261, alpha: -153.5, d: 0.163, theta: 148.5, limits: [-0.18, 0.59]}
+  - {a: 0.231, alpha: 65.8, d: -0.426, theta: -30.1}
+  - {type: prismatic, a: -0.316, alpha: 92.4, d: 0.178, theta: -139.9, limits: [-0.33, 0.33]}
 " };
     ppr_skew 3 Position { yaml = "
 # PPR, nothing parallel, nothing meets
@@ -60,6 +72,17 @@ joints:
   - {a: 0.173, alpha: -93.9, d: 0.375, theta: -27}
   - {type: prismatic, a: -0.406, alpha: -26.9, d: -0.383, theta: 104.2, limits: [-0.17, 0.46]}
   - {a: 0.172, alpha: -135.9, d: -0.299, theta: 5}
+" };
+    prr_skew 3 Position { yaml = "
+# PRR, nothing parallel, nothing meets
+name: prr_skew
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: position, require: true}
+joints:
+  - {type: prismatic, a: 0.367, alpha: 150.7, d: 0.332, theta: -40.5, limits: [-0.12, 0.7]}
+  - {a: 0.224, alpha: -58.3, d: 0.313, theta: 65.6}
+  - {a: 0.111, alpha: 145.7, d: -0.249, theta: -148.9}
 " };
     rrr_skew 3 Position { yaml = "
 # RRR, nothing parallel, nothing meets
@@ -126,6 +149,17 @@ joints:
   - {a: 0, alpha: -90, d: 0.4, theta: 0}
   - {type: prismatic, a: 0.1, alpha: 90, d: 0.2, theta: 90, limits: [0.1, 0.9]}
   - {a: 0.3, alpha: 0, d: 0.15, theta: 0}
+" };
+    rrr_first_meet 3 Position { yaml = "
+# RRR, axes 1 and 2 meet
+name: rrr_first_meet
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: position, require: true}
+joints:
+  - {a: 0, alpha: 72.5, d: 0.3, theta: 10}
+  - {a: 0.31, alpha: -48, d: 0, theta: 0}
+  - {a: 0.27, alpha: 20, d: 0.11, theta: 35}
 " };
     rrr_last_meet 3 Position { yaml = "
 # RRR, axes 2 and 3 meet
@@ -206,6 +240,19 @@ joints:
   - {a: 0.25, alpha: 0, d: 0, theta: 0}
 base: {xyz: [0.039, -0.245, -0.118], rpy: [-71.1, -0.2, 129.3]}
 tool: {xyz: [-0.015, -0.049, 0.397], rpy: [-92.8, 80.3, 60.5]}
+" };
+    polar_rrp_mounted 3 Position { yaml = "
+# polar_rrp with base and tool
+name: polar_rrp_mounted
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: position, require: true}
+joints:
+  - {a: 0, alpha: -90, d: 0.5, theta: 0}
+  - {a: 0, alpha: 90, d: 0, theta: 0}
+  - {type: prismatic, a: 0, alpha: 0, d: 0.1, theta: 0, limits: [0.2, 0.9]}
+base: {xyz: [-0.161, -0.234, 0.265], rpy: [-17.4, -27.9, 77.8]}
+tool: {xyz: [-0.28, -0.385, 0.028], rpy: [100.2, 2.4, 105.6]}
 " };
     cylindrical_rpp_mounted 3 Position { yaml = "
 # cylindrical_rpp with base and tool

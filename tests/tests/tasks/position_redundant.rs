@@ -73,4 +73,18 @@ joints:
   - {a: 0.05, alpha: 90, d: 0, theta: 90}
   - {type: prismatic, a: 0, alpha: 0, d: 0.2, theta: 0, limits: [-0.1, 0.3]}
 " };
+    rrrr_mounted_q3 4 Position given 3 { yaml = "
+# a shoulder with a turn of the upper arm given, with base and tool
+name: rrrr_mounted_q3
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: position, redundant: q3, require: true}
+joints:
+  - {a: 0, alpha: 90, d: 0.35, theta: 0}
+  - {a: 0, alpha: -90, d: 0.05, theta: 0}
+  - {a: 0, alpha: 90, d: 0.3, theta: 0}
+  - {a: 0.25, alpha: 0, d: 0, theta: 0}
+base: {xyz: [-0.034, 0.059, -0.178], rpy: [-67.7, -2.3, -70.6]}
+tool: {xyz: [0.053, -0.337, -0.034], rpy: [67.1, 66.9, -98.5]}
+" };
 }

@@ -34,6 +34,22 @@ joints:
   - {type: revolute, a: 0.088, alpha: 90, d: 0.107, theta: 0, limits: [-166, 166]}
   - {type: fixed, a: 0, alpha: 0, d: 0.103, theta: -45}
 " };
+    franka_panda_q6 7 Pose given 6 { yaml = "
+# franka_panda with joint 6 given
+name: franka_panda_q6
+convention: modified
+units: {length: m, angle: deg}
+inverse: {task: pose, redundant: q6, require: true}
+joints:
+  - {type: revolute, a: 0, alpha: 0, d: 0.333, theta: 0, limits: [-166, 166]}
+  - {type: revolute, a: 0, alpha: -90, d: 0, theta: 0, limits: [-101, 101]}
+  - {type: revolute, a: 0, alpha: 90, d: 0.316, theta: 0, limits: [-166, 166]}
+  - {type: revolute, a: 0.0825, alpha: 90, d: 0, theta: 0, limits: [-176, -4]}
+  - {type: revolute, a: -0.0825, alpha: -90, d: 0.384, theta: 0, limits: [-166, 166]}
+  - {type: revolute, a: 0, alpha: 90, d: 0, theta: 0, limits: [-1, 215]}
+  - {type: revolute, a: 0.088, alpha: 90, d: 0.107, theta: 0, limits: [-166, 166]}
+  - {type: fixed, a: 0, alpha: 0, d: 0.103, theta: -45}
+" };
     kinova_gen3_7dof_q2 7 Pose given 2 { yaml = "
 # kinova_gen3_7dof with joint 2 given
 name: kinova_gen3_7dof_q2

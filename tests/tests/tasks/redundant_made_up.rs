@@ -66,6 +66,21 @@ joints:
   - {a: 0, alpha: -29.9, d: 0, theta: -19.7}
   - {a: 0.248, alpha: -72.8, d: -0.105, theta: -139.4}
 " };
+    skew_parallel_234_q6 7 Pose given 6 { yaml = "
+# 7R, axes 2, 3, 4 are parallel, joint 6 given
+name: skew_parallel_234_q6
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose, redundant: q6, require: true}
+joints:
+  - {a: -0.153, alpha: -99.2, d: 0.264, theta: 4.3}
+  - {a: -0.227, alpha: 0, d: -0.408, theta: 145.3}
+  - {a: -0.424, alpha: 0, d: -0.202, theta: -122.2}
+  - {a: -0.119, alpha: -111.5, d: 0.401, theta: 115.7}
+  - {a: -0.393, alpha: -36.7, d: 0.435, theta: -120.2}
+  - {a: 0.382, alpha: -56.9, d: 0.448, theta: -126}
+  - {a: -0.27, alpha: -108.8, d: -0.114, theta: 14.6}
+" };
     slide_given_between 7 Pose given 3 { yaml = "
 # RRPRRRR, axes 5, 6, 7 meet, the slide given
 name: slide_given_between
