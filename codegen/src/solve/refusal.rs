@@ -29,7 +29,20 @@ impl Refusal {
 pub(super) fn not_covered(model: &Model, task: Option<Task>) -> Refusal {
     let joints = model.joints.len();
     let plural = if joints == 1 { "" } else { "s" };
+    let needs = match task {
+        Some(Task::Pose) | None => 6,
+        Some(Task::PositionAxis) => 5,
+        Some(Task::PositionAngle) => 4,
+        Some(Task::Position | Task::PlanarPose) => 3,
+        Some(Task::PlanarPosition) => 2,
+    };
+    let name = task.unwrap_or(Task::Pose).name();
     Refusal::new(match task {
+        _ if joints == needs + 1 && model.inverse.redundant.is_none() => {
+            format!(
+                "{joints} moving joints are one more than the task `{name}` needs: name the one whose value is given"
+            )
+        }
         Some(task) => format!("the task `{}` is not covered for {joints} moving joint{plural}", task.name()),
         None => format!("no task fits {joints} moving joint{plural}"),
     })
