@@ -9,7 +9,24 @@ use crate::math::{Scalar, wrap};
 #[inline]
 pub(crate) fn next_to<T: Scalar>(value: T, reference: T, limits: [T; 2]) -> T {
     let near = reference + wrap(value - reference);
-    if inside(near, limits) || !inside(reference, limits) { near } else { inward(value, near, limits) }
+    if inside(near, limits) || !inside(reference, limits) { near } else { at_limit(value, near, limits) }
+}
+
+/// What lies beyond a limit: by rounding, it is the limit; by no more than solutions differ that are one, it stays, for a
+/// whole turn away is no answer to that; else the turn inside.
+#[cold]
+#[inline(never)]
+fn at_limit<T: Scalar>(value: T, near: T, limits: [T; 2]) -> T {
+    let [low, high] = limits;
+    let held = near.max(low).min(high);
+    let beyond = (near - held).abs();
+    if beyond <= T::from_f64(16.0) * T::EPSILON * held.abs().max(T::ONE) {
+        held
+    } else if beyond <= T::from_f64(16.0) * T::EPSILON.sqrt() {
+        near
+    } else {
+        inward(value, near, limits)
+    }
 }
 
 #[inline]
@@ -18,8 +35,6 @@ fn inside<T: Scalar>(angle: T, [low, high]: [T; 2]) -> bool {
 }
 
 /// The turn inside that is nearest to the limit beyond which `near` is; `near` if there is none.
-#[cold]
-#[inline(never)]
 fn inward<T: Scalar>(value: T, near: T, limits: [T; 2]) -> T {
     let [low, high] = limits;
     // Counted from (-pi, pi], so that the turns taken off a far reference bring no rounding.
@@ -80,7 +95,7 @@ impl Turns {
             return if inside { Self::STAY } else { Self::NONE };
         }
         if !(low.is_finite() && high.is_finite()) {
-            let nearest = next_to(q, q, [low, high]);
+            let nearest = if inside { q } else { inward(q, q, [low, high]) };
             let turns = whole((nearest - q) / T::TAU);
             return if nearest >= low && nearest <= high { Self { low: turns, high: turns } } else { Self::NONE };
         }
@@ -183,6 +198,11 @@ mod tests {
         assert_eq!(next_to(0.9, 7.0, [-7.0, 7.0]), 0.9);
         assert_eq!(next_to(-0.9, -7.0, [-7.0, 7.0]), -0.9);
         assert_eq!(next_to(-1.0, 1.0, [0.0, f64::INFINITY]), TAU - 1.0);
+        // Beyond the limit by rounding, and by what an inexact solution may be.
+        assert_eq!(next_to(-PI, PI - 1e-16, [-PI, PI]), PI);
+        assert_eq!(next_to(-1.0 + 4e-16, -1.0 + 4e-16, [-2.0, -1.0]), -1.0 + 4e-16);
+        assert_eq!(next_to(1.0 + 4e-16, 1.0, [-1.0, 1.0]), 1.0);
+        assert!((next_to(1e-8 - PI, PI - 1e-9, [-PI, PI]) - PI - 1e-8).abs() < 1e-14);
         // A reference that is outside is followed.
         assert_eq!(next_to(0.5, 4.0 * TAU, [-7.0, 7.0]), 4.0 * TAU + 0.5);
         // None inside: next to the reference.
@@ -204,7 +224,10 @@ mod tests {
             let wanted = best(&mut windings.clone().filter(|x| (low..=high).contains(x)))
                 .or_else(|| best(&mut windings.clone()));
             let found = next_to(value, reference, [low, high]);
-            assert!(wanted.is_some_and(|x| (x - found).abs() < 1e-13), "{value} {reference} {low} {high}: {found}");
+            // Two turns may be equally near.
+            let same = wanted.is_some_and(|x| (distance(x) - distance(found)).abs() < 1e-13);
+            let turns = (found - value) / TAU;
+            assert!(same && (turns - turns.round()).abs() < 1e-13, "{value} {reference} {low} {high}: {found}");
         }
     }
 

@@ -1,0 +1,113 @@
+//! The arm angle as what is given: `redundant: arm_angle`.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use denhart::{Arm, Chain, InverseKinematics, Pose, Status};
+use denhart_tests::random::Random;
+
+/// KUKA's iiwa, by modified rows, mounted on a wall and with a tool.
+#[derive(Default, Arm)]
+#[arm(yaml = "
+name: iiwa_on_a_wall
+convention: modified
+units: {length: mm, angle: deg}
+inverse: {task: pose, redundant: arm_angle, require: true}
+base: {xyz: [100, -50, 700], rpy: [0, 90, 20]}
+tool: {xyz: [10, 20, 150], rpy: [15, -30, 45]}
+joints:
+  - {a: 0, alpha: 0, d: 340, theta: 0}
+  - {a: 0, alpha: -90, d: 0, theta: 0}
+  - {a: 0, alpha: 90, d: 400, theta: 0}
+  - {a: 0, alpha: -90, d: 0, theta: 0}
+  - {a: 0, alpha: 90, d: 380, theta: 0}
+  - {a: 0, alpha: -90, d: 0, theta: 0}
+  - {a: 0, alpha: 90, d: 126, theta: 0}
+")]
+struct Wall;
+
+/// The same kind by standard rows, the elbow beside the line of the upper arm.
+#[derive(Default, Arm)]
+#[arm(yaml = "
+name: elbow_with_offset
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose, redundant: arm_angle, require: true}
+joints:
+  - {a: 0, alpha: -90, d: 0.3, theta: 0}
+  - {a: 0, alpha: 90, d: 0, theta: 0}
+  - {a: 0.05, alpha: -90, d: 0.4, theta: 0}
+  - {a: -0.05, alpha: 90, d: 0, theta: 0}
+  - {a: 0, alpha: -90, d: 0.39, theta: 0}
+  - {a: 0, alpha: 90, d: 0, theta: 0}
+  - {a: 0, alpha: 0, d: 0.1, theta: 0}
+")]
+struct Offset;
+
+/// Distance of two joint vectors, whole turns left out.
+fn apart(a: &[f64; 7], b: &[f64; 7]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| denhart::math::wrap(a - b).abs()).fold(0.0, f64::max)
+}
+
+/// Every joint vector comes back with its arm angle; everything exact closes by the chain and has the angle asked for.
+fn check<A>(table: denhart::DhTable, reach: f64, angle: impl Fn(&A, &[f64; 7]) -> f64)
+where
+    A: Arm<f64, 7> + InverseKinematics<f64, 7, Target = (Pose<f64>, f64)> + Default,
+{
+    let (arm, chain) = (A::default(), Chain::from(table));
+    let mut random = Random::named("arm angle");
+    for _ in 0..1000 {
+        let q: [f64; 7] = std::array::from_fn(|_| random.uniform(-PI, PI));
+        let target = Pose::from(chain.forward(&q).unwrap());
+        let given = angle(&arm, &q);
+        let found = arm.inverse(&(target, given));
+        let solutions = found.as_ref();
+        assert!(solutions.iter().any(|s| s.is_exact() && apart(&s.q, &q) < 1e-6), "{q:?}: {solutions:?}");
+        for solution in solutions.iter().filter(|solution| solution.is_exact()) {
+            let missed = Pose::from(chain.forward(&solution.q).unwrap()).residual(&target);
+            assert!(missed.position < 1e-12 * reach && missed.orientation < 1e-12, "{missed:?} at {q:?}");
+            // The angle is off by the joints' error over the elbow's distance from the line: far more where it is stretched.
+            let turned = denhart::math::wrap(angle(&arm, &solution.q) - given).abs();
+            let elbow = solution.q[3].sin().abs();
+            assert!(elbow < 1e-2 || turned < 1e-9, "{turned:e} at {q:?}, {solution:?}");
+        }
+        let near = arm.inverse_near(&(target, given), &q);
+        assert!(near.as_ref().iter().any(|s| s.is_exact() && apart(&s.q, &q) < 1e-6), "{q:?}");
+    }
+}
+
+#[test]
+fn joint_vectors_come_back() {
+    check::<Wall>(Wall::DH, 1946.0, |arm, q| arm.arm_angle(q));
+    check::<Offset>(Offset::DH, 1.29, |arm, q| arm.arm_angle(q));
+}
+
+/// Zero is where the elbow stands on the side of the first axis; a quarter turn swings it about the line to the wrist.
+#[test]
+fn zero_is_up() {
+    // Upper arm up and tilted by 45 degrees, forearm level.
+    let q = [0.0, PI / 4.0, 0.0, FRAC_PI_2 - PI / 4.0, 0.0, 0.3, 0.0];
+    assert!(Offset.arm_angle(&q).abs() < 1e-12, "{}", Offset.arm_angle(&q));
+    let pose = Offset.forward(&q);
+    let swung = Offset.inverse(&pose, FRAC_PI_2);
+    assert_eq!(swung.status(), Status::Reachable);
+    for solution in swung.exact() {
+        assert!((Offset.arm_angle(&solution.q) - FRAC_PI_2).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn the_walk_covers_a_turn() {
+    let pose = Wall.forward(&[0.3, 0.6, -0.4, 1.1, 0.5, -0.7, 0.2]);
+    let values: Vec<f64> = Wall.sample_redundancy(&pose, 8).map(|(value, _)| value).collect();
+    assert_eq!(values.len(), 8);
+    assert!((values[0] + PI * 7.0 / 8.0).abs() < 1e-12 && (values[7] - PI * 7.0 / 8.0).abs() < 1e-12, "{values:?}");
+    assert!(Wall.sample_redundancy(&pose, 8).all(|(_, solutions)| solutions.status() == Status::Reachable));
+}
+
+#[test]
+fn bad_values() {
+    let pose = Wall.forward(&[0.1; 7]);
+    assert_eq!(Wall.inverse(&pose, f64::NAN).status(), Status::BadTarget);
+    assert_eq!(Wall.inverse(&pose, f64::INFINITY).status(), Status::BadTarget);
+    assert_eq!(Wall.inverse_near(&pose, &[f64::NAN; 7]).status(), Status::BadTarget);
+}
