@@ -22,8 +22,8 @@ fn reach<A: Specified<N>, const N: usize>() -> f64 {
     if sum > 0.0 { sum } else { 1.0 }
 }
 
-/// The least singular value of the rows that the task counts, lengths over reach.
-fn least<A: Specified<N>, const N: usize>(arm: &A, rows: &[usize], q: &[f64; N]) -> f64 {
+/// The least singular value of the rows that the task counts, lengths over reach, without a joint whose value is given.
+fn least<A: Specified<N>, const N: usize>(arm: &A, rows: &[usize], given: Option<usize>, q: &[f64; N]) -> f64 {
     let mut all = DMatrix::from_row_iterator(6, N, arm.jacobian(q).rows.into_iter().flatten());
     all.rows_mut(0, 3).scale_mut(1.0 / reach::<A, N>());
     for (joint, kind) in A::JOINT_KINDS.iter().enumerate() {
@@ -31,13 +31,17 @@ fn least<A: Specified<N>, const N: usize>(arm: &A, rows: &[usize], q: &[f64; N])
             all.column_mut(joint).scale_mut(reach::<A, N>());
         }
     }
-    all.select_rows(rows).singular_values().min()
+    let columns: Vec<usize> = (0..N).filter(|joint| Some(*joint) != given).collect();
+    all.select_rows(rows).select_columns(&columns).singular_values().min()
 }
 
 /// Holds the iteration beside `closed`: every joint vector that does what the tool does at the first, with a given joint
 /// as in the second.
-fn agree<A, const N: usize>(task: Task<f64>, closed: impl Fn(&A, &[f64; N], &[f64; N]) -> Vec<[f64; N]>)
-where
+fn agree<A, const N: usize>(
+    task: Task<f64>,
+    given: Option<usize>,
+    closed: impl Fn(&A, &[f64; N], &[f64; N]) -> Vec<[f64; N]>,
+) where
     A: Specified<N> + Arm<f64, N>,
 {
     let (arm, reach) = (A::default(), reach::<A, N>());
@@ -55,7 +59,7 @@ where
             random.uniform(low.max(-whole), high.min(whole))
         });
         let target = arm.forward(&goal);
-        for from in closed(&arm, &goal, &goal).iter().filter(|q| least(&arm, &rows, q) >= LEAST) {
+        for from in closed(&arm, &goal, &goal).iter().filter(|q| least(&arm, &rows, given, q) >= LEAST) {
             let start = std::array::from_fn(|joint| {
                 let unit = if A::JOINT_KINDS[joint] == JointKind::Prismatic { reach } else { 1.0 };
                 from[joint] + 0.1 * LEAST * unit * random.uniform(-1.0, 1.0)
@@ -87,21 +91,21 @@ fn pose<A, const N: usize>()
 where
     A: Specified<N> + InverseKinematics<f64, N, Target = denhart::Pose<f64>>,
 {
-    agree::<A, N>(Task::Pose, |arm, goal, _| exact(arm, &arm.forward(goal)));
+    agree::<A, N>(Task::Pose, None, |arm, goal, _| exact(arm, &arm.forward(goal)));
 }
 
 fn given<A>(joint: usize)
 where
     A: Specified<7> + InverseKinematics<f64, 7, Target = (denhart::Pose<f64>, f64)>,
 {
-    agree::<A, 7>(Task::Pose, |arm, goal, numeric| exact(arm, &(arm.forward(goal), numeric[joint])));
+    agree::<A, 7>(Task::Pose, Some(joint), |arm, goal, numeric| exact(arm, &(arm.forward(goal), numeric[joint])));
 }
 
 fn position<A>()
 where
     A: Specified<3> + InverseKinematics<f64, 3, Target = [f64; 3]>,
 {
-    agree::<A, 3>(PLACE, |arm, goal, _| exact(arm, &arm.forward(goal).translation));
+    agree::<A, 3>(PLACE, None, |arm, goal, _| exact(arm, &arm.forward(goal).translation));
 }
 
 /// The iteration is asked for the pose: with the point and the angle these arms have no more to choose.
@@ -109,7 +113,7 @@ fn point_and_angle<A>(signs: [f64; 4], offset: f64)
 where
     A: Specified<4> + InverseKinematics<f64, 4, Target = PointAngle<f64>>,
 {
-    agree::<A, 4>(Task::Pose, |arm, goal, _| {
+    agree::<A, 4>(Task::Pose, None, |arm, goal, _| {
         let angle = goal.iter().zip(signs).fold(offset, |sum, (q, sign)| sum + sign * q);
         let target = arm.forward(goal);
         let solutions = exact(arm, &PointAngle::new(target.translation, angle));
@@ -175,16 +179,16 @@ fn points_and_angles() {
 
 #[test]
 fn in_the_plane() {
-    agree::<arms::Planar2r, 2>(FLAT, |arm, goal, _| {
+    agree::<arms::Planar2r, 2>(FLAT, None, |arm, goal, _| {
         let [x, y, _] = Arm::forward(arm, goal).translation;
         exact(arm, &[x, y])
     });
-    agree::<arms::Planar2rUnit, 2>(FLAT, |arm, goal, _| {
+    agree::<arms::Planar2rUnit, 2>(FLAT, None, |arm, goal, _| {
         let [x, y, _] = Arm::forward(arm, goal).translation;
         exact(arm, &[x, y])
     });
-    agree::<arms::Planar3r, 3>(PLANE, |arm, goal, _| exact(arm, &in_plane(&Arm::forward(arm, goal))));
-    agree::<arms::Planar4rRedundant, 4>(PLANE, |arm, goal, numeric| {
+    agree::<arms::Planar3r, 3>(PLANE, None, |arm, goal, _| exact(arm, &in_plane(&Arm::forward(arm, goal))));
+    agree::<arms::Planar4rRedundant, 4>(PLANE, Some(0), |arm, goal, numeric| {
         exact(arm, &(in_plane(&Arm::forward(arm, goal)), numeric[0]))
     });
 }
