@@ -12,8 +12,8 @@ pub(crate) fn next_to<T: Scalar>(value: T, reference: T, limits: [T; 2]) -> T {
     if inside(near, limits) || !inside(reference, limits) { near } else { at_limit(value, near, limits) }
 }
 
-/// What lies beyond a limit: by rounding, it is the limit; by no more than solutions differ that are one, it stays, for a
-/// whole turn away is no answer to that; else the turn inside.
+/// What lies beyond a limit: by rounding, it is the limit; by as little as a solution near a singularity may be off
+/// (f64: 7e-10), it stays, for a whole turn away is no answer to that; else the turn inside.
 #[cold]
 #[inline(never)]
 fn at_limit<T: Scalar>(value: T, near: T, limits: [T; 2]) -> T {
@@ -22,7 +22,7 @@ fn at_limit<T: Scalar>(value: T, near: T, limits: [T; 2]) -> T {
     let beyond = (near - held).abs();
     if beyond <= T::from_f64(16.0) * T::EPSILON * held.abs().max(T::ONE) {
         held
-    } else if beyond <= T::from_f64(16.0) * T::EPSILON.sqrt() {
+    } else if beyond <= T::from_f64(0.05) * T::EPSILON.sqrt() {
         near
     } else {
         inward(value, near, limits)
@@ -202,7 +202,8 @@ mod tests {
         assert_eq!(next_to(-PI, PI - 1e-16, [-PI, PI]), PI);
         assert_eq!(next_to(-1.0 + 4e-16, -1.0 + 4e-16, [-2.0, -1.0]), -1.0 + 4e-16);
         assert_eq!(next_to(1.0 + 4e-16, 1.0, [-1.0, 1.0]), 1.0);
-        assert!((next_to(1e-8 - PI, PI - 1e-9, [-PI, PI]) - PI - 1e-8).abs() < 1e-14);
+        assert!((next_to(5e-10 - PI, PI - 1e-9, [-PI, PI]) - PI - 5e-10).abs() < 1e-14);
+        assert_eq!(next_to(1e-8 - PI, PI - 1e-9, [-PI, PI]), 1e-8 - PI);
         // A reference that is outside is followed.
         assert_eq!(next_to(0.5, 4.0 * TAU, [-7.0, 7.0]), 4.0 * TAU + 0.5);
         // None inside: next to the reference.
