@@ -9,11 +9,11 @@ use crate::math::{Scalar, wrap};
 #[inline]
 pub(crate) fn next_to<T: Scalar>(value: T, reference: T, limits: [T; 2]) -> T {
     let near = reference + wrap(value - reference);
-    if inside(near, limits) || !inside(reference, limits) { near } else { at_limit(value, near, limits) }
+    if inside(near, limits) || far_beyond(reference, limits) { near } else { at_limit(value, near, limits) }
 }
 
-/// What lies beyond a limit: by rounding, it is the limit; by as little as a solution near a singularity may be off
-/// (f64: 7e-10), it stays, for a whole turn away is no answer to that; else the turn inside.
+/// What lies beyond a limit: by rounding, it is the limit; by as little as a solution near a singularity may be
+/// off, it stays, for a whole turn away is no answer to that; else the turn inside.
 #[cold]
 #[inline(never)]
 fn at_limit<T: Scalar>(value: T, near: T, limits: [T; 2]) -> T {
@@ -22,11 +22,18 @@ fn at_limit<T: Scalar>(value: T, near: T, limits: [T; 2]) -> T {
     let beyond = (near - held).abs();
     if beyond <= T::from_f64(16.0) * T::EPSILON * held.abs().max(T::ONE) {
         held
-    } else if beyond <= T::from_f64(0.05) * T::EPSILON.sqrt() {
+    } else if !far_beyond(near, limits) {
         near
     } else {
         inward(value, near, limits)
     }
+}
+
+/// Whether an angle is beyond a limit by more than a solution near a singularity may be off, 7e-10 in f64.
+#[inline]
+fn far_beyond<T: Scalar>(angle: T, [low, high]: [T; 2]) -> bool {
+    let margin = T::from_f64(0.05) * T::EPSILON.sqrt();
+    angle < low - margin || angle > high + margin
 }
 
 #[inline]
