@@ -72,6 +72,8 @@ pub trait Scalar:
     fn is_finite(self) -> bool;
     /// The magnitude of `self` with the sign of `sign`, that of a zero included.
     fn copysign(self, sign: Self) -> Self;
+    /// `self` if `condition` holds, else 0; without a branch.
+    fn when(self, condition: bool) -> Self;
     /// The greater of two; the other one if one is not a number.
     fn max(self, other: Self) -> Self;
     /// The lesser of two; the other one if one is not a number.
@@ -95,7 +97,7 @@ pub trait Scalar:
 }
 
 macro_rules! scalar {
-    ($float:ident, $kernels:ident, $pi_lo:expr) => {
+    ($float:ident, $bits:ident, $kernels:ident, $pi_lo:expr) => {
         impl sealed::Kernel for $float {
             const PI_LO: Self = $pi_lo;
 
@@ -138,6 +140,10 @@ macro_rules! scalar {
             #[inline]
             fn copysign(self, sign: Self) -> Self {
                 $float::copysign(self, sign)
+            }
+            #[inline]
+            fn when(self, condition: bool) -> Self {
+                $float::from_bits(self.to_bits() & $bits::from(condition).wrapping_neg())
             }
             #[inline]
             fn max(self, other: Self) -> Self {
@@ -186,5 +192,5 @@ macro_rules! scalar {
     };
 }
 
-scalar!(f64, double, 1.2246467991473532e-16);
-scalar!(f32, single, -8.742278e-08);
+scalar!(f64, u64, double, 1.2246467991473532e-16);
+scalar!(f32, u32, single, -8.742278e-08);

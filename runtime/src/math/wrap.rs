@@ -8,12 +8,9 @@ use super::Scalar;
 /// number 2 pi: at most 1 ulp of pi off for every finite angle. The result is never `-PI` itself.
 #[inline]
 pub fn wrap<T: Scalar>(angle: T) -> T {
-    if angle > T::PI {
-        if angle <= T::from_f64(9.42) { angle - T::TAU } else { turns(angle) }
-    } else if angle > -T::PI {
-        angle
-    } else if angle >= T::from_f64(-9.42) {
-        angle + T::TAU
+    if angle.abs() <= T::from_f64(9.42) {
+        // No branch: which it is depends on the target.
+        angle - (T::TAU.when(angle > T::PI) - T::TAU.when(angle <= -T::PI))
     } else {
         turns(angle)
     }

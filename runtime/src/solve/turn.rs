@@ -75,7 +75,8 @@ impl<T: Tolerances> Turn<T> {
     /// Half a turn further.
     #[inline]
     pub fn opposite(self) -> Self {
-        let value = if self.value > T::ZERO { self.value - T::PI } else { self.value + T::PI };
+        // Towards 0, without a branch; from 0, of either sign, to pi.
+        let value = self.value + T::PI.copysign(T::ZERO - self.value);
         Self { value: in_range(value), sin: -self.sin, cos: -self.cos }
     }
 
