@@ -8,13 +8,25 @@ use super::{Home, Measure, Stage, Turn};
 #[inline]
 pub fn align<T: Tolerances>(home: Home<T>, measure: Measure<T>, from: [T; 2], to: [T; 2]) -> Stage<T, 1, 1> {
     let ([ux, uy], [vx, vy]) = (from, to);
-    let smaller = (ux * ux + uy * uy).min(vx * vx + vy * vy);
+    let (u2, v2) = (ux * ux + uy * uy, vx * vx + vy * vy);
+    let (cross, dot) = (ux * vy - uy * vx, ux * vx + uy * vy);
+    let doubtful = T::DOUBTFUL * measure.scale;
+    if !(u2.min(v2) >= doubtful * doubtful) {
+        return short(home, measure, u2.min(v2), cross, dot);
+    }
+    // |(cross, dot)| = |from| |to|. The root and the division, both slow, at the same time.
+    let square = u2 * v2;
+    let k = square.sqrt() * (T::ONE / square);
+    Stage::solved([[Turn::of(cross * k, dot * k)]], measure)
+}
+
+/// The same where one of the vectors is short; `square`: its length squared.
+#[cold]
+#[inline(never)]
+fn short<T: Tolerances>(home: Home<T>, measure: Measure<T>, square: T, cross: T, dot: T) -> Stage<T, 1, 1> {
     let vanishing = measure.vanishing();
-    if !(smaller > vanishing * vanishing) {
+    if !(square > vanishing * vanishing) {
         return Stage::free([Turn::ZERO], home, T::ZERO, measure);
     }
-    let turn = Turn::towards(ux * vy - uy * vx, ux * vx + uy * vy);
-    let doubtful = T::DOUBTFUL * measure.scale;
-    let stage = Stage::solved([[turn]], measure);
-    if smaller < doubtful * doubtful { stage.with_weak(home, smaller.sqrt() / measure.scale) } else { stage }
+    Stage::solved([[Turn::towards(cross, dot)]], measure).with_weak(home, square.sqrt() / measure.scale)
 }

@@ -30,15 +30,16 @@ pub fn flip<T: Tolerances>(home: Home<T>, m: [T; 3]) -> Stage<T, 2, 2> {
 #[inline]
 pub fn wrist<T: Tolerances>(home: Home<T>, m: [[T; 3]; 3]) -> Stage<T, 3, 2> {
     let [[m11, m12, m13], [m21, m22, m23], [_, _, m33]] = m;
-    let rho = (m13 * m13 + m23 * m23).sqrt();
+    let square = m13 * m13 + m23 * m23;
+    let rho = square.sqrt();
     if !(rho > T::VANISHING) {
         return in_line(home, m);
     }
-    let k = T::ONE / rho;
-    let (sin, cos) = (m23 * k, m13 * k);
-    let (sin_c, cos_c) = (cos * m21 - sin * m11, cos * m22 - sin * m12);
+    // The root and the division, both slow, at the same time; and what is scaled meanwhile.
+    let k = rho * (T::ONE / square);
+    let (sin_c, cos_c) = (m13 * m21 - m23 * m11, m13 * m22 - m23 * m12);
     // The last one only fills the vector unit's lanes.
-    let [a, b, c, _] = Turn::array([sin, rho, sin_c, T::ZERO], [cos, m33, cos_c, T::ONE]);
+    let [a, b, c, _] = Turn::array([m23 * k, rho, sin_c * k, T::ZERO], [m13 * k, m33, cos_c * k, T::ONE]);
     let roots = [[a, b, c], [a.opposite(), b.reversed(), c.opposite()]];
     Stage::solved(roots, Measure::DIRECTION).with_weak(home, rho)
 }
