@@ -56,7 +56,7 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
     #[cold]
     #[inline(never)]
     pub(super) fn away(&self, joint: usize, home: T) -> T {
-        let turns: T = self.elsewhere.turns(joint);
+        let turns: T = self.doubts.as_ref().map_or(T::ZERO, |doubts| doubts.elsewhere.turns(joint));
         if turns == T::ZERO {
             home
         } else if self.facts.prismatic.contains(joint) {
@@ -71,21 +71,20 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
     #[cold]
     #[inline(never)]
     pub(super) fn takes(&mut self, trail: &Trail<T>, branch: Branch) -> bool {
-        let Elsewhere { pass, len, free, .. } = self.elsewhere;
+        let elsewhere = &mut self.doubts().elsewhere;
+        let Elsewhere { pass, len, free, .. } = *elsewhere;
+        let open = elsewhere.open().contains(&branch);
         if pass == 0 {
             if !trail.missed {
                 return true;
             }
-            if !self.elsewhere.open().contains(&branch)
-                && let Some(slot) = self.elsewhere.open.get_mut(len)
-            {
+            if !open && let Some(slot) = elsewhere.open.get_mut(len) {
                 *slot = branch;
-                self.elsewhere.len += 1;
+                elsewhere.len += 1;
             }
-            self.elsewhere.free |= trail.free;
+            elsewhere.free |= trail.free;
             return false;
         }
-        let open = self.elsewhere.open().contains(&branch);
         if pass == PLACES {
             return open;
         }
@@ -100,26 +99,25 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
     #[cold]
     #[inline(never)]
     pub(super) fn move_on(&mut self) -> bool {
-        let Elsewhere { pass, settled, .. } = self.elsewhere;
+        let elsewhere = self.doubts().elsewhere;
         let mut left = [Branch::NONE; M];
         let mut len = 0;
-        for branch in self.elsewhere.open() {
-            let new = self.solutions.iter().skip(settled);
+        for branch in elsewhere.open() {
+            let new = self.solutions.iter().skip(elsewhere.settled);
             let met = new.into_iter().any(|s| s.branch == *branch && s.flags.contains(Flags::EXACT));
             if !met && let Some(slot) = left.get_mut(len) {
                 *slot = *branch;
                 len += 1;
             }
         }
-        (self.elsewhere.open, self.elsewhere.len) = (left, len);
-        self.elsewhere.settled = self.solutions.len();
-        self.elsewhere.pass += 1;
+        let (settled, pass) = (self.solutions.len(), elsewhere.pass + 1);
+        self.doubts().elsewhere = Elsewhere { pass, settled, open: left, len, ..elsewhere };
         for (joint, home) in self.facts.homes(self.near).into_iter().enumerate() {
             let away = self.away(joint, home);
             if let Some(slot) = self.homes.get_mut(joint) {
                 *slot = away;
             }
         }
-        len != 0 && pass < PLACES
+        len != 0 && elsewhere.pass < PLACES
     }
 }

@@ -60,6 +60,28 @@ impl<T: Tolerances, const N: usize> Facts<T, N> {
     }
 }
 
+/// What a search remembers of an awkward pose; at an ordinary one there is nothing to remember.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Doubts<T, const M: usize> {
+    /// Branches that have to be followed again with a free joint elsewhere.
+    pub(super) elsewhere: Elsewhere<M>,
+    /// Bit i: solution i is to be checked in full.
+    pub(super) solutions: u32,
+    /// For each solution the joints that are free or nearly so.
+    pub(super) loose: [JointMask; M],
+    /// The least gap at which a branch ended.
+    pub(super) least_gap: Option<T>,
+}
+
+impl<T: Tolerances, const M: usize> Doubts<T, M> {
+    const NONE: Self = Self { elsewhere: Elsewhere::START, solutions: 0, loose: [JointMask::NONE; M], least_gap: None };
+
+    /// A branch has ended at a gap.
+    pub(super) fn ended(&mut self, gap: T) {
+        self.least_gap = Some(self.least_gap.map_or(gap, |least| least.min(gap)));
+    }
+}
+
 /// One run of the inverse kinematics.
 #[derive(Debug)]
 pub struct Search<'a, T, G, const N: usize, const M: usize> {
@@ -69,16 +91,10 @@ pub struct Search<'a, T, G, const N: usize, const M: usize> {
     pub(super) solutions: &'a mut Solutions<T, N, M>,
     /// Where each joint stays if it is free.
     pub(super) homes: [T; N],
-    /// Branches that have to be followed again with a free joint elsewhere.
-    pub(super) elsewhere: Elsewhere<M>,
-    /// Bit i: solution i is to be checked in full.
-    pub(super) doubtful: u32,
-    /// For each solution the joints that are free or nearly so.
-    pub(super) loose: [JointMask; M],
     /// The target's deviation from a rotation.
     pub(super) deviation: T,
-    /// The least gap at which a branch ended.
-    pub(super) least_gap: Option<T>,
+    /// What has been found at an awkward pose.
+    pub(super) doubts: Option<Doubts<T, M>>,
     /// Limits of sums of joint values.
     combined: &'a [CombinedLimit<T, N>],
 }
@@ -88,7 +104,7 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
     ///
     /// `None`, with the status [`Status::BadTarget`], if the target (or the reference) is not finite or its rotation is
     /// not one within 1e-6 (f32: 1e-3).
-    #[inline]
+    #[inline(always)]
     pub fn new(
         facts: &'a Facts<T, N>,
         goal: &'a G,
@@ -107,11 +123,7 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
             solutions.set_status(Status::Unreachable { residual: farthest });
             return None;
         }
-        let homes = facts.homes(near);
-        let loose = [JointMask::NONE; M];
-        let (elsewhere, combined) = (Elsewhere::START, &[]);
-        let (doubtful, least_gap) = (0, None);
-        Some(Self { facts, goal, near, solutions, homes, elsewhere, doubtful, loose, deviation, least_gap, combined })
+        Some(Self { facts, goal, near, solutions, homes: facts.homes(near), deviation, doubts: None, combined: &[] })
     }
 
     /// Solutions outside one of these limits are out of limits too. An arm without any does not call this.
@@ -126,7 +138,20 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
         // Far away (a long slide may reach there) the rounding of the target alone can exceed what closes.
         let limit = self.facts.reach * T::from_f64(10.0);
         let far = self.goal.point().iter().any(|x| x.abs() > limit);
-        Trail { doubt: far || self.deviation > T::ROUNDING || self.elsewhere.wanted(), ..Trail::START }
+        Trail { doubt: far || self.deviation > T::ROUNDING || self.elsewhere_wanted(), ..Trail::START }
+    }
+
+    /// Whether this is a further pass, with a free joint elsewhere.
+    #[inline]
+    fn elsewhere_wanted(&self) -> bool {
+        self.doubts.as_ref().is_some_and(|doubts| doubts.elsewhere.wanted())
+    }
+
+    /// The doubts so far, to add to.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn doubts(&mut self) -> &mut Doubts<T, M> {
+        self.doubts.get_or_insert(Doubts::NONE)
     }
 
     /// Where a joint stays if it is free: its reference value; without one 0, or the limit nearest to 0.
@@ -139,7 +164,7 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
     /// The same for a virtual joint: 0. The joint named is one of the arm's that moves with it.
     #[inline]
     pub fn virtual_home(&self, joint: usize) -> Home<T> {
-        let value = if self.elsewhere.wanted() { self.away(joint, T::ZERO) } else { T::ZERO };
+        let value = if self.elsewhere_wanted() { self.away(joint, T::ZERO) } else { T::ZERO };
         Home { value, joint: JointMask::single(joint) }
     }
 
@@ -166,7 +191,7 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
             next.ended = trail.free.is_empty() && trail.weak.is_empty();
         }
         if next.ended {
-            self.least_gap = Some(self.least_gap.map_or(gap, |least| least.min(gap)));
+            self.doubts().ended(gap);
         }
         next
     }
@@ -187,10 +212,18 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
             residual: Residual { position: trail.gap.position, orientation },
         };
         if self.solutions.push(solution) && trail.doubt {
-            self.doubtful |= 1u32.checked_shl(at as u32).unwrap_or(0);
-            if let Some(loose) = self.loose.get_mut(at) {
-                *loose = trail.free | trail.weak;
-            }
+            self.doubt(at, trail.free | trail.weak);
+        }
+    }
+
+    /// The solution at an index is to be checked in full.
+    #[cold]
+    #[inline(never)]
+    fn doubt(&mut self, at: usize, joints: JointMask) {
+        let doubts = self.doubts();
+        doubts.solutions |= 1u32.checked_shl(at as u32).unwrap_or(0);
+        if let Some(loose) = doubts.loose.get_mut(at) {
+            *loose = joints;
         }
     }
 
@@ -202,10 +235,7 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
     #[inline]
     #[must_use]
     pub fn complete(&mut self, evaluate: impl Evaluate<T, N>) -> bool {
-        if self.doubtful != 0 {
-            self.settle(&evaluate);
-        }
-        if self.elsewhere.wanted() && self.move_on() {
+        if self.doubts.is_some() && !self.resolved(&evaluate) {
             return false;
         }
         match self.near {
@@ -222,6 +252,16 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
         true
     }
 
+    /// Checks what is doubtful. Returns whether no branch is left to be followed again.
+    #[cold]
+    #[inline(never)]
+    fn resolved(&mut self, evaluate: &impl Evaluate<T, N>) -> bool {
+        if self.doubts().solutions != 0 {
+            self.settle(evaluate);
+        }
+        !(self.elsewhere_wanted() && self.move_on())
+    }
+
     /// A given angle may have come with whole turns; in a solution it is in (-pi, pi] like every other.
     #[inline]
     fn wrap_given(&mut self) {
@@ -235,7 +275,9 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
     #[inline]
     fn mark_limits(&mut self) {
         for solution in self.solutions.as_mut_slice() {
-            let inside = solution.q.iter().zip(&self.facts.limits).all(|(q, [low, high])| q >= low && q <= high);
+            // Every joint, without a branch.
+            let joints = solution.q.iter().zip(&self.facts.limits);
+            let inside = joints.fold(true, |inside, (q, [low, high])| inside & (q >= low) & (q <= high));
             if !(inside && self.combined.iter().all(|limit| limit.holds(&solution.q))) {
                 solution.flags |= Flags::OUT_OF_LIMITS;
             }
@@ -246,7 +288,9 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
     #[inline(never)]
     fn unreachable(&self) -> Status<T> {
         let listed = self.solutions.iter().map(|s| s.residual.position.max(s.residual.orientation));
-        let residual = listed.chain(self.least_gap).fold(T::INFINITY, |least, gap| least.min(gap));
+        let residual = listed
+            .chain(self.doubts.and_then(|doubts| doubts.least_gap))
+            .fold(T::INFINITY, |least, gap| least.min(gap));
         Status::Unreachable { residual }
     }
 }

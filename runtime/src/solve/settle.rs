@@ -2,6 +2,7 @@
 //! joints are unwound next to it.
 
 use super::refine::{Evaluate, NOISE, refine, relative};
+use super::search::Doubts;
 use super::{Goal, Search, Tolerances};
 use crate::math::wrap;
 use crate::windings::next_to;
@@ -21,11 +22,12 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
     #[inline(never)]
     pub(super) fn settle(&mut self, evaluate: &impl Evaluate<T, N>) {
         let found = *self.solutions;
-        let before = self.elsewhere.settled;
+        let Doubts { elsewhere, solutions, loose, .. } = *self.doubts();
+        let before = elsewhere.settled;
         self.solutions.truncate(before);
         for (index, solution) in found.iter().enumerate().skip(before) {
-            let doubtful = self.doubtful.checked_shr(index as u32).unwrap_or(0) & 1 == 1;
-            let loose = self.loose.get(index).copied().unwrap_or(JointMask::NONE);
+            let doubtful = solutions.checked_shr(index as u32).unwrap_or(0) & 1 == 1;
+            let loose = loose.get(index).copied().unwrap_or(JointMask::NONE);
             let (checked, near) =
                 if doubtful { self.checked(solution, loose, evaluate) } else { (Some(*solution), true) };
             let Some(checked) = checked else { continue };
@@ -104,7 +106,7 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
         }
         let gap = residual.position.max(residual.orientation);
         let gap = if gap.is_finite() { gap } else { T::MAX };
-        self.least_gap = Some(self.least_gap.map_or(gap, |least| least.min(gap)));
+        self.doubts().ended(gap);
         (None, near)
     }
 
@@ -147,7 +149,7 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
     /// on a singular family, and sorts nearest first.
     #[inline(never)]
     pub(super) fn approach(&mut self, near: &[T; N], evaluate: &impl Evaluate<T, N>) {
-        if self.doubtful != 0 || self.solutions.is_empty() {
+        if self.doubts.is_some_and(|doubts| doubts.solutions != 0) || self.solutions.is_empty() {
             self.hold(near, evaluate);
         }
         let facts = self.facts;
