@@ -214,5 +214,5 @@ where
             }
         }
     }
-    report.assert_nothing_new();
+    report.assert_empty();
 }

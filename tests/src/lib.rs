@@ -8,7 +8,6 @@ pub mod arms;
 pub mod bad_targets;
 pub mod boundary;
 pub mod branches;
-pub mod known_gaps;
 pub mod poses;
 pub mod random;
 pub mod recover;

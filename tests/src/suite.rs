@@ -29,7 +29,7 @@ pub fn random_poses<const N: usize>(subject: &Subject<N>) {
         recover::check(subject, &mut report, "random", &q);
         recover::check_references(subject, &mut report, "random", &q, &mut random);
     }
-    report.assert_nothing_new();
+    report.assert_empty();
 }
 
 /// Grids of 90, 45, 15 and 30 degrees. With `DENHART_FULL_GRID=1` that of 30 degrees is complete.
@@ -51,7 +51,7 @@ pub fn grids<const N: usize>(subject: &Subject<N>, grids: Grids) {
             }
         }
     }
-    report.assert_nothing_new();
+    report.assert_empty();
 }
 
 /// Joints at and beside the values where arms tend to be singular, and where this one is.
@@ -74,7 +74,7 @@ pub fn awkward_poses<const N: usize>(subject: &Subject<N>) {
             recover::check(subject, &mut report, family.name, q);
         }
     }
-    report.assert_nothing_new();
+    report.assert_empty();
 }
 
 /// Targets at the edge of what the arm reaches, and beyond it.
@@ -89,7 +89,7 @@ pub fn out_of_reach<const N: usize>(subject: &Subject<N>) {
         _ => boundary::check_leftover(subject, &mut random, &mut report),
     }
     boundary::check_far(subject, &mut random, &mut report);
-    report.assert_nothing_new();
+    report.assert_empty();
 }
 
 /// What the arm says a joint vector misses a target by, and what the chain says: the same, near the target and anywhere.
@@ -122,5 +122,5 @@ where
             }
         }
     }
-    report.assert_nothing_new();
+    report.assert_empty();
 }
