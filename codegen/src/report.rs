@@ -2,7 +2,7 @@
 
 use crate::error::Diagnostic;
 use crate::model::geometry::{Geometry, Relation, TripleKind};
-use crate::model::{JointKind, LengthUnit, Model};
+use crate::model::{JointKind, Model};
 use crate::solve::{Plan, Refusal, describe};
 use crate::symbolic::Cost;
 use std::fmt;
@@ -35,7 +35,7 @@ impl Report {
     ) -> Report {
         let mut lines = vec![summary(model)];
         lines.push("axes:".into());
-        lines.extend(relations(geometry, unit(model)).map(|line| format!("  {line}")));
+        lines.extend(relations(geometry, model.length_unit.symbol()).map(|line| format!("  {line}")));
         for triple in &geometry.triples {
             let first = triple.first + 1;
             let what = match triple.kind {
@@ -84,18 +84,9 @@ impl fmt::Display for Report {
     }
 }
 
-fn unit(model: &Model) -> &'static str {
-    match model.length_unit {
-        LengthUnit::Meter => "m",
-        LengthUnit::Centimeter => "cm",
-        LengthUnit::Millimeter => "mm",
-        LengthUnit::Inch => "in",
-    }
-}
-
 fn summary(model: &Model) -> String {
     let kinds: String = model.joints.iter().map(|j| if j.kind == JointKind::Revolute { 'R' } else { 'P' }).collect();
-    format!("{}: {} moving joints ({kinds}), lengths in {}", model.name, model.joints.len(), unit(model))
+    format!("{}: {} moving joints ({kinds}), lengths in {}", model.name, model.joints.len(), model.length_unit.symbol())
 }
 
 fn relations<'a>(geometry: &'a Geometry, unit: &'a str) -> impl Iterator<Item = String> + 'a {

@@ -138,7 +138,7 @@ mod tests {
             let mut w = [0.0; 3];
             w[axis] = 1.0;
             let r = at(0.0, rates).rotation;
-            let column = |j: usize| crate::motion::vector::cross(w, [0, 1, 2].map(|i| r[i][j]));
+            let column = |j: usize| crate::vector::cross(w, [0, 1, 2].map(|i| r[i][j]));
             for (j, expected) in [0, 1, 2].map(|j| (j, column(j))) {
                 for i in 0..3 {
                     let found = (after[3 * i + j] - before[3 * i + j]) / (2.0 * h);

@@ -50,6 +50,7 @@ mod solution;
 mod solutions;
 pub mod solve;
 mod target;
+mod vector;
 mod windings;
 
 pub use actuator::{Actuator, Quantized};

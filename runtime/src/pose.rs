@@ -5,6 +5,7 @@ use core::ops::Mul;
 
 use crate::math::{self, Scalar};
 use crate::solution::Residual;
+use crate::vector::{dot, norm, sub};
 
 /// A pose: rotation and translation, the homogeneous transform `[R p; 0 1]`.
 ///
@@ -58,7 +59,7 @@ impl<T: Scalar> Pose<T> {
     #[must_use]
     pub fn inverse(&self) -> Self {
         let rotation = columns(&self.rotation);
-        Self { rotation, translation: rotation.map(|row| -dot(&row, &self.translation)) }
+        Self { rotation, translation: rotation.map(|row| -dot(row, self.translation)) }
     }
 
     /// A point given in the moving frame, in the reference frame: `R x + p`. Both in the length unit.
@@ -80,18 +81,18 @@ impl<T: Scalar> Pose<T> {
     pub fn residual(&self, other: &Self) -> Residual<T> {
         let [ax, ay, az] = self.translation;
         let [bx, by, bz] = other.translation;
-        let position = norm(&[bx - ax, by - ay, bz - az]);
+        let position = norm([bx - ax, by - ay, bz - az]);
 
         let [r0, r1, r2] = self.rotation;
         let [s0, s1, s2] = other.rotation;
         let [x1, y1, z1] = columns(&self.rotation);
         let [x2, y2, z2] = columns(&other.rotation);
         // R1^T R1 is symmetric, so R1^T (R2 - R1) has the skew part of R1^T R2, without its cancellation.
-        let [dx, dy, dz] = columns(&[sub(&s0, &r0), sub(&s1, &r1), sub(&s2, &r2)]);
-        let axis = [dot(&z1, &dy) - dot(&y1, &dz), dot(&x1, &dz) - dot(&z1, &dx), dot(&y1, &dx) - dot(&x1, &dy)];
-        let trace = dot(&x1, &x2) + dot(&y1, &y2) + dot(&z1, &z2);
+        let [dx, dy, dz] = columns(&[sub(s0, r0), sub(s1, r1), sub(s2, r2)]);
+        let axis = [dot(z1, dy) - dot(y1, dz), dot(x1, dz) - dot(z1, dx), dot(y1, dx) - dot(x1, dy)];
+        let trace = dot(x1, x2) + dot(y1, y2) + dot(z1, z2);
         // The axis vector has length 2 sin(theta), and the trace is 1 + 2 cos(theta).
-        Residual { position, orientation: math::atan2(norm(&axis), trace - T::ONE) }
+        Residual { position, orientation: math::atan2(norm(axis), trace - T::ONE) }
     }
 
     /// Whether every entry is finite.
@@ -104,7 +105,7 @@ impl<T: Scalar> Pose<T> {
     #[inline]
     fn rotate(&self, vector: &[T; 3]) -> [T; 3] {
         let [x, y, z] = &self.rotation;
-        [dot(x, vector), dot(y, vector), dot(z, vector)]
+        [dot(*x, *vector), dot(*y, *vector), dot(*z, *vector)]
     }
 }
 
@@ -142,21 +143,6 @@ impl<T: fmt::Display> fmt::Display for Pose<T> {
 #[inline]
 fn columns<T: Copy>([[a, b, c], [d, e, f], [g, h, i]]: &[[T; 3]; 3]) -> [[T; 3]; 3] {
     [[*a, *d, *g], [*b, *e, *h], [*c, *f, *i]]
-}
-
-#[inline]
-fn dot<T: Scalar>([a, b, c]: &[T; 3], [x, y, z]: &[T; 3]) -> T {
-    *a * *x + *b * *y + *c * *z
-}
-
-#[inline]
-fn sub<T: Scalar>([a, b, c]: &[T; 3], [x, y, z]: &[T; 3]) -> [T; 3] {
-    [*a - *x, *b - *y, *c - *z]
-}
-
-#[inline]
-fn norm<T: Scalar>(vector: &[T; 3]) -> T {
-    math::sqrt(dot(vector, vector))
 }
 
 #[cfg(test)]

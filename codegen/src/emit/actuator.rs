@@ -32,7 +32,7 @@ pub fn methods(model: &Model, target: &Target) -> TokenStream {
     let error_doc = docs::lines(&format!(
         "Where the tool ends up when `q` is rounded to pulses: the counts, the joint values `[{n}]` and the pose there, \
          and how far that pose is from `forward(q)`.\n\n{q} Positions in {}, angles in rad.",
-        docs::unit(model)
+        model.length_unit.symbol()
     ));
     quote! {
         #constants
@@ -76,7 +76,7 @@ fn constants(model: &Model, actuators: &[Actuator], target: &Target) -> TokenStr
     });
     let resolutions = actuators.iter().map(|actuator| number(actuator.resolution));
     let slides = model.joints.iter().any(|joint| joint.kind == JointKind::Prismatic);
-    let unit = if slides { format!("rad (sliding joints: {})", docs::unit(model)) } else { "rad".to_owned() };
+    let unit = if slides { format!("rad (sliding joints: {})", model.length_unit.symbol()) } else { "rad".to_owned() };
     let of = if model.coupling.is_some() { "motor, of motor values" } else { "joint" };
     let actuators_doc = docs::lines(&format!("What each motor counts: pulses per {unit}, and the home position."));
     let resolution_doc = docs::lines(&format!("One pulse of each {of}: {unit}."));

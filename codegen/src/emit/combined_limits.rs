@@ -20,7 +20,7 @@ pub fn constant(model: &Model, target: &Target) -> TokenStream {
         let [low, high] = combined.limits.map(|end| limit(end, &scalar));
         quote!(#krate::CombinedLimit { factors: [#(#factors),*], limits: [#low, #high] })
     });
-    let unit = docs::unit(model);
+    let unit = model.length_unit.symbol();
     let doc = docs::lines(&format!(
         "Limits of sums of joint values, rad (of sliding joints {unit}). A solution outside one of them is out of \
          limits.\n\nThe sums are those of the joint values as they are returned: of `inverse` in (-pi, pi], of \

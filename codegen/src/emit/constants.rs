@@ -47,7 +47,7 @@ fn row(name: &str) -> Option<usize> {
 }
 
 fn meaning(name: &str, model: &Model) -> String {
-    let unit = docs::unit(model);
+    let unit = model.length_unit.symbol();
     let text = |row: usize, what: &str, unit: &str| {
         let convention = match model.convention {
             Convention::Standard => "",

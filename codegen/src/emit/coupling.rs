@@ -58,8 +58,11 @@ fn methods(
     let [q, m, j] = ["q", "m", "j"].map(pattern);
     let joints = docs::joints(model);
     let slides = model.joints.iter().any(|joint| joint.kind == JointKind::Prismatic);
-    let unit =
-        if slides { format!("each in the unit of its joint (rad or {})", docs::unit(model)) } else { "rad".into() };
+    let unit = if slides {
+        format!("each in the unit of its joint (rad or {})", model.length_unit.symbol())
+    } else {
+        "rad".into()
+    };
     let equations = equations(model, coupling);
     let motors = format!("{unit}, `[{n}]`");
     let to_doc = docs::lines(&format!(

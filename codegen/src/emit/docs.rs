@@ -1,7 +1,7 @@
 //! Doc texts of generated items.
 
 use crate::kinematics::Wanted;
-use crate::model::{JointKind, LengthUnit, Model};
+use crate::model::{JointKind, Model};
 use crate::symbolic::Cost;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -39,20 +39,10 @@ pub fn lines(text: &str) -> TokenStream {
     quote!(#(#lines)*)
 }
 
-/// The unit's symbol.
-pub fn unit(model: &Model) -> &'static str {
-    match model.length_unit {
-        LengthUnit::Meter => "m",
-        LengthUnit::Centimeter => "cm",
-        LengthUnit::Millimeter => "mm",
-        LengthUnit::Inch => "in",
-    }
-}
-
 /// What the joint vector holds.
 pub fn joints(model: &Model) -> String {
     let n = model.joints.len();
-    let unit = unit(model);
+    let unit = model.length_unit.symbol();
     let sliding: Vec<String> = model
         .joints
         .iter()
@@ -76,7 +66,7 @@ pub fn cost(cost: &Cost) -> String {
 
 /// Docs of forward, jacobian and both.
 pub fn kinematics(model: &Model, wanted: Wanted, operations: &Cost) -> String {
-    let (n, unit, joints, cost) = (model.joints.len(), unit(model), joints(model), cost(operations));
+    let (n, unit, joints, cost) = (model.joints.len(), model.length_unit.symbol(), joints(model), cost(operations));
     let pose = format!("rotation (dimensionless) and position in {unit}");
     let jacobian = format!(
         "Rows `vx vy vz` ({unit} per unit of `q`) and `wx wy wz` (rad per unit of `q`), one column a joint, `6 x {n}`."
@@ -99,7 +89,7 @@ pub fn kinematics(model: &Model, wanted: Wanted, operations: &Cost) -> String {
 
 /// Docs of link_poses.
 pub fn link_poses(model: &Model, operations: &Cost) -> String {
-    let (n, unit, joints, cost) = (model.joints.len(), unit(model), joints(model), cost(operations));
+    let (n, unit, joints, cost) = (model.joints.len(), model.length_unit.symbol(), joints(model), cost(operations));
     format!(
         "Poses of the {n} links in the base frame: link i after joint i, with the fixed rows that follow it; the last \
          without the tool.\n\n{joints} Rotations are dimensionless, positions in {unit}.\n{cost}"

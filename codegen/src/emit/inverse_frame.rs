@@ -24,7 +24,7 @@ pub(super) fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStr
     let weights = weights.into_iter().map(number);
     let length = number(model.inverse.tolerance_length.unwrap_or(1e-6 * plan.reach));
     let angle = number(model.inverse.tolerance_angle.unwrap_or(1e-6));
-    let unit = docs::unit(model);
+    let unit = model.length_unit.symbol();
     let reach_doc = format!(" Reach of the arm, {unit}: the scale of every length comparison.");
     let type_name = &target.type_name;
     let (measure, facts_doc) = if model.parameters.is_empty() {
@@ -121,7 +121,7 @@ pub(super) fn function(
             };
             #unpack
             #given_symbols
-            // Once; again with a free joint elsewhere, if a later stage cannot be met with it at home.
+            /// Once; again with a free joint elsewhere, where a later stage cannot be met with that joint at home.
             loop {
                 let start = search.start() #unproven;
                 #body

@@ -15,55 +15,11 @@ pub fn task(model: &Model, inverse: &Inverse) -> Option<Task> {
 /// Velocities, accelerations, the Jacobian's other forms and the manipulability, as methods.
 pub fn methods(model: &Model, task: Option<Task>, target: &Target) -> TokenStream {
     let (krate, t, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
-    let unit = docs::unit(model);
-    let velocity = docs::lines(&format!(
-        "Velocity of the tool point ({unit}/s) and angular velocity (rad/s) in the base frame, for rates `qd`: `J qd`."
-    ));
-    let acceleration = docs::lines(&format!(
-        "Second derivative of the tool point ({unit}/s^2), derivative of the angular velocity: `J qdd + dJ/dt qd`."
-    ));
+    let unit = model.length_unit.symbol();
     let manipulability = manipulability(model, task, target);
     quote! {
-        #velocity
-        #[inline]
-        #[must_use]
-        pub fn velocity(&self, q: &[#t; #n], qd: &[#t; #n]) -> #krate::Twist<#t> {
-            self.jacobian(q).velocity(qd)
-        }
-        #acceleration
-        #[inline]
-        #[must_use]
-        pub fn acceleration(&self, q: &[#t; #n], qd: &[#t; #n], qdd: &[#t; #n]) -> #krate::Acceleration<#t> {
-            self.jacobian(q).acceleration(qd, qdd)
-        }
-        /// Derivative by time of [`Self::jacobian`], for rates `qd`.
-        #[must_use]
-        pub fn jacobian_dot(&self, q: &[#t; #n], qd: &[#t; #n]) -> #krate::Jacobian<#t, #n> {
-            self.jacobian(q).derivative(qd)
-        }
-        /// Geometric Jacobian of the tool point in the axes of the tool.
-        #[must_use]
-        pub fn jacobian_tool(&self, q: &[#t; #n]) -> #krate::Jacobian<#t, #n> {
-            let (tool, jacobian) = self.forward_and_jacobian(q);
-            jacobian.in_frame(&tool.rotation)
-        }
-        /// Velocities of the frames of [`Self::link_poses`] in the base frame, each at its own origin.
-        #[must_use]
-        pub fn link_velocities(&self, q: &[#t; #n], qd: &[#t; #n]) -> [#krate::Twist<#t>; #n] {
-            let (tool, jacobian) = self.forward_and_jacobian(q);
-            jacobian.link_velocities(&tool, &self.link_poses(q), qd)
-        }
-        /// Accelerations of the same frames.
-        #[must_use]
-        pub fn link_accelerations(
-            &self,
-            q: &[#t; #n],
-            qd: &[#t; #n],
-            qdd: &[#t; #n],
-        ) -> [#krate::Acceleration<#t>; #n] {
-            let (tool, jacobian) = self.forward_and_jacobian(q);
-            jacobian.link_accelerations(&tool, &self.link_poses(q), qd, qdd)
-        }
+        /// `velocity`, `acceleration`, `jacobian_dot`, `jacobian_tool`, `link_velocities`, `link_accelerations`.
+        #krate::motion_methods!(#t, #n, #unit);
         #manipulability
     }
 }
@@ -86,7 +42,7 @@ fn manipulability(model: &Model, task: Option<Task>, target: &Target) -> TokenSt
     };
     let rows_counted = counts(task).map_or(6, |(counts, _)| counts.iter().filter(|counts| **counts).count());
     let of = if rows_counted > model.joints.len() { "J^T J" } else { "J J^T" };
-    let unit = docs::unit(model);
+    let unit = model.length_unit.symbol();
     let doc = docs::lines(&format!(
         "Yoshikawa's manipulability `sqrt(det({of}))`, J: {rows} of the Jacobian, lengths in {unit}."
     ));

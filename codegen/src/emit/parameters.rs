@@ -17,7 +17,12 @@ pub fn item(model: &Model, doc: &TokenStream, target: &Target) -> TokenStream {
         };
     }
     let fields = model.parameters.iter().map(|parameter| {
-        let text = format!("{}, {}; {} in the arm file.", uses(model, parameter), docs::unit(model), parameter.default);
+        let text = format!(
+            "{}, {}; {} in the arm file.",
+            uses(model, parameter),
+            model.length_unit.symbol(),
+            parameter.default
+        );
         let (doc, field) = (docs::lines(&text), ident(&parameter.name));
         quote!(#doc pub #field: #scalar)
     });
@@ -94,7 +99,7 @@ pub fn methods(model: &Model, target: &Target) -> TokenStream {
         quote!(#krate::DhFrame { xyz: [#(#xyz),*], rpy: [#(#rpy),*] })
     };
     let (base, tool) = (frame(&model.base), frame(&model.tool));
-    let symbol = docs::unit(model);
+    let symbol = model.length_unit.symbol();
     let rows_doc = docs::lines(&format!(
         "The rows of the Denavit-Hartenberg table with the parameters of this arm, `[{count}]`; lengths in {symbol}, \
          angles in rad. With `dh_base` and `dh_tool` they make a `Chain`; the constant `DH` has the file's values."

@@ -20,7 +20,7 @@ pub fn associated(model: &Model, target: &Target) -> TokenStream {
         LengthUnit::Inch => quote!(Inch),
     };
     let dh = dh_table(model, target);
-    let symbol = docs::unit(model);
+    let symbol = model.length_unit.symbol();
     let limits_doc = docs::lines(&format!(
         "Lower and upper limit of every joint, rad (sliding joints: {symbol}); infinite where the file has none."
     ));

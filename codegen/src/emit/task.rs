@@ -1,7 +1,7 @@
 //! What the inverse of a task looks like from outside: its target, and how the search sees it.
 
 use super::tokens::{ident, integer, number};
-use super::{Target, angle, docs};
+use super::{Target, angle};
 use crate::model::{Angle, Axis, Model, Task};
 use crate::solve::Plan;
 use proc_macro2::TokenStream;
@@ -28,7 +28,7 @@ pub struct TaskCode {
 /// The code of a plan's task; `used` are the symbols that the plan reads.
 pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>) -> TaskCode {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
-    let unit = docs::unit(model);
+    let unit = model.length_unit.symbol();
     let field = |name: &str| {
         let (field, unused) = (ident(name), ident(&format!("_{name}")));
         if used.contains(name) { quote!(#field) } else { quote!(#field: #unused) }

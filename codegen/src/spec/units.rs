@@ -16,6 +16,18 @@ pub enum LengthUnit {
     Inch,
 }
 
+impl LengthUnit {
+    /// As a reader writes it after a number.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Meter => "m",
+            Self::Centimeter => "cm",
+            Self::Millimeter => "mm",
+            Self::Inch => "in",
+        }
+    }
+}
+
 /// Which frame a row of the table belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Convention {

@@ -1,10 +1,10 @@
 //! Velocities and accelerations of the links.
 
-use super::vector::{add, cross, scale, sub};
 use super::{Acceleration, Twist};
 use crate::jacobian::Jacobian;
 use crate::math::Scalar;
 use crate::pose::Pose;
+use crate::vector::{add, cross, scale, sub};
 
 impl<T: Scalar, const N: usize> Jacobian<T, N> {
     /// Velocities of the link frames `[N]` in the base frame, each at the frame's own origin, for joint rates `qd` `[N]`.

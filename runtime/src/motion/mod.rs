@@ -15,9 +15,9 @@
 //! summed over `j`, the products collect in two running sums, so the cost grows with `N` and not with its square.
 
 mod link;
+mod methods;
 mod tool;
 mod twist;
-pub(crate) mod vector;
 
 #[cfg(all(feature = "nalgebra", feature = "std"))]
 pub(crate) use tool::{Joint, acceleration, derivative, velocity};

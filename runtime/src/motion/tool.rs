@@ -1,9 +1,9 @@
 //! Velocity and acceleration of the tool, and the derivative of the Jacobian.
 
-use super::vector::{add, cross, scale, sub};
 use super::{Acceleration, Twist};
 use crate::jacobian::Jacobian;
 use crate::math::Scalar;
+use crate::vector::{add, cross, scale, sub};
 
 /// A joint's column of the Jacobian, with its rate and the rate's derivative.
 #[derive(Debug, Clone, Copy)]

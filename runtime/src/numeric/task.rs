@@ -3,6 +3,7 @@
 use super::model::Joints;
 use crate::math::{self, Scalar};
 use crate::pose::Pose;
+use crate::vector::{cross, dot, norm};
 
 /// What of the target pose is asked for. What is not asked for is free, and part of the null space.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -29,7 +30,7 @@ impl<T: Scalar> Task<T> {
         match self {
             Self::Pose | Self::Components(_) => true,
             Self::PositionAxis(axis) => {
-                let length = norm(axis);
+                let length = norm(*axis);
                 length > T::ZERO && length.is_finite()
             }
         }
@@ -62,12 +63,12 @@ fn reduce_to_axis<T: Scalar, Q: Joints<T>>(
     [_, _, _, wx, wy, wz]: &mut [T; 6],
     [_, _, _, rx, ry, rz]: &mut [Q; 6],
 ) {
-    let length = norm(axis);
+    let length = norm(*axis);
     let axis = axis.map(|part| part / length);
-    let turn = |pose: &Pose<T>| pose.rotation.map(|row| dot(&row, &axis));
+    let turn = |pose: &Pose<T>| pose.rotation.map(|row| dot(row, axis));
     let (here, there) = (turn(pose), turn(target));
-    let [x, y, z] = cross(&here, &there);
-    let (sin, cos) = (norm(&[x, y, z]), dot(&here, &there));
+    let [x, y, z] = cross(here, there);
+    let (sin, cos) = (norm([x, y, z]), dot(here, there));
     [*wx, *wy, *wz] = if sin > T::EPSILON || cos > T::ZERO {
         // For a vanishing angle the cross product is the turn.
         let factor = if sin > T::ZERO { math::atan2(sin, cos) / sin } else { T::ONE };
@@ -76,7 +77,7 @@ fn reduce_to_axis<T: Scalar, Q: Joints<T>>(
         // Opposite: half a turn about any axis across.
         let [hx, hy, hz] = here;
         let across = if hx.abs() < T::HALF { [T::ZERO, hz, -hy] } else { [-hz, T::ZERO, hx] };
-        let length = norm(&across);
+        let length = norm(across);
         across.map(|part| part / length * T::PI)
     };
     let [ax, ay, az] = here;
@@ -84,16 +85,4 @@ fn reduce_to_axis<T: Scalar, Q: Joints<T>>(
         let along = *x * ax + *y * ay + *z * az;
         (*x, *y, *z) = (*x - along * ax, *y - along * ay, *z - along * az);
     }
-}
-
-fn cross<T: Scalar>([ax, ay, az]: &[T; 3], [bx, by, bz]: &[T; 3]) -> [T; 3] {
-    [*ay * *bz - *az * *by, *az * *bx - *ax * *bz, *ax * *by - *ay * *bx]
-}
-
-fn dot<T: Scalar>([a, b, c]: &[T; 3], [x, y, z]: &[T; 3]) -> T {
-    *a * *x + *b * *y + *c * *z
-}
-
-fn norm<T: Scalar>(vector: &[T; 3]) -> T {
-    math::sqrt(dot(vector, vector))
 }

@@ -3,6 +3,7 @@
 use super::quaternion;
 use crate::math::{self, Scalar};
 use crate::pose::Pose;
+use crate::vector::{dot, norm, sub};
 
 /// A turn by an angle about an axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,7 +33,7 @@ impl<T: Scalar> Pose<T> {
             return None;
         }
         let axis = axis.map(|part| part / largest);
-        let length = norm(&axis);
+        let length = norm(axis);
         let (sin, cos) = math::sin_cos(angle * T::HALF);
         let [x, y, z] = axis.map(|part| part / length * sin);
         Self::from_xyz_quaternion(xyz, [cos, x, y, z])
@@ -43,7 +44,7 @@ impl<T: Scalar> Pose<T> {
     /// Not finite where the vector is not.
     #[must_use]
     pub fn from_xyz_rotation_vector(xyz: [T; 3], vector: [T; 3]) -> Self {
-        let angle = norm(&vector);
+        let angle = norm(vector);
         // So small a turn differs from R = I + [v]x by less than rounding; its square may vanish.
         if angle < T::EPSILON {
             let ([x, y, z], i) = (vector, T::ONE);
@@ -73,7 +74,7 @@ impl<T: Scalar> Pose<T> {
         let largest = vector.iter().fold(T::ZERO, |most, part| most.max(part.abs()));
         if largest > T::ZERO {
             let scaled = vector.map(|part| part / largest);
-            let length = norm(&scaled);
+            let length = norm(scaled);
             AxisAngle { axis: scaled.map(|part| part / length), angle: (length * largest).min(T::PI) }
         } else {
             // No turn, or not a number, which the sum passes on.
@@ -105,11 +106,11 @@ impl<T: Scalar> Pose<T> {
     pub fn error_to(&self, target: &Self) -> [T; 6] {
         let ([px, py, pz], [qx, qy, qz]) = (self.translation, target.translation);
         let ([r0, r1, r2], [t0, t1, t2]) = (&self.rotation, &target.rotation);
-        let trace = dot(r0, t0) + dot(r1, t1) + dot(r2, t2);
+        let trace = dot(*r0, *t0) + dot(*r1, *t1) + dot(*r2, *t2);
         // R R^T is symmetric, so (R_t - R) R^T has the skew part of R_t R^T, without its cancellation.
-        let [d0, d1, d2] = [difference(t0, r0), difference(t1, r1), difference(t2, r2)];
-        let twice_sine = [dot(&d2, r1) - dot(&d1, r2), dot(&d0, r2) - dot(&d2, r0), dot(&d1, r0) - dot(&d0, r1)];
-        let product = || [t0, t1, t2].map(|t| [dot(t, r0), dot(t, r1), dot(t, r2)]);
+        let [d0, d1, d2] = [sub(*t0, *r0), sub(*t1, *r1), sub(*t2, *r2)];
+        let twice_sine = [dot(d2, *r1) - dot(d1, *r2), dot(d0, *r2) - dot(d2, *r0), dot(d1, *r0) - dot(d0, *r1)];
+        let product = || [t0, t1, t2].map(|t| [dot(*t, *r0), dot(*t, *r1), dot(*t, *r2)]);
         let [wx, wy, wz] = logarithm(&twice_sine, trace, product);
         [qx - px, qy - py, qz - pz, wx, wy, wz]
     }
@@ -119,7 +120,7 @@ impl<T: Scalar> Pose<T> {
 /// itself is asked for only near half a turn, where the sine says little about the axis.
 #[inline]
 fn logarithm<T: Scalar>(twice_sine: &[T; 3], trace: T, rotation: impl FnOnce() -> [[T; 3]; 3]) -> [T; 3] {
-    let length = norm(twice_sine);
+    let length = norm(*twice_sine);
     // At trace -1/2 the angle is 139 degrees and the sine 0.66.
     let factor = if trace > -T::HALF {
         if length > T::ZERO { math::atan2(length, trace - T::ONE) / length } else { T::HALF }
@@ -133,22 +134,7 @@ fn logarithm<T: Scalar>(twice_sine: &[T; 3], trace: T, rotation: impl FnOnce() -
 #[cold]
 fn beyond<T: Scalar>(rotation: &[[T; 3]; 3]) -> [T; 3] {
     let [w, x, y, z] = quaternion::of_rotation(rotation);
-    let length = norm(&[x, y, z]);
+    let length = norm([x, y, z]);
     let factor = T::TWO * math::atan2(length, w) / length;
     [x, y, z].map(|part| part * factor)
-}
-
-#[inline]
-fn dot<T: Scalar>([a, b, c]: &[T; 3], [x, y, z]: &[T; 3]) -> T {
-    *a * *x + *b * *y + *c * *z
-}
-
-#[inline]
-fn difference<T: Scalar>([a, b, c]: &[T; 3], [x, y, z]: &[T; 3]) -> [T; 3] {
-    [*a - *x, *b - *y, *c - *z]
-}
-
-#[inline]
-fn norm<T: Scalar>(vector: &[T; 3]) -> T {
-    math::sqrt(dot(vector, vector))
 }

@@ -2,6 +2,7 @@
 
 use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
+use crate::vector::{cross, dot};
 
 /// A vector that a joint turns about its z axis, and the frame in which it has to be seen: rows that take the frame of
 /// the sliding joint to that of the turning one.
@@ -67,12 +68,4 @@ fn angles<T: Tolerances>(x: &Sight<T>, z: &Sight<T>, h: [T; 3]) -> [Turn<T>; 2] 
 fn turn<T: Tolerances>([ux, uy, _]: [T; 3], [vx, vy, _]: [T; 3]) -> Turn<T> {
     let (sin, cos) = (ux * vy - uy * vx, ux * vx + uy * vy);
     if sin == T::ZERO && cos == T::ZERO { Turn::ZERO } else { Turn::towards(sin, cos) }
-}
-
-fn dot<T: Tolerances>([a, b, c]: [T; 3], [d, e, f]: [T; 3]) -> T {
-    a * d + b * e + c * f
-}
-
-fn cross<T: Tolerances>([a, b, c]: [T; 3], [d, e, f]: [T; 3]) -> [T; 3] {
-    [b * f - c * e, c * d - a * f, a * e - b * d]
 }

@@ -2,6 +2,7 @@
 
 use super::Tolerances;
 use crate::math::{atan2, wrap};
+use crate::vector::{column, cross, dot, norm, sub};
 use crate::{Jacobian, JointMask, PlanarPose, PointAngle, PointAxis, Pose, Residual};
 
 /// A target, as the search sees it. An equation that is not asked for is a row of zeros.
@@ -32,26 +33,6 @@ pub trait Goal<T, const N: usize> {
     fn placed(&self, q: [T; N]) -> [T; N] {
         q
     }
-}
-
-fn difference<T: Tolerances>([ax, ay, az]: [T; 3], [bx, by, bz]: [T; 3]) -> [T; 3] {
-    [ax - bx, ay - by, az - bz]
-}
-
-fn length<T: Tolerances>([x, y, z]: [T; 3]) -> T {
-    (x * x + y * y + z * z).sqrt()
-}
-
-fn cross<T: Tolerances>([ax, ay, az]: [T; 3], [bx, by, bz]: [T; 3]) -> [T; 3] {
-    [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
-}
-
-fn dot<T: Tolerances>([ax, ay, az]: [T; 3], [bx, by, bz]: [T; 3]) -> T {
-    ax * bx + ay * by + az * bz
-}
-
-fn column<T: Tolerances>(rotation: &[[T; 3]; 3], index: usize) -> [T; 3] {
-    rotation.map(|row| row.get(index).copied().unwrap_or(T::ZERO))
 }
 
 /// Zero for numbers, not a number for anything else.
@@ -90,7 +71,7 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for Pose<T> {
     }
 
     fn error(&self, _: &[T; N], pose: &Pose<T>) -> [T; 6] {
-        let [x, y, z] = difference(self.translation, pose.translation);
+        let [x, y, z] = sub(self.translation, pose.translation);
         // The rotation's axis times the sine of its angle: half the sum over the axes of what each has to turn.
         let [u, v, w] = [0, 1, 2]
             .map(|j| cross(column(&pose.rotation, j), column(&self.rotation, j)))
@@ -117,11 +98,11 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for [T; 3] {
     }
 
     fn residual(&self, _: &[T; N], pose: &Pose<T>) -> Residual<T> {
-        Residual { position: length(difference(*self, pose.translation)), orientation: T::ZERO }
+        Residual { position: norm(sub(*self, pose.translation)), orientation: T::ZERO }
     }
 
     fn error(&self, _: &[T; N], pose: &Pose<T>) -> [T; 6] {
-        let [x, y, z] = difference(*self, pose.translation);
+        let [x, y, z] = sub(*self, pose.translation);
         [x, y, z, T::ZERO, T::ZERO, T::ZERO]
     }
 
@@ -146,7 +127,7 @@ impl<T: Tolerances> Pointing<T> {
         let [x, y, z] = target.axis;
         let largest = x.abs().max(y.abs()).max(z.abs());
         let [x, y, z] = target.axis.map(|e| e / largest);
-        let k = T::ONE / length([x, y, z]);
+        let k = T::ONE / norm([x, y, z]);
         let short = !(largest >= T::from_f64(1e-12));
         let direction = [x * k, y * k, z * k].map(|e| if short { T::NAN } else { e });
         Pointing { point: target.point, direction, column }
@@ -181,12 +162,12 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for Pointing<T> {
 
     fn residual(&self, _: &[T; N], pose: &Pose<T>) -> Residual<T> {
         let axis = column(&pose.rotation, self.column);
-        let orientation = atan2(length(cross(axis, self.direction)), dot(axis, self.direction));
-        Residual { position: length(difference(self.point, pose.translation)), orientation }
+        let orientation = atan2(norm(cross(axis, self.direction)), dot(axis, self.direction));
+        Residual { position: norm(sub(self.point, pose.translation)), orientation }
     }
 
     fn error(&self, _: &[T; N], pose: &Pose<T>) -> [T; 6] {
-        let [x, y, z] = difference(self.point, pose.translation);
+        let [x, y, z] = sub(self.point, pose.translation);
         let [u, v, w] = cross(column(&pose.rotation, self.column), self.direction);
         [x, y, z, u, v, w]
     }
@@ -236,12 +217,12 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for InPlane<T, N> {
     }
 
     fn residual(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T> {
-        let position = length(difference(self.target.point, pose.translation));
+        let position = norm(sub(self.target.point, pose.translation));
         Residual { position, orientation: self.missing(q).abs() }
     }
 
     fn error(&self, q: &[T; N], pose: &Pose<T>) -> [T; 6] {
-        let [x, y, z] = difference(self.target.point, pose.translation);
+        let [x, y, z] = sub(self.target.point, pose.translation);
         [x, y, z, self.missing(q), T::ZERO, T::ZERO]
     }
 
@@ -265,7 +246,7 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for PlanarPose<T> {
 
     fn residual(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T> {
         let [x, y, _, turn, ..] = self.error(q, pose);
-        Residual { position: length([x, y, T::ZERO]), orientation: turn.abs() }
+        Residual { position: norm([x, y, T::ZERO]), orientation: turn.abs() }
     }
 
     fn error(&self, _: &[T; N], pose: &Pose<T>) -> [T; 6] {
@@ -294,7 +275,7 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for [T; 2] {
 
     fn residual(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T> {
         let [x, y, ..] = Goal::<T, N>::error(self, q, pose);
-        Residual { position: length([x, y, T::ZERO]), orientation: T::ZERO }
+        Residual { position: norm([x, y, T::ZERO]), orientation: T::ZERO }
     }
 
     fn error(&self, _: &[T; N], pose: &Pose<T>) -> [T; 6] {

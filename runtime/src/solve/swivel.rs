@@ -3,16 +3,9 @@
 use super::Tolerances;
 use crate::Pose;
 use crate::math::atan2;
+use crate::vector::{cross, dot};
 
 type V<T> = [T; 3];
-
-fn dot<T: Tolerances>([a, b, c]: V<T>, [d, e, f]: V<T>) -> T {
-    a * d + b * e + c * f
-}
-
-fn cross<T: Tolerances>([a, b, c]: V<T>, [d, e, f]: V<T>) -> V<T> {
-    [b * f - c * e, c * d - a * f, a * e - b * d]
-}
 
 /// The direction of a vector; upwards for one without length (a wrist in the shoulder: any direction will do).
 fn unit<T: Tolerances>(v: V<T>) -> V<T> {
