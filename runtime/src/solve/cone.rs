@@ -37,8 +37,12 @@ pub fn cone<T: Tolerances>(home: Home<T>, measure: Measure<T>, d: T, rho: T, con
         return Stage::free([Turn::ZERO], home, gap(d, rho, max, max_across), measure);
     }
     let below = |end: T, across: T| {
-        // end - d, by whichever form does not cancel.
-        if end * d > T::ZERO { (rho - across) * (rho + across) / (d + end) } else { end - d }
+        // end - d, by the form that cancels less: the components along, or (where both are the larger) those across.
+        if end * d > T::ZERO && (d + end).abs() > rho + across.abs() {
+            (rho - across) * (rho + across) / (d + end)
+        } else {
+            end - d
+        }
     };
     let (top, bottom) = (below(max, max_across), -below(min, min_across));
     // The rounding of the component itself; roots farther apart are told apart.
@@ -63,4 +67,23 @@ pub fn cone<T: Tolerances>(home: Home<T>, measure: Measure<T>, d: T, rho: T, con
 fn gap<T: Tolerances>(d: T, rho: T, end: T, across: T) -> T {
     let length = (d * d + rho * rho).sqrt();
     if length > T::ZERO { (rho * end - d * across.abs()).abs() / length } else { T::ZERO }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::JointMask;
+
+    /// A short vector across the turning axis, next to a long one along it: the angle is as accurate as the component.
+    #[test]
+    fn a_small_component_of_a_long_vector() {
+        let home = Home { value: 0.0, joint: JointMask::single(0) };
+        for t in [0.3, 1.2, 1.57, 2.0, 3.0_f64] {
+            let (along, across) = (-0.8, 4e-8);
+            let d = across * t.cos();
+            let rho = (along * along + (across * t.sin()).powi(2)).sqrt();
+            let stage = cone(home, Measure::length(1.0), d, rho, Cone::new(along, across, 0.0, 1.0));
+            assert!((stage.roots[0][0].value - t).abs() < 1e-12, "{t}: {:?}", stage.roots);
+        }
+    }
 }

@@ -31,12 +31,17 @@ impl<T: Tolerances> Elbow<T> {
 /// Two roots, positive first; one at the ends of the range or outside it, then with the gap to the range.
 #[inline]
 pub fn distance<T: Tolerances>(home: Home<T>, measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<T, 1, 2> {
+    if elbow.max - elbow.min < T::DOUBTFUL * measure.scale {
+        return narrow(home, measure, rho, elbow);
+    }
+    within(measure, rho, elbow)
+}
+
+#[inline]
+fn within<T: Tolerances>(measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<T, 1, 2> {
     let (outer, inner) = (elbow.max - rho, rho - elbow.min);
     // The rounding of the distance itself; roots farther apart are told apart.
     let close = T::EPSILON * T::TWO * elbow.max;
-    if elbow.max - elbow.min <= measure.vanishing() {
-        return Stage::free([Turn::ZERO], home, outer.abs(), measure);
-    }
     if !(outer > close) {
         return Stage::edge([Turn::ZERO], (-outer).max(T::ZERO), measure);
     }
@@ -49,4 +54,39 @@ pub fn distance<T: Tolerances>(home: Home<T>, measure: Measure<T>, rho: T, elbow
     let half_sine = (top * bottom).sqrt() * k;
     let turn = Turn::of(half_sine + half_sine, (bottom - top) * k);
     Stage::solved([[turn], [turn.reversed()]], measure).with_amplitude(half_sine)
+}
+
+/// The turn moves the point hardly or not at all: one of the two is on the axis or close to it.
+#[cold]
+#[inline(never)]
+fn narrow<T: Tolerances>(home: Home<T>, measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<T, 1, 2> {
+    let range = elbow.max - elbow.min;
+    if !(range > measure.vanishing()) {
+        return Stage::free([Turn::ZERO], home, (elbow.max - rho).abs(), measure);
+    }
+    let stage = within(measure, rho, elbow);
+    let amplitude = stage.amplitude * range / measure.scale;
+    stage.with_weak(home, amplitude)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::JointMask;
+
+    /// A point close to the axis turns through any angle within a narrow range of distances: the joint is nearly free.
+    #[test]
+    fn a_point_close_to_the_axis_leaves_the_joint_nearly_free() {
+        let home = Home { value: 0.0, joint: JointMask::single(2) };
+        let solved = |a: f64| {
+            let t = 0.7_f64;
+            let rho = (a * a + 0.25 + a * t.cos()).sqrt();
+            distance(home, Measure::length(1.0), rho, Elbow::new(a, 0.5, 0.0))
+        };
+        assert!(!solved(0.3).doubt && solved(0.3).weak.is_empty());
+        assert!(solved(1e-4).doubt && solved(1e-4).weak.is_empty());
+        assert_eq!(solved(1e-9).weak, home.joint);
+        assert!((solved(1e-9).roots[0][0].value - 0.7).abs() < 1e-6);
+        assert_eq!(solved(1e-14).free, home.joint);
+    }
 }

@@ -7,7 +7,9 @@ use crate::{Branch, Flags, JointMask};
 /// Places on the turn of a free joint, its home among them.
 const PLACES: u32 = 16;
 
-/// The branches on which a joint is free and a later stage has no root with that joint at home.
+/// The branches on which a joint is free, and which are missed with that joint at home: a later stage has no root
+/// there, or the solution does not close. The latter happens where the joint is free only because an earlier one is at
+/// the edge of its range to rounding, such as a roll behind a folded elbow.
 ///
 /// Where such a branch can be met at all, it can be met on an interval of the free joint. The whole cascade is run
 /// again with the joint at further places, until every such branch has been met, or they are used up.
@@ -32,6 +34,22 @@ impl<const M: usize> Elsewhere<M> {
     #[inline]
     pub(super) fn wanted(&self) -> bool {
         self.len != 0
+    }
+
+    /// Whether this is not the first pass.
+    pub(super) fn again(&self) -> bool {
+        self.pass != 0
+    }
+
+    /// Remembers a branch that was missed at home, and the joints that are free on it.
+    fn remember(&mut self, branch: Branch, free: JointMask) {
+        if !self.open().contains(&branch)
+            && let Some(slot) = self.open.get_mut(self.len)
+        {
+            *slot = branch;
+            self.len += 1;
+        }
+        self.free |= free;
     }
 
     /// How far from home a joint is in this pass, in turns.
@@ -72,17 +90,13 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
     #[inline(never)]
     pub(super) fn takes(&mut self, trail: &Trail<T>, branch: Branch) -> bool {
         let elsewhere = &mut self.doubts().elsewhere;
-        let Elsewhere { pass, len, free, .. } = *elsewhere;
+        let Elsewhere { pass, free, .. } = *elsewhere;
         let open = elsewhere.open().contains(&branch);
         if pass == 0 {
             if !trail.missed {
                 return true;
             }
-            if !open && let Some(slot) = elsewhere.open.get_mut(len) {
-                *slot = branch;
-                elsewhere.len += 1;
-            }
-            elsewhere.free |= trail.free;
+            elsewhere.remember(branch, trail.free);
             return false;
         }
         if pass == PLACES {
@@ -95,6 +109,14 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
         !trail.missed && trail.free.iter().any(|joint| free.contains(joint)) && (open || !known())
     }
 
+    /// Follows a branch again whose solution does not close with its free joint at home.
+    pub(super) fn seek(&mut self, branch: Branch, free: JointMask) {
+        let elsewhere = &mut self.doubts().elsewhere;
+        if !elsewhere.again() {
+            elsewhere.remember(branch, free);
+        }
+    }
+
     /// Strikes out the branches that have been met, and goes on to the next place. False if there is nothing left to do.
     #[cold]
     #[inline(never)]
@@ -103,8 +125,7 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
         let mut left = [Branch::NONE; M];
         let mut len = 0;
         for branch in elsewhere.open() {
-            let new = self.solutions.iter().skip(elsewhere.settled);
-            let met = new.into_iter().any(|s| s.branch == *branch && s.flags.contains(Flags::EXACT));
+            let met = self.solutions.iter().any(|s| s.branch == *branch && s.flags.contains(Flags::EXACT));
             if !met && let Some(slot) = left.get_mut(len) {
                 *slot = *branch;
                 len += 1;

@@ -30,12 +30,17 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
             let loose = loose.get(index).copied().unwrap_or(JointMask::NONE);
             let (checked, near) =
                 if doubtful { self.checked(solution, loose, evaluate) } else { (Some(*solution), true) };
+            let closes = checked.is_some_and(|checked| checked.flags.contains(Flags::EXACT));
+            if doubtful && !closes && !solution.free.is_empty() {
+                self.seek(solution.branch, solution.free);
+            }
             let Some(checked) = checked else { continue };
-            let facts = self.facts;
-            let twin =
-                self.solutions.as_mut_slice().iter_mut().find(|other| {
-                    coincident(&other.q, &checked.q, facts.reach, |joint| facts.prismatic.contains(joint))
-                });
+            let (facts, again) = (self.facts, elsewhere.again());
+            let twin = self.solutions.as_mut_slice().iter_mut().find(|other| {
+                coincident(&other.q, &checked.q, facts.reach, |joint| facts.prismatic.contains(joint))
+                    // What did not close with the free joint at home.
+                    || again && other.branch == checked.branch && other.flags.contains(Flags::APPROXIMATE | Flags::FREE)
+            });
             let Some(twin) = twin else {
                 self.solutions.push(checked);
                 continue;
