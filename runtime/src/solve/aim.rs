@@ -2,6 +2,7 @@
 
 use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
+use crate::math::{atan2, sin_cos};
 use crate::vector::{cross, dot};
 
 /// A vector that a joint turns about its z axis, and the frame in which it has to be seen: rows that take the frame of
@@ -35,20 +36,27 @@ pub fn aim<T: Tolerances>(home: Home<T>, x: Sight<T>, z: Sight<T>) -> Stage<T, 2
             at(row1) * seen[0] + at(row2) * seen[1] + at(row3) * seen[2]
         });
         let [_, turn_z] = angles(&x, &z, h);
-        return Stage::free([turn, turn_z], home, T::ZERO, measure);
+        let [inner, outer] = margins([kx, sx], [kz, sz], [cosine, square.sqrt()]);
+        let gap = (-inner.left).max(-outer.left) - T::VANISHING;
+        return Stage::free([turn, turn_z], home, gap.max(T::ZERO), measure);
     }
     let k = T::ONE / square;
     let (a, b) = ((kx - kz * cosine) * k, (kz - kx * cosine) * k);
-    // The squared sine between the planes of the cones, as a product that does not cancel.
-    let (near, far) = (kx * kz + sx * sz - cosine, cosine - kx * kz + sx * sz);
     let middle = [0, 1, 2].map(|j| {
         let at = |v: [T; 3]| v.get(j).copied().unwrap_or(T::ZERO);
         a * at(nx) + b * at(nz)
     });
-    let close = T::EPSILON * T::TWO;
-    if !(near > close) || !(far > close) {
-        let gap = (-near).max(-far).max(T::ZERO);
-        return Stage::edge(angles(&x, &z, middle), gap, measure);
+    // The squared sine between the planes of the cones, as a product of what is left to either end of the range.
+    let (mut near, mut far) = (kx * kz + sx * sz - cosine, cosine - kx * kz + sx * sz);
+    if !(near.min(far) > T::DOUBTFUL) {
+        let [inner, outer] = margins([kx, sx], [kz, sz], [cosine, square.sqrt()]);
+        // The rounding of the angles; roots farther apart are told apart.
+        let close = T::EPSILON * (T::TWO + T::TWO);
+        if !(inner.left > close) || !(outer.left > close) {
+            let gap = (-inner.left).max(-outer.left).max(T::ZERO);
+            return Stage::edge(angles(&x, &z, middle), gap, measure);
+        }
+        (near, far) = (inner.product, outer.product);
     }
     let c = (near * far).sqrt() * k;
     let along = |sign: T| {
@@ -56,7 +64,30 @@ pub fn aim<T: Tolerances>(home: Home<T>, x: Sight<T>, z: Sight<T>) -> Stage<T, 2
         [mx + sign * c * vx, my + sign * c * vy, mz + sign * c * vz]
     };
     let roots = [angles(&x, &z, along(T::ONE)), angles(&x, &z, along(-T::ONE))];
-    Stage::solved(roots, measure).with_amplitude((near * far).sqrt().min(square))
+    Stage::solved(roots, measure).with_weak(home, (near * far).sqrt().min(square.sqrt()))
+}
+
+/// How far two cones are from touching.
+struct Margin<T> {
+    /// The angle that is left, rad; negative where they do not meet.
+    left: T,
+    /// What that is as a difference of cosines.
+    product: T,
+}
+
+/// Inside and outside, from `[cos, sin]` of the half angles of two cones and of the angle between their axes.
+#[cold]
+#[inline(never)]
+fn margins<T: Tolerances>([kx, sx]: [T; 2], [kz, sz]: [T; 2], [cosine, sine]: [T; 2]) -> [Margin<T>; 2] {
+    let (first, second, between) = (atan2(sx, kx), atan2(sz, kz), atan2(sine, cosine));
+    let (sum, difference) = (first + second, (first - second).abs());
+    let widest = sum.min(T::TWO * T::PI - sum);
+    // cos small - cos large
+    let margin = |large: T, small: T| {
+        let (half_sum, half_left) = ((large + small) * T::HALF, (large - small) * T::HALF);
+        Margin { left: large - small, product: T::TWO * sin_cos(half_sum).0 * sin_cos(half_left).0 }
+    };
+    [margin(between, difference), margin(widest, between)]
 }
 
 /// The joint angles at which both see the vector.

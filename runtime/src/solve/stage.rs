@@ -89,6 +89,8 @@ impl<T: Tolerances> Trail<T> {
         }
         if boundary {
             self.flags |= Flags::BOUNDARY;
+            // Where two roots have met, the place is known to the root of what the equation is known to.
+            self.amplitude = self.amplitude.min((T::ROUNDING * self.amplitude * T::HALF).sqrt());
         }
         if !free.is_empty() {
             self.flags |= Flags::FREE;
