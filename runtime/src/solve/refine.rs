@@ -19,6 +19,10 @@ pub(super) fn relative<T: Tolerances, const N: usize>(facts: &Facts<T, N>, resid
     if known { position.max(residual.orientation) } else { T::INFINITY }
 }
 
+/// How much an angle counts beside a length over reach where the orientation is to stay: its share of a miss falls with
+/// the square, from the tolerance for positions to what counts as exact.
+const STIFF: f64 = 1e3;
+
 /// Damped least squares (Levenberg-Marquardt, damping in proportion to the squared error, so that convergence is
 /// quadratic) from `q`. Steps that do not reduce the error are not taken. Returns the joint vector and its residual.
 pub(super) fn refine<T: Tolerances, const N: usize>(
@@ -28,10 +32,35 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
     evaluate: &impl Evaluate<T, N>,
     steps: usize,
 ) -> ([T; N], Residual<T>) {
+    weighted(facts, goal, start, evaluate, steps, T::ONE)
+}
+
+/// The same towards a target out of reach, with the orientation kept: the tool comes as close as it goes.
+#[cold]
+#[inline(never)]
+pub(super) fn approached<T: Tolerances, const N: usize>(
+    facts: &Facts<T, N>,
+    goal: &impl Goal<T, N>,
+    start: &[T; N],
+    evaluate: &impl Evaluate<T, N>,
+    steps: usize,
+) -> ([T; N], Residual<T>) {
+    weighted(facts, goal, start, evaluate, steps, T::from_f64(STIFF))
+}
+
+fn weighted<T: Tolerances, const N: usize>(
+    facts: &Facts<T, N>,
+    goal: &impl Goal<T, N>,
+    start: &[T; N],
+    evaluate: &impl Evaluate<T, N>,
+    steps: usize,
+    stiffness: T,
+) -> ([T; N], Residual<T>) {
+    let scaled = |error: [T; 6]| scaled(facts, error, stiffness);
     let mut q = *start;
     let (mut pose, mut jacobian) = evaluate(&q);
     jacobian = goal.rows(&pose, &jacobian);
-    let mut error = scaled(facts, goal.error(&q, &pose));
+    let mut error = scaled(goal.error(&q, &pose));
     let mut size = square(&error);
     let mut boost = T::ONE;
     let floor = T::from_f64(NOISE) * T::EPSILON;
@@ -41,7 +70,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
             break;
         }
         let damping = (size + T::EPSILON * T::EPSILON * T::from_f64(16.0)) * boost;
-        let Some(step) = damped_step(facts, &jacobian, &error, damping) else {
+        let Some(step) = damped_step(facts, &jacobian, &error, damping, stiffness) else {
             boost *= T::from_f64(100.0);
             continue;
         };
@@ -53,7 +82,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
             }
         }
         let (next_pose, next_jacobian) = evaluate(&next);
-        let next_error = scaled(facts, goal.error(&next, &next_pose));
+        let next_error = scaled(goal.error(&next, &next_pose));
         let next_size = square(&next_error);
         if next_size < size {
             (q, pose, error, size) = (next, next_pose, next_error, next_size);
@@ -67,17 +96,18 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
     (q, residual)
 }
 
-/// The error with its lengths over reach.
-fn scaled<T: Tolerances, const N: usize>(facts: &Facts<T, N>, [x, y, z, u, v, w]: [T; 6]) -> [T; 6] {
+/// The error with its lengths over reach and its angles times `stiffness`.
+fn scaled<T: Tolerances, const N: usize>(facts: &Facts<T, N>, [x, y, z, u, v, w]: [T; 6], stiffness: T) -> [T; 6] {
     let k = T::ONE / facts.reach;
-    [x * k, y * k, z * k, u, v, w]
+    [x * k, y * k, z * k, u * stiffness, v * stiffness, w * stiffness]
 }
 
 fn square<T: Tolerances>(error: &[T; 6]) -> T {
     error.iter().fold(T::ZERO, |sum, e| sum + *e * *e)
 }
 
-/// The step that minimizes `|J step - error|^2 + damping |step|^2`, with lengths over reach throughout: the rows of J
+/// The step that minimizes `|J step - error|^2 + damping |step|^2`, with lengths over reach and angles times
+/// `stiffness` throughout: the rows of J
 /// are rotated (Givens) into the triangle that starts as `sqrt(damping) I`. Unlike the normal equations this keeps
 /// singular values down to the rounding of J itself, which is what the steps near a fold need.
 fn damped_step<T: Tolerances, const N: usize>(
@@ -85,6 +115,7 @@ fn damped_step<T: Tolerances, const N: usize>(
     jacobian: &Jacobian<T, N>,
     error: &[T; 6],
     damping: T,
+    stiffness: T,
 ) -> Option<[T; N]> {
     let unit = |joint: usize| if facts.prismatic.contains(joint) { facts.reach } else { T::ONE };
     let k = T::ONE / facts.reach;
@@ -96,7 +127,7 @@ fn damped_step<T: Tolerances, const N: usize>(
     for (i, (row, e)) in jacobian.rows.iter().zip(error).enumerate() {
         let (mut row, mut e) = (*row, *e);
         for (joint, entry) in row.iter_mut().enumerate() {
-            *entry = *entry * unit(joint) * if i < 3 { k } else { T::ONE };
+            *entry = *entry * unit(joint) * if i < 3 { k } else { stiffness };
         }
         for (j, (line, value)) in triangle.iter_mut().zip(&mut right).enumerate() {
             let (diagonal, below) = (*line.get(j)?, *row.get(j)?);

@@ -188,7 +188,10 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
         // With a joint earlier on the branch that is free, or nearly, the gap may close by moving that joint.
         if gap > tolerance.max(rounding) {
             next.missed = !trail.free.is_empty();
-            next.ended = trail.free.is_empty() && trail.weak.is_empty();
+            // The gap is what this joint alone misses by. With the joints before it the arm may come closer, and does so
+            // by a lot where they are near the edge of their range.
+            let nearly = gap <= tolerance * T::from_f64(100.0);
+            next.ended = trail.free.is_empty() && trail.weak.is_empty() && !nearly;
         }
         if next.ended {
             self.doubts().ended(gap);

@@ -1,7 +1,7 @@
 //! The end of a search: doubtful solutions are checked in full, coinciding ones merged, and with a reference the
 //! joints are unwound next to it.
 
-use super::refine::{Evaluate, NOISE, refine, relative};
+use super::refine::{Evaluate, NOISE, approached, refine, relative};
 use super::search::Doubts;
 use super::{Goal, Search, Tolerances};
 use crate::math::wrap;
@@ -75,10 +75,15 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
             let missed = solution.residual.position.max(solution.residual.orientation * facts.reach);
             let clamped = missed > T::ROUNDING * facts.reach;
             let better = relative(facts, &refined) < relative(facts, &residual);
-            // Where only the point counts, or the direction stays, the closest approach is the better answer.
-            let closer = better && refined.orientation <= residual.orientation;
-            if relative(facts, &refined) <= T::EXACT || beyond || (better && !clamped) || closer {
+            if relative(facts, &refined) <= T::EXACT || beyond || (better && !clamped) {
                 (checked.q, residual) = (q, refined);
+            } else if clamped {
+                // The joints before the clamped one may yet come closer, with the orientation kept.
+                let (q, approached) = approached(facts, goal, &solution.q, evaluate, FREE_STEPS);
+                let kept = approached.orientation <= residual.orientation + T::EXACT;
+                if kept && approached.position < residual.position {
+                    (checked.q, residual) = (q, approached);
+                }
             }
             let singular = near && !clamped;
             if !(relative(facts, &refined) <= T::EXACT)
