@@ -242,6 +242,19 @@ joints:
   - {a: 135, alpha: 0, d: 0, theta: -90}
   - {a: 0, alpha: -90, d: 113.6, theta: 180}
 " };
+    stanford_without_flange 5 PositionAxis(Z) { yaml = "
+# a Stanford arm without joint 6
+name: stanford_without_flange
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: position_axis, axis: z, require: true}
+joints:
+  - {a: 0, alpha: -90, d: 0.412, theta: 0}
+  - {a: 0, alpha: 90, d: 0.154, theta: 0}
+  - {type: prismatic, a: 0, alpha: 0, d: 0, theta: -90, limits: [0.3, 1.2]}
+  - {a: 0, alpha: -90, d: 0, theta: 0}
+  - {a: 0, alpha: 90, d: 0, theta: 0}
+" };
     stanford_with_torch 5 PositionAxis(Z) { yaml = "
 # a Stanford arm without joint 6, a torch in place of it
 name: stanford_with_torch
