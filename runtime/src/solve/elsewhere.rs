@@ -41,6 +41,11 @@ impl<const M: usize> Elsewhere<M> {
         self.pass != 0
     }
 
+    /// Whether every place has been tried.
+    pub(super) fn last(&self) -> bool {
+        self.pass == PLACES
+    }
+
     /// Remembers a branch that was missed at home, and the joints that are free on it.
     fn remember(&mut self, branch: Branch, free: JointMask) {
         if !self.open().contains(&branch)
@@ -99,7 +104,7 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
             elsewhere.remember(branch, trail.free);
             return false;
         }
-        if pass == PLACES {
+        if elsewhere.last() {
             return open;
         }
         let known = || {
@@ -139,6 +144,6 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
                 *slot = away;
             }
         }
-        len != 0 && elsewhere.pass < PLACES
+        len != 0 && !elsewhere.last()
     }
 }

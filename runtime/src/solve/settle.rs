@@ -12,6 +12,9 @@ use crate::{Flags, JointMask, Residual, Solution};
 const STEPS: usize = 16;
 /// Steps for one whose free joint has to move.
 const FREE_STEPS: usize = 40;
+/// Steps for one that no place of its free joint has met: where the arm is also at the edge of its reach, several roots
+/// meet, towards which every step gains the same small part.
+const LAST_STEPS: usize = 300;
 /// Starts beside a singular place.
 const RESTARTS: u32 = 16;
 
@@ -67,7 +70,11 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
         let mut residual = goal.residual(&solution.q, &evaluate(&solution.q).0);
         let near = relative(facts, &residual) <= T::CLOSE;
         if !(relative(facts, &residual) <= T::EXACT) {
-            let steps = if loose.is_empty() { STEPS } else { FREE_STEPS };
+            let steps = match loose.is_empty() {
+                true => STEPS,
+                false if self.doubts().elsewhere.last() => LAST_STEPS,
+                false => FREE_STEPS,
+            };
             let (q, refined) = refine(facts, goal, &solution.q, evaluate, steps);
             // A clamped branch of an unreachable target stays as it is, so that its residual is the distance missed.
             let beyond =

@@ -242,6 +242,20 @@ joints:
   - {a: 135, alpha: 0, d: 0, theta: -90}
   - {a: 0, alpha: -90, d: 113.6, theta: 180}
 " };
+    ur_without_flange_y 5 PositionAxis(Y) { yaml = "
+# a UR5 without joint 6 that points with y
+name: ur_without_flange_y
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: position_axis, axis: y, require: true}
+joints:
+  - {a: 0, alpha: 90, d: 0.0892, theta: 0}
+  - {a: -0.425, alpha: 0, d: 0, theta: 0}
+  - {a: -0.39225, alpha: 0, d: 0, theta: 0}
+  - {a: 0, alpha: 90, d: 0.10915, theta: 0}
+  - {a: 0, alpha: -90, d: 0.09465, theta: 0}
+tool: {xyz: [0, 0, 0.08], rpy: [0, 0, 0]}
+" };
     stanford_without_flange 5 PositionAxis(Z) { yaml = "
 # a Stanford arm without joint 6
 name: stanford_without_flange

@@ -4,8 +4,6 @@ arms! {
     franka_panda 7 Pose given 7 { spec = "../specs/franka_panda.yaml" };
     kinova_gen3_7dof 7 Pose given 3 { spec = "../specs/kinova_gen3_7dof.yaml" };
     kuka_iiwa7_r800 7 Pose given 3 { spec = "../specs/kuka_iiwa7_r800.yaml" };
-    kuka_lwr4 7 Pose given 3 { spec = "../specs/kuka_lwr4.yaml" };
-    yaskawa_sia10d 7 Pose given 3 { spec = "../specs/yaskawa_sia10d.yaml" };
     franka_panda_q4 7 Pose given 4 { yaml = "
 # franka_panda with joint 4 given
 name: franka_panda_q4
@@ -230,21 +228,6 @@ name: yaskawa_sia10d_q2
 convention: modified
 units: {length: mm, angle: deg}
 inverse: {task: pose, redundant: q2, require: true}
-joints:
-  - {type: revolute, a: 0, alpha: 0, d: 0, theta: 0}
-  - {type: revolute, a: 0, alpha: -90, d: 0, theta: 0}
-  - {type: revolute, a: 0, alpha: 90, d: 360, theta: 0}
-  - {type: revolute, a: 0, alpha: -90, d: 0, theta: 0}
-  - {type: revolute, a: 0, alpha: 90, d: 360, theta: 0}
-  - {type: revolute, a: 0, alpha: -90, d: 0, theta: 0}
-  - {type: revolute, a: 0, alpha: 90, d: 155, theta: 180}
-" };
-    yaskawa_sia10d_q5 7 Pose given 5 { yaml = "
-# yaskawa_sia10d with joint 5 given
-name: yaskawa_sia10d_q5
-convention: modified
-units: {length: mm, angle: deg}
-inverse: {task: pose, redundant: q5, require: true}
 joints:
   - {type: revolute, a: 0, alpha: 0, d: 0, theta: 0}
   - {type: revolute, a: 0, alpha: -90, d: 0, theta: 0}
