@@ -2,7 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use denhart::{Arm, Chain, InverseKinematics, Pose, Status};
+use denhart::{Arm, Chain, InverseKinematics, JointKind, Pose, Status};
+use denhart_tests::poses::Space;
 use denhart_tests::random::Random;
 
 /// KUKA's iiwa, by modified rows, mounted on a wall and with a tool.
@@ -79,6 +80,82 @@ where
 fn joint_vectors_come_back() {
     check::<Wall>(Wall::DH, 1946.0, |arm, q| arm.arm_angle(q));
     check::<Offset>(Offset::DH, 1.29, |arm, q| arm.arm_angle(q));
+}
+
+/// The same with links of equal length: folded, the wrist comes to the shoulder.
+#[derive(Default, Arm)]
+#[arm(yaml = "
+name: iiwa_of_equal_links
+convention: modified
+units: {length: mm, angle: deg}
+inverse: {task: pose, redundant: arm_angle, require: true}
+joints:
+  - {a: 0, alpha: 0, d: 340, theta: 0}
+  - {a: 0, alpha: -90, d: 0, theta: 0}
+  - {a: 0, alpha: 90, d: 400, theta: 0}
+  - {a: 0, alpha: -90, d: 0, theta: 0}
+  - {a: 0, alpha: 90, d: 400, theta: 0}
+  - {a: 0, alpha: -90, d: 0, theta: 0}
+  - {a: 0, alpha: 90, d: 126, theta: 0}
+")]
+struct Equal;
+
+/// Grids and the values where such arms are singular, exactly and beside: every pose is reached and what is exact closes;
+/// `inverse_near` contains the joint vector, and `inverse` does where shoulder, elbow and wrist are bent.
+fn check_awkward<A>(table: denhart::DhTable, reach: f64, angle: impl Fn(&A, &[f64; 7]) -> f64)
+where
+    A: Arm<f64, 7> + InverseKinematics<f64, 7, Target = (Pose<f64>, f64)> + Default,
+{
+    let (arm, chain) = (A::default(), Chain::from(table));
+    let mut random = Random::named("awkward arm angle");
+    let space = Space::new(&[JointKind::Revolute; 7], &[[f64::NEG_INFINITY, f64::INFINITY]; 7], reach);
+    let special = [space.one_special(&mut random), space.two_special(&mut random), space.all_special(&mut random)];
+    let grids = space.grid(4).chain(space.grid_samples(12, 4000, &mut random));
+    for q in special.into_iter().flat_map(|family| family.poses).chain(grids) {
+        let target = Pose::from(chain.forward(&q).unwrap());
+        let asked = (target, angle(&arm, &q));
+        let bent = [1, 3, 5].iter().all(|joint| q[*joint].sin().abs() > 1e-3);
+        for (found, contains) in [(arm.inverse(&asked), bent), (arm.inverse_near(&asked, &q), true)] {
+            assert!(A::status(&found).is_reachable(), "{q:?}");
+            let exact = || found.as_ref().iter().filter(|solution| solution.is_exact());
+            for solution in exact() {
+                let missed = Pose::from(chain.forward(&solution.q).unwrap()).residual(&target);
+                assert!(
+                    missed.position < 1e-12 * reach && missed.orientation < 1e-12,
+                    "{missed:?} at {q:?}, {solution}"
+                );
+            }
+            assert!(!contains || exact().any(|solution| apart(&solution.q, &q) < 1e-6), "{q:?}");
+        }
+    }
+}
+
+#[test]
+fn awkward_joint_vectors_come_back() {
+    check_awkward::<Wall>(Wall::DH, 1946.0, |arm, q| arm.arm_angle(q));
+    check_awkward::<Offset>(Offset::DH, 1.29, |arm, q| arm.arm_angle(q));
+    check_awkward::<Equal>(Equal::DH, 1266.0, |arm, q| arm.arm_angle(q));
+}
+
+/// A wrist pushed out of reach: unreachable by that distance, and within the tolerance the stretched arm is listed.
+#[test]
+fn a_wrist_out_of_reach() {
+    let mut random = Random::named("stretched");
+    for digits in 3..=11 {
+        let mut q: [f64; 7] = std::array::from_fn(|_| random.uniform(-PI, PI));
+        q[3] = 0.0;
+        let mut pose = Equal.forward(&q);
+        // The wrist is 126 mm behind the flange, the shoulder 340 mm up.
+        let wrist = pose.transform_point(&[0.0, 0.0, -126.0]);
+        let direction = [wrist[0], wrist[1], wrist[2] - 340.0].map(|x| x / 800.0);
+        let push = 633.0 * 10.0_f64.powi(-digits);
+        pose.translation = std::array::from_fn(|k| pose.translation[k] + push * direction[k]);
+        let found = Equal.inverse(&pose, 0.4);
+        let Status::Unreachable { residual } = found.status() else { panic!("{push:e}: {:?}", found.status()) };
+        assert!((residual / push - 1.0).abs() < 1e-2, "{residual:e} for {push:e}");
+        let listed = found.iter().any(|s| Equal.residual(&s.q, &pose).position < 1.01 * push);
+        assert_eq!(listed, digits >= 6, "{push:e}: {found:?}");
+    }
 }
 
 /// Zero is where the elbow stands on the side of the first axis; a quarter turn swings it about the line to the wrist.

@@ -294,6 +294,7 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
         let residual = listed
             .chain(self.doubts.and_then(|doubts| doubts.least_gap))
             .fold(T::INFINITY, |least, gap| least.min(gap));
-        Status::Unreachable { residual }
+        // A quartic without real roots has no gap: all that is known is that the target is not near.
+        Status::Unreachable { residual: if residual.is_finite() { residual } else { self.facts.reach } }
     }
 }

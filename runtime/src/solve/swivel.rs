@@ -23,7 +23,8 @@ fn across<T: Tolerances>(along: V<T>, v: V<T>) -> V<T> {
     };
     let own = part(v);
     if dot(own, own) > T::COINCIDENT * T::COINCIDENT {
-        return unit(own);
+        // What is left of a vector nearly along has lost digits across: taken once more it is at right angles to rounding.
+        return unit(part(unit(own)));
     }
     let [x, y, _] = along.map(|e| e.abs());
     let (o, i) = (T::ZERO, T::ONE);
