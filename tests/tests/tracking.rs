@@ -7,12 +7,12 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use denhart::{InverseKinematics, Jacobian, Margin, Pose, Status};
+use denhart::{InverseKinematics, Jacobian, Margin, Status};
 use denhart_tests::arms::{Puma560, Stanford, Ur5};
 use denhart_tests::random::Random;
 use denhart_tests::singular::Svd;
 use denhart_tests::subject::{Specified, Subject};
-use denhart_tests::task::Goal;
+use denhart_tests::task::{Asked, Goal, Kind, Task};
 use nalgebra::{Isometry3, Matrix6, Translation3, Vector3, Vector6};
 
 const POSES: usize = 1000;
@@ -44,21 +44,32 @@ impl Path {
 }
 
 /// The Jacobian with lengths in reaches, and its determinant.
-fn determinant<A: Specified<6>>(subject: &Subject<6>, q: &[f64; 6]) -> (f64, Matrix6<f64>) {
+fn determinant<A: Specified<N>, const N: usize>(subject: &Subject<N>, q: &[f64; N]) -> (f64, Matrix6<f64>) {
     let (_, jacobian) = A::default().forward_and_jacobian(q);
     let matrix = scaled(subject, &jacobian);
     (matrix.determinant(), matrix)
 }
 
-fn scaled(subject: &Subject<6>, jacobian: &Jacobian<f64, 6>) -> Matrix6<f64> {
-    Matrix6::from_fn(|row, joint| {
-        let length = if row < 3 { subject.reach } else { 1.0 };
+/// The six joints that are not given.
+fn moving<const N: usize>(subject: &Subject<N>) -> [usize; 6] {
+    let mut joints = (0..N).filter(|joint| subject.task.given != Some(*joint));
+    std::array::from_fn(|_| joints.next().expect("an arm of six joints, or of seven with one given"))
+}
+
+fn scaled<const N: usize>(subject: &Subject<N>, jacobian: &Jacobian<f64, N>) -> Matrix6<f64> {
+    let joints = moving(subject);
+    Matrix6::from_fn(|row, column| {
+        let (joint, length) = (joints[column], if row < 3 { subject.reach } else { 1.0 });
         jacobian.rows[row][joint] * subject.unit(joint) / length
     })
 }
 
 /// Newton's method on the forward kinematics, from a start close by. `None` if it does not close.
-fn newton<A: Specified<6>>(subject: &Subject<6>, target: &Isometry3<f64>, start: &[f64; 6]) -> Option<[f64; 6]> {
+fn newton<A: Specified<N>, const N: usize>(
+    subject: &Subject<N>,
+    target: &Isometry3<f64>,
+    start: &[f64; N],
+) -> Option<[f64; N]> {
     let mut q = *start;
     for _ in 0..20 {
         let (reached, jacobian) = A::default().forward_and_jacobian(&q);
@@ -75,30 +86,30 @@ fn newton<A: Specified<6>>(subject: &Subject<6>, target: &Isometry3<f64>, start:
         }
         // A longer step is none of a continuation.
         let scale = (0.3 / step.norm()).min(1.0);
-        for joint in 0..6 {
-            q[joint] += scale * step[joint] * subject.unit(joint);
+        for (joint, change) in moving(subject).into_iter().zip(&step) {
+            q[joint] += scale * change * subject.unit(joint);
         }
     }
-    subject.miss(&Goal::from(*target), &q).iter().all(|miss| *miss < 1e-10).then_some(q)
+    subject.miss(&goal(subject, target, &q), &q).iter().all(|miss| *miss < 1e-10).then_some(q)
 }
 
 /// Where a hundred small steps lead, and whether they come through a singular place.
-fn continued<A: Specified<6>>(
-    subject: &Subject<6>,
+fn continued<A: Specified<N>, const N: usize>(
+    subject: &Subject<N>,
     path: &Path,
     [from, to]: [f64; 2],
-    start: &[f64; 6],
-) -> (Option<[f64; 6]>, bool) {
+    start: &[f64; N],
+) -> (Option<[f64; N]>, bool) {
     let (mut q, mut sign) = (*start, 0.0);
     for part in 0..=FINER {
         if part > 0 {
             let t = from + (to - from) * part as f64 / FINER as f64;
-            match newton::<A>(subject, &path.at(t), &q) {
+            match newton::<A, N>(subject, &path.at(t), &q) {
                 Some(next) => q = next,
                 None => return (None, false),
             }
         }
-        let (determinant, matrix) = determinant::<A>(subject, &q);
+        let (determinant, matrix) = determinant::<A, N>(subject, &q);
         // The least singular value is at least |det| over the greatest to the fifth.
         let safe = determinant.abs() > SINGULAR * matrix.norm().powi(5);
         if determinant * sign < 0.0 || !safe && Svd::at(subject, &q).least() < SINGULAR {
@@ -109,8 +120,13 @@ fn continued<A: Specified<6>>(
     (Some(q), false)
 }
 
-fn distance(subject: &Subject<6>, a: &[f64; 6], b: &[f64; 6]) -> f64 {
-    (0..6).map(|joint| ((a[joint] - b[joint]) / subject.unit(joint)).powi(2)).sum::<f64>().sqrt()
+/// The pose, with the given joint where `q` has it.
+fn goal<const N: usize>(subject: &Subject<N>, pose: &Isometry3<f64>, q: &[f64; N]) -> Goal {
+    Goal { given: subject.task.given.map_or(0.0, |joint| q[joint]), ..Goal::from(*pose) }
+}
+
+fn distance<const N: usize>(subject: &Subject<N>, a: &[f64; N], b: &[f64; N]) -> f64 {
+    (0..N).map(|joint| ((a[joint] - b[joint]) / subject.unit(joint)).powi(2)).sum::<f64>().sqrt()
 }
 
 /// What became of a path.
@@ -122,13 +138,14 @@ enum Outcome {
     OutOfReach,
 }
 
-fn follow<A>(subject: &Subject<6>, path: &Path, start: &[f64; 6], name: &str) -> Outcome
+fn follow<A, const N: usize>(subject: &Subject<N>, path: &Path, start: &[f64; N], name: &str) -> Outcome
 where
-    A: Specified<6> + InverseKinematics<f64, 6, Target = Pose<f64>>,
+    A: Specified<N> + InverseKinematics<f64, N, Target: Asked>,
 {
     let arm = A::default();
     let at = |k: usize| k as f64 / (POSES - 1) as f64 - 0.5;
-    let gap = |k: usize| match A::status(&arm.inverse(&Pose::from(path.at(at(k))))) {
+    let asked = |k: usize, q: &[f64; N]| A::Target::of(Kind::Pose, &goal(subject, &path.at(at(k)), q));
+    let gap = |k: usize| match A::status(&arm.inverse(&asked(k, start))) {
         Status::Unreachable { residual } => residual,
         _ => 0.0,
     };
@@ -138,15 +155,15 @@ where
     let (mut q, mut free) = (*start, 0);
     for k in 0..POSES {
         let target = path.at(at(k));
-        let solutions = arm.inverse_near(&Pose::from(target), &q);
+        let solutions = arm.inverse_near(&asked(k, &q), &q);
         let Some(nearest) = solutions.as_ref().first() else {
             panic!("{name}: lost at step {k} from {q:?}: {:?}", A::status(&solutions))
         };
         assert!(nearest.is_exact(), "{name}: step {k} from {q:?} gives {nearest}");
-        let miss = subject.miss(&Goal::from(target), &nearest.q);
+        let miss = subject.miss(&goal(subject, &target, &q), &nearest.q);
         assert!(miss.iter().all(|miss| *miss <= 1e-9), "{name}: step {k} misses by {miss:?}");
         if k > 0 {
-            let (fine, singular) = continued::<A>(subject, path, [at(k - 1), at(k)], &q);
+            let (fine, singular) = continued::<A, N>(subject, path, [at(k - 1), at(k)], &q);
             let step = distance(subject, &nearest.q, &q);
             match fine {
                 _ if singular => free += 1,
@@ -165,11 +182,11 @@ where
 
 /// Paths through the pose of `q`, which is singular, and past it at several distances: `beside` moves the singular joint
 /// off its place.
-fn through<A>(place: &str, singular: impl Fn(&mut Random, f64) -> [f64; 6])
+fn through<A, const N: usize>(place: &str, singular: impl Fn(&mut Random, f64) -> [f64; N])
 where
-    A: Specified<6> + InverseKinematics<f64, 6, Target = Pose<f64>>,
+    A: Specified<N> + InverseKinematics<f64, N, Target: Asked>,
 {
-    let subject = Subject::<6>::new::<A>();
+    let subject = Subject::<N>::new::<A>();
     let mut random = Random::named(&format!("{} {place}", subject.name));
     for beside in [0.0, 1e-9, 1e-6, 1e-4, 1e-2] {
         let (mut lines, mut circles) = (0, 0);
@@ -177,7 +194,7 @@ where
             let near = singular(&mut random.clone(), beside);
             let mut q = singular(&mut random, 0.0);
             // The wrench that the arm cannot yield to: motions against it lead out of reach on one side.
-            let matrix = determinant::<A>(&subject, &q).1;
+            let matrix = determinant::<A, N>(&subject, &q).1;
             let svd = matrix.svd(true, false);
             let least = svd.singular_values.imin();
             let wrench = svd.u.map_or_else(Vector6::zeros, |u| u.column(least).into_owned());
@@ -192,13 +209,14 @@ where
             let length = 0.1 * subject.reach;
             let line = Path { middle, along, side, radius: f64::INFINITY, length };
             let name = |kind: &str| format!("{}, {place}, {beside:e} beside, {kind}", subject.name);
-            if lines < 2 && matches!(follow::<A>(&subject, &line, &q, &name("line")), Outcome::Followed(_)) {
+            if lines < 2 && matches!(follow::<A, N>(&subject, &line, &q, &name("line")), Outcome::Followed(_)) {
                 lines += 1;
             }
             for side in [side, -side] {
                 // Most of a turn around, so that the path comes back.
                 let circle = Path { side, radius: length / 5.0, ..line };
-                if circles < 2 && matches!(follow::<A>(&subject, &circle, &q, &name("circle")), Outcome::Followed(_)) {
+                if circles < 2 && matches!(follow::<A, N>(&subject, &circle, &q, &name("circle")), Outcome::Followed(_))
+                {
                     circles += 1;
                 }
             }
@@ -237,7 +255,7 @@ fn shoulder<const K: usize>(margins: impl Fn(f64) -> [Margin<f64>; K]) -> f64 {
 
 #[test]
 fn puma560_wrist() {
-    through::<Puma560>("through the wrist", |random, beside| {
+    through::<Puma560, 6>("through the wrist", |random, beside| {
         let [q1, q2, q3, q4, _, q6] = ordinary(random);
         [q1, q2, q3, q4, beside, q6]
     });
@@ -246,7 +264,7 @@ fn puma560_wrist() {
 #[test]
 fn puma560_elbow() {
     let straight = 0.0203_f64.atan2(0.4318) - FRAC_PI_2;
-    through::<Puma560>("through the stretched elbow", |random, beside| {
+    through::<Puma560, 6>("through the stretched elbow", |random, beside| {
         let [q1, q2, _, q4, q5, q6] = ordinary(random);
         [q1, q2, straight + beside, q4, q5, q6]
     });
@@ -254,7 +272,7 @@ fn puma560_elbow() {
 
 #[test]
 fn puma560_shoulder() {
-    through::<Puma560>("through the shoulder", |random, beside| {
+    through::<Puma560, 6>("through the shoulder", |random, beside| {
         let [q1, _, q3, q4, q5, q6] = ordinary(random);
         let q2 = shoulder(|q2| Puma560.margins(&[q1, q2, q3, q4, q5, q6]));
         [q1, q2 + beside, q3, q4, q5, q6]
@@ -263,7 +281,7 @@ fn puma560_shoulder() {
 
 #[test]
 fn ur5_wrist() {
-    through::<Ur5>("through the wrist", |random, beside| {
+    through::<Ur5, 6>("through the wrist", |random, beside| {
         let [q1, q2, q3, q4, _, q6] = ordinary(random);
         [q1, -q2.abs(), q3, q4, beside, q6]
     });
@@ -271,11 +289,11 @@ fn ur5_wrist() {
 
 #[test]
 fn ur5_elbow() {
-    through::<Ur5>("through the stretched elbow", |random, beside| {
+    through::<Ur5, 6>("through the stretched elbow", |random, beside| {
         let [q1, q2, _, q4, q5, q6] = ordinary(random);
         [q1, -q2.abs(), beside, q4, q5, q6]
     });
-    through::<Ur5>("through the folded elbow", |random, beside| {
+    through::<Ur5, 6>("through the folded elbow", |random, beside| {
         let [q1, q2, _, q4, q5, q6] = ordinary(random);
         [q1, -q2.abs(), PI - beside, q4, q5, q6]
     });
@@ -283,7 +301,7 @@ fn ur5_elbow() {
 
 #[test]
 fn ur5_shoulder() {
-    through::<Ur5>("through the shoulder", |random, beside| {
+    through::<Ur5, 6>("through the shoulder", |random, beside| {
         let [q1, _, q3, q4, q5, q6] = ordinary(random);
         let q2 = shoulder(|q2| Ur5.margins(&[q1, q2, q3, q4, q5, q6]));
         [q1, q2 + beside, q3, q4, q5, q6]
@@ -292,7 +310,7 @@ fn ur5_shoulder() {
 
 #[test]
 fn stanford_wrist() {
-    through::<Stanford>("through the wrist", |random, beside| {
+    through::<Stanford, 6>("through the wrist", |random, beside| {
         let [q1, q2, q3, q4, _, q6] = ordinary(random);
         [q1, q2, 0.5 * q3 + 0.2, q4, beside, q6]
     });
@@ -300,7 +318,7 @@ fn stanford_wrist() {
 
 #[test]
 fn stanford_elbow() {
-    through::<Stanford>("through the slide's middle", |random, beside| {
+    through::<Stanford, 6>("through the slide's middle", |random, beside| {
         let [q1, q2, _, q4, q5, q6] = ordinary(random);
         [q1, q2, beside, q4, q5, q6]
     });
@@ -308,10 +326,46 @@ fn stanford_elbow() {
 
 #[test]
 fn stanford_shoulder() {
-    through::<Stanford>("through the shoulder", |random, beside| {
+    through::<Stanford, 6>("through the shoulder", |random, beside| {
         let [q1, _, q3, q4, q5, q6] = ordinary(random);
         let q3 = 0.5 * q3 + 0.2;
         let q2 = shoulder(|q2| Stanford.margins(&[q1, q2, q3, q4, q5, q6]));
         [q1, q2 + beside, q3, q4, q5, q6]
+    });
+}
+
+/// KUKA's iiwa with joint 3 given, which stays where it is.
+#[derive(Debug, Default, denhart::Arm)]
+#[arm(spec = "../specs/kuka_iiwa7_r800.yaml")]
+struct Iiwa;
+
+impl Specified<7> for Iiwa {
+    const NAME: &'static str = "iiwa";
+    const TABLE: denhart::DhTable = Self::DH;
+    const TASK: Task = Task::new(Kind::Pose).redundant(3);
+}
+
+#[test]
+fn iiwa_wrist() {
+    through::<Iiwa, 7>("through the wrist", |random, beside| {
+        let [q1, q2, q4, q5, q7, q3] = ordinary(random);
+        [q1, q2, 0.5 * q3, q4, q5, beside, q7]
+    });
+}
+
+#[test]
+fn iiwa_elbow() {
+    through::<Iiwa, 7>("through the stretched elbow", |random, beside| {
+        let [q1, q2, q6, q5, q7, q3] = ordinary(random);
+        [q1, q2, 0.5 * q3, beside, q5, q6, q7]
+    });
+}
+
+#[test]
+fn iiwa_shoulder() {
+    through::<Iiwa, 7>("through the shoulder", |random, beside| {
+        let [q1, q6, q4, q5, q7, q3] = ordinary(random);
+        let q2 = shoulder(|q2| Iiwa.margins(&[q1, q2, 0.5 * q3, q4, q5, q6, q7]));
+        [q1, q2 + beside, 0.5 * q3, q4, q5, q6, q7]
     });
 }
