@@ -12,7 +12,7 @@ use super::{Home, Measure, Stage, Tolerances, Turn};
 ///
 /// Every root is marked for a full check: near a double root a candidate may turn out not to be a solution.
 pub fn pair<T: Tolerances>(homes: [Home<T>; 2], measure: Measure<T>, p: [Row<T>; 2], q: [Row<T>; 2]) -> Stage<T, 2, 4> {
-    let (p, q) = normalized(p, q);
+    let (p, q) = normalized(measure, p, q);
     let mut stage = candidates(homes, &p, &q);
     for root in stage.roots.iter_mut().take(stage.len) {
         *root = newton(&p, &q, *root);
@@ -33,7 +33,7 @@ pub fn pair_turning<T: Tolerances>(
     [x1, x2, z1, z2]: [Row<T>; 4],
 ) -> Stage<T, 2, 4> {
     let across = Across { x: [x1, x2], z: [z1, z2] };
-    let (p, q) = normalized(p, q);
+    let (p, q) = normalized(measure, p, q);
     let mut stage = candidates(homes, &p, &q);
     let mut found = stage.roots;
     let mut done = 0;
@@ -122,11 +122,17 @@ fn finished<T: Tolerances>(
     stage
 }
 
-/// Both rows scaled to unit length.
-fn normalized<T: Tolerances>([p1, p2]: [Row<T>; 2], [q1, q2]: [Row<T>; 2]) -> ([Row<T>; 2], [Row<T>; 2]) {
+/// Both rows scaled to unit length. One of rounding alone, whatever it measures (a direction, a length, its square), says
+/// nothing and becomes zero.
+fn normalized<T: Tolerances>(
+    measure: Measure<T>,
+    [p1, p2]: [Row<T>; 2],
+    [q1, q2]: [Row<T>; 2],
+) -> ([Row<T>; 2], [Row<T>; 2]) {
+    let nothing = T::VANISHING * T::ONE.min(measure.scale).min(measure.scale * measure.scale);
     let unit = |p: Row<T>, q: Row<T>| {
         let size = p.iter().chain(&q).fold(T::ZERO, |sum, k| sum + *k * *k).sqrt();
-        let k = if size > T::ZERO { T::ONE / size } else { T::ONE };
+        let k = if size > nothing { T::ONE / size } else { T::ZERO };
         (p.map(|e| e * k), q.map(|e| e * k))
     };
     let ((p1, q1), (p2, q2)) = (unit(p1, q1), unit(p2, q2));
