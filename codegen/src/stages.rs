@@ -87,6 +87,7 @@ fn solution(out: &mut String, plan: &Plan) {
                     format!("{joints} by {kernel}({inputs}); {:?}, {:?}, home {home}", stage.unit, stage.branching)
                 }
                 PlanStep::Swivel { .. } => format!("upper arm = swivel({inputs})"),
+                PlanStep::Agreement { .. } => format!("agree({inputs})"),
                 PlanStep::Angle { name, .. } => format!("{name} = atan2({inputs})"),
             },
         );

@@ -57,7 +57,7 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
     let labels = (1..=plan.joints()).map(|i| i.to_string()).chain(plan.slots.iter().map(|slot| slot.label.clone()));
     let prefixes = ["q", "index", "roots", "trail", "elbow", "cone", "phase"];
     let reserved = labels.flat_map(|label| prefixes.map(|prefix| format!("{prefix}{label}")));
-    let names = ["search", "solutions", "start", "target", "near", "arm", "goal", "frame", "swing", "wanted"];
+    let names = ["agreed", "search", "solutions", "start", "target", "near", "arm", "goal", "frame", "swing", "wanted"];
     // The size of an arm with run-time parameters.
     let sizes: &[&str] = if model.parameters.is_empty() { &[] } else { &["reach", "facts", "length"] };
     let reserved = reserved.chain(names.iter().chain(sizes).map(|name| name.to_string()));
@@ -77,6 +77,7 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
         match step {
             PlanStep::Stage(stage) => nest.stage(stage, &mut calls),
             PlanStep::Angle { name, meaning, y, x } => nest.angle(name, meaning, *y, *x),
+            PlanStep::Agreement { meaning, unit, misses } => nest.agreement(meaning, calls.measure(*unit), misses),
             PlanStep::Swivel { names, meaning, .. } => nest.swivel(names, meaning, &step.inputs()),
         }
     }
@@ -228,6 +229,18 @@ impl Nest<'_> {
         let (y, x) = (writer.write(y), writer.write(x));
         self.at(level, quote!(#doc let #symbol = #krate::math::atan2(#y, #x);));
         self.known.insert(name.to_string(), level);
+    }
+
+    fn agreement(&mut self, meaning: &str, measure: TokenStream, misses: &[Expr]) {
+        self.bind(misses);
+        let krate = &self.target.krate;
+        let writer = Writer { graph: &self.plan.graph, bound: &self.block.bound, krate };
+        let entries = misses.iter().map(|e| writer.write(*e));
+        let (before, doc) = (&self.trail, docs::lines(meaning));
+        let statement = quote!(#doc let agreed = search.agree(&#before, #measure, [#(#entries),*]););
+        let deepest = self.deepest();
+        self.at(deepest, statement);
+        self.trail = quote!(agreed);
     }
 
     fn swivel(&mut self, names: &[[String; 3]; 3], meaning: &str, inputs: &[Expr]) {

@@ -42,8 +42,8 @@ pub(super) fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStr
         #measure
         #[doc = #facts_doc]
         const FACTS: #krate::solve::Facts<#scalar, #n> = #krate::solve::Facts {
-            limits: #type_name::LIMITS,
-            weights: [#(#weights),*],
+            limits: &#type_name::LIMITS,
+            weights: &[#(#weights),*],
             limited: #limited,
             prismatic: #krate::JointMask::NONE #(#sliding)*,
             reach: REACH,
@@ -93,7 +93,6 @@ pub(super) fn function(
             false => quote!(#goal let goal = &#krate::solve::Locked::new(goal, #joint, #q);),
         };
     }
-    let unproven = plan.task.overdetermined.then(|| quote!(.unproven()));
     let sought = if goal.is_empty() { quote!(target) } else { quote!(goal) };
     let (facts, sizes) = if model.parameters.is_empty() {
         (quote!(&FACTS), TokenStream::new())
@@ -123,7 +122,7 @@ pub(super) fn function(
             #given_symbols
             /// Once; again with a free joint elsewhere, where a later stage cannot be met with that joint at home.
             loop {
-                let start = search.start() #unproven;
+                let start = search.start();
                 #body
                 if search.complete(|q| #type_name::forward_and_jacobian(arm, q)) {
                     return solutions;

@@ -29,17 +29,23 @@ impl<'a> Calls<'a> {
         Calls { plan, target, items: TokenStream::new(), bound, before: Vec::new() }
     }
 
+    /// What the numbers of an equation measure.
+    pub fn measure(&self, unit: Unit) -> TokenStream {
+        let krate = &self.target.krate;
+        match unit {
+            Unit::Length if self.bound => quote!(length),
+            Unit::Length => quote!(LENGTH),
+            Unit::Direction => quote!(#krate::solve::Measure::DIRECTION),
+        }
+    }
+
     /// The expression that gives the stage's roots.
     pub fn call(&mut self, stage: &Stage, block: &Block) -> TokenStream {
         let krate = &self.target.krate;
         let writer = Writer { graph: &self.plan.graph, bound: &block.bound, krate };
         let w = |e: &Expr| writer.write(*e);
         let home = self.home(stage);
-        let measure = match stage.unit {
-            Unit::Length if self.bound => quote!(length),
-            Unit::Length => quote!(LENGTH),
-            Unit::Direction => quote!(#krate::solve::Measure::DIRECTION),
-        };
+        let measure = self.measure(stage.unit);
         let row = |row: &[Expr; 3]| {
             let row = row.iter().map(w);
             quote!([#(#row),*])
@@ -56,8 +62,13 @@ impl<'a> Calls<'a> {
             }
             Kernel::Distance { rho, range, about } => {
                 let rho = w(rho);
-                let range = self.elbow(&joint, range, &writer);
-                let about = about.map(|phase| self.phase(&joint, phase, &writer));
+                // Links along one line are stretched or folded: that needs no angle.
+                let (line, about) = match about {
+                    Some(Phase { y, x }) if *y == Expr::ZERO => (Some(*x), None),
+                    about => (None, about.as_ref()),
+                };
+                let range = self.elbow(&joint, range, line, &writer);
+                let about = about.map(|phase| self.phase(&joint, *phase, &writer));
                 quote!(#krate::solve::distance(#home, #measure, #rho, #range) #about)
             }
             Kernel::Cone { d, rho, range, about } => {
@@ -165,14 +176,15 @@ impl<'a> Calls<'a> {
     }
 
     /// A constant range becomes an item, with its numbers worked out here.
-    fn elbow(&mut self, joint: &str, range: &ElbowRange, writer: &Writer) -> TokenStream {
+    fn elbow(&mut self, joint: &str, range: &ElbowRange, line: Option<Expr>, writer: &Writer) -> TokenStream {
         let krate = &self.target.krate;
         let values = [range.a, range.b, range.height].map(|e| self.constant(e));
         let [Some(a), Some(b), Some(height)] = values else {
             let [a, b, height] = [range.a, range.b, range.height].map(|e| writer.write(e));
             let name = ident(&format!("elbow{joint}"));
-            let statement = quote!(let #name = #krate::solve::Elbow::new(#a, #b, #height););
-            self.before.push((vec![range.a, range.b, range.height], statement));
+            let signed = line.map(|product| writer.write(product)).map(|product| quote!(.signed(#product)));
+            let statement = quote!(let #name = #krate::solve::Elbow::new(#a, #b, #height) #signed;);
+            self.before.push(([range.a, range.b, range.height].into_iter().chain(line).collect(), statement));
             return quote!(#name);
         };
         let name = ident(&format!("ELBOW{}", joint.to_uppercase()));
@@ -181,7 +193,9 @@ impl<'a> Calls<'a> {
         let (max, min) = (number((a + b).hypot(height)), number((a - b).hypot(height)));
         self.items.extend(quote! {
             #[doc = #doc]
-            const #name: #krate::solve::Elbow<#scalar> = #krate::solve::Elbow { max: #max, min: #min };
+            const #name: #krate::solve::Elbow<#scalar> = #krate::solve::Elbow {
+                max: #max, min: #min, side: 1.0,
+            };
         });
         quote!(#name)
     }

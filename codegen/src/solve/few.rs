@@ -2,7 +2,7 @@
 
 use super::asked::PlanTask;
 use super::closure::{Closure, Link};
-use super::plan::{Branching, Kernel, Plan, Unit};
+use super::plan::{Branching, Kernel, Plan, PlanStep, Unit};
 use super::problem::Problem;
 use super::rows::turned_back;
 use super::sides::Side;
@@ -113,6 +113,13 @@ pub fn yawing_pose(problem: Problem, task: PlanTask) -> Result<Plan, Refusal> {
         let kernel = Kernel::Align { from: Side::plane(n), to: Side::plane(axis) };
         let meaning = format!("Joint {label}: turns the pitch axis from `[{{from}}]` to `[{{to}}]`.");
         c.stage(&[(0, Angle::ZERO)], 0, Unit::Direction, Branching::None, meaning, kernel);
+        let miss = c.g.sub(Side::along(axis), Side::along(n));
+        agreement(&mut c, "The pitch axis keeps its angle to the first axis.", Unit::Direction, vec![miss]);
+        let (n, value) = across_plane(&mut c, Side::along(plane.p));
+        let seen = c.move_back(0, flange.p);
+        let offset = c.g.dot3(n, seen);
+        let miss = c.g.sub(offset, value);
+        agreement(&mut c, "The tool keeps its offset across the plane.", Unit::Length, vec![miss]);
     }
     triple::parallel(&mut c)?;
     Ok(c.finish(triple, PlanTask { overdetermined: true, ..task }))
@@ -130,8 +137,17 @@ pub fn scara_pose(problem: Problem, task: PlanTask) -> Result<Plan, Refusal> {
     let label = c.label(3);
     let meaning = format!("Joint {label}: the height of the tool.");
     c.stage(&[(3, Angle::ZERO)], 3, Unit::Length, Branching::None, meaning, kernel);
+    let (seen, own) = (flange.z(), still.z());
+    let [x, y] = Side::plane(seen);
+    let along = c.g.sub(Side::along(seen), Side::along(own));
+    agreement(&mut c, "The stroke is parallel to the joints' axes.", Unit::Direction, vec![x, y, along]);
     triple::parallel(&mut c)?;
     Ok(c.finish(triple, PlanTask { overdetermined: true, ..task }))
+}
+
+/// Equations that no joint can meet. They hold for what the arm can reach, and are kept for what it cannot.
+fn agreement(c: &mut Closure, meaning: &str, unit: Unit, misses: Vec<Expr>) {
+    c.push(PlanStep::Agreement { meaning: meaning.into(), unit, misses });
 }
 
 /// A pose or a point in the plane.

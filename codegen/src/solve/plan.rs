@@ -52,7 +52,7 @@ impl Plan {
     pub fn stages(&self) -> impl Iterator<Item = &Stage> {
         self.steps.iter().filter_map(|step| match step {
             PlanStep::Stage(stage) => Some(stage),
-            PlanStep::Angle { .. } | PlanStep::Swivel { .. } => None,
+            PlanStep::Angle { .. } | PlanStep::Agreement { .. } | PlanStep::Swivel { .. } => None,
         })
     }
 
@@ -89,6 +89,15 @@ pub enum PlanStep {
         /// Cosine times the same factor.
         x: Expr,
     },
+    /// Equations without a joint to meet them: what is asked for is beyond the arm unless they hold.
+    Agreement {
+        /// What has to agree.
+        meaning: String,
+        /// What is compared.
+        unit: Unit,
+        /// By how much each is missed.
+        misses: Vec<Expr>,
+    },
     /// The rotation of the upper arm from the arm angle: see the runtime's `swivel`.
     Swivel {
         /// Its symbols, by rows.
@@ -112,6 +121,7 @@ impl PlanStep {
         match self {
             PlanStep::Stage(stage) => stage.kernel.inputs(),
             PlanStep::Angle { y, x, .. } => vec![*y, *x],
+            PlanStep::Agreement { misses, .. } => misses.clone(),
             PlanStep::Swivel { wrist, moved, axis, elbow, .. } => [*wrist, *moved, *axis, *elbow].concat(),
         }
     }

@@ -20,6 +20,7 @@ pub fn describe(plan: &Plan) -> Vec<String> {
                 let joints: Vec<String> = stage.joints.iter().map(|j| format!("q{}", plan.label(*j))).collect();
                 format!("{}: {}", joints.join(", "), kernel(&stage.kernel))
             }
+            PlanStep::Agreement { meaning, .. } => meaning.trim_end_matches('.').to_lowercase(),
             PlanStep::Swivel { .. } => "the upper arm's rotation from the wrist center and the arm angle".into(),
             PlanStep::Angle { name, .. } => {
                 let joints: Vec<String> = name.chars().skip(1).map(|c| format!("q{c}")).collect();

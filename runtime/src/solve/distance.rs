@@ -10,6 +10,8 @@ pub struct Elbow<T> {
     pub max: T,
     /// The smallest distance.
     pub min: T,
+    /// 1; or -1 for links whose lengths have unlike signs: stretched is where folded would be.
+    pub side: T,
 }
 
 impl<T: Tolerances> Elbow<T> {
@@ -18,9 +20,17 @@ impl<T: Tolerances> Elbow<T> {
     pub fn new(a: T, b: T, height: T) -> Self {
         let (sum, difference) = (a + b, a - b);
         if height == T::ZERO {
-            return Self { max: sum, min: difference.abs() };
+            return Self { max: sum, min: difference.abs(), side: T::ONE };
         }
-        Self { max: (sum * sum + height * height).sqrt(), min: (difference * difference + height * height).sqrt() }
+        let square = height * height;
+        Self { max: (sum * sum + square).sqrt(), min: (difference * difference + square).sqrt(), side: T::ONE }
+    }
+
+    /// The same for lengths whose product, with their signs, is this.
+    #[inline]
+    pub fn signed(mut self, product: T) -> Self {
+        self.side = if product < T::ZERO { -T::ONE } else { T::ONE };
+        self
     }
 }
 
@@ -42,18 +52,25 @@ fn within<T: Tolerances>(measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<
     let (outer, inner) = (elbow.max - rho, rho - elbow.min);
     // The rounding of the distance itself; roots farther apart are told apart.
     let close = T::EPSILON * T::TWO * elbow.max;
-    if !(outer > close) {
-        return Stage::edge([Turn::ZERO], (-outer).max(T::ZERO), measure);
-    }
-    if !(inner > close) {
-        return Stage::edge([Turn { value: T::PI, sin: T::ZERO, cos: -T::ONE }], (-inner).max(T::ZERO), measure);
+    if !(outer.min(inner) > close) {
+        return end(measure, outer, inner, elbow.side);
     }
     let (top, bottom) = (outer * (elbow.max + rho), inner * (rho + elbow.min));
     // |(2 sqrt(top bottom), bottom - top)| = top + bottom
     let k = T::ONE / (top + bottom);
     let half_sine = (top * bottom).sqrt() * k;
-    let turn = Turn::of(half_sine + half_sine, (bottom - top) * k);
+    let turn = Turn::of((half_sine + half_sine) * elbow.side, (bottom - top) * (k * elbow.side));
     Stage::solved([[turn], [turn.reversed()]], measure).with_amplitude(half_sine)
+}
+
+/// At the ends of the range or outside it, by how much the distance is inside either end.
+#[cold]
+#[inline(never)]
+fn end<T: Tolerances>(measure: Measure<T>, outer: T, inner: T, side: T) -> Stage<T, 1, 2> {
+    let folded = Turn { value: T::PI, sin: T::ZERO, cos: -T::ONE };
+    let (gap, stretched) = if inner < outer { (-inner, false) } else { (-outer, true) };
+    let turn = if stretched == (side > T::ZERO) { Turn::ZERO } else { folded };
+    Stage::edge([turn], gap.max(T::ZERO), measure)
 }
 
 /// The turn moves the point hardly or not at all: one of the two is on the axis or close to it.

@@ -32,11 +32,15 @@ pub fn offset_of_two<T: Tolerances>(
         }
         stage.len = 1;
         let left = first.min(second);
+        stage.doubt |= left > T::ROUNDING;
         if left > T::CLOSE && stage.free.is_empty() {
             stage.gap = stage.gap.max(left * other.scale);
             stage.angular = other.is_angular();
             stage.doubt = true;
         }
+    } else {
+        // Beyond rounding what is asked for may be beyond the arm: it is checked in full.
+        stage.doubt |= first.max(second) > T::ROUNDING;
     }
     stage
 }

@@ -9,11 +9,11 @@ use crate::{Branch, CombinedLimit, Flags, JointMask, Residual, Solution, Solutio
 
 /// What the search needs to know about an arm.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Facts<T, const N: usize> {
+pub struct Facts<T: 'static, const N: usize> {
     /// Lower and upper limit of every joint, infinite where there is none.
-    pub limits: [[T; 2]; N],
+    pub limits: &'static [[T; 2]; N],
     /// How much each joint counts in the distance from a reference, the squared norm `sum w (q - q_ref)^2`.
-    pub weights: [T; N],
+    pub weights: &'static [T; N],
     /// Whether any joint has limits.
     pub limited: bool,
     /// The sliding joints.
@@ -84,7 +84,7 @@ impl<T: Tolerances, const M: usize> Doubts<T, M> {
 
 /// One run of the inverse kinematics.
 #[derive(Debug)]
-pub struct Search<'a, T, G, const N: usize, const M: usize> {
+pub struct Search<'a, T: 'static, G, const N: usize, const M: usize> {
     pub(super) facts: &'a Facts<T, N>,
     pub(super) goal: &'a G,
     pub(super) near: Option<&'a [T; N]>,
@@ -173,6 +173,14 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
     #[inline]
     pub fn follow<const K: usize, const R: usize>(&mut self, trail: &Trail<T>, stage: &Stage<T, K, R>) -> Trail<T> {
         if stage.doubt { self.doubtful_trail(trail, stage.met()) } else { *trail }
+    }
+
+    /// The trail of a branch on which equations without a joint to meet them are missed by this much. Beyond rounding
+    /// its end is checked in full: what is asked for may be beyond the arm.
+    #[inline]
+    pub fn agree<const K: usize>(&self, trail: &Trail<T>, measure: Measure<T>, misses: [T; K]) -> Trail<T> {
+        let agreed = misses.iter().fold(true, |agreed, miss| agreed & (miss.abs() <= measure.rounding()));
+        Trail { doubt: trail.doubt | !agreed, ..*trail }
     }
 
     #[cold]
@@ -279,7 +287,7 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
     fn mark_limits(&mut self) {
         for solution in self.solutions.as_mut_slice() {
             // Every joint, without a branch.
-            let joints = solution.q.iter().zip(&self.facts.limits);
+            let joints = solution.q.iter().zip(self.facts.limits);
             let inside = joints.fold(true, |inside, (q, [low, high])| inside & (q >= low) & (q <= high));
             if !(inside && self.combined.iter().all(|limit| limit.holds(&solution.q))) {
                 solution.flags |= Flags::OUT_OF_LIMITS;

@@ -171,7 +171,7 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
         }
         let facts = self.facts;
         for solution in self.solutions.as_mut_slice() {
-            let joints = solution.q.iter_mut().zip(near).zip(&facts.limits);
+            let joints = solution.q.iter_mut().zip(near).zip(facts.limits);
             for (joint, ((value, reference), limits)) in joints.enumerate() {
                 if !facts.prismatic.contains(joint) {
                     *value = next_to(*value, *reference, *limits);
@@ -179,7 +179,7 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
             }
         }
         let distance = |q: &[T; N]| {
-            q.iter().zip(near).zip(&facts.weights).enumerate().fold(T::ZERO, |sum, (joint, ((a, b), weight))| {
+            q.iter().zip(near).zip(facts.weights).enumerate().fold(T::ZERO, |sum, (joint, ((a, b), weight))| {
                 let step = if facts.prismatic.contains(joint) { (*a - *b) / facts.reach } else { *a - *b };
                 sum + *weight * step * step
             })

@@ -68,14 +68,6 @@ impl<T: Tolerances> Trail<T> {
         missed: false,
     };
 
-    /// The same, with every branch to be checked in full: for targets with more equations than the arm has joints.
-    #[inline]
-    #[must_use]
-    pub fn unproven(mut self) -> Self {
-        self.doubt = true;
-        self
-    }
-
     /// Adds what a doubtful stage has met.
     #[cold]
     pub(super) fn note(&mut self, Met { gap, angular, amplitude, weak, boundary, free }: Met<T>) {
