@@ -97,13 +97,19 @@ impl<'a> Calls<'a> {
                 let (denominator, numerator) = (w(denominator), w(numerator));
                 quote!(#krate::solve::slide_to(#home, #measure, #denominator, #numerator))
             }
+            Kernel::SlideTurning { stroke, rows } => {
+                let (stroke, rows) = (stroke.iter().map(w), rows.iter().map(row));
+                let other = self.home_of(stage, 1);
+                quote!(#krate::solve::slide_turning([#home, #other], #measure, [#(#stroke),*], [#(#rows),*]))
+            }
             Kernel::Aim { moved, frames } => {
                 let mut sights = moved.iter().zip(frames).map(|(moved, frame)| {
                     let (moved, frame) = (row(moved), frame.iter().map(row));
                     quote!(#krate::solve::Sight { moved: #moved, frame: [#(#frame),*] })
                 });
                 let (first, second) = (sights.next(), sights.next());
-                quote!(#krate::solve::aim(#home, #first, #second))
+                let other = self.home_of(stage, 1);
+                quote!(#krate::solve::aim([#home, #other], #first, #second))
             }
             Kernel::Pair { p, q, across } => {
                 let (p, q) = (p.iter().map(row), q.iter().map(row));

@@ -75,6 +75,12 @@ fn pivot(g: &mut Graph, plan: &Plan, stage: &Stage) -> (Expr, u32) {
             let t = variable(g, plan, first);
             (derivative(g, [*a, *b], t), length)
         }
+        Kernel::SlideTurning { stroke: [sx, sy], rows: [[a1, b1, _], [a2, b2, _]] } => {
+            let t = variable(g, plan, first);
+            let (first, second) = (derivative(g, [*a1, *b1], t), derivative(g, [*a2, *b2], t));
+            let (left, right) = (g.mul(*sx, second), g.mul(*sy, first));
+            (g.sub(left, right), 1)
+        }
         Kernel::Distance { about, .. } => about_sine(g, plan, first, about, 2),
         Kernel::Cone { about, .. } => about_sine(g, plan, first, about, length),
         Kernel::Flip { .. } => (variable(g, plan, first).sin, 0),

@@ -322,6 +322,17 @@ fn sliding(c: &mut Closure, y: usize, a: Side, b: Side) -> Result<(), Refusal> {
     Ok(())
 }
 
+/// The components across y's axis over a turning side, less those of the still part over the other.
+fn still_rows(c: &mut Closure, other: &Side, across: [Vec3; 2], still: [Expr; 2]) -> [[Expr; 3]; 2] {
+    let mut still = still.into_iter();
+    across.map(|direction| {
+        let dot = c.g.dot3(direction, other.origin);
+        let sum = c.g.add(dot, still.next().unwrap_or(Expr::ZERO));
+        let k = c.g.neg(sum);
+        other.row(c, direction, k).array()
+    })
+}
+
 /// With y and one more joint sliding: the direction across both gives the third joint. With all three sliding both
 /// components are linear.
 fn one_slides(c: &mut Closure, sides: [&Side; 2], across: [[Vec3; 2]; 2], ny: &str) {
@@ -338,6 +349,15 @@ fn one_slides(c: &mut Closure, sides: [&Side; 2], across: [[Vec3; 2]; 2], ny: &s
         directions.map(|direction| c.g.dot3(direction, from))
     };
     let still_s = still(c, slides, across_s);
+    if other.turns && stroke.iter().any(|e| c.g.constant(*e).is_none()) {
+        let rows = still_rows(c, other, across_o, still_s);
+        let (m, n) = (c.label(other.joint), c.label(slides.joint));
+        let meaning = format!("Joints {m} and {n} together: {w} has equal components across axis {ny}.");
+        let joints = [(other.joint, Angle::ZERO), (slides.joint, Angle::ZERO)];
+        let kernel = Kernel::SlideTurning { stroke, rows };
+        c.stage(&joints, other.joint, Unit::Length, Branching::Shoulder, meaning, kernel);
+        return;
+    }
     let [sx, sy] = stroke;
     // n is across the stroke: n . (plane part) does not depend on it.
     let normal = [c.g.neg(sy), sx];

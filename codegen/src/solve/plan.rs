@@ -58,7 +58,7 @@ impl Plan {
 
     /// The largest number of solutions.
     pub fn max_solutions(&self) -> usize {
-        self.stages().map(|stage| stage.kernel.roots()).product()
+        self.stages().map(|stage| stage.kernel.most_roots()).product()
     }
 
     /// A rough cost, to choose among several triples: general pairs are dear, arithmetic breaks ties.
@@ -275,6 +275,13 @@ pub enum Kernel {
         /// Right side.
         numerator: Expr,
     },
+    /// A turning and a sliding joint: two components across a third one, which slides.
+    SlideTurning {
+        /// The stroke's direction there.
+        stroke: [Expr; 2],
+        /// Rows of the turning joint: of the cosine, of the sine, constant.
+        rows: [[Expr; 3]; 2],
+    },
     /// One direction seen from two joints over a sliding one: for each joint the vector it turns, and the rotation from
     /// the sliding joint's frame to its own.
     Aim {
@@ -312,13 +319,18 @@ pub enum Kernel {
 }
 
 impl Kernel {
-    /// The largest number of roots.
+    /// The largest number of roots of regular targets.
     pub fn roots(&self) -> usize {
         match self {
             Kernel::Align { .. } | Kernel::SlideTo { .. } => 1,
             Kernel::Pair { .. } | Kernel::PairSliding { .. } => 4,
             _ => 2,
         }
+    }
+
+    /// The same with the roots that there are besides where a joint is free.
+    pub fn most_roots(&self) -> usize {
+        if matches!(self, Kernel::Aim { .. }) { 3 } else { self.roots() }
     }
 
     /// The expressions it reads.
@@ -338,6 +350,7 @@ impl Kernel {
             Kernel::Wrist { m } => m.concat(),
             Kernel::Slide { rho, across, middle } => vec![*rho, *across, *middle],
             Kernel::SlideTo { denominator, numerator } => vec![*denominator, *numerator],
+            Kernel::SlideTurning { stroke, rows } => [stroke.to_vec(), rows.concat()].concat(),
             Kernel::Aim { moved, frames } => [moved.concat(), frames.concat().concat()].concat(),
             Kernel::Pair { p, q, across } => {
                 let across = across.iter().flatten().flatten().flatten().copied().collect();

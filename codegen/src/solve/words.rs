@@ -43,6 +43,7 @@ fn kernel(kernel: &Kernel) -> &'static str {
         Kernel::Wrist { .. } => "three axes at right angles give a rotation (2 roots)",
         Kernel::Slide { .. } => "slides to a given distance (2 roots)",
         Kernel::SlideTo { .. } => "slides by a given amount (1 root)",
+        Kernel::SlideTurning { .. } => "two components across a slide, an angle and another slide (2 roots)",
         Kernel::Aim { .. } => "one direction seen over a sliding joint, two cones (2 roots)",
         Kernel::Pair { .. } => "two equations together, a quartic (up to 4 roots)",
         Kernel::PairSliding { .. } => "two equations together, a quartic with a slide (up to 4 roots)",

@@ -1,8 +1,7 @@
 //! One direction seen from two joints with a sliding joint between them.
 
 use super::tolerances::Tolerances;
-use super::{Home, Measure, Stage, Turn};
-use crate::math::{atan2, sin_cos};
+use super::{Home, Measure, Stage, Turn, offset};
 use crate::vector::{cross, dot};
 
 /// A vector that a joint turns about its z axis, and the frame in which it has to be seen: rows that take the frame of
@@ -15,79 +14,139 @@ pub struct Sight<T> {
     pub frame: [[T; 3]; 3],
 }
 
+impl<T: Tolerances> Sight<T> {
+    /// The component of the vector across the joint's axis.
+    #[inline]
+    fn across(&self) -> T {
+        let [x, y, _] = self.moved;
+        (x * x + y * y).sqrt()
+    }
+}
+
 /// Finds the unit vector `h` with `frame_x h = R_z(-x) moved_x` and `frame_z h = R_z(z) moved_z`, and from it `(x, z)`.
 ///
 /// Both turning axes are fixed in the frame of the sliding joint, so `h` lies on two cones about them:
-/// `h = a n_x + b n_z +- c n_x x n_z`. Two roots; one where the cones touch or do not meet, then with the gap.
+/// `h = a (n_x + n_z) + b (n_x - n_z) +- c n_x x n_z`. Sum and difference of the axes are at right angles, so that this
+/// is accurate to the rounding of the axes also where these are nearly parallel. Two roots; one where the cones touch or
+/// do not meet, then with the gap.
+///
+/// A joint whose axis `h` lies along is free. With parallel axes x is free; then the roots are x at home, and up to two
+/// where `h` is at right angles to the slide, because the slide does nothing for the distance along `h` there.
 #[inline]
-pub fn aim<T: Tolerances>(home: Home<T>, x: Sight<T>, z: Sight<T>) -> Stage<T, 2, 2> {
+pub fn aim<T: Tolerances>(homes: [Home<T>; 2], x: Sight<T>, z: Sight<T>) -> Stage<T, 2, 3> {
     let measure = Measure::DIRECTION;
+    let [home_x, _] = homes;
     let ([_, _, nx], [_, _, nz]) = (x.frame, z.frame);
-    let ([ax, ay, kx], [bx, by, kz]) = (x.moved, z.moved);
-    let (sx, sz) = ((ax * ax + ay * ay).sqrt(), (bx * bx + by * by).sqrt());
+    let ([_, _, kx], [_, _, kz]) = (x.moved, z.moved);
+    let (sx, sz) = (x.across(), z.across());
     let normal = cross(nx, nz);
-    let (cosine, square) = (dot(nx, nz), dot(normal, normal));
-    if !(square > T::VANISHING * T::VANISHING) {
-        let turn = Turn::at(home.value);
-        let seen = [ax * turn.cos + ay * turn.sin, ay * turn.cos - ax * turn.sin, kx];
-        let [row1, row2, row3] = x.frame;
-        let h = [0, 1, 2].map(|j| {
-            let at = |row: [T; 3]| row.get(j).copied().unwrap_or(T::ZERO);
-            at(row1) * seen[0] + at(row2) * seen[1] + at(row3) * seen[2]
-        });
-        let [_, turn_z] = angles(&x, &z, h);
-        let [inner, outer] = margins([kx, sx], [kz, sz], [cosine, square.sqrt()]);
-        let gap = (-inner.left).max(-outer.left) - T::VANISHING;
-        return Stage::free([turn, turn_z], home, gap.max(T::ZERO), measure);
+    let square = dot(normal, normal);
+    let least = square.sqrt().min(sx).min(sz);
+    if !(least > T::VANISHING) {
+        return undetermined(homes, &x, &z);
     }
-    let k = T::ONE / square;
-    let (a, b) = ((kx - kz * cosine) * k, (kz - kx * cosine) * k);
-    let middle = [0, 1, 2].map(|j| {
-        let at = |v: [T; 3]| v.get(j).copied().unwrap_or(T::ZERO);
-        a * at(nx) + b * at(nz)
-    });
-    // The squared sine between the planes of the cones, as a product of what is left to either end of the range.
-    let (mut near, mut far) = (kx * kz + sx * sz - cosine, cosine - kx * kz + sx * sz);
-    if !(near.min(far) > T::DOUBTFUL) {
-        let [inner, outer] = margins([kx, sx], [kz, sz], [cosine, square.sqrt()]);
-        // The rounding of the angles; roots farther apart are told apart.
-        let close = T::EPSILON * (T::TWO + T::TWO);
-        if !(inner.left > close) || !(outer.left > close) {
-            let gap = (-inner.left).max(-outer.left).max(T::ZERO);
-            return Stage::edge(angles(&x, &z, middle), gap, measure);
-        }
-        (near, far) = (inner.product, outer.product);
-    }
-    let c = (near * far).sqrt() * k;
-    let along = |sign: T| {
-        let ([mx, my, mz], [vx, vy, vz]) = (middle, normal);
-        [mx + sign * c * vx, my + sign * c * vy, mz + sign * c * vz]
+    let (sum, difference) = (plus(nx, nz, T::ONE), plus(nx, nz, -T::ONE));
+    let (sum2, difference2) = (dot(sum, sum), dot(difference, difference));
+    let (along_sum, along_difference, step) = (kx + kz, kx - kz, sx - sz);
+    // The cones touch where the axes are as far apart (or as far from opposite) as the angles of the cones differ.
+    let (apart, opposite) = (difference2.sqrt(), sum2.sqrt());
+    let (apart_least, opposite_least) =
+        ((along_difference * along_difference + step * step).sqrt(), (along_sum * along_sum + step * step).sqrt());
+    let (inner, outer) = (apart - apart_least, opposite - opposite_least);
+    let middle = plus(times(sum, along_sum / sum2), difference, along_difference / difference2);
+    let close = T::EPSILON * T::TWO;
+    let stage = if inner > close && outer > close {
+        // The volume spanned by both axes and h.
+        let height = T::HALF * (inner * (apart + apart_least) * outer * (opposite + opposite_least)).sqrt();
+        let c = height / square;
+        let [first, second] = [c, -c].map(|c| angles(&x, &z, plus(middle, normal, c)));
+        let roots = Stage { len: 2, ..Stage::solved([first, second, second], measure) };
+        roots.with_weak(home_x, height.min(square))
+    } else {
+        let gap = (-inner).max(-outer).max(T::ZERO);
+        Stage::edge(angles(&x, &z, unit(middle)), gap, measure)
     };
-    let roots = [angles(&x, &z, along(T::ONE)), angles(&x, &z, along(-T::ONE))];
-    Stage::solved(roots, measure).with_weak(home, (near * far).sqrt().min(square.sqrt()))
+    if least < T::DOUBTFUL { nearly(stage, homes, [sx, sz], square.sqrt()) } else { stage }
 }
 
-/// How far two cones are from touching.
-struct Margin<T> {
-    /// The angle that is left, rad; negative where they do not meet.
-    left: T,
-    /// What that is as a difference of cosines.
-    product: T,
-}
-
-/// Inside and outside, from `[cos, sin]` of the half angles of two cones and of the angle between their axes.
+/// The roots where a joint is nearly free: its axis all but along h, or the axes all but parallel.
 #[cold]
 #[inline(never)]
-fn margins<T: Tolerances>([kx, sx]: [T; 2], [kz, sz]: [T; 2], [cosine, sine]: [T; 2]) -> [Margin<T>; 2] {
-    let (first, second, between) = (atan2(sx, kx), atan2(sz, kz), atan2(sine, cosine));
-    let (sum, difference) = (first + second, (first - second).abs());
-    let widest = sum.min(T::TWO * T::PI - sum);
-    // cos small - cos large
-    let margin = |large: T, small: T| {
-        let (half_sum, half_left) = ((large + small) * T::HALF, (large - small) * T::HALF);
-        Margin { left: large - small, product: T::TWO * sin_cos(half_sum).0 * sin_cos(half_left).0 }
+fn nearly<T: Tolerances>(mut stage: Stage<T, 2, 3>, homes: [Home<T>; 2], across: [T; 2], between: T) -> Stage<T, 2, 3> {
+    stage.doubt = true;
+    for (home, across) in homes.iter().zip(across) {
+        let amplitude = across.min(between);
+        stage.amplitude = stage.amplitude.min(amplitude);
+        if amplitude < T::WEAK {
+            stage.weak |= home.joint;
+        }
+    }
+    stage
+}
+
+/// The cases in which a joint is free.
+#[cold]
+#[inline(never)]
+fn undetermined<T: Tolerances>(homes: [Home<T>; 2], x: &Sight<T>, z: &Sight<T>) -> Stage<T, 2, 3> {
+    let lies_along = |sight: &Sight<T>| !(sight.across() > T::VANISHING);
+    match [x, z].map(lies_along) {
+        [false, false] => in_line(homes, x, z),
+        free => known(homes, x, z, free),
+    }
+}
+
+/// The vector lies along the axis of one joint or of both, which are free; the other sees it there.
+fn known<T: Tolerances>(homes: [Home<T>; 2], x: &Sight<T>, z: &Sight<T>, mut free: [bool; 2]) -> Stage<T, 2, 3> {
+    let [(along, seen), (other, wanted)] = {
+        let ([.., nx], [.., nz]) = (x.frame, z.frame);
+        let ([.., kx], [.., kz]) = (x.moved, z.moved);
+        let (of_x, of_z) = ((nx, kx), (nz, kz));
+        let [_, free_z] = free;
+        if free_z { [of_z, of_x] } else { [of_x, of_z] }
     };
-    [margin(between, difference), margin(widest, between)]
+    let h = times(along, seen);
+    let (cosine, normal) = (dot(other, h), cross(other, h));
+    let sine = dot(normal, normal).sqrt();
+    if !(sine > T::VANISHING) {
+        free = [true; 2];
+    }
+    let across = (T::ONE - wanted * wanted).max(T::ZERO).sqrt();
+    let gap = (sine * wanted - cosine * across).abs();
+    let mut root = angles(x, z, h);
+    let mut stage = Stage::edge(root, beyond_free(gap), Measure::DIRECTION);
+    stage.boundary = false;
+    for ((turn, home), free) in root.iter_mut().zip(homes).zip(free) {
+        if free {
+            *turn = Turn::at(home.value);
+            stage.free |= home.joint;
+        }
+    }
+    Stage { roots: [root; 3], ..stage }
+}
+
+/// Both joints turn about the same direction: z follows x.
+fn in_line<T: Tolerances>([home, _]: [Home<T>; 2], x: &Sight<T>, z: &Sight<T>) -> Stage<T, 2, 3> {
+    let ([row1, row2, nx], [.., nz]) = (x.frame, z.frame);
+    let ([ax, ay, kx], [.., kz]) = (x.moved, z.moved);
+    let follow = |turn: Turn<T>| {
+        let (h1, h2) = (ax * turn.cos + ay * turn.sin, ay * turn.cos - ax * turn.sin);
+        let [_, turn_z] = angles(x, z, plus(plus(times(row1, h1), row2, h2), nx, kx));
+        [turn, turn_z]
+    };
+    // The slide is along the third axis of its own frame.
+    let ([.., c1], [.., c2], [.., c3]) = (row1, row2, nx);
+    let across = offset(home, Measure::DIRECTION, c1 * ax + c2 * ay, c1 * ay - c2 * ax, -(c3 * kx));
+    let [[first], [second]] = across.roots;
+    let more = if across.free.is_empty() && across.gap <= T::ROUNDING { across.len } else { 0 };
+    let stay = follow(Turn::at(home.value));
+    let gap = beyond_free((kx * dot(nx, nz) - kz).abs());
+    let stage = Stage::<T, 2, 3>::free(stay, home, gap, Measure::DIRECTION);
+    Stage { roots: [stay, follow(first), follow(second)], len: 1 + more, ..stage }
+}
+
+/// Zero for what a joint that is free may be off by.
+fn beyond_free<T: Tolerances>(gap: T) -> T {
+    (gap - T::VANISHING).max(T::ZERO)
 }
 
 /// The joint angles at which both see the vector.
@@ -99,4 +158,89 @@ fn angles<T: Tolerances>(x: &Sight<T>, z: &Sight<T>, h: [T; 3]) -> [Turn<T>; 2] 
 fn turn<T: Tolerances>([ux, uy, _]: [T; 3], [vx, vy, _]: [T; 3]) -> Turn<T> {
     let (sin, cos) = (ux * vy - uy * vx, ux * vx + uy * vy);
     if sin == T::ZERO && cos == T::ZERO { Turn::ZERO } else { Turn::towards(sin, cos) }
+}
+
+/// `u + k v`
+fn plus<T: Tolerances>([a, b, c]: [T; 3], [d, e, f]: [T; 3], k: T) -> [T; 3] {
+    [a + k * d, b + k * e, c + k * f]
+}
+
+fn times<T: Tolerances>(u: [T; 3], k: T) -> [T; 3] {
+    u.map(|e| e * k)
+}
+
+/// A vector of length 1, if there is a direction.
+fn unit<T: Tolerances>(u: [T; 3]) -> [T; 3] {
+    let square = dot(u, u);
+    if square > T::ZERO { times(u, T::ONE / square.sqrt()) } else { u }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::JointMask;
+    use crate::math::wrap;
+    use std::vec::Vec;
+
+    fn homes() -> [Home<f64>; 2] {
+        [(0, 0.3), (1, -0.8)].map(|(joint, value)| Home { value, joint: JointMask::single(joint) })
+    }
+
+    /// Axes at the angle `between` to each other and a slide askew to both, and what joints at `(x, z)` move onto `h`.
+    fn sights(between: f64, h: [f64; 3], [x, z]: [f64; 2]) -> [Sight<f64>; 2] {
+        let (s, c) = between.sin_cos();
+        let frame_x = [[0.6, 0.8, 0.0], [-0.48, 0.36, 0.8], [0.64, -0.48, 0.6]];
+        // Turned about the first axis of x.
+        let turned = |v: [f64; 3], w: [f64; 3], c: f64, s: f64| plus(times(v, c), w, s);
+        let [e1, e2, e3] = frame_x;
+        let frame_z = [e1, turned(e2, e3, c, s), turned(e3, e2, c, -s)];
+        let seen = |frame: [[f64; 3]; 3], turn: f64| {
+            let [u, v, w] = frame.map(|row| dot(row, h));
+            [u * turn.cos() - v * turn.sin(), v * turn.cos() + u * turn.sin(), w]
+        };
+        [Sight { moved: seen(frame_x, x), frame: frame_x }, Sight { moved: seen(frame_z, -z), frame: frame_z }]
+    }
+
+    fn found(stage: &Stage<f64, 2, 3>, wanted: [f64; 2]) -> f64 {
+        let roots: Vec<_> = stage.roots.iter().take(stage.len).collect();
+        let apart = |root: &[Turn<f64>; 2]| {
+            root.iter().zip(wanted).map(|(turn, wanted)| wrap(turn.value - wanted).abs()).fold(0.0, f64::max)
+        };
+        roots.into_iter().map(apart).fold(f64::INFINITY, f64::min)
+    }
+
+    #[test]
+    fn what_both_see_comes_back_at_every_angle_between_the_axes() {
+        for (between, accuracy) in
+            [(1.1, 1e-14), (3.0, 1e-13), (1e-3, 1e-11), (1e-6, 1e-8), (core::f64::consts::PI - 1e-6, 1e-8)]
+        {
+            for k in 0..100 {
+                let [a, b, x, z] = [0.7, 1.9, 2.3, 3.1].map(|step| f64::from(k) * step);
+                let h = [a.cos() * b.sin(), a.sin() * b.sin(), b.cos()];
+                let (x, z) = (wrap(x), wrap(z));
+                let [over_x, over_z] = sights(between, h, [x, z]);
+                let stage = aim(homes(), over_x, over_z);
+                // Where the cones touch, two roots are as far apart as the root of rounding.
+                let accuracy = accuracy / stage.amplitude.clamp(1e-8, 1.0);
+                assert!(found(&stage, [x, z]) < accuracy.max(1e-13), "{between} {k}: {stage:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_joint_whose_axis_the_vector_lies_along_is_free() {
+        let [over_x, over_z] = sights(0.9, [0.64, -0.48, 0.6], [0.0, 0.4]);
+        let stage = aim(homes(), over_x, over_z);
+        assert_eq!((stage.free, stage.len, stage.gap), (JointMask::single(0), 1, 0.0));
+        assert!(found(&stage, [0.3, 0.4]) < 1e-15);
+    }
+
+    #[test]
+    fn parallel_axes_leave_the_first_joint_free_and_offer_what_the_slide_does_not_move() {
+        let [over_x, over_z] = sights(0.0, [1.0, 0.0, 0.0], [0.9, 0.4]);
+        let stage = aim(homes(), over_x, over_z);
+        assert_eq!((stage.free, stage.len, stage.gap), (JointMask::single(0), 3, 0.0));
+        // h is at right angles to the slide, the third axis, at x = 0.9.
+        assert!(found(&stage, [0.9, 0.4]) < 1e-15 && found(&stage, [0.3, 1.0]) < 1e-15, "{stage:?}");
+    }
 }

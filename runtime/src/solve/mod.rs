@@ -14,6 +14,7 @@
 //! | [`align`] | turn one plane vector onto another |
 //! | [`flip`], [`wrist`] | an orthogonal pair or triple of axes: two roots half a turn apart |
 //! | [`slide`], [`slide_to`], [`quadratic`] | a sliding joint reaches a given distance |
+//! | [`slide_turning`] | the same and an angle, from two components across another slide |
 //! | [`aim`] | one direction seen over a sliding joint |
 //! | [`pair`], [`pair_turning`], [`pair_sliding`] | two equations in two joints that no other kernel separates (a quartic) |
 //!
@@ -39,6 +40,7 @@ mod select;
 mod separated;
 mod settle;
 mod slide;
+mod slide_turning;
 mod stage;
 mod steps;
 mod swivel;
@@ -57,6 +59,7 @@ pub use pair::{pair, pair_sliding, pair_turning};
 pub use search::{Facts, Search};
 pub use select::{Every, Select};
 pub use slide::{quadratic, slide, slide_to};
+pub use slide_turning::slide_turning;
 pub use stage::{Measure, Stage, Trail};
 pub use steps::steps;
 pub use swivel::{Swivel, swivel};
