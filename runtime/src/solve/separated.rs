@@ -65,6 +65,13 @@ fn in_turn<T: Tolerances>(
     let mut roots = [[Turn::ZERO; 2]; 4];
     let mut slots = roots.iter_mut();
     let (mut len, mut free) = (0, first.free);
+    // A free z stays where x can follow it; else it goes to the middle of where x can.
+    let beyond = |[z]: &[Turn<T>; 1]| {
+        let wanted = rc * z.cos + rs * z.sin + r0 - p1;
+        wanted * wanted > pc * pc + ps * ps
+    };
+    let moved = !free.is_empty() && first.roots.first().is_some_and(beyond);
+    let first = if moved { offset(home_z, Measure::DIRECTION, rc, rs, p1 - r0) } else { first };
     for [z] in first.roots.iter().take(first.len) {
         let wanted = rc * z.cos + rs * z.sin + r0 - p1;
         let second = offset(home_x, Measure::DIRECTION, pc, ps, wanted);
