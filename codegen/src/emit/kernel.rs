@@ -121,10 +121,16 @@ impl<'a> Calls<'a> {
                 let across = quote!([#(#x,)* #(#z),*]);
                 quote!(#krate::solve::pair_turning([#home, #second], #measure, [#(#p),*], [#(#q),*], #across))
             }
-            Kernel::PairSliding { line, scale, square, q } => {
+            Kernel::PairSliding { line, scale, square, q, sliding, turning } => {
                 let (line, q) = (row(line), row(q));
+                let sliding = sliding.iter().map(|[factor, constant]| {
+                    let (factor, constant) = (w(factor), w(constant));
+                    quote!([#factor, #constant])
+                });
+                let turning = turning.iter().map(row);
+                let across = quote!(([#(#sliding),*], [#(#turning),*]));
                 let (scale, square) = (w(scale), square.iter().map(w));
-                quote!(#krate::solve::pair_sliding(#measure, #line, #scale, [#(#square),*], #q))
+                quote!(#krate::solve::pair_sliding(#measure, #line, #scale, [#(#square),*], #q, #across))
             }
             Kernel::Quadratic { coefficients } => {
                 let coefficients = row(coefficients);

@@ -111,7 +111,7 @@ fn pivot(g: &mut Graph, plan: &Plan, stage: &Stage) -> (Expr, u32) {
             let (left, right) = (g.mul(px, qz), g.mul(qx, pz));
             (g.sub(left, right), pair_power(plan))
         }
-        Kernel::PairSliding { line: [lc, ls, _], scale, square: [m, _], q: [qc, qs, _] } => {
+        Kernel::PairSliding { line: [lc, ls, _], scale, square: [m, _], q: [qc, qs, _], .. } => {
             let position = g.symbol(format!("q{}", plan.label(first)));
             let z = variable(g, plan, second);
             let (line, square) = (derivative(g, [*lc, *ls], z), derivative(g, [*qc, *qs], z));

@@ -206,11 +206,21 @@ fn together(c: &mut Closure, a: &Side, b: &Side, ny: &str) -> Result<(), Refusal
     if other.turns {
         let square = square(c, other);
         let k = c.g.sub(other_row.k, row.k);
+        let [across_a, across_b] = across(c);
+        let (across_s, across_o) = if a.turns { (across_b, across_a) } else { (across_a, across_b) };
+        let sliding = across_s.map(|direction| {
+            let from = c.g.sub3(slides.moved, slides.origin);
+            let factor = Side::along(direction);
+            [if slides.stroke() { c.g.neg(factor) } else { factor }, c.g.dot3(direction, from)]
+        });
+        let turning = still_rows(c, other, across_o, [Expr::ZERO; 2]);
         let kernel = Kernel::PairSliding {
             line: [other_row.c, other_row.s, k],
             scale: row.c,
             square: [m1, n1],
             q: square.array(),
+            sliding,
+            turning,
         };
         let joints = [(slides.joint, Angle::ZERO), (other.joint, Angle::ZERO)];
         c.stage(&joints, slides.joint, Unit::Length, Branching::Root, meaning, kernel);

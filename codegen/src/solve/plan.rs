@@ -310,6 +310,11 @@ pub enum Kernel {
         square: [Expr; 2],
         /// Of the cosine, of the sine, constant.
         q: [Expr; 3],
+        /// The vector's components across the axis of the joint between the two, as the sliding joint moves it: factor and
+        /// constant.
+        sliding: [[Expr; 2]; 2],
+        /// The same as the turning joint moves it, as rows.
+        turning: [[Expr; 3]; 2],
     },
     /// `a x^2 + b x + c = 0`, sliding.
     Quadratic {
@@ -356,8 +361,9 @@ impl Kernel {
                 let across = across.iter().flatten().flatten().flatten().copied().collect();
                 [p.concat(), q.concat(), across].concat()
             }
-            Kernel::PairSliding { line, scale, square, q } => {
-                [line.to_vec(), vec![*scale], square.to_vec(), q.to_vec()].concat()
+            Kernel::PairSliding { line, scale, square, q, sliding, turning } => {
+                let across = [sliding.concat(), turning.concat()].concat();
+                [line.to_vec(), vec![*scale], square.to_vec(), q.to_vec(), across].concat()
             }
             Kernel::Quadratic { coefficients } => coefficients.to_vec(),
         }

@@ -52,11 +52,11 @@ pub(super) fn at<T: Tolerances>([a, b, k]: &Row<T>, turn: &Turn<T>) -> T {
     *a * turn.cos + *b * turn.sin + *k
 }
 
-fn slope<T: Tolerances>([a, b, _]: &Row<T>, turn: &Turn<T>) -> T {
+pub(super) fn slope<T: Tolerances>([a, b, _]: &Row<T>, turn: &Turn<T>) -> T {
     *b * turn.cos - *a * turn.sin
 }
 
-fn curvature<T: Tolerances>([a, b, _]: &Row<T>, turn: &Turn<T>) -> T {
+pub(super) fn curvature<T: Tolerances>([a, b, _]: &Row<T>, turn: &Turn<T>) -> T {
     -(*a * turn.cos + *b * turn.sin)
 }
 

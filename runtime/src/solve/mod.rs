@@ -31,6 +31,7 @@ mod curve;
 mod distance;
 mod elsewhere;
 mod goal;
+mod lengths;
 mod offset;
 mod offset_of_two;
 mod pair;

@@ -2,6 +2,7 @@
 
 use super::circle::{Circle, angles};
 use super::curve::{Across, Row, at, beside, newton};
+use super::lengths::Lengths;
 use super::separated::{combined, separated};
 use super::{Home, Measure, Stage, Tolerances, Turn};
 
@@ -35,12 +36,38 @@ pub fn pair_turning<T: Tolerances>(
     let across = Across { x: [x1, x2], z: [z1, z2] };
     let (p, q) = normalized(measure, p, q);
     let mut stage = candidates(homes, &p, &q);
+    let rows = [&p[0], &q[0]];
+    with_twins(&mut stage, apart, |root| {
+        let itself = newton(&p, &q, *root);
+        let size = across.relative(root);
+        let near = if size < T::DOUBTFUL { beside(rows, &across, *root) } else { [None; 2] };
+        Polished { itself, near, size, poor: across.gap(rows, &itself) > T::VANISHING }
+    });
+    finished(stage, homes, measure, [&p, &q])
+}
+
+/// A root of two equations, made accurate.
+struct Polished<T> {
+    /// The root itself.
+    itself: [Turn<T>; 2],
+    /// The two roots that there may be where the vector to be turned nearly vanishes.
+    near: [Option<[Turn<T>; 2]>; 2],
+    /// How long that vector is, relative to what it may be.
+    size: T,
+    /// Whether the root itself is no root.
+    poor: bool,
+}
+
+/// Replaces every root by what `polish` makes of it: two candidates for two close roots by one each.
+fn with_twins<T: Tolerances>(
+    stage: &mut Stage<T, 2, 4>,
+    apart: impl Fn(&[Turn<T>; 2], &[Turn<T>; 2]) -> T,
+    polish: impl Fn(&[Turn<T>; 2]) -> Polished<T>,
+) {
     let mut found = stage.roots;
     let mut done = 0;
     while let Some(&root) = found.get(done).filter(|_| done < stage.len) {
-        let itself = newton(&p, &q, root);
-        let size = across.relative(&root);
-        let near = if size < T::DOUBTFUL { beside([&p[0], &q[0]], &across, root) } else { [None; 2] };
+        let Polished { itself, near, size, poor } = polish(&root);
         // Two candidates for two roots that are closer than the quartic tells apart, which is the fourth root of
         // rounding at worst: one each.
         let close = |other: &[Turn<T>; 2]| apart(other, &root) < T::COINCIDENT.sqrt();
@@ -57,7 +84,6 @@ pub fn pair_turning<T: Tolerances>(
                 .min_by(|a, b| apart(a, &root).partial_cmp(&apart(b, &root)).unwrap_or(core::cmp::Ordering::Equal));
             // One that is farther away belongs to another candidate, unless this one is no root itself.
             let close = size * T::HALF * T::HALF + T::COINCIDENT;
-            let poor = across.gap([&p[0], &q[0]], &itself) > T::VANISHING;
             [nearest.filter(|found| poor || apart(found, &root) < close).or(Some(itself)), None]
         };
         for value in pair.into_iter().flatten() {
@@ -67,17 +93,21 @@ pub fn pair_turning<T: Tolerances>(
             done += 1;
         }
     }
-    finished(stage, homes, measure, [&p, &q])
 }
 
 /// Solves `scale x = line (cos z, sin z, 1)` and `x^2 + m x + n = q (cos z, sin z, 1)` for `(x, z)`, `x` sliding;
 /// `scale` is a constant that does not vanish.
+///
+/// A joint between the two turns one vector onto another: `sliding` has its components across that joint's axis as `x` moves
+/// it, `[of x, constant]`, and `turning` the rows of `z`. Their lengths are equal, and known to rounding where the quartic
+/// knows two close roots to its root only.
 pub fn pair_sliding<T: Tolerances>(
     measure: Measure<T>,
     line: Row<T>,
     scale: T,
     [m, n]: [T; 2],
     q: Row<T>,
+    (sliding, turning): ([[T; 2]; 2], [Row<T>; 2]),
 ) -> Stage<T, 2, 4> {
     let [a, b, c] = line.map(|k| k / scale);
     let circle = Circle {
@@ -86,11 +116,17 @@ pub fn pair_sliding<T: Tolerances>(
         k2: [(a * a - b * b) * T::HALF, a * b],
     };
     let (roots, len) = angles(&circle);
-    let roots = roots.map(|angle| {
-        let z = Turn::at(angle);
-        [Turn::position(a * z.cos + b * z.sin + c), z]
+    let along = |z: Turn<T>| [Turn::position(a * z.cos + b * z.sin + c), z];
+    let roots = roots.map(|angle| along(Turn::at(angle)));
+    let mut stage = Stage { len, doubt: true, ..Stage::solved(roots, measure) };
+    let lengths = Lengths { of_x: sliding.map(|[u, k]| [u * a, u * b, u * c + k]), of_z: turning };
+    let between = |[_, z]: &[Turn<T>; 2], [_, w]: &[Turn<T>; 2]| crate::math::wrap(z.value - w.value).abs();
+    with_twins(&mut stage, between, |&[x, z]| {
+        let size = lengths.relative(&z);
+        let near = lengths.equal_beside(z).map(|z| z.map(along));
+        Polished { itself: [x, z], near, size, poor: lengths.gap(&z) > T::VANISHING }
     });
-    Stage { len, doubt: true, ..Stage::solved(roots, measure) }
+    stage
 }
 
 /// The larger of the distances in x and z.

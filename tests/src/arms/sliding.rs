@@ -229,6 +229,22 @@ joints:
   - {a: 0, alpha: -90, d: 0, theta: 0}
   - {a: 0, alpha: 0, d: 0.1, theta: 0}
 " };
+            prrrrr_meet_456_steep PrrrrrMeet456Steep 6 inverse { yaml = "
+# PRRRRR, axes 4, 5, 6 meet; axes 1 and 2 nearly at right angles, so that the slide hardly shows along axis 2
+name: prrrrr_meet_456_steep
+convention: modified
+units: {length: m, angle: deg}
+inverse: {task: pose, require: true}
+joints:
+  - {type: prismatic, a: 0.316, alpha: -103.8, d: 0.262, theta: 39.9, limits: [-0.3, 0.15]}
+  - {a: 0.3, alpha: 91.2, d: -0.268, theta: -54.9}
+  - {a: -0.201, alpha: -98.6, d: 0.377, theta: -164.7}
+  - {a: 0.429, alpha: -98.6, d: 0.302, theta: -153.6}
+  - {a: 0, alpha: 57.1, d: 0, theta: -163.7}
+  - {a: 0, alpha: -76.9, d: 0.111, theta: -69.6}
+base: {xyz: [-0.018, -0.085, -0.104], rpy: [91.4, 132, -49.2]}
+tool: {xyz: [0.016, -0.104, -0.16], rpy: [-85.6, 92.6, -96]}
+" };
         }
     };
 }
