@@ -41,13 +41,17 @@ impl<T: Tolerances> Lengths<T> {
     /// The steps to where the lengths are equal, to second order, the difference of their squares as a product; none that is too far.
     fn steps(&self, z: &Turn<T>) -> [Option<T>; 2] {
         let second = |rows: &[Row<T>; 2]| {
-            rows.iter().fold([T::ZERO; 2], |[n1, n2], row| {
+            rows.iter().fold([T::ZERO; 3], |[n1, n2, size], row| {
                 let (v, d, c) = (at(row, z), slope(row, z), curvature(row, z));
-                [n1 + v * d, n2 + d * d + v * c]
+                [n1 + v * d, n2 + d * d + v * c, size + d * d + (v * c).abs()]
             })
         };
-        let ([a1, a2], [b1, b2], [a0, b0]) = (second(&self.of_x), second(&self.of_z), self.lengths(z));
+        let ([a1, a2, size_a], [b1, b2, size_b], [a0, b0]) = (second(&self.of_x), second(&self.of_z), self.lengths(z));
         let (a, half, c) = (a2 - b2, a1 - b1, (a0 - b0) * (a0 + b0));
+        // Three roots that meet are more than a second order knows.
+        if !(a.abs() > T::DOUBTFUL * (size_a + size_b)) {
+            return [None; 2];
+        }
         let root = (half * half - a * c).max(T::ZERO).sqrt();
         let larger = if half < T::ZERO { root - half } else { -half - root };
         let step = |n: T, d: T| {

@@ -245,6 +245,20 @@ joints:
 base: {xyz: [-0.018, -0.085, -0.104], rpy: [91.4, 132, -49.2]}
 tool: {xyz: [0.016, -0.104, -0.16], rpy: [-85.6, 92.6, -96]}
 " };
+            rrrrrp_meet_123_square RrrrrpMeet123Square 6 inverse { yaml = "
+# RRRRRP, axes 1, 2, 3 meet; three roots of the quartic meet on the grid of 45 degrees
+name: rrrrrp_meet_123_square
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose, require: true}
+joints:
+  - {a: 0, alpha: -90, d: 0, theta: 180}
+  - {a: 0, alpha: 45, d: 0, theta: 0}
+  - {a: 0.1, alpha: 0, d: 0.1, theta: 0}
+  - {a: -0.2, alpha: 90, d: -0.2, theta: -90}
+  - {a: 0, alpha: 45, d: 0.2, theta: 0}
+  - {type: prismatic, a: 0.1, alpha: 0, d: -0.2, theta: 0, limits: [-0.3, 0.68]}
+" };
         }
     };
 }

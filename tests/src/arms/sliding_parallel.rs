@@ -203,21 +203,21 @@ joints:
 base: {xyz: [0.24, 0.125, 0.069], rpy: [90, 180, 90]}
 tool: {xyz: [0.178, 0.188, -0.249], rpy: [-90, 180, 90]}
 " };
-            prrrrr_parallel_345_square PrrrrrParallel345Square 6 inverse { yaml = "
-# PRRRRR, axes 3, 4, 5 are parallel, axes 2 and 6 where the sum of q3, q4, q5 is 0
-name: prrrrr_parallel_345_square
+            rrrrrp_parallel_234_square RrrrrpParallel234Square 6 inverse { yaml = "
+# RRRRRP, axes 2, 3, 4 are parallel, axes 1 and 5 where the sum of q2, q3, q4 is 0
+name: rrrrrp_parallel_234_square
 convention: standard
 units: {length: m, angle: deg}
 inverse: {task: pose, require: true}
 joints:
-  - {type: prismatic, a: -0.2, alpha: 90, d: 0, theta: 0, limits: [-0.1, 0.66]}
-  - {a: 0.2, alpha: 90, d: 0.4, theta: 0}
-  - {a: 0.1, alpha: 0, d: 0, theta: 0}
-  - {a: 0.4, alpha: 0, d: 0, theta: 0}
-  - {a: -0.2, alpha: 90, d: 0.3, theta: -90}
-  - {a: 0.2, alpha: 0, d: 0.3, theta: 180}
-base: {xyz: [0.012, -0.266, 0.271], rpy: [0, 90, 0]}
-tool: {xyz: [-0.185, 0.256, 0.24], rpy: [-90, 0, 90]}
+  - {a: 0.4, alpha: 90, d: 0.1, theta: -90}
+  - {a: 0.4, alpha: 0, d: 0, theta: 180}
+  - {a: 0.3, alpha: 0, d: 0.4, theta: 0}
+  - {a: 0.2, alpha: -90, d: 0.1, theta: 0}
+  - {a: -0.2, alpha: 90, d: 0.1, theta: 90}
+  - {type: prismatic, a: 0.1, alpha: 0, d: 0.3, theta: 180, limits: [0, 0.78]}
+base: {xyz: [0.032, -0.155, 0.29], rpy: [45, 180, 180]}
+tool: {xyz: [0.009, -0.21, 0.298], rpy: [0, 90, 0]}
 " };
         }
     };
