@@ -8,6 +8,7 @@ use super::closure::{Closure, WRIST};
 use super::plan::{Branching, Kernel, Unit};
 use super::rows::Row;
 use super::sides::Side;
+use super::two_slides::{one_slides, still_rows};
 use crate::model::Angle;
 use crate::symbolic::{Expr, Vec3};
 
@@ -330,86 +331,4 @@ fn sliding(c: &mut Closure, y: usize, a: Side, b: Side) -> Result<(), Refusal> {
     let meaning = format!("Joint {ny}: the difference along its axis.");
     c.stage(&[(y, Angle::ZERO)], y, Unit::Length, Branching::None, meaning, kernel);
     Ok(())
-}
-
-/// The components across y's axis over a turning side, less those of the still part over the other.
-fn still_rows(c: &mut Closure, other: &Side, across: [Vec3; 2], still: [Expr; 2]) -> [[Expr; 3]; 2] {
-    let mut still = still.into_iter();
-    across.map(|direction| {
-        let dot = c.g.dot3(direction, other.origin);
-        let sum = c.g.add(dot, still.next().unwrap_or(Expr::ZERO));
-        let k = c.g.neg(sum);
-        other.row(c, direction, k).array()
-    })
-}
-
-/// With y and one more joint sliding: the direction across both gives the third joint. With all three sliding both
-/// components are linear.
-fn one_slides(c: &mut Closure, sides: [&Side; 2], across: [[Vec3; 2]; 2], ny: &str) {
-    let w = c.center();
-    let [a, b] = sides;
-    let [across_a, across_b] = across;
-    let (slides, other, across_s, across_o) =
-        if a.turns { (b, a, across_b, across_a) } else { (a, b, across_a, across_b) };
-    // The stroke in the plane across y's axis, and the still parts of both sides.
-    let signed = |c: &mut Closure, side: &Side, e: Expr| if side.stroke() { c.g.neg(e) } else { e };
-    let stroke = across_s.map(|direction| signed(c, slides, Side::along(direction)));
-    let still = |c: &mut Closure, side: &Side, directions: [Vec3; 2]| {
-        let from = c.g.sub3(side.moved, side.origin);
-        directions.map(|direction| c.g.dot3(direction, from))
-    };
-    let still_s = still(c, slides, across_s);
-    if other.turns && stroke.iter().any(|e| c.g.constant(*e).is_none()) {
-        let rows = still_rows(c, other, across_o, still_s);
-        let (m, n) = (c.label(other.joint), c.label(slides.joint));
-        let meaning = format!("Joints {m} and {n} together: {w} has equal components across axis {ny}.");
-        let joints = [(other.joint, Angle::ZERO), (slides.joint, Angle::ZERO)];
-        let kernel = Kernel::SlideTurning { stroke, rows };
-        c.stage(&joints, other.joint, Unit::Length, Branching::Shoulder, meaning, kernel);
-        return;
-    }
-    let [sx, sy] = stroke;
-    // n is across the stroke: n . (plane part) does not depend on it.
-    let normal = [c.g.neg(sy), sx];
-    let combine = |c: &mut Closure, n: [Expr; 2], v: [Expr; 2]| {
-        let ([nx, ny], [vx, vy]) = (n, v);
-        let (p, q) = (c.g.mul(nx, vx), c.g.mul(ny, vy));
-        c.g.add(p, q)
-    };
-    let value = combine(c, normal, still_s);
-    let (m, n) = (c.label(other.joint), c.label(slides.joint));
-    let meaning = format!("Joint {m}: {w} has equal components across axes {ny} and {n}.");
-    let plane_of_other = if other.turns {
-        let direction = {
-            let [first, second] = across_o;
-            let [nx, ny] = normal;
-            let (p, q) = (c.g.scale3(nx, first), c.g.scale3(ny, second));
-            c.g.add3(p, q)
-        };
-        let dot = c.g.dot3(direction, other.origin);
-        let k = c.g.neg(dot);
-        let row = other.row(c, direction, k);
-        other.offset(c, row, value, Unit::Length, Branching::Shoulder, meaning);
-        let point = other.point(c);
-        let from = c.g.sub3(point, other.origin);
-        across_o.map(|direction| c.g.dot3(direction, from))
-    } else {
-        let still_o = still(c, other, across_o);
-        let stroke_o = across_o.map(|direction| signed(c, other, Side::along(direction)));
-        let slope = combine(c, normal, stroke_o);
-        let constant = combine(c, normal, still_o);
-        let numerator = c.g.sub(value, constant);
-        other.slide_to(c, slope, numerator, meaning);
-        let position = c.position(other.joint);
-        let [ox, oy] = stroke_o;
-        let moved = [c.g.mul(ox, position), c.g.mul(oy, position)];
-        let ([px, py], [qx, qy]) = (still_o, moved);
-        [c.g.add(px, qx), c.g.add(py, qy)]
-    };
-    let ([px, py], [qx, qy]) = (plane_of_other, still_s);
-    let difference = [c.g.sub(px, qx), c.g.sub(py, qy)];
-    let numerator = combine(c, stroke, difference);
-    let denominator = combine(c, stroke, stroke);
-    let meaning = format!("Joint {n}: the difference along its stroke.");
-    slides.slide_to(c, denominator, numerator, meaning);
 }

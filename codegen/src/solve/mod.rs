@@ -24,6 +24,7 @@ mod sides;
 mod swivel;
 mod task;
 mod triple;
+mod two_slides;
 mod words;
 
 pub use asked::PlanTask;
