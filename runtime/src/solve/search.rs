@@ -67,6 +67,8 @@ pub(super) struct Doubts<T, const M: usize> {
     pub(super) elsewhere: Elsewhere<M>,
     /// Bit i: solution i is to be checked in full.
     pub(super) solutions: u32,
+    /// Of these the ones that count only where no other closes.
+    pub(super) last_resorts: u32,
     /// For each solution the joints that are free or nearly so.
     pub(super) loose: [JointMask; M],
     /// The least gap at which a branch ended.
@@ -74,7 +76,13 @@ pub(super) struct Doubts<T, const M: usize> {
 }
 
 impl<T: Tolerances, const M: usize> Doubts<T, M> {
-    const NONE: Self = Self { elsewhere: Elsewhere::START, solutions: 0, loose: [JointMask::NONE; M], least_gap: None };
+    const NONE: Self = Self {
+        elsewhere: Elsewhere::START,
+        solutions: 0,
+        last_resorts: 0,
+        loose: [JointMask::NONE; M],
+        least_gap: None,
+    };
 
     /// A branch has ended at a gap.
     pub(super) fn ended(&mut self, gap: T) {
@@ -200,6 +208,7 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
             // by a lot where they are near the edge of their range.
             let nearly = gap <= tolerance * T::from_f64(100.0);
             next.ended = trail.free.is_empty() && trail.weak.is_empty() && !nearly;
+            next.last_resort = !trail.doubt;
         }
         if next.ended {
             self.doubts().ended(gap);
@@ -223,18 +232,19 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
             residual: Residual { position: trail.gap.position, orientation },
         };
         if self.solutions.push(solution) && trail.doubt {
-            self.doubt(at, trail.free | trail.weak);
+            self.doubt(at, trail);
         }
     }
 
     /// The solution at an index is to be checked in full.
     #[cold]
     #[inline(never)]
-    fn doubt(&mut self, at: usize, joints: JointMask) {
-        let doubts = self.doubts();
-        doubts.solutions |= 1u32.checked_shl(at as u32).unwrap_or(0);
+    fn doubt(&mut self, at: usize, trail: &Trail<T>) {
+        let (doubts, bit) = (self.doubts(), 1u32.checked_shl(at as u32).unwrap_or(0));
+        doubts.solutions |= bit;
+        doubts.last_resorts = doubts.last_resorts & !bit | if trail.last_resort { bit } else { 0 };
         if let Some(loose) = doubts.loose.get_mut(at) {
-            *loose = joints;
+            *loose = trail.free | trail.weak;
         }
     }
 

@@ -25,11 +25,17 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
     #[inline(never)]
     pub(super) fn settle(&mut self, evaluate: &impl Evaluate<T, N>) {
         let found = *self.solutions;
-        let Doubts { elsewhere, solutions, loose, .. } = *self.doubts();
+        let Doubts { elsewhere, solutions, last_resorts, loose, .. } = *self.doubts();
         let before = elsewhere.settled;
         self.solutions.truncate(before);
-        for (index, solution) in found.iter().enumerate().skip(before) {
-            let doubtful = solutions.checked_shr(index as u32).unwrap_or(0) & 1 == 1;
+        let bit = |mask: u32, index: usize| mask.checked_shr(index as u32).unwrap_or(0) & 1 == 1;
+        let pass =
+            |last: bool| found.iter().enumerate().skip(before).filter(move |(at, _)| bit(last_resorts, *at) == last);
+        for (index, solution) in pass(false).chain(pass(true)) {
+            if bit(last_resorts, index) && self.solutions.iter().any(|other| other.flags.contains(Flags::EXACT)) {
+                break;
+            }
+            let doubtful = bit(solutions, index);
             let loose = loose.get(index).copied().unwrap_or(JointMask::NONE);
             let (checked, near) =
                 if doubtful { self.checked(solution, loose, evaluate) } else { (Some(*solution), true) };

@@ -53,6 +53,9 @@ pub struct Trail<T> {
     pub(super) ended: bool,
     /// A stage has no root near the branch, but a joint before it is free and may be elsewhere.
     pub(super) missed: bool,
+    /// A stage is missed by a little more than the tolerance, and nothing before it is in doubt: such a branch counts
+    /// only where no other one closes, as the nearest approach.
+    pub(super) last_resort: bool,
 }
 
 impl<T: Tolerances> Trail<T> {
@@ -66,6 +69,7 @@ impl<T: Tolerances> Trail<T> {
         doubt: false,
         ended: false,
         missed: false,
+        last_resort: false,
     };
 
     /// Adds what a doubtful stage has met.
