@@ -122,10 +122,28 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
             }
             pub fn inverse_branch <#(#near),*> (
                 &self,
-                _: &#target,
+                _: &#target
+                #given,
                 _: #krate::Branch,
             ) -> ::core::result::Result<#krate::Solution<#number, #q>, #krate::Status<#number>> {
                 ::core::result::Result::Err(#krate::Status::BadTarget)
+            }
+            pub fn residual <#(#near),*> (&self, _: &[#number; #q], _: &#target) -> #krate::Residual<#number> {
+                #krate::Residual::ZERO
+            }
+            pub fn sample_redundancy #any_target_list (
+                &self,
+                _: &#target,
+                _: ::core::primitive::usize,
+            ) -> impl ::core::iter::Iterator<Item = (#number, #solutions)> {
+                ::core::iter::empty()
+            }
+            pub fn arm_angle #any_list (&self, _: &[#number; #q]) -> #number {
+                0.0
+            }
+            // Three are the usual ones: shoulder, elbow, wrist.
+            pub fn margins #any_list (&self, _: &[#number; #q]) -> [#krate::Margin<#number>; 3] {
+                loop {}
             }
             pub fn inverse_near <#(#near),*> (&self, _: &#target, _: &[#number; #q]) -> #solutions {
                 #krate::Solutions::new(#krate::Status::BadTarget)

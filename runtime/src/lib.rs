@@ -14,10 +14,10 @@
 //! # Features
 //! | feature | default | gives |
 //! |---|---|---|
-//! | `std` | yes | the elementary functions of the standard library |
+//! | `std` | yes | the square root of the standard library, faster than the one here |
 //! | `derive` | yes | `#[derive(Arm)]` |
 //! | `nalgebra` | yes | conversions to and from nalgebra; with `std` also `Chain`, an arm from its table at run time |
-//! | `libm` | no | the elementary functions of the `libm` crate, for targets without `std` |
+//! | `libm` | no | the square root of the `libm` crate, for targets without `std` |
 //!
 //! Only `Chain` allocates.
 

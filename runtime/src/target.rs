@@ -45,9 +45,31 @@ impl<A: Arm<T, N>, T: Tolerances, const N: usize> Target<A, T, N> for PlanarPose
     }
 }
 
-impl<A: InverseKinematics<T, N, Target = Self>, T, const N: usize> Target<A, T, N> for PointAxis<T> {
+/// A target as an arm takes it: itself, or with the value of a redundant joint, which the residual does not look at.
+pub trait PartOf<W> {
+    /// With that value, if the arm takes one.
+    fn whole(&self) -> W;
+}
+
+impl<T: Scalar> PartOf<PointAxis<T>> for PointAxis<T> {
+    fn whole(&self) -> PointAxis<T> {
+        *self
+    }
+}
+
+impl<T: Scalar> PartOf<(PointAxis<T>, T)> for PointAxis<T> {
+    fn whole(&self) -> (PointAxis<T>, T) {
+        (*self, T::ZERO)
+    }
+}
+
+impl<A, T, const N: usize> Target<A, T, N> for PointAxis<T>
+where
+    A: InverseKinematics<T, N>,
+    Self: PartOf<A::Target>,
+{
     fn missed_by(&self, arm: &A, q: &[T; N]) -> Residual<T> {
-        arm.residual(q, self)
+        arm.residual(q, &self.whole())
     }
 }
 

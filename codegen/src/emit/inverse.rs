@@ -57,7 +57,20 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
     let labels = (1..=plan.joints()).map(|i| i.to_string()).chain(plan.slots.iter().map(|slot| slot.label.clone()));
     let prefixes = ["q", "index", "roots", "trail", "elbow", "cone", "phase"];
     let reserved = labels.flat_map(|label| prefixes.map(|prefix| format!("{prefix}{label}")));
-    let names = ["agreed", "search", "solutions", "start", "target", "near", "arm", "goal", "frame", "swing", "wanted"];
+    let names = [
+        "agreed",
+        "locked",
+        "search",
+        "solutions",
+        "start",
+        "target",
+        "near",
+        "arm",
+        "goal",
+        "frame",
+        "swing",
+        "wanted",
+    ];
     // The size of an arm with run-time parameters.
     let sizes: &[&str] = if model.parameters.is_empty() { &[] } else { &["reach", "facts", "length"] };
     let reserved = reserved.chain(names.iter().chain(sizes).map(|name| name.to_string()));

@@ -90,10 +90,14 @@ pub(super) fn function(
         let joint = integer(plan.task.locked.as_ref().map_or(plan.joints(), |locked| locked.joint));
         goal = match goal.is_empty() {
             true => quote!(let goal = &#krate::solve::Locked::new(target, #joint, #q);),
-            false => quote!(#goal let goal = &#krate::solve::Locked::new(goal, #joint, #q);),
+            false => quote!(#goal let locked = &#krate::solve::Locked::new(goal, #joint, #q);),
         };
     }
-    let sought = if goal.is_empty() { quote!(target) } else { quote!(goal) };
+    let sought = match (goal.is_empty(), given(plan)) {
+        (true, _) => quote!(target),
+        (false, Some(_)) if !task.goal.is_empty() => quote!(locked),
+        (false, _) => quote!(goal),
+    };
     let (facts, sizes) = if model.parameters.is_empty() {
         (quote!(&FACTS), TokenStream::new())
     } else {

@@ -25,20 +25,38 @@ impl Refusal {
     }
 }
 
-/// A task that is not covered for this number of joints.
-pub(super) fn not_covered(model: &Model, task: Option<Task>) -> Refusal {
-    let joints = model.joints.len();
-    let plural = if joints == 1 { "" } else { "s" };
-    let needs = match task {
+/// How many joints a task needs; without one, a pose.
+fn needs(task: Option<Task>) -> usize {
+    match task {
         Some(Task::Pose) | None => 6,
         Some(Task::PositionAxis) => 5,
         Some(Task::PositionAngle) => 4,
         Some(Task::Position | Task::PlanarPose) => 3,
         Some(Task::PlanarPosition) => 2,
-    };
+    }
+}
+
+/// Whether the arm has one joint more than its task needs, and the file does not name it.
+pub(super) fn is_one_more(model: &Model, task: Option<Task>) -> bool {
+    model.joints.len() == needs(task) + 1 && model.inverse.redundant.is_none()
+}
+
+/// One joint more than the task needs, and none whose value could be given.
+pub(super) fn none_to_spare(model: &Model, task: Option<Task>) -> Refusal {
+    let (joints, name) = (model.joints.len(), task.unwrap_or(Task::Pose).name());
+    Refusal::new(format!(
+        "{joints} moving joints are one more than the task `{name}` needs, and whichever value is given, the other axes \
+         have no three in a row that meet or are parallel"
+    ))
+}
+
+/// A task that is not covered for this number of joints.
+pub(super) fn not_covered(model: &Model, task: Option<Task>) -> Refusal {
+    let joints = model.joints.len();
+    let plural = if joints == 1 { "" } else { "s" };
     let name = task.unwrap_or(Task::Pose).name();
     Refusal::new(match task {
-        _ if joints == needs + 1 && model.inverse.redundant.is_none() => {
+        _ if is_one_more(model, task) => {
             format!(
                 "{joints} moving joints are one more than the task `{name}` needs: name the one whose value is given"
             )

@@ -39,7 +39,11 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, R
             failure.unwrap_or_else(|| refusal::not_covered(model, None))
         }
     };
-    Err(failed.or_else(alternatives(model, chain, geometry)))
+    let alternatives = alternatives(model, chain, geometry);
+    if alternatives.is_empty() && refusal::is_one_more(model, request.task) {
+        return Err(refusal::none_to_spare(model, request.task));
+    }
+    Err(failed.or_else(alternatives))
 }
 
 /// The tasks that an arm of so many joints may have.
@@ -64,6 +68,9 @@ fn attempt(task: Task, model: &Model, geometry: &Geometry, problem: &Problem) ->
         (Task::Pose, 4) => few::scara_pose(stroke_last(problem)?, asked),
         (Task::Position, 3) => position(problem),
         (Task::PositionAxis, 5) => position_axis(model.inverse.axis, problem),
+        (Task::PositionAngle, 4) if problem.locked.is_some() => Err(Refusal::new(
+            "the task `position_angle` takes no joint's value: the angle of the plane is the sum of all of them",
+        )),
         (Task::PositionAngle, 4) if few::yaws_and_pitches(&problem) => few::position_angle(problem, asked),
         (Task::PositionAngle, 4) => Err(Refusal::new(
             "the task `position_angle` needs a joint that yaws and then three parallel joints across its axis",

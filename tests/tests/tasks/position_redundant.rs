@@ -1,4 +1,4 @@
-//! Arms of four joints that place the tool point, one joint given.
+//! Arms of four joints that place the tool point, and of six that also point it, one joint given.
 
 arms! {
     rrrr_skew_q1 4 Position given 1 { yaml = "
@@ -86,5 +86,49 @@ joints:
   - {a: 0.25, alpha: 0, d: 0, theta: 0}
 base: {xyz: [-0.034, 0.059, -0.178], rpy: [-67.7, -2.3, -70.6]}
 tool: {xyz: [0.053, -0.337, -0.034], rpy: [67.1, 66.9, -98.5]}
+" };
+    ur_pointing_q6 6 PositionAxis(Z) given 6 { yaml = "
+# a UR5 with a symmetric tool: joint 6 may be anywhere
+name: ur_pointing_q6
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: position_axis, axis: z, redundant: q6, require: true}
+joints:
+  - {a: 0, alpha: 90, d: 0.089159, theta: 0}
+  - {a: -0.425, alpha: 0, d: 0, theta: 0}
+  - {a: -0.39225, alpha: 0, d: 0, theta: 0}
+  - {a: 0, alpha: 90, d: 0.10915, theta: 0}
+  - {a: 0, alpha: -90, d: 0.09465, theta: 0}
+  - {a: 0, alpha: 0, d: 0.0823, theta: 0}
+" };
+    puma_welding_q2 6 PositionAxis(X) given 2 { yaml = "
+# a Puma 560 with a torch, joint 2 given
+name: puma_welding_q2
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: position_axis, axis: x, redundant: q2, require: true}
+joints:
+  - {a: 0, alpha: 90, d: 0.67183, theta: 0}
+  - {a: 0.4318, alpha: 0, d: 0, theta: 0}
+  - {a: 0.0203, alpha: -90, d: 0.15005, theta: 0}
+  - {a: 0, alpha: 90, d: 0.4318, theta: 0}
+  - {a: 0, alpha: -90, d: 0, theta: 0}
+  - {a: 0, alpha: 0, d: 0, theta: 0}
+tool: {xyz: [0.05, 0, 0.2], rpy: [0, 30, 0]}
+" };
+    puma_welding_q1 6 PositionAxis(Z) given 1 { yaml = "
+# a Puma 560 with a torch, joint 1 given
+name: puma_welding_q1
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: position_axis, axis: z, redundant: q1, require: true}
+joints:
+  - {a: 0, alpha: 90, d: 0.67183, theta: 0}
+  - {a: 0.4318, alpha: 0, d: 0, theta: 0}
+  - {a: 0.0203, alpha: -90, d: 0.15005, theta: 0}
+  - {a: 0, alpha: 90, d: 0.4318, theta: 0}
+  - {a: 0, alpha: -90, d: 0, theta: 0}
+  - {a: 0, alpha: 0, d: 0, theta: 0}
+tool: {xyz: [0.05, 0, 0.2], rpy: [0, 30, 0]}
 " };
 }
