@@ -31,11 +31,30 @@ impl<T: Tolerances> Cone<T> {
 /// Two roots, positive first; one at the ends of the range or outside it, then with the gap to the range.
 #[inline]
 pub fn cone<T: Tolerances>(home: Home<T>, measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> Stage<T, 1, 2> {
-    let ([max, max_across], [min, min_across]) = (cone.max, cone.min);
+    let ([max, _], [min, _]) = (cone.max, cone.min);
+    if max - min < T::DOUBTFUL * measure.scale {
+        return narrow(home, measure, d, rho, cone);
+    }
+    within(measure, d, rho, cone)
+}
+
+/// The turn moves the component hardly or not at all: one of the two is along the turning axis, or nearly.
+#[cold]
+#[inline(never)]
+fn narrow<T: Tolerances>(home: Home<T>, measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> Stage<T, 1, 2> {
+    let ([max, max_across], [min, _]) = (cone.max, cone.min);
     let range = max - min;
     if !(range > measure.vanishing()) {
         return Stage::free([Turn::ZERO], home, gap(d, rho, max, max_across), measure);
     }
+    let stage = within(measure, d, rho, cone);
+    let amplitude = stage.amplitude * range / measure.scale;
+    stage.with_weak(home, amplitude)
+}
+
+#[inline]
+fn within<T: Tolerances>(measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> Stage<T, 1, 2> {
+    let ([max, max_across], [min, min_across]) = (cone.max, cone.min);
     let below = |end: T, across: T| {
         // end - d, by the form that cancels less: the components along, or (where both are the larger) those across.
         if end * d > T::ZERO && (d + end).abs() > rho + across.abs() {
@@ -59,7 +78,7 @@ pub fn cone<T: Tolerances>(home: Home<T>, measure: Measure<T>, d: T, rho: T, con
     let k = T::ONE / (top + bottom);
     let half_sine = (top * bottom).sqrt() * k;
     let turn = Turn::of(half_sine + half_sine, (bottom - top) * k);
-    Stage::solved([[turn], [turn.reversed()]], measure).with_amplitude(half_sine.min(range / measure.scale))
+    Stage::solved([[turn], [turn.reversed()]], measure).with_amplitude(half_sine)
 }
 
 /// The angle (times length, for points) between `(d, rho)` and an end of the range, zero within rounding.

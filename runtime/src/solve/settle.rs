@@ -211,8 +211,13 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
         let (q, mut residual) = if close { refine(facts, self.goal, &start, evaluate, STEPS) } else { return };
         residual.orientation += self.deviation;
         let is_prismatic = |joint: usize| facts.prismatic.contains(joint);
-        let listed = self.solutions.iter().any(|other| coincident(&other.q, &q, facts.reach, is_prismatic));
-        if listed || !(relative(facts, &residual) <= T::EXACT) {
+        if !(relative(facts, &residual) <= T::EXACT) {
+            return;
+        }
+        let mut slots = self.solutions.as_mut_slice().iter_mut();
+        if let Some(same) = slots.find(|other| coincident(&other.q, &q, facts.reach, is_prismatic)) {
+            // The same place, but nearer: beside a limit a small step would be a whole turn.
+            (same.q, same.residual) = (q, residual);
             return;
         }
         let apart = |other: &Solution<T, N>| {
