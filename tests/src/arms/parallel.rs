@@ -33,6 +33,21 @@ joints:
   - {a: 0.124, alpha: -48.1, d: 0.146, theta: 3.6}
   - {a: -0.116, alpha: -27.6, d: 0.314, theta: -160.8}
 " };
+            parallel_123_wall Parallel123Wall 6 inverse { yaml = "
+# axes 1, 2, 3 are parallel, on a wall; the wrist's axes at right angles with offsets
+name: parallel_123_wall
+convention: modified
+units: {length: m, angle: deg}
+inverse: {task: pose, require: true}
+base: {xyz: [0, 0, 0.5], rpy: [0, 90, 0]}
+joints:
+  - {a: 0, alpha: 0, d: 0, theta: 0}
+  - {a: 0.3, alpha: 0, d: 0.1, theta: 0}
+  - {a: 0.3, alpha: 0, d: 0, theta: 0}
+  - {a: 0.1, alpha: 90, d: 0.2, theta: 0}
+  - {a: 0.2, alpha: 90, d: 0, theta: 0}
+  - {a: 0, alpha: 90, d: 0.15, theta: 0}
+" };
             parallel_234_a Parallel234A 6 inverse { yaml = "
 # axes 2, 3, 4 are parallel, everything else is skew
 name: parallel_234_a
