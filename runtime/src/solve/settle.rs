@@ -214,29 +214,26 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
         if !(relative(facts, &residual) <= T::EXACT) {
             return;
         }
-        let mut slots = self.solutions.as_mut_slice().iter_mut();
-        if let Some(same) = slots.find(|other| coincident(&other.q, &q, facts.reach, is_prismatic)) {
-            // The same place, but nearer: beside a limit a small step would be a whole turn.
-            (same.q, same.residual) = (q, residual);
-            return;
-        }
         let apart = |other: &Solution<T, N>| {
             other.q.iter().zip(&q).fold(T::ZERO, |sum, (a, b)| sum + wrap(*a - *b) * wrap(*a - *b))
         };
-        let slots = self.solutions.as_mut_slice().iter_mut();
-        let nearest = slots.min_by(|a, b| apart(a).partial_cmp(&apart(b)).unwrap_or(core::cmp::Ordering::Equal));
+        let nearer = |a: &&mut Solution<T, N>, b: &&mut Solution<T, N>| {
+            apart(a).partial_cmp(&apart(b)).unwrap_or(core::cmp::Ordering::Equal)
+        };
+        let same = self.solutions.as_mut_slice().iter_mut();
+        let same = same.filter(|other| coincident(&other.q, &q, facts.reach, is_prismatic)).min_by(nearer);
+        if let Some(same) = same {
+            // The same place, but nearer to the reference: beside a limit a small step would be a whole turn.
+            (same.q, same.residual) = (q, residual);
+            return;
+        }
+        let nearest = self.solutions.as_mut_slice().iter_mut().min_by(nearer);
         let mut held = nearest.map_or(Solution::EMPTY, |nearest| *nearest);
         (held.q, held.residual) = (q, residual);
         held.flags.remove(Flags::APPROXIMATE);
         held.flags |= Flags::EXACT;
         let full = !self.solutions.push(held);
-        if full
-            && let Some(nearest) = self
-                .solutions
-                .as_mut_slice()
-                .iter_mut()
-                .min_by(|a, b| apart(a).partial_cmp(&apart(b)).unwrap_or(core::cmp::Ordering::Equal))
-        {
+        if full && let Some(nearest) = self.solutions.as_mut_slice().iter_mut().min_by(nearer) {
             *nearest = held;
         }
     }
