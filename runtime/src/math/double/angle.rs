@@ -32,6 +32,7 @@ pub(in crate::math) fn angle(sin: f64, cos: f64) -> f64 {
     // In this form one instruction each; and what is not a number gets into one of the two.
     let less = if sin_size < cos_size { sin_size } else { cos_size };
     let more = if sin_size < cos_size { cos_size } else { sin_size };
+    // The sign of a difference: of a comparison the compiler would make a branch.
     let steep = ((cos_size - sin_size).to_bits().cast_signed() >> 63).cast_unsigned();
     let side = cos.to_bits() & SIGN;
     // The turn from the axis to the vector, both mirrored to the upper half plane, is positive from the x axis on the
