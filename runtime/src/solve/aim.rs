@@ -2,7 +2,7 @@
 
 use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn, offset};
-use crate::vector::{cross, dot};
+use crate::vector::{cross, dot, norm, scale};
 
 /// A vector that a joint turns about its z axis, and the frame in which it has to be seen: rows that take the frame of
 /// the sliding joint to that of the turning one.
@@ -53,7 +53,7 @@ pub fn aim<T: Tolerances>(homes: [Home<T>; 2], x: Sight<T>, z: Sight<T>) -> Stag
     let (apart_least, opposite_least) =
         ((along_difference * along_difference + step * step).sqrt(), (along_sum * along_sum + step * step).sqrt());
     let (inner, outer) = (apart - apart_least, opposite - opposite_least);
-    let middle = plus(times(sum, along_sum / sum2), difference, along_difference / difference2);
+    let middle = plus(scale(along_sum / sum2, sum), difference, along_difference / difference2);
     let close = T::EPSILON * T::TWO;
     let stage = if inner > close && outer > close {
         // The volume spanned by both axes and h.
@@ -73,13 +73,8 @@ pub fn aim<T: Tolerances>(homes: [Home<T>; 2], x: Sight<T>, z: Sight<T>) -> Stag
 #[cold]
 #[inline(never)]
 fn nearly<T: Tolerances>(mut stage: Stage<T, 2, 3>, homes: [Home<T>; 2], across: [T; 2], between: T) -> Stage<T, 2, 3> {
-    stage.doubt = true;
-    for (home, across) in homes.iter().zip(across) {
-        let amplitude = across.min(between);
-        stage.amplitude = stage.amplitude.min(amplitude);
-        if amplitude < T::WEAK {
-            stage.weak |= home.joint;
-        }
+    for (home, across) in homes.into_iter().zip(across) {
+        stage = stage.nearly_free(home, across.min(between));
     }
     stage
 }
@@ -104,9 +99,9 @@ fn known<T: Tolerances>(homes: [Home<T>; 2], x: &Sight<T>, z: &Sight<T>, mut fre
         let [_, free_z] = free;
         if free_z { [of_z, of_x] } else { [of_x, of_z] }
     };
-    let h = times(along, seen);
+    let h = scale(seen, along);
     let (cosine, normal) = (dot(other, h), cross(other, h));
-    let sine = dot(normal, normal).sqrt();
+    let sine = norm(normal);
     if !(sine > T::VANISHING) {
         free = [true; 2];
     }
@@ -130,7 +125,7 @@ fn in_line<T: Tolerances>([home, _]: [Home<T>; 2], x: &Sight<T>, z: &Sight<T>) -
     let ([ax, ay, kx], [.., kz]) = (x.moved, z.moved);
     let follow = |turn: Turn<T>| {
         let (h1, h2) = (ax * turn.cos + ay * turn.sin, ay * turn.cos - ax * turn.sin);
-        let [_, turn_z] = angles(x, z, plus(plus(times(row1, h1), row2, h2), nx, kx));
+        let [_, turn_z] = angles(x, z, plus(plus(scale(h1, row1), row2, h2), nx, kx));
         [turn, turn_z]
     };
     // The slide is along the third axis of its own frame.
@@ -165,14 +160,10 @@ fn plus<T: Tolerances>([a, b, c]: [T; 3], [d, e, f]: [T; 3], k: T) -> [T; 3] {
     [a + k * d, b + k * e, c + k * f]
 }
 
-fn times<T: Tolerances>(u: [T; 3], k: T) -> [T; 3] {
-    u.map(|e| e * k)
-}
-
 /// A vector of length 1, if there is a direction.
 fn unit<T: Tolerances>(u: [T; 3]) -> [T; 3] {
     let square = dot(u, u);
-    if square > T::ZERO { times(u, T::ONE / square.sqrt()) } else { u }
+    if square > T::ZERO { scale(T::ONE / square.sqrt(), u) } else { u }
 }
 
 #[cfg(test)]
@@ -191,7 +182,7 @@ mod tests {
         let (s, c) = between.sin_cos();
         let frame_x = [[0.6, 0.8, 0.0], [-0.48, 0.36, 0.8], [0.64, -0.48, 0.6]];
         // Turned about the first axis of x.
-        let turned = |v: [f64; 3], w: [f64; 3], c: f64, s: f64| plus(times(v, c), w, s);
+        let turned = |v: [f64; 3], w: [f64; 3], c: f64, s: f64| plus(scale(c, v), w, s);
         let [e1, e2, e3] = frame_x;
         let frame_z = [e1, turned(e2, e3, c, s), turned(e3, e2, c, -s)];
         let seen = |frame: [[f64; 3]; 3], turn: f64| {

@@ -1,7 +1,7 @@
 //! Two equations in two joints that do not separate.
 
 use super::circle::{Circle, angles};
-use super::curve::{Across, Row, at, beside, newton};
+use super::curve::{Across, Row, at, beside, newton, slope};
 use super::lengths::Lengths;
 use super::separated::{combined, separated};
 use super::{Home, Measure, Stage, Tolerances, Turn};
@@ -14,7 +14,7 @@ use super::{Home, Measure, Stage, Tolerances, Turn};
 /// Every root is marked for a full check: near a double root a candidate may turn out not to be a solution.
 pub fn pair<T: Tolerances>(homes: [Home<T>; 2], measure: Measure<T>, p: [Row<T>; 2], q: [Row<T>; 2]) -> Stage<T, 2, 4> {
     let (p, q) = normalized(measure, p, q);
-    let mut stage = candidates(homes, &p, &q);
+    let mut stage = candidates(homes, &p, &q, None);
     for root in stage.roots.iter_mut().take(stage.len) {
         *root = newton(&p, &q, *root);
     }
@@ -35,7 +35,7 @@ pub fn pair_turning<T: Tolerances>(
 ) -> Stage<T, 2, 4> {
     let across = Across { x: [x1, x2], z: [z1, z2] };
     let (p, q) = normalized(measure, p, q);
-    let mut stage = candidates(homes, &p, &q);
+    let mut stage = candidates(homes, &p, &q, Some(&across));
     let rows = [&p[0], &q[0]];
     with_twins(&mut stage, apart, |root| {
         let itself = newton(&p, &q, *root);
@@ -145,16 +145,10 @@ fn finished<T: Tolerances>(
     measure: Measure<T>,
     sides: [&[Row<T>; 2]; 2],
 ) -> Stage<T, 2, 4> {
-    for (home, rows) in homes.iter().zip(sides) {
-        let amplitude = amplitude(rows);
-        stage.amplitude = stage.amplitude.min(amplitude);
-        if amplitude < T::WEAK {
-            stage.weak |= home.joint;
-        }
+    for (home, rows) in homes.into_iter().zip(sides) {
+        stage = stage.nearly_free(home, amplitude(rows));
     }
-    stage.angular = Stage::<T, 2, 4>::solved(stage.roots, measure).angular;
-    stage.gap = T::ZERO;
-    stage.doubt = true;
+    (stage.angular, stage.gap) = (measure.is_angular(), T::ZERO);
     stage
 }
 
@@ -176,14 +170,19 @@ fn normalized<T: Tolerances>(
 }
 
 /// The roots as the quartic (or what takes its place) gives them.
-fn candidates<T: Tolerances>([home_x, home_z]: [Home<T>; 2], p: &[Row<T>; 2], q: &[Row<T>; 2]) -> Stage<T, 2, 4> {
+fn candidates<T: Tolerances>(
+    [home_x, home_z]: [Home<T>; 2],
+    p: &[Row<T>; 2],
+    q: &[Row<T>; 2],
+    across: Option<&Across<T>>,
+) -> Stage<T, 2, 4> {
     let (det_p, det_q) = (determinant(p), determinant(q));
     if det_p.abs().max(det_q.abs()) < T::COINCIDENT {
         separated([home_x, home_z], p, q)
     } else if det_p.abs() >= det_q.abs() {
-        eliminated(home_z, p, det_p, q)
+        eliminated(home_z, p, det_p, q, across.map(|across| &across.z))
     } else {
-        eliminated(home_x, q, det_q, p).swapped()
+        eliminated(home_x, q, det_q, p, across.map(|across| &across.x)).swapped()
     }
 }
 
@@ -192,30 +191,36 @@ fn determinant<T: Tolerances>([a, b]: &[Row<T>; 2]) -> T {
 }
 
 /// Eliminates the side `p`, whose determinant does not vanish: with `u = adj(P) (q - p3)`, `|u| = |det P|`.
-fn eliminated<T: Tolerances>(home: Home<T>, p: &[Row<T>; 2], det: T, q: &[Row<T>; 2]) -> Stage<T, 2, 4> {
+///
+/// Where every z is as good, it stays at home. Other families of solutions cross this one where the vector `across` (as
+/// z moves it) vanishes, which leaves the joint between x and z free; those places are further roots.
+fn eliminated<T: Tolerances>(
+    home: Home<T>,
+    p: &[Row<T>; 2],
+    det: T,
+    q: &[Row<T>; 2],
+    across: Option<&[Row<T>; 2]>,
+) -> Stage<T, 2, 4> {
     let [[a, b, e], [c, d, f]] = *p;
     let shifted = [[q[0][0], q[0][1], q[0][2] - e], [q[1][0], q[1][1], q[1][2] - f]];
     let (w1, w2) = (combined([d, -b], &shifted), combined([-c, a], &shifted));
-    let gram = |i: usize, j: usize| {
-        let at = |w: &Row<T>, k: usize| w.get(k).copied().unwrap_or(T::ZERO);
-        at(&w1, i) * at(&w1, j) + at(&w2, i) * at(&w2, j)
-    };
-    let circle = Circle {
-        k0: (gram(0, 0) + gram(1, 1)) * T::HALF + gram(2, 2) - det * det,
-        k1: [T::TWO * gram(0, 2), T::TWO * gram(1, 2)],
-        k2: [(gram(0, 0) - gram(1, 1)) * T::HALF, gram(0, 1)],
-    };
+    let (mut circle, size) = square(&[w1, w2]);
+    circle.k0 -= det * det;
     let sign = if det < T::ZERO { -T::ONE } else { T::ONE };
     let other = |z: &Turn<T>| {
         let (u1, u2) = (at(&w1, z), at(&w2, z));
         if u1 == T::ZERO && u2 == T::ZERO { Turn::ZERO } else { Turn::towards(u2 * sign, u1 * sign) }
     };
     // With coefficients of no more than rounding, or without any of z in the rows, every angle is as good.
-    let size = gram(0, 0) + gram(1, 1) + gram(2, 2) + det * det;
-    if circle.largest() <= T::EPSILON * T::from_f64(8.0) * size || amplitude(q) < T::VANISHING {
+    if circle.largest() <= T::EPSILON * T::from_f64(8.0) * (size + det * det) || amplitude(q) < T::VANISHING {
         let z = Turn::at(crate::math::wrap(home.value));
-        let stage = Stage::<T, 2, 4>::solved([[other(&z), z]; 4], Measure::DIRECTION);
-        return Stage { len: 1, free: home.joint, ..stage };
+        let mut stage = Stage { len: 1, free: home.joint, ..Stage::solved([[other(&z), z]; 4], Measure::DIRECTION) };
+        let crossings = across.map_or([None; 2], zeros);
+        for (slot, z) in stage.roots.iter_mut().skip(1).zip(crossings.into_iter().flatten()) {
+            *slot = [other(&z), z];
+            stage.len += 1;
+        }
+        return stage;
     }
     let (roots, len) = angles(&circle);
     let roots = roots.map(|angle| {
@@ -223,6 +228,43 @@ fn eliminated<T: Tolerances>(home: Home<T>, p: &[Row<T>; 2], det: T, q: &[Row<T>
         [other(&z), z]
     });
     Stage { len, ..Stage::solved(roots, Measure::DIRECTION) }
+}
+
+/// The squared length of a vector of two rows, as a trigonometric polynomial, and the sum of all squared coefficients.
+fn square<T: Tolerances>([[a, b, c], [d, e, f]]: &[Row<T>; 2]) -> (Circle<T>, T) {
+    let (cos, sin, one) = (*a * *a + *d * *d, *b * *b + *e * *e, *c * *c + *f * *f);
+    let circle = Circle {
+        k0: (cos + sin) * T::HALF + one,
+        k1: [T::TWO * (*a * *c + *d * *f), T::TWO * (*b * *c + *e * *f)],
+        k2: [(cos - sin) * T::HALF, *a * *b + *d * *e],
+    };
+    (circle, cos + sin + one)
+}
+
+/// The angles, at most two, at which a vector of two rows vanishes: double roots of its squared length.
+fn zeros<T: Tolerances>(rows: &[Row<T>; 2]) -> [Option<Turn<T>>; 2] {
+    let (circle, size) = square(rows);
+    let (found, len) = angles(&circle);
+    let mut zeros = [None; 2];
+    for angle in found.into_iter().take(len) {
+        let [p, q] = rows;
+        let mut turn = Turn::at(angle);
+        // A double root comes with half of the digits; the rows themselves have all.
+        for _ in 0..2 {
+            let (u, v, du, dv) = (at(p, &turn), at(q, &turn), slope(p, &turn), slope(q, &turn));
+            turn = Turn::at(crate::math::wrap(turn.value - (u * du + v * dv) / (du * du + dv * dv)));
+        }
+        let (u, v) = (at(p, &turn), at(q, &turn));
+        let vanishes = (u * u + v * v) < T::VANISHING * T::VANISHING * size;
+        let known = |other: &Turn<T>| crate::math::wrap(other.value - turn.value).abs() < T::COINCIDENT;
+        if vanishes
+            && !zeros.iter().flatten().any(known)
+            && let Some(slot) = zeros.iter_mut().find(|slot| slot.is_none())
+        {
+            *slot = Some(turn);
+        }
+    }
+    zeros
 }
 
 #[cfg(test)]

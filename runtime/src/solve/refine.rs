@@ -21,10 +21,11 @@ pub(super) fn relative<T: Tolerances, const N: usize>(facts: &Facts<T, N>, resid
 
 /// How much an angle counts beside a length over reach where the orientation is to stay: its share of a miss falls with
 /// the square, from the tolerance for positions to what counts as exact.
-const STIFF: f64 = 1e3;
+pub(super) const STIFF: f64 = 1e3;
 
 /// Damped least squares (Levenberg-Marquardt, damping in proportion to the squared error, so that convergence is
-/// quadratic) from `q`. Steps that do not reduce the error are not taken. Returns the joint vector and its residual.
+/// quadratic) from `start`. Of two steps in a row one has to reduce the error, else neither is taken (the watchdog of
+/// Chamberlain, Powell, Lemarechal, Pedersen 1982). Returns the joint vector and its residual.
 pub(super) fn refine<T: Tolerances, const N: usize>(
     facts: &Facts<T, N>,
     goal: &impl Goal<T, N>,
@@ -56,44 +57,58 @@ fn weighted<T: Tolerances, const N: usize>(
     steps: usize,
     stiffness: T,
 ) -> ([T; N], Residual<T>) {
-    let scaled = |error: [T; 6]| scaled(facts, error, stiffness);
-    let mut q = *start;
-    let (mut pose, mut jacobian) = evaluate(&q);
-    jacobian = goal.rows(&pose, &jacobian);
-    let mut error = scaled(goal.error(&q, &pose));
-    let mut size = square(&error);
+    let measured = |q: [T; N]| {
+        let (pose, jacobian) = evaluate(&q);
+        let error = scaled(facts, goal.error(&q, &pose), stiffness);
+        Place { q, pose, jacobian: goal.rows(&pose, &jacobian), error, size: square(&error) }
+    };
+    let mut best = measured(*start);
+    let mut place = best;
     let mut boost = T::ONE;
     let floor = T::from_f64(NOISE) * T::EPSILON;
     let floor = floor * floor;
     for _ in 0..steps {
-        if !(size > floor) {
+        if !(place.size > floor) {
             break;
         }
-        let damping = (size + T::EPSILON * T::EPSILON * T::from_f64(16.0)) * boost;
-        let Some(step) = damped_step(facts, &jacobian, &error, damping, stiffness) else {
+        let damping = (place.size + T::EPSILON * T::EPSILON * T::from_f64(16.0)) * boost;
+        let Some(step) = damped_step(facts, &place.jacobian, &place.error, damping, stiffness) else {
             boost *= T::from_f64(100.0);
+            place = best;
             continue;
         };
-        let mut next = q;
+        let mut next = place.q;
         for ((value, change), joint) in next.iter_mut().zip(step).zip(0..) {
             *value += change;
             if !facts.prismatic.contains(joint) && !goal.given().contains(joint) {
                 *value = wrap(*value);
             }
         }
-        let (next_pose, next_jacobian) = evaluate(&next);
-        let next_error = scaled(goal.error(&next, &next_pose));
-        let next_size = square(&next_error);
-        if next_size < size {
-            (q, pose, error, size) = (next, next_pose, next_error, next_size);
-            jacobian = goal.rows(&pose, &next_jacobian);
+        let next = measured(next);
+        // A step along a narrow curved valley leaves it, and the next one leads back: one step may make it worse.
+        let second = place.size > best.size;
+        if next.size < best.size {
+            (best, place) = (next, next);
             boost = (boost * T::from_f64(0.1)).max(T::ONE);
-        } else {
+        } else if second || !next.size.is_finite() {
+            place = best;
             boost *= T::from_f64(100.0);
+        } else {
+            place = next;
         }
     }
-    let residual = goal.residual(&q, &pose);
-    (q, residual)
+    let residual = goal.residual(&best.q, &best.pose);
+    (best.q, residual)
+}
+
+/// A joint vector with what it leads to.
+#[derive(Clone, Copy)]
+struct Place<T, const N: usize> {
+    q: [T; N],
+    pose: Pose<T>,
+    jacobian: Jacobian<T, N>,
+    error: [T; 6],
+    size: T,
 }
 
 /// The error with its lengths over reach and its angles times `stiffness`.

@@ -7,6 +7,9 @@ use super::{Goal, Home, Measure, Stage, Tolerances, Trail};
 use crate::math::wrap;
 use crate::{Branch, CombinedLimit, Flags, JointMask, Residual, Solution, Solutions, Status};
 
+/// A target that every branch misses by more than this part of the reach is far away: the gap is told as it is.
+const FAR: f64 = 0.1;
+
 /// What the search needs to know about an arm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Facts<T: 'static, const N: usize> {
@@ -64,29 +67,46 @@ impl<T: Tolerances, const N: usize> Facts<T, N> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Doubts<T, const M: usize> {
     /// Branches that have to be followed again with a free joint elsewhere.
-    pub(super) elsewhere: Elsewhere<M>,
+    pub(super) elsewhere: Elsewhere<T, M>,
     /// Bit i: solution i is to be checked in full.
     pub(super) solutions: u32,
-    /// Of these the ones that count only where no other closes.
-    pub(super) last_resorts: u32,
     /// For each solution the joints that are free or nearly so.
     pub(super) loose: [JointMask; M],
-    /// The least gap at which a branch ended.
-    pub(super) least_gap: Option<T>,
+    /// The least residual of the branches that were checked in full and are none.
+    checked_gap: Option<T>,
+    /// The least gap of a stage at which a branch ended.
+    stage_gap: Option<T>,
+    /// The same over reach, or in rad.
+    relative_gap: T,
+    /// Branches that are missed by no more than this (over reach, or rad) are followed to their end, as the nearest
+    /// approach to a target out of reach.
+    nearest: T,
 }
 
 impl<T: Tolerances, const M: usize> Doubts<T, M> {
     const NONE: Self = Self {
         elsewhere: Elsewhere::START,
         solutions: 0,
-        last_resorts: 0,
         loose: [JointMask::NONE; M],
-        least_gap: None,
+        checked_gap: None,
+        stage_gap: None,
+        relative_gap: T::INFINITY,
+        nearest: T::ZERO,
     };
 
-    /// A branch has ended at a gap.
-    pub(super) fn ended(&mut self, gap: T) {
-        self.least_gap = Some(self.least_gap.map_or(gap, |least| least.min(gap)));
+    /// A branch has been checked in full and misses by this.
+    pub(super) fn misses(&mut self, residual: T) {
+        self.checked_gap = Some(self.checked_gap.map_or(residual, |least| least.min(residual)));
+    }
+
+    /// A stage is missed by this, over reach (or in rad) by `relative`. Returns whether its branch ends there.
+    fn ends(&mut self, gap: T, relative: T) -> bool {
+        self.relative_gap = self.relative_gap.min(relative);
+        let ends = relative > self.nearest;
+        if ends {
+            self.stage_gap = Some(self.stage_gap.map_or(gap, |least| least.min(gap)));
+        }
+        ends
     }
 }
 
@@ -204,14 +224,10 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
         // With a joint earlier on the branch that is free, or nearly, the gap may close by moving that joint.
         if gap > tolerance.max(rounding) {
             next.missed = !trail.free.is_empty();
-            // The gap is what this joint alone misses by. With the joints before it the arm may come closer, and does so
-            // by a lot where they are near the edge of their range.
-            let nearly = gap <= tolerance * T::from_f64(100.0);
-            next.ended = trail.free.is_empty() && trail.weak.is_empty() && !nearly;
-            next.last_resort = !trail.doubt;
+            next.beyond = trail.free.is_empty() && trail.weak.is_empty();
         }
-        if next.ended {
-            self.doubts().ended(gap);
+        if next.beyond && !trail.beyond {
+            next.ended = self.doubts().ends(gap, gap / measure.scale);
         }
         next
     }
@@ -242,7 +258,6 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
     fn doubt(&mut self, at: usize, trail: &Trail<T>) {
         let (doubts, bit) = (self.doubts(), 1u32.checked_shl(at as u32).unwrap_or(0));
         doubts.solutions |= bit;
-        doubts.last_resorts = doubts.last_resorts & !bit | if trail.last_resort { bit } else { 0 };
         if let Some(loose) = doubts.loose.get_mut(at) {
             *loose = trail.free | trail.weak;
         }
@@ -280,7 +295,23 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
         if self.doubts().solutions != 0 {
             self.settle(evaluate);
         }
-        !(self.elsewhere_wanted() && self.move_on())
+        !(self.elsewhere_wanted() && self.move_on() || self.seek_nearest())
+    }
+
+    /// If nothing is listed and the target is not far out of reach, the branches that come nearest are to be followed to
+    /// their end: the gap is what one joint alone misses by, and with the joints before it the arm may come closer.
+    fn seek_nearest(&mut self) -> bool {
+        let (listed, homes, reach) = (!self.solutions.is_empty(), self.facts.homes(self.near), self.facts.reach);
+        let doubts = self.doubts();
+        let least = doubts.checked_gap.map_or(T::from_f64(FAR), |gap| gap / reach);
+        if listed || doubts.nearest > T::ZERO || !(doubts.relative_gap < least) {
+            return false;
+        }
+        doubts.nearest = T::TWO * doubts.relative_gap;
+        doubts.stage_gap = None;
+        doubts.elsewhere = Elsewhere::NEAREST;
+        self.homes = homes;
+        true
     }
 
     /// A given angle may have come with whole turns; in a solution it is in (-pi, pi] like every other.
@@ -310,7 +341,8 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
     fn unreachable(&self) -> Status<T> {
         let listed = self.solutions.iter().map(|s| s.residual.position.max(s.residual.orientation));
         let residual = listed
-            .chain(self.doubts.and_then(|doubts| doubts.least_gap))
+            .chain(self.doubts.and_then(|doubts| doubts.checked_gap))
+            .chain(self.doubts.and_then(|doubts| doubts.stage_gap))
             .fold(T::INFINITY, |least, gap| least.min(gap));
         // A quartic without real roots has no gap: all that is known is that the target is not near.
         Status::Unreachable { residual: if residual.is_finite() { residual } else { self.facts.reach } }

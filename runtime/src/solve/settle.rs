@@ -1,7 +1,7 @@
 //! The end of a search: doubtful solutions are checked in full, coinciding ones merged, and with a reference the
 //! joints are unwound next to it.
 
-use super::refine::{Evaluate, NOISE, approached, refine, relative};
+use super::refine::{Evaluate, NOISE, STIFF, approached, refine, relative};
 use super::search::Doubts;
 use super::{Goal, Search, Tolerances};
 use crate::math::wrap;
@@ -9,7 +9,7 @@ use crate::windings::next_to;
 use crate::{Flags, JointMask, Residual, Solution};
 
 /// Newton steps for a solution that is already close.
-const STEPS: usize = 16;
+const STEPS: usize = 24;
 /// Steps for one whose free joint has to move.
 const FREE_STEPS: usize = 40;
 /// Steps for one that no place of its free joint has met: where the arm is also at the edge of its reach, several roots
@@ -25,17 +25,11 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
     #[inline(never)]
     pub(super) fn settle(&mut self, evaluate: &impl Evaluate<T, N>) {
         let found = *self.solutions;
-        let Doubts { elsewhere, solutions, last_resorts, loose, .. } = *self.doubts();
+        let Doubts { elsewhere, solutions, loose, .. } = *self.doubts();
         let before = elsewhere.settled;
         self.solutions.truncate(before);
-        let bit = |mask: u32, index: usize| mask.checked_shr(index as u32).unwrap_or(0) & 1 == 1;
-        let pass =
-            |last: bool| found.iter().enumerate().skip(before).filter(move |(at, _)| bit(last_resorts, *at) == last);
-        for (index, solution) in pass(false).chain(pass(true)) {
-            if bit(last_resorts, index) && self.solutions.iter().any(|other| other.flags.contains(Flags::EXACT)) {
-                break;
-            }
-            let doubtful = bit(solutions, index);
+        for (index, solution) in found.iter().enumerate().skip(before) {
+            let doubtful = solutions.checked_shr(index as u32).unwrap_or(0) & 1 == 1;
             let loose = loose.get(index).copied().unwrap_or(JointMask::NONE);
             let (checked, near) =
                 if doubtful { self.checked(solution, loose, evaluate) } else { (Some(*solution), true) };
@@ -82,24 +76,27 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
                 false => FREE_STEPS,
             };
             let (q, refined) = refine(facts, goal, &solution.q, evaluate, steps);
-            // A clamped branch of an unreachable target stays as it is, so that its residual is the distance missed.
-            let beyond =
-                residual.position > facts.tolerance.position || residual.orientation > facts.tolerance.orientation;
+            // A clamped branch of an unreachable target does not trade orientation for position, so that its residual is
+            // the distance missed.
             let missed = solution.residual.position.max(solution.residual.orientation * facts.reach);
             let clamped = missed > T::ROUNDING * facts.reach;
             let better = relative(facts, &refined) < relative(facts, &residual);
-            if relative(facts, &refined) <= T::EXACT || beyond || (better && !clamped) {
+            if relative(facts, &refined) <= T::EXACT || (better && !clamped) {
                 (checked.q, residual) = (q, refined);
             } else if clamped {
                 // The joints before the clamped one may yet come closer, with the orientation kept.
-                let (q, approached) = approached(facts, goal, &solution.q, evaluate, FREE_STEPS);
-                let kept = approached.orientation <= residual.orientation + T::EXACT;
+                let (q, approached) = approached(facts, goal, &q, evaluate, FREE_STEPS);
+                let share = approached.position / (facts.reach * T::from_f64(STIFF));
+                let kept = approached.orientation <= residual.orientation + T::EXACT + share;
                 if kept && approached.position < residual.position {
                     (checked.q, residual) = (q, approached);
                 }
             }
             let singular = near && !clamped;
+            // In a pass for a free joint elsewhere the further passes are the restarts.
+            let alone = !self.doubts().elsewhere.again() || self.doubts().elsewhere.last();
             if !(relative(facts, &refined) <= T::EXACT)
+                && alone
                 && (singular || !loose.is_empty())
                 && let Some((q, closed)) = self.restarted(&solution.q, loose, evaluate)
             {
@@ -129,7 +126,7 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
         }
         let gap = residual.position.max(residual.orientation);
         let gap = if gap.is_finite() { gap } else { T::MAX };
-        self.doubts().ended(gap);
+        self.doubts().misses(gap);
         (None, near)
     }
 

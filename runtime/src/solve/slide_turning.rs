@@ -28,19 +28,7 @@ pub fn slide_turning<T: Tolerances>(
     let roots = angle.roots.map(|[turn]| [turn, Turn::position(a * turn.cos + b * turn.sin + c)]);
     let Stage { len, gap, boundary, amplitude, doubt, free, .. } = angle;
     let stage = Stage { len, gap, boundary, amplitude, doubt, free, ..Stage::solved(roots, measure) };
-    if length < T::DOUBTFUL { nearly(stage, home_s, length) } else { stage }
-}
-
-/// The roots where the stroke is nearly along the third joint.
-#[cold]
-#[inline(never)]
-fn nearly<T: Tolerances>(mut stage: Stage<T, 2, 2>, slide: Home<T>, length: T) -> Stage<T, 2, 2> {
-    stage.doubt = true;
-    stage.amplitude = stage.amplitude.min(length);
-    if length < T::WEAK {
-        stage.weak |= slide.joint;
-    }
-    stage
+    if length < T::DOUBTFUL { stage.nearly_free(home_s, length) } else { stage }
 }
 
 /// The sliding joint moves nothing across the third one: two equations for the angle alone.

@@ -53,9 +53,8 @@ pub struct Trail<T> {
     pub(super) ended: bool,
     /// A stage has no root near the branch, but a joint before it is free and may be elsewhere.
     pub(super) missed: bool,
-    /// A stage is missed by a little more than the tolerance, and nothing before it is in doubt: such a branch counts
-    /// only where no other one closes, as the nearest approach.
-    pub(super) last_resort: bool,
+    /// A stage is missed by more than the tolerance, and the joints before it are what they have to be.
+    pub(super) beyond: bool,
 }
 
 impl<T: Tolerances> Trail<T> {
@@ -69,7 +68,7 @@ impl<T: Tolerances> Trail<T> {
         doubt: false,
         ended: false,
         missed: false,
-        last_resort: false,
+        beyond: false,
     };
 
     /// Adds what a doubtful stage has met.
@@ -158,6 +157,17 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         stage
     }
 
+    /// A further joint that this amplitude leaves nearly free.
+    #[inline]
+    pub(super) fn nearly_free(mut self, home: Home<T>, amplitude: T) -> Self {
+        self.doubt = true;
+        self.amplitude = self.amplitude.min(amplitude);
+        if amplitude < T::WEAK {
+            self.weak |= home.joint;
+        }
+        self
+    }
+
     /// What it has met.
     #[inline]
     pub(super) fn met(&self) -> Met<T> {
@@ -188,7 +198,7 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         let len = if trail.ended { 0 } else { self.len };
         let (first, end, name) = match wanted {
             None => (0, len, 0),
-            Some(index) if self.boundary || !self.free.is_empty() => (0, len.min(1), index),
+            Some(index) if index >= len && (self.boundary || !self.free.is_empty()) => (0, len.min(1), index),
             Some(index) => (index.min(len), index.saturating_add(1).min(len), index),
         };
         self.roots.get(first..end).unwrap_or(&[]).iter().enumerate().map(move |(index, root)| (name + index, root))
