@@ -130,11 +130,8 @@ pub fn check_outermost<const N: usize>(
                     format!("pushed by {push:.0e}\n      {}", recover::describe(subject, &target, &q, &answer))
                 });
             };
-            // Up to ten times the bound of EXACT either status is right. Beyond the tolerance no branch is followed to its
-            // end, and the residual is the least gap of a stage: what the joints before it leave to that one. With a
-            // joint given, which tilts the rest of the arm, it may be less or more than the distance.
-            let any = push > 0.5 * TOLERANCE && subject.task.given.is_some();
-            let says_the_distance = |residual: f64| any || (0.5..=2.0).contains(&(residual / (push * subject.reach)));
+            // Up to ten times the bound of EXACT either status is right.
+            let says_the_distance = |residual: f64| (0.5..=2.0).contains(&(residual / (push * subject.reach)));
             match answer.status {
                 Status::Unreachable { residual } if says_the_distance(residual) => {}
                 _ if push < 10.0 * recover::CLOSES => {}

@@ -34,7 +34,7 @@ pub enum Form<'a, const N: usize> {
 /// - below, at one rank less than the arm has joints: an EXACT solution equals `q` in every joint that the null space does not move, neither along the
 ///   self-motion through `q` nor at the solution;
 /// - below, at a lower rank: whatever is EXACT closes, and something is;
-/// - in either of the first two cases a solution with free joints counts as all of its family;
+/// - where two singular values are below the root of rounding, a solution with free joints counts as all of its family;
 /// - always: `inverse_near` with reference `q` contains `q` within 1e-6.
 pub fn check<const N: usize>(subject: &Subject<N>, report: &mut Report, family: &'static str, q: &[f64; N]) {
     report.count();
@@ -133,15 +133,18 @@ fn recovered<const N: usize>(subject: &Subject<N>, q: &[f64; N], answer: &Answer
 /// `q` has them, the arm gives `q`. All other joints of that reference are those of the solution, so that nothing but
 /// the free joints comes from `q`.
 ///
-/// Two singularities within the root of rounding of one another are what this is for: a fold that is not resolved (a
-/// stretched elbow) leaves a joint free that `q` itself, on one side of the fold, would determine.
+/// Only where two singular values are below the root of rounding. There a fold (a stretched elbow) is not resolved: what
+/// `q` is beside it changes the pose by the square, which is rounding. So the pose knows that joint, and with it the
+/// Jacobian, to the root of rounding only, and singular values below it may as well be zero. With two of them the rank
+/// is so low that the rule above would ask for closure alone; this asks for more.
 fn stood_for<const N: usize>(subject: &Subject<N>, target: &Goal, q: &[f64; N], answer: &Answer<N>) -> bool {
-    answer.exact().filter(|solution| !solution.free.is_empty()).any(|solution| {
-        let free = |joint: usize| solution.free.contains(joint);
-        let member = std::array::from_fn(|joint| if free(joint) { q[joint] } else { solution.q[joint] });
-        let near = subject.inverse_near(target, &member);
-        recovered(subject, q, &near)
-    })
+    Svd::at(subject, q).below(f64::EPSILON.sqrt()) >= 2
+        && answer.exact().filter(|solution| !solution.free.is_empty()).any(|solution| {
+            let free = |joint: usize| solution.free.contains(joint);
+            let member = std::array::from_fn(|joint| if free(joint) { q[joint] } else { solution.q[joint] });
+            let near = subject.inverse_near(target, &member);
+            recovered(subject, q, &near)
+        })
 }
 
 /// Checks what holds for every answer, whether its target can be reached or not: solutions are finite, distinct, in

@@ -70,6 +70,11 @@ impl<const N: usize> Svd<N> {
         self.values[N - 1]
     }
 
+    /// Number of singular values below a bound.
+    pub fn below(&self, bound: f64) -> usize {
+        self.values.iter().filter(|&&value| value < bound).count()
+    }
+
     /// Number of singular values that are not zero.
     pub fn rank(&self) -> usize {
         self.values.iter().filter(|&&value| value >= ZERO).count()
