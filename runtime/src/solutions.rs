@@ -20,12 +20,14 @@ pub struct Solutions<T, const N: usize, const M: usize> {
     items: [Solution<T, N>; M],
     len: usize,
     status: Status<T>,
+    /// A branch needed more than the closed form: the pose is singular or on a boundary for it.
+    awkward: bool,
 }
 
 impl<T: Scalar, const N: usize, const M: usize> Solutions<T, N, M> {
     /// One constant, all bits zero, so that making a list is a single fill of memory. (Struct update from it would
     /// compile to a slower copy of read-only data.)
-    const EMPTY: Self = Self { items: [Solution::EMPTY; M], len: 0, status: Status::Reachable };
+    const EMPTY: Self = Self { items: [Solution::EMPTY; M], len: 0, status: Status::Reachable, awkward: false };
 
     /// An empty list.
     #[inline]
@@ -81,6 +83,18 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
         T: Copy,
     {
         self.status
+    }
+
+    /// Whether a branch needed more than the closed form.
+    #[inline]
+    pub(crate) const fn is_awkward(&self) -> bool {
+        self.awkward
+    }
+
+    /// A branch needs more than the closed form.
+    #[inline]
+    pub(crate) const fn mark_awkward(&mut self) {
+        self.awkward = true;
     }
 
     /// Sets the outcome of the call.

@@ -165,6 +165,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
     let (asked, check) = (&task.target, &task.check);
     let argument = q.as_ref().map(|q| quote!(, #q: #scalar));
     let pass = q.as_ref().map(|q| quote!(#q,));
+    let pass_on = q.as_ref().map(|q| quote!(, #q));
     let from_reference = plan.task.locked.as_ref().zip(q.as_ref()).map(|(locked, q)| {
         let before = (0..locked.joint).map(|_| quote!(_,));
         quote!(let [#(#before)* #q, ..] = *q_ref;)
@@ -188,7 +189,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
     let branch = docs::lines(
         "The solution of `inverse` on one branch, without computing the others; or the status that says why there is none \
          (`Unreachable` with the gap at which the branch ends). Where branches meet, either gives the one solution, \
-         flagged `BOUNDARY`. Parts that `branch` does not name may be any.",
+         flagged `BOUNDARY`; there, and where a joint is free, the others are computed too. Parts that `branch` does not name may be any.",
     );
     quote! {
         #arm_angle
@@ -211,7 +212,8 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
             #argument,
             branch: #krate::Branch,
         ) -> #krate::OneSolution<#scalar, #n> {
-            branches(self, target, #pass ::core::option::Option::None, branch).first_or_status()
+            let alone = branches(self, target, #pass ::core::option::Option::None, branch);
+            #krate::solve::one_branch(branch, &alone, || self.inverse(target #pass_on))
         }
 
         #near

@@ -211,18 +211,27 @@ fn eliminated<T: Tolerances>(
         let (u1, u2) = (at(&w1, z), at(&w2, z));
         if u1 == T::ZERO && u2 == T::ZERO { Turn::ZERO } else { Turn::towards(u2 * sign, u1 * sign) }
     };
-    // With coefficients of no more than rounding, or without any of z in the rows, every angle is as good.
-    if circle.largest() <= T::EPSILON * T::from_f64(8.0) * (size + det * det) || amplitude(q) < T::VANISHING {
+    // With coefficients of no more than rounding, or without any of z in the rows, every angle is as good. The polynomial
+    // is the difference of the squares of two lengths, one of them `det`.
+    let vanishing = (T::EPSILON * T::from_f64(8.0) * (size + det * det)).max(T::VANISHING * det.abs());
+    let anywhere = || {
         let z = Turn::at(crate::math::wrap(home.value));
-        let mut stage = Stage { len: 1, free: home.joint, ..Stage::solved([[other(&z), z]; 4], Measure::DIRECTION) };
+        let mut stage = Stage { len: 1, ..Stage::solved([[other(&z), z]; 4], Measure::DIRECTION) };
         let crossings = across.map_or([None; 2], zeros);
         for (slot, z) in stage.roots.iter_mut().skip(1).zip(crossings.into_iter().flatten()) {
             *slot = [other(&z), z];
             stage.len += 1;
         }
-        return stage;
+        stage
+    };
+    if circle.largest() <= vanishing || amplitude(q) < T::VANISHING {
+        return Stage { free: home.joint, ..anywhere() };
     }
     let (roots, len) = angles(&circle);
+    // Of small coefficients without a root: a target that is missed by little, wherever z is.
+    if len == 0 && circle.largest() < T::WEAK * det.abs() {
+        return Stage { weak: home.joint, ..anywhere() };
+    }
     let roots = roots.map(|angle| {
         let z = Turn::at(angle);
         [other(&z), z]

@@ -224,7 +224,7 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
         // With a joint earlier on the branch that is free, or nearly, the gap may close by moving that joint.
         if gap > tolerance.max(rounding) {
             next.missed = !trail.free.is_empty();
-            next.beyond = trail.free.is_empty() && trail.weak.is_empty();
+            next.beyond |= trail.free.is_empty() && trail.weak.is_empty();
         }
         if next.beyond && !trail.beyond {
             next.ended = self.doubts().ends(gap, gap / measure.scale);
@@ -293,6 +293,7 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
     #[inline(never)]
     fn resolved(&mut self, evaluate: &impl Evaluate<T, N>) -> bool {
         if self.doubts().solutions != 0 {
+            self.solutions.mark_awkward();
             self.settle(evaluate);
         }
         !(self.elsewhere_wanted() && self.move_on() || self.seek_nearest())

@@ -65,60 +65,23 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
         loose: JointMask,
         evaluate: &impl Evaluate<T, N>,
     ) -> (Option<Solution<T, N>>, bool) {
-        let mut checked = *solution;
-        let (facts, goal) = (self.facts, self.goal);
-        let mut residual = goal.residual(&solution.q, &evaluate(&solution.q).0);
-        let near = relative(facts, &residual) <= T::CLOSE;
-        if !(relative(facts, &residual) <= T::EXACT) {
-            let steps = match loose.is_empty() {
-                true => STEPS,
-                false if self.doubts().elsewhere.last() => LAST_STEPS,
-                false => FREE_STEPS,
-            };
-            let (q, refined) = refine(facts, goal, &solution.q, evaluate, steps);
-            // A clamped branch of an unreachable target does not trade orientation for position, so that its residual is
-            // the distance missed.
-            let missed = solution.residual.position.max(solution.residual.orientation * facts.reach);
-            let clamped = missed > T::ROUNDING * facts.reach;
-            let better = relative(facts, &refined) < relative(facts, &residual);
-            if relative(facts, &refined) <= T::EXACT || (better && !clamped) {
-                (checked.q, residual) = (q, refined);
-            } else if clamped {
-                // The joints before the clamped one may yet come closer, with the orientation kept.
-                let (q, approached) = approached(facts, goal, &q, evaluate, FREE_STEPS);
-                let share = approached.position / (facts.reach * T::from_f64(STIFF));
-                let kept = approached.orientation <= residual.orientation + T::EXACT + share;
-                if kept && approached.position < residual.position {
-                    (checked.q, residual) = (q, approached);
-                }
-            }
-            let singular = near && !clamped;
-            // In a pass for a free joint elsewhere the further passes are the restarts.
-            let alone = !self.doubts().elsewhere.again() || self.doubts().elsewhere.last();
-            if !(relative(facts, &refined) <= T::EXACT)
-                && alone
-                && (singular || !loose.is_empty())
-                && let Some((q, closed)) = self.restarted(&solution.q, loose, evaluate)
-            {
-                (checked.q, residual) = (q, closed);
-            }
-        } else if relative(facts, &residual) > T::from_f64(NOISE) * T::EPSILON {
-            // It closes, but near a singularity what is left of the residual still moves the joints.
-            let (q, refined) = refine(facts, goal, &solution.q, evaluate, FREE_STEPS);
-            if relative(facts, &refined) < relative(facts, &residual) {
-                (checked.q, residual) = (q, refined);
-            }
-        }
+        let (facts, tolerance) = (self.facts, self.facts.tolerance);
+        let found = self.goal.residual(&solution.q, &evaluate(&solution.q).0);
+        let near = relative(facts, &found) <= T::CLOSE;
+        let (q, mut residual) = if relative(facts, &found) <= T::EXACT {
+            self.polished(&solution.q, found, evaluate)
+        } else {
+            self.improved(solution, found, loose, evaluate)
+        };
         residual.orientation += self.deviation;
-        checked.residual = residual;
+        let mut checked = Solution { q, residual, ..*solution };
         if relative(facts, &residual) <= T::EXACT {
             return (Some(checked), near);
         }
         checked.flags.remove(Flags::EXACT);
         checked.flags |= Flags::APPROXIMATE;
-        let tolerance = facts.tolerance;
-        // A guess that did not close is none of the branches of this target.
-        if near
+        // A guess that did not close is none of the branches of this target, but better than nothing.
+        if (near || self.solutions.is_empty())
             && residual.position <= tolerance.position
             && residual.orientation <= tolerance.orientation + self.deviation
         {
@@ -130,15 +93,80 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
         (None, near)
     }
 
+    /// A solution that closes. Near a singularity what is left of its residual may still move the joints.
+    fn polished(&self, q: &[T; N], found: Residual<T>, evaluate: &impl Evaluate<T, N>) -> ([T; N], Residual<T>) {
+        let facts = self.facts;
+        if !(relative(facts, &found) > T::from_f64(NOISE) * T::EPSILON) {
+            return (*q, found);
+        }
+        let (next, refined) = refine(facts, self.goal, q, evaluate, FREE_STEPS);
+        if relative(facts, &refined) < relative(facts, &found) { (next, refined) } else { (*q, found) }
+    }
+
+    /// A solution that does not close, made to close, or brought as near to the target as it goes.
+    fn improved(
+        &mut self,
+        solution: &Solution<T, N>,
+        found: Residual<T>,
+        loose: JointMask,
+        evaluate: &impl Evaluate<T, N>,
+    ) -> ([T; N], Residual<T>) {
+        let (facts, goal, elsewhere) = (self.facts, self.goal, self.doubts().elsewhere);
+        let steps = match loose.is_empty() {
+            true => STEPS,
+            false if elsewhere.last() => LAST_STEPS,
+            false => FREE_STEPS,
+        };
+        let (q, refined) = refine(facts, goal, &solution.q, evaluate, steps);
+        if relative(facts, &refined) <= T::EXACT {
+            return (q, refined);
+        }
+        let missed = solution.residual.position.max(solution.residual.orientation * facts.reach);
+        let clamped = missed > T::ROUNDING * facts.reach;
+        let mut best = (solution.q, found);
+        if clamped {
+            // The joints before the clamped one may yet come closer. The orientation is kept, not traded for position,
+            // so that the residual is the distance missed.
+            let (q, approached) = approached(facts, goal, &q, evaluate, FREE_STEPS);
+            let share = approached.position / (facts.reach * T::from_f64(STIFF));
+            let kept = approached.orientation <= found.orientation + T::EXACT + share;
+            if kept && approached.position < found.position {
+                best = (q, approached);
+            }
+        } else if relative(facts, &refined) < relative(facts, &found) {
+            best = (q, refined);
+        }
+        let singular = !clamped && relative(facts, &found) <= T::CLOSE;
+        // In a pass for a free joint elsewhere the further passes are the restarts.
+        let alone = !elsewhere.again() || elsewhere.last();
+        if alone && (singular || !loose.is_empty()) {
+            let (q, restarted) = self.restarted(&solution.q, loose, evaluate);
+            let listed = relative(facts, &best.1) <= relative(facts, &facts.tolerance);
+            if relative(facts, &restarted) <= if listed { T::EXACT } else { relative(facts, &best.1) } {
+                best = (q, restarted);
+            }
+        }
+        best
+    }
+
     /// At a singular target the first-order steps may not see the direction that is missing. From beside the place they
     /// do: a few fixed offsets are tried, of the free joint if it is known, else of all joints. The first start that
-    /// closes is taken.
+    /// closes is taken, or the one that comes nearest.
     #[cold]
     #[inline(never)]
-    fn restarted(&self, q: &[T; N], loose: JointMask, evaluate: &impl Evaluate<T, N>) -> Option<([T; N], Residual<T>)> {
+    fn restarted(&self, q: &[T; N], loose: JointMask, evaluate: &impl Evaluate<T, N>) -> ([T; N], Residual<T>) {
         let facts = self.facts;
+        let mut best = (*q, Residual { position: T::INFINITY, orientation: T::INFINITY });
         for attempt in 1..=RESTARTS {
             let mut start = *q;
+            // A stroke out of all proportion comes from slides that are nearly parallel.
+            for joint in facts.prismatic.iter() {
+                if let (Some(value), Some(home)) = (start.get_mut(joint), self.homes.get(joint))
+                    && !(value.abs() < facts.reach * T::from_f64(10.0))
+                {
+                    *value = *home;
+                }
+            }
             let sign = if attempt % 2 == 0 { -T::ONE } else { T::ONE };
             let size = T::from_f64(f64::from(attempt.div_ceil(2)));
             for (joint, value) in start.iter_mut().enumerate() {
@@ -157,12 +185,15 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
                 };
                 *value += offset * unit;
             }
-            let (q, residual) = refine(facts, self.goal, &start, evaluate, FREE_STEPS);
-            if relative(facts, &residual) <= T::EXACT {
-                return Some((q, residual));
+            let next = refine(facts, self.goal, &start, evaluate, FREE_STEPS);
+            if relative(facts, &next.1) < relative(facts, &best.1) {
+                best = next;
+            }
+            if relative(facts, &best.1) <= T::EXACT {
+                break;
             }
         }
-        None
+        best
     }
 
     /// Unwinds the joints next to the reference (inside the limits where some turn is), keeps the reference's own place

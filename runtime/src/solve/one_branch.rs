@@ -1,0 +1,29 @@
+//! The solution on one branch.
+
+use crate::{Branch, Flags, OneSolution, Solution, Solutions};
+
+/// What the search of one branch has found. At an awkward pose, where branches meet or a joint is free, it is the
+/// solution that the search of all of them lists under that name, so that both always agree.
+#[inline]
+pub fn one_branch<T: Copy, const N: usize, const M: usize>(
+    branch: Branch,
+    alone: &Solutions<T, N, M>,
+    all: impl FnOnce() -> Solutions<T, N, M>,
+) -> OneSolution<T, N> {
+    if alone.is_awkward() { among_all(branch, alone, &all()) } else { alone.first_or_status() }
+}
+
+#[cold]
+#[inline(never)]
+fn among_all<T: Copy, const N: usize, const M: usize>(
+    branch: Branch,
+    alone: &Solutions<T, N, M>,
+    all: &Solutions<T, N, M>,
+) -> OneSolution<T, N> {
+    let wanted = |solution: &&Solution<T, N>| solution.branch.is_part_of(branch);
+    if let Some(listed) = all.exact().find(wanted).or_else(|| all.as_slice().iter().find(wanted)) {
+        return Ok(*listed);
+    }
+    // It is not listed because it is the same as that of another branch.
+    alone.first_or_status().map(|solution| Solution { flags: solution.flags | Flags::BOUNDARY, ..solution })
+}
