@@ -171,6 +171,12 @@ pub fn examine<const N: usize>(
         if answer.solutions[..index].iter().any(equal) {
             fail("two solutions are equal", &solution.q);
         }
+        let regular = |s: &Solution<f64, N>| s.flags == Flags::EXACT || s.flags == Flags::EXACT | Flags::OUT_OF_LIMITS;
+        let named = |other: &Solution<f64, N>| regular(other) && other.branch == solution.branch;
+        let principal = matches!(form, Form::Principal);
+        if principal && regular(solution) && answer.solutions[..index].iter().any(named) {
+            fail("two regular solutions have one name", &solution.q);
+        }
     }
     if answer.status.is_reachable() != answer.exact().next().is_some() {
         fail("status and EXACT disagree", &[f64::NAN; N]);

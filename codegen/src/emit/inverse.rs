@@ -269,8 +269,13 @@ impl Nest<'_> {
             quote!([#(#row),*])
         });
         let doc = docs::lines(meaning);
+        let vectors: Vec<TokenStream> = vectors.collect();
         let statement = quote!(#doc let [#(#rows),*] = #krate::solve::swivel(#(#vectors),*, swing););
         self.at(level, statement);
+        let (before, wrist) = (&self.trail, vectors.first());
+        let homes = quote!([search.home(0), search.home(1)]);
+        self.at(level, quote!(let swung = search.directed(&#before, LENGTH, #wrist, #homes);));
+        self.trail = quote!(swung);
         for name in names.iter().flatten() {
             self.known.insert(name.clone(), level);
         }

@@ -5,7 +5,7 @@
 
 use super::asked::{PlanTask, SwivelFacts};
 use super::closure::Closure;
-use super::plan::{Plan, PlanStep, Unit};
+use super::plan::{Branching, Plan, PlanStep, Unit};
 use super::problem::Problem;
 use super::sides::Side;
 use super::{Refusal, triple};
@@ -71,7 +71,7 @@ pub fn plan(mut problem: Problem, chain: &Chain, task: PlanTask) -> Result<Plan,
         axis,
         elbow: foot,
     });
-    triple::rotation(&mut c, &swung, [0, 1, 2]);
+    triple::rotation(&mut c, &swung, [0, 1, 2], Branching::Shoulder);
     // (upper arm, elbow, forearm)^T flange
     let pair = c.pair(3);
     let columns = Graph::identity().map(|axis| c.g.rotate_z(pair, axis));
@@ -81,7 +81,7 @@ pub fn plan(mut problem: Problem, chain: &Chain, task: PlanTask) -> Result<Plan,
     let fore = fore.then(&mut c.g, &link);
     let seen = c.g.matmul(&transpose(&swung), &flange.r);
     let left = c.g.matmul(&transpose(&fore.r), &seen);
-    triple::rotation(&mut c, &left, [4, 5, 6]);
+    triple::rotation(&mut c, &left, [4, 5, 6], Branching::Wrist);
     Ok(c.finish(shoulder, PlanTask { swivel: facts(&numeric, chain), ..task }))
 }
 

@@ -18,11 +18,11 @@ enum Factor {
 pub fn meeting(c: &mut Closure) {
     let m = triple_rotation(c);
     let [first, second, third, ..] = c.order;
-    rotation(c, &m, [first, second, third]);
+    rotation(c, &m, [first, second, third], Branching::Wrist);
 }
 
-/// Three joints that give the rotation `m`.
-pub fn rotation(c: &mut Closure, m: &Mat3, [first, second, third]: [usize; 3]) {
+/// Three joints that give the rotation `m`; `sides` is what their two solutions are called.
+pub fn rotation(c: &mut Closure, m: &Mat3, [first, second, third]: [usize; 3], sides: Branching) {
     let (link_a, link_b) = (c.link(first).forward, c.link(second).forward);
     let (na, nb, nc) = (c.label(first), c.label(second), c.label(third));
     let cosines = [Side::along(link_a.z()), Side::along(link_b.z())];
@@ -43,14 +43,20 @@ pub fn rotation(c: &mut Closure, m: &Mat3, [first, second, third]: [usize; 3]) {
             "Joints {na}, {nb}, {nc}: three axes at right angles in a point, `R_z(a) R_y(b) R_z(c)` equals the \
              remaining rotation; with `b = 0` joint {na} is free."
         );
-        c.stage(&joints, first, Unit::Direction, Branching::Wrist, meaning, Kernel::Wrist { m });
+        c.stage(&joints, first, Unit::Direction, sides, meaning, Kernel::Wrist { m });
         return;
     }
-    oblique(c, m, [first, second, third], [link_a, link_b]);
+    oblique(c, m, [first, second, third], [link_a, link_b], sides);
 }
 
 /// Axes at other angles: the middle joint from the cosine between the outer axes, then the outer ones.
-fn oblique(c: &mut Closure, m: &Mat3, [first, second, third]: [usize; 3], [link_a, link_b]: [Rigid; 2]) {
+fn oblique(
+    c: &mut Closure,
+    m: &Mat3,
+    [first, second, third]: [usize; 3],
+    [link_a, link_b]: [Rigid; 2],
+    sides: Branching,
+) {
     let (na, nb, nc) = (c.label(first), c.label(second), c.label(third));
     let approach = m.map(Side::along);
     let rho = c.g.norm(&Side::plane(approach));
@@ -69,7 +75,7 @@ fn oblique(c: &mut Closure, m: &Mat3, [first, second, third]: [usize; 3], [link_
     let (shift, about) = c.between(moved_plane, axis_plane);
     let kernel = Kernel::Cone { d: Side::along(approach), rho, range, about };
     let meaning = format!("Joint {nb}: axes {na} and {nc} have the cosine `{{d}}`{{shift}}.");
-    c.stage(&[(middle.joint, shift)], second, Unit::Direction, Branching::Wrist, meaning, kernel);
+    c.stage(&[(middle.joint, shift)], second, Unit::Direction, sides, meaning, kernel);
     // G = C_a R_z(b) C_b
     let pair = c.pair(second);
     let columns = [0, 1, 2].map(|j| {

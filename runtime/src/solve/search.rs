@@ -5,6 +5,7 @@ use super::refine::Evaluate;
 use super::stage::Met;
 use super::{Goal, Home, Measure, Stage, Tolerances, Trail};
 use crate::math::wrap;
+use crate::vector::norm;
 use crate::{Branch, CombinedLimit, Flags, JointMask, Residual, Solution, Solutions, Status};
 
 /// A target that every branch misses by more than this part of the reach is far away: the gap is told as it is.
@@ -209,6 +210,23 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
     pub fn agree<const K: usize>(&self, trail: &Trail<T>, measure: Measure<T>, misses: [T; K]) -> Trail<T> {
         let agreed = misses.iter().fold(true, |agreed, miss| agreed & (miss.abs() <= measure.rounding()));
         Trail { doubt: trail.doubt | !agreed, ..*trail }
+    }
+
+    /// The trail of a branch on which the direction of a vector tells where joints turn: one without length leaves the
+    /// first two free.
+    #[inline]
+    pub fn directed(
+        &mut self,
+        trail: &Trail<T>,
+        measure: Measure<T>,
+        vector: [T; 3],
+        [first, second]: [Home<T>; 2],
+    ) -> Trail<T> {
+        if norm(vector) > measure.vanishing() {
+            return *trail;
+        }
+        let free = first.joint | second.joint;
+        Trail { doubt: true, free: trail.free | free, flags: trail.flags | Flags::FREE, ..*trail }
     }
 
     #[cold]

@@ -3,14 +3,21 @@
 use super::Tolerances;
 use crate::Pose;
 use crate::math::atan2;
-use crate::vector::{cross, dot};
+use crate::vector::{cross, dot, norm};
 
 type V<T> = [T; 3];
 
-/// The direction of a vector; upwards for one without length (a wrist in the shoulder: any direction will do).
+/// The direction of a vector; upwards for one without length.
 fn unit<T: Tolerances>(v: V<T>) -> V<T> {
-    let size = dot(v, v).sqrt();
+    let size = norm(v);
     if size > T::ZERO { v.map(|e| e / size) } else { [T::ZERO, T::ZERO, T::ONE] }
+}
+
+/// The direction of the line from shoulder to wrist; upwards for a wrist in the shoulder, beside the elbow's distance.
+/// Any direction will do there, but always the same one.
+fn line<T: Tolerances>(wrist: V<T>, elbow: V<T>) -> V<T> {
+    let short = norm(wrist) < T::VANISHING * norm(elbow);
+    unit(if short { [T::ZERO; 3] } else { wrist })
 }
 
 /// The part of `v` across the unit vector `along`, normalized; of the axes that are least along it where that part
@@ -42,7 +49,7 @@ fn across<T: Tolerances>(along: V<T>, v: V<T>) -> V<T> {
 fn side<T: Tolerances>(line: V<T>, axis: V<T>, elbow: V<T>) -> V<T> {
     let normal = across(line, axis);
     let away = cross(normal, line);
-    if dot(away, elbow) < T::ZERO { away.map(|e| -e) } else { away }
+    if dot(away, elbow) < -T::ROUNDING * norm(elbow) { away.map(|e| -e) } else { away }
 }
 
 /// The rotation of the upper arm that puts the wrist where it has to be, with the elbow swung by the arm angle.
@@ -53,12 +60,12 @@ fn side<T: Tolerances>(line: V<T>, axis: V<T>, elbow: V<T>) -> V<T> {
 /// axis, on the side of its x axis.
 #[inline]
 pub fn swivel<T: Tolerances>(wrist: V<T>, moved: V<T>, axis: V<T>, elbow: V<T>, (sin, cos): (T, T)) -> [[T; 3]; 3] {
-    let a = unit(wrist);
+    let a = line(wrist, elbow);
     let u = across(a, [T::ZERO, T::ZERO, T::ONE]);
     let [ux, uy, uz] = u;
     let [vx, vy, vz] = cross(a, u);
     let d = [cos * ux + sin * vx, cos * uy + sin * vy, cos * uz + sin * vz];
-    let m = unit(moved);
+    let m = line(moved, elbow);
     let s = side(m, axis, elbow);
     let (to, from) = ([a, d, cross(a, d)], [m, s, cross(m, s)]);
     [0, 1, 2].map(|row| {
@@ -91,13 +98,13 @@ impl<T: Tolerances> Swivel<T> {
         let [[a, b, c], [d, e, f], [g, h, i]] = seen.rotation;
         let [x, y, z] = self.axis;
         let axis = [a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z];
-        let line = unit(seen.transform_point(&self.wrist));
         let foot = {
             let point = seen.transform_point(&self.elbow);
             let along = dot(point, axis);
             let ([px, py, pz], [x, y, z]) = (point, axis);
             [px - along * x, py - along * y, pz - along * z]
         };
+        let line = line(seen.transform_point(&self.wrist), foot);
         let up = across(line, [T::ZERO, T::ZERO, T::ONE]);
         let side = side(line, axis, foot);
         atan2(dot(cross(line, up), side), dot(up, side))
