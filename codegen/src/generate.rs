@@ -5,7 +5,7 @@ use crate::error::{Diagnostic, Errors};
 use crate::kinematics::{Wanted, kinematics};
 use crate::model::chain::Chain;
 use crate::model::geometry::{Geometry, geometry};
-use crate::model::{self, Bound, Model};
+use crate::model::{self, Bound, Model, Parameter};
 use crate::report::Report;
 use crate::solve::{Plan, Refusal, plan};
 use crate::{ScalarKind, spec, stages};
@@ -66,6 +66,8 @@ impl Generated {
 /// An arm analyzed: everything before code.
 struct Analyzed {
     model: Model,
+    /// All parameters of the file, bound or not.
+    parameters: Vec<Parameter>,
     chain: Chain,
     geometry: Geometry,
     inverse: Result<Plan, Refusal>,
@@ -74,17 +76,19 @@ struct Analyzed {
 
 fn analyze(text: &str, file: &str, bound: &Bound) -> Result<Analyzed, Errors> {
     let (spec, warnings) = spec::read(text, file)?;
-    let model = model::check(&spec)?.bind(bound);
+    let model = model::check(&spec)?;
+    let parameters = model.parameters.clone();
+    let model = model.bind(bound);
     let chain = Chain::of(&model);
     let geometry = geometry(&model, &chain);
     let inverse = plan(&model, &chain, &geometry);
-    Ok(Analyzed { model, chain, geometry, inverse, warnings })
+    Ok(Analyzed { model, parameters, chain, geometry, inverse, warnings })
 }
 
 impl Analyzed {
     fn report(&self) -> Report {
         let costs = [Wanted::Forward, Wanted::Jacobian, Wanted::Both].map(|w| kinematics(&self.chain, w).cost);
-        Report::new(&self.model, &self.geometry, costs, &self.inverse, self.warnings.clone())
+        Report::new(&self.model, &self.parameters, &self.geometry, costs, &self.inverse, self.warnings.clone())
     }
 }
 

@@ -16,6 +16,7 @@ mod generate;
 mod kinematics;
 pub mod model;
 mod report;
+mod settings;
 mod solve;
 pub mod spec;
 mod stages;

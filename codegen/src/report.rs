@@ -2,7 +2,8 @@
 
 use crate::error::Diagnostic;
 use crate::model::geometry::{Geometry, Relation, TripleKind};
-use crate::model::{JointKind, Model};
+use crate::model::{JointKind, Model, Parameter};
+use crate::settings::{self, short};
 use crate::solve::{Plan, Refusal, describe};
 use crate::symbolic::Cost;
 use std::fmt;
@@ -28,12 +29,14 @@ pub struct Report {
 impl Report {
     pub(crate) fn new(
         model: &Model,
+        parameters: &[Parameter],
         geometry: &Geometry,
         costs: [Cost; 3],
         inverse: &Result<Plan, Refusal>,
         warnings: Vec<Diagnostic>,
     ) -> Report {
         let mut lines = vec![summary(model)];
+        lines.extend(settings::describe(model, parameters));
         lines.push("axes:".into());
         lines.extend(relations(geometry, model.length_unit.symbol()).map(|line| format!("  {line}")));
         for triple in &geometry.triples {
@@ -101,10 +104,4 @@ fn relations<'a>(geometry: &'a Geometry, unit: &'a str) -> impl Iterator<Item = 
             }
         }
     })
-}
-
-/// Up to six significant decimals, without trailing zeros.
-fn short(value: f64) -> String {
-    let text = format!("{value:.6}");
-    text.trim_end_matches('0').trim_end_matches('.').to_string()
 }

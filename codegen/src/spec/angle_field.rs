@@ -1,6 +1,7 @@
 //! Reads a field that is an angle, and notices when it is written in the wrong unit or only nearly exact.
 
 use super::angle::{AngleUnit, WrittenAngle, pi_times};
+use super::meant;
 use super::reader::{Field, NOTHING, Reader};
 use super::yaml::Node;
 use std::f64::consts::{FRAC_PI_4, PI};
@@ -46,7 +47,8 @@ impl Reader<'_> {
                 None => {
                     let text = text.trim();
                     let number = text.parse::<f64>().is_ok_and(f64::is_finite);
-                    let help = number.then(|| format!("write {text} without quotes, or {text} deg, or {text} rad"));
+                    let quoted = number.then(|| format!("write {text} without quotes, or {text} deg, or {text} rad"));
+                    let help = quoted.or_else(|| meant::angle(text));
                     self.unexpected(field, expected, help);
                     return None;
                 }

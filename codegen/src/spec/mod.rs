@@ -11,6 +11,7 @@ mod coupling;
 mod frame;
 mod inverse;
 mod length;
+mod meant;
 mod nearest;
 mod parameter;
 mod place;

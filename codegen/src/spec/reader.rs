@@ -1,5 +1,6 @@
 //! Reads nodes as what they should be and collects what is wrong instead of stopping at the first mistake.
 
+use super::meant;
 use super::nearest::nearest;
 use super::place::{Place, Step};
 use super::source::Source;
@@ -70,7 +71,16 @@ impl<'s> Reader<'s> {
                 let found = describe(key, &self.source.written(&at_key));
                 let message = format!("expected a key of {what}, found {found}");
                 let mistake = self.source.mistake(&at_key, message);
-                self.mistakes.push(mistake.help(format!("{what} has {}", known.join(", "))));
+                // `{a: 80,5}` is a mapping with the key 5.
+                let before = index.checked_sub(1).and_then(|before| entries.get(before));
+                let help = match (key, before) {
+                    (Node::Number(_), Some((_, Node::Number(_)))) => {
+                        let whole = self.source.written(&field.place.to(Step::Value(index - 1)));
+                        format!("write {whole}.{}, with a decimal point", self.source.written(&at_key))
+                    }
+                    _ => format!("{what} has {}", known.join(", ")),
+                };
+                self.mistakes.push(mistake.help(help));
                 continue;
             };
             // An empty value has no text to point at.
@@ -169,7 +179,7 @@ impl<'s> Reader<'s> {
                     self.unexpected(field, "a number in the file's length unit", Some(help));
                 }
                 Ok(_) => self.unexpected(field, "a finite number", None),
-                Err(_) => self.unexpected(field, "a number in the file's length unit", None),
+                Err(_) => self.unexpected(field, "a number in the file's length unit", meant::number(text)),
             },
             Node::Null => self.unexpected(field, "a number in the file's length unit", Some(NOTHING.to_owned())),
             _ => self.unexpected(field, "a number in the file's length unit", None),

@@ -1,0 +1,132 @@
+//! What an arm file says beside its table, in words.
+
+use crate::model::{JointKind, Model, Parameter};
+
+/// The lines of `denhart check` on names, parameters, linked joints, sums with limits and motors that count; none where
+/// the file has none.
+pub fn describe(model: &Model, parameters: &[Parameter]) -> Vec<String> {
+    let unit = model.length_unit.symbol();
+    let mut lines = Vec::new();
+    let named = model.joints.iter().enumerate().filter(|(index, joint)| joint.name != format!("q{}", index + 1));
+    let names: Vec<String> = named.map(|(index, joint)| format!("q{} is {}", index + 1, joint.name)).collect();
+    if !names.is_empty() {
+        lines.push(format!("joints: {}", names.join(", ")));
+    }
+    if !parameters.is_empty() {
+        lines.push("parameters, constant in a unit struct, bound at run time by fields of these names:".into());
+        lines.extend(parameters.iter().map(|p| format!("  {} = {} {unit}", p.name, short(p.default))));
+    }
+    if let Some(coupling) = &model.coupling {
+        lines.push("motors (the others have the value of their joint):".into());
+        for (index, (row, offset)) in coupling.matrix.iter().zip(&coupling.offset).enumerate() {
+            let own = row.iter().enumerate().all(|(joint, k)| *k == if joint == index { 1.0 } else { 0.0 });
+            if !own || *offset != 0.0 {
+                let kind = model.joints.get(index).map_or(JointKind::Revolute, |joint| joint.kind);
+                let offset = (*offset != 0.0).then(|| value(*offset, kind, unit));
+                lines.push(format!("  m{} = {}", index + 1, plus(sum(row), offset)));
+            }
+        }
+    }
+    if !model.combined_limits.is_empty() {
+        lines.push("limits of sums:".into());
+        for limit in &model.combined_limits {
+            let [low, high] = limit.limits.map(|end| end.is_finite().then(|| value(end, limit.kind, unit)));
+            let low = low.map(|low| format!("{low} <= ")).unwrap_or_default();
+            let high = high.map(|high| format!(" <= {high}")).unwrap_or_default();
+            lines.push(format!("  {low}{}{high}", sum(&limit.factors)));
+        }
+    }
+    if let Some(actuators) = &model.actuators {
+        lines.push("motors that count pulses:".into());
+        for (index, (actuator, joint)) in actuators.iter().zip(&model.joints).enumerate() {
+            let (per, whole) = match joint.kind {
+                JointKind::Revolute => ("turn", std::f64::consts::TAU),
+                JointKind::Prismatic => (unit, 1.0),
+            };
+            let home = value(actuator.home, joint.kind, unit);
+            let pulses = short(actuator.pulses_per_unit * whole);
+            lines.push(format!("  m{}: {pulses} pulses per {per}, zero at {home}", index + 1));
+        }
+    }
+    lines
+}
+
+/// An angle in degrees, or a length.
+fn value(value: f64, kind: JointKind, unit: &str) -> String {
+    match kind {
+        JointKind::Revolute => format!("{} deg", short(value.to_degrees())),
+        JointKind::Prismatic => format!("{} {unit}", short(value)),
+    }
+}
+
+/// A weighted sum of joint values.
+fn sum(factors: &[f64]) -> String {
+    factors.iter().enumerate().filter(|(_, k)| **k != 0.0).fold(String::new(), |text, (joint, k)| {
+        let joint = joint + 1;
+        let term = if k.abs() == 1.0 { format!("q{joint}") } else { format!("{} q{joint}", short(k.abs())) };
+        match (text.is_empty(), *k < 0.0) {
+            (true, false) => term,
+            (true, true) => format!("-{term}"),
+            (false, false) => format!("{text} + {term}"),
+            (false, true) => format!("{text} - {term}"),
+        }
+    })
+}
+
+fn plus(text: String, constant: Option<String>) -> String {
+    match constant {
+        None => text,
+        Some(constant) => match constant.strip_prefix('-') {
+            Some(size) => format!("{text} - {size}"),
+            None => format!("{text} + {constant}"),
+        },
+    }
+}
+
+/// Up to six decimals, without trailing zeros.
+pub fn short(value: f64) -> String {
+    let text = format!("{value:.6}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".into() } else { text.into() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::describe;
+    use crate::{model, spec};
+
+    #[test]
+    fn everything_beside_the_table_is_told() {
+        let text = "
+name: linked
+convention: standard
+units: {length: mm, angle: deg}
+parameters: {upper: 250}
+joints:
+  - {name: base, a: 0, alpha: 90, d: 0, theta: 0, actuator: {pulses_per_rev: 12800, home: 0, direction: 1}}
+  - {a: upper, alpha: 0, d: 0, theta: 0, actuator: {pulses_per_rev: 200, gear_ratio: 50, home: 90, direction: -1}}
+  - {a: 200, alpha: 0, d: 0, theta: 0, actuator: {pulses_per_rev: 400, home: 0, direction: 1}}
+coupling:
+  q3: {q2: 1, q3: -0.5, offset: -90}
+combined_limits:
+  - {sum: {q2: 1, q3: 1}, limits: [-60, 200]}
+";
+        let (spec, _) = spec::read(text, "linked.yaml").unwrap_or_else(|errors| panic!("{errors}"));
+        let model = model::check(&spec).unwrap_or_else(|errors| panic!("{errors}"));
+        let lines = describe(&model, &model.parameters);
+        let told = [
+            "joints: q1 is base",
+            "parameters, constant in a unit struct, bound at run time by fields of these names:",
+            "  upper = 250 mm",
+            "motors (the others have the value of their joint):",
+            "  m3 = q2 - 0.5 q3 - 90 deg",
+            "limits of sums:",
+            "  -60 deg <= q2 + q3 <= 200 deg",
+            "motors that count pulses:",
+            "  m1: 12800 pulses per turn, zero at 0 deg",
+            "  m2: -10000 pulses per turn, zero at 90 deg",
+            "  m3: 400 pulses per turn, zero at 0 deg",
+        ];
+        assert_eq!(lines, told);
+    }
+}
