@@ -99,7 +99,7 @@ impl<T: Tolerances, const M: usize> Elsewhere<T, M> {
         if let Some(known) = self.open_mut(branch) {
             known.crossing = known.crossing.and(crossing);
         } else if let Some(slot) = self.open.get_mut(self.len) {
-            (slot.branch, slot.crossing) = (branch, crossing);
+            *slot = Open { branch, crossing, gap: T::INFINITY, turn: T::ZERO };
             self.len += 1;
         }
         self.free |= free;
@@ -126,8 +126,8 @@ impl<T: Tolerances, const M: usize> Elsewhere<T, M> {
         self.open.iter_mut().take(self.len).find(|open| open.branch == branch)
     }
 
-    /// Takes those branches off that a solution has met (those on a crossing: one of a further pass), and those that have had
-    /// their last pass.
+    /// Takes those branches off that a solution has met (those on a crossing: one of a further pass), and those that have
+    /// had their last pass.
     fn strike(&mut self, met: impl Fn(&Open<T>) -> bool) {
         let (all, passed) = (self.open, usize::from(self.last()));
         let placed = self.pass == Pass::Place(PLACES - 1);
