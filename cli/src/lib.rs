@@ -131,7 +131,10 @@ fn check(file: &Path) -> Result<String, String> {
     for advice in &report.warnings {
         shown = format!("{}\n\n{advice}", shown.trim_end());
     }
-    Ok(shown)
+    match &report.lacking {
+        Some(mistake) => Err(format!("{}\n\n{mistake}", shown.trim_end())),
+        None => Ok(shown),
+    }
 }
 
 fn print(out: &mut dyn Write, text: &str) -> io::Result<()> {

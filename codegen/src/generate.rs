@@ -86,9 +86,20 @@ fn analyze(text: &str, file: &str, bound: &Bound) -> Result<Analyzed, Errors> {
 }
 
 impl Analyzed {
+    /// The mistake of a file that requires an inverse where there is none.
+    fn lacking(&self) -> Option<Diagnostic> {
+        let refusal = self.inverse.as_ref().err().filter(|_| self.model.inverse.require)?;
+        let mistake = Diagnostic::error(format!("no inverse kinematics: {}", refusal.reason));
+        let help = "remove `require: true` to generate forward kinematics and Jacobian alone";
+        Some(mistake.at(self.model.inverse.at.clone()).help(help))
+    }
+
     fn report(&self) -> Report {
         let costs = [Wanted::Forward, Wanted::Jacobian, Wanted::Both].map(|w| kinematics(&self.chain, w).cost);
-        Report::new(&self.model, &self.parameters, &self.geometry, costs, &self.inverse, self.warnings.clone())
+        let mut report =
+            Report::new(&self.model, &self.parameters, &self.geometry, costs, &self.inverse, self.warnings.clone());
+        report.lacking = self.lacking();
+        report
     }
 }
 
@@ -99,12 +110,8 @@ impl Analyzed {
 pub fn generate(text: &str, file: &str, options: &Options) -> Result<Generated, Errors> {
     let analyzed = analyze(text, file, &options.bound)?;
     let Analyzed { model, chain, inverse, .. } = &analyzed;
-    if let (Err(refusal), true) = (inverse, model.inverse.require) {
-        let message = format!("no inverse kinematics: {}", refusal.reason);
-        let diagnostic = Diagnostic::error(message)
-            .at(model.inverse.at.clone())
-            .help("remove `require: true` to generate forward kinematics and Jacobian alone");
-        return Err(Errors::from(diagnostic));
+    if let Some(mistake) = analyzed.lacking() {
+        return Err(Errors::from(mistake));
     }
     let type_name = syn::parse_str::<proc_macro2::Ident>(&options.type_name).map_err(|_| {
         Errors::from(Diagnostic::error(format!("`{}` is not a name for a Rust type", options.type_name)))

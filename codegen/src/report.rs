@@ -21,6 +21,8 @@ pub struct Report {
     pub refusal: Option<String>,
     /// Operations of forward, jacobian, and both together.
     pub costs: [Cost; 3],
+    /// The mistake of a file that requires an inverse where there is none.
+    pub lacking: Option<Diagnostic>,
     /// Advice about the file.
     pub warnings: Vec<Diagnostic>,
     lines: Vec<String>,
@@ -72,6 +74,7 @@ impl Report {
             max_solutions: inverse.as_ref().ok().map(Plan::max_solutions),
             refusal: inverse.as_ref().err().map(|refusal| refusal.reason.clone()),
             costs,
+            lacking: None,
             warnings,
             lines,
         }

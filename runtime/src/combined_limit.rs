@@ -27,13 +27,16 @@ impl<T: Scalar, const N: usize> CombinedLimit<T, N> {
         sum
     }
 
-    /// Whether the sum is within the limits; not where it is not a number.
+    /// Whether the sum is within the limits, up to the rounding of its terms; not where it is not a number.
     #[inline]
     #[must_use]
     pub fn holds(&self, q: &[T; N]) -> bool {
         let [low, high] = self.limits;
         let sum = self.sum(q);
-        sum >= low && sum <= high
+        let terms = self.factors.iter().zip(q).filter(|(factor, _)| **factor != T::ZERO);
+        let size = terms.fold(T::ONE, |size, (factor, q)| size + (*factor * *q).abs());
+        let rounding = T::from_f64(16.0) * T::EPSILON * size;
+        sum >= low - rounding && sum <= high + rounding
     }
 }
 

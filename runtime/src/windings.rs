@@ -97,6 +97,9 @@ impl Turns {
     const STAY: Self = Self { low: 0, high: 0 };
 
     fn of<T: Scalar>(q: T, [low, high]: [T; 2], kind: JointKind) -> Self {
+        // As `inverse` has it, beyond a limit by rounding only is within it.
+        let rounding = T::from_f64(16.0) * T::EPSILON * (T::ONE + q.abs());
+        let (low, high) = (low - rounding, high + rounding);
         let inside = q >= low && q <= high;
         if kind != JointKind::Revolute {
             return if inside { Self::STAY } else { Self::NONE };

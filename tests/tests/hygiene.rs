@@ -51,6 +51,11 @@ pub mod taken {
     #[arm(spec = "../specs/stanford.yaml", scalar = "f32")]
     pub struct Stanford;
 
+    /// A type parameter of generated code would hide a type of its name.
+    #[derive(::denhart::Arm)]
+    #[arm(spec = "../specs/puma560.yaml")]
+    pub struct S;
+
     #[derive(::denhart::Arm)]
     #[arm(spec = "../specs/staubli_tx40.yaml")]
     pub struct Tx40;

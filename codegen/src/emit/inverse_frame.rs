@@ -107,12 +107,12 @@ pub(super) fn function(
     let wanted = ident(if plan.max_solutions() > 1 { "wanted" } else { "_wanted" });
     quote! {
         #doc
-        fn branches<S: #krate::solve::Select>(
+        fn branches(
             arm: &#type_name,
             target: &#asked,
             #argument
             near: ::core::option::Option<&[#scalar; #n]>,
-            #wanted: S,
+            #wanted: impl #krate::solve::Select,
         ) -> #solutions {
             let mut solutions = #krate::Solutions::new(#krate::Status::BadTarget);
             #sizes
@@ -183,7 +183,8 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
     let near = docs::lines(&format!(
         "The same solutions next to `q_ref`, the nearest first; {held} in `q_ref`.\n\n\
          Each revolute joint is on the turn nearest to `q_ref`, of those inside the limits if there are any (and `q_ref` \
-         is inside). {} A `q_ref` that is not finite is a `BadTarget`.",
+         is inside). {} A `q_ref` that is not finite, or an angle in it beyond 2048 rad (f32: 64), is a \
+         `BadTarget`.",
         distance(model)
     ));
     let branch = docs::lines(

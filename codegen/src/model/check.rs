@@ -122,6 +122,16 @@ fn unique_names(spec: &Spec, joints: &[Joint], mistakes: &mut Vec<Diagnostic>) {
         let mistake = Diagnostic::error(message).at(place.map(|place| spec.source.location(place)));
         mistakes.push(mistake.help("give each joint a name of its own"));
     }
+    // `q3` means joint 3 everywhere: no other joint may be called so, even where that one has another name.
+    for (index, joint) in joints.iter().enumerate() {
+        let number = |other: usize| other != index && joint.name == format!("q{}", other + 1);
+        let named_apart = |other: &usize| joints.get(*other).is_some_and(|other| other.name != joint.name);
+        if let Some(other) = (0..joints.len()).find(|other| number(*other)).filter(named_apart) {
+            let message = format!("joint {} has the name `{}`, which means joint {}", index + 1, joint.name, other + 1);
+            let mistake = Diagnostic::error(message).at(given(joint).map(|place| spec.source.location(place)));
+            mistakes.push(mistake.help("give it another name, or none"));
+        }
+    }
 }
 
 /// The parameters, none with the name of a joint.

@@ -81,6 +81,7 @@ fn names_that_occur_twice() {
     only(&arm(&[&named("x"), PLAIN, &named("x")], ""), "7:12", &["joints 1 and 3 have the same name `x`"]);
     only(&arm(&[&named("q2"), PLAIN], ""), "5:12", &["joints 1 and 2", "`q2`", "called by its number"]);
     only(&arm(&[PLAIN, &named("q1")], ""), "6:12", &["joints 1 and 2", "`q1`", "called by its number"]);
+    only(&arm(&[&named("q2"), &named("x")], ""), "5:12", &["joint 1 has the name `q2`", "means joint 2"]);
 }
 
 #[test]

@@ -94,11 +94,20 @@ fn facts(problem: &Problem, chain: &Chain) -> Option<SwivelFacts> {
     let wrist = meeting_point(&axes, 4)?;
     let body = problem.body(chain, 3);
     let elbow = axes.get(3)?;
+    let reach = problem.reach;
     Some(SwivelFacts {
-        shoulder: Transform { p: shoulder, ..base },
-        wrist: body.seen(wrist),
-        axis: body.turned_back(elbow.direction),
-        elbow: body.seen(elbow.point),
+        shoulder: Transform { r: base.r.map(|row| as_written(row, 1.0)), p: as_written(shoulder, reach) },
+        wrist: as_written(body.seen(wrist), reach),
+        axis: as_written(body.turned_back(elbow.direction), 1.0),
+        elbow: as_written(body.seen(elbow.point), reach),
+    })
+}
+
+/// Numbers without the rounding that computing them left: none beside `scale`, and else to 14 digits.
+fn as_written(v: [f64; 3], scale: f64) -> [f64; 3] {
+    v.map(|x| {
+        let unit = 1e-14 * scale;
+        if x.abs() < unit { 0.0 } else { format!("{x:.13e}").parse().unwrap_or(x) }
     })
 }
 

@@ -5,6 +5,9 @@ use super::angle::WrittenAngle;
 /// What to write for a text in the place of a number.
 pub fn number(text: &str) -> Option<String> {
     let text = text.trim();
+    if let Some(plain) = with_ascii_minus(text) {
+        return Some(plain);
+    }
     if let Some(number) = with_point(text) {
         return Some(format!("write {number}, with a decimal point"));
     }
@@ -20,6 +23,9 @@ pub fn number(text: &str) -> Option<String> {
 /// What to write for a text in the place of an angle.
 pub fn angle(text: &str) -> Option<String> {
     let text = text.trim();
+    if let Some(plain) = with_ascii_minus(text) {
+        return Some(plain);
+    }
     if let Some(number) = with_point(text) {
         return Some(format!("write {number}, with a decimal point"));
     }
@@ -32,6 +38,13 @@ pub fn angle(text: &str) -> Option<String> {
     let constant = if constant.is_empty() { "0" } else { constant.trim_start_matches('+') };
     let reads = WrittenAngle::parse(constant).is_some() || constant.parse::<f64>().is_ok();
     reads.then(|| format!("write the constant alone, {constant}: the joint's own value is added to it"))
+}
+
+/// A number whose minus is a dash, as typeset tables have it.
+fn with_ascii_minus(text: &str) -> Option<String> {
+    let plain = text.replace(['\u{2212}', '\u{2013}', '\u{2014}', '\u{2010}', '\u{2011}'], "-");
+    let reads = plain != text && (plain.parse::<f64>().is_ok() || WrittenAngle::parse(&plain).is_some());
+    reads.then(|| format!("write {plain}: the minus here is a typeset dash, not the one of the keyboard"))
 }
 
 /// `80,5` as `80.5`.
@@ -50,6 +63,7 @@ mod tests {
     fn the_number_that_is_meant() {
         assert_eq!(number("-80,5").as_deref(), Some("write -80.5, with a decimal point"));
         assert!(number("365 mm").is_some_and(|help| help.contains("365 if that is mm")));
+        assert!(number("\u{2212}445").is_some_and(|help| help.starts_with("write -445:")));
         for text in ["long", "l2 + 3", "1,2,3", "3 parsec", ""] {
             assert_eq!(number(text), None, "{text}");
         }

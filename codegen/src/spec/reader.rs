@@ -74,7 +74,9 @@ impl<'s> Reader<'s> {
                 // `{a: 80,5}` is a mapping with the key 5.
                 let before = index.checked_sub(1).and_then(|before| entries.get(before));
                 let help = match (key, before) {
-                    (Node::Number(_), Some((_, Node::Number(_)))) => {
+                    (Node::Number(part), Some((_, Node::Number(whole))))
+                        if whole.fract() == 0.0 && part.fract() == 0.0 && *part >= 0.0 =>
+                    {
                         let whole = self.source.written(&field.place.to(Step::Value(index - 1)));
                         format!("write {whole}.{}, with a decimal point", self.source.written(&at_key))
                     }
@@ -175,7 +177,10 @@ impl<'s> Reader<'s> {
             Node::Number(_) => self.unexpected(field, "a finite number", None),
             Node::Text(text) => match text.trim().parse::<f64>() {
                 Ok(value) if value.is_finite() => {
-                    let help = format!("write {} without quotes", text.trim());
+                    let text = text.trim();
+                    let plain = text.trim_start_matches('0');
+                    let octal = plain.len() < text.len() && plain.starts_with(|c: char| c.is_ascii_digit());
+                    let help = if octal { format!("write {plain}") } else { format!("write {text} without quotes") };
                     self.unexpected(field, "a number in the file's length unit", Some(help));
                 }
                 Ok(_) => self.unexpected(field, "a finite number", None),

@@ -46,11 +46,30 @@ impl<T: Tolerances, const N: usize> Facts<T, N> {
         (reach < T::LARGEST_REACH && reach > T::SMALLEST_REACH).then_some(self)
     }
 
+    /// Whether a joint vector can be a reference: finite, and its angles not so far wound that their rounding is more
+    /// than an exact solution may miss by.
+    #[inline]
+    fn can_refer(&self, near: &[T; N]) -> bool {
+        let mut joints = near.iter().enumerate();
+        joints.all(|(joint, q)| q.is_finite() && (self.prismatic.contains(joint) || q.abs() <= T::MOST_WOUND))
+    }
+
     /// Where each joint stays if it is free: its reference value; without one 0, or the limit nearest to 0.
     #[inline]
     pub(super) fn homes(&self, near: Option<&[T; N]>) -> [T; N] {
         match near {
-            Some(near) => *near,
+            Some(near) if self.prismatic.is_empty() => *near,
+            Some(near) => {
+                // A slide farther off than the arm reaches beyond its limits is no place to stay.
+                let mut homes = *near;
+                for joint in self.prismatic.iter() {
+                    if let (Some(home), Some([low, high])) = (homes.get_mut(joint), self.limits.get(joint)) {
+                        let (low, high) = (low.max(-self.reach * T::TWO), high.min(self.reach * T::TWO));
+                        *home = home.max(low - self.reach).min(high + self.reach);
+                    }
+                }
+                homes
+            }
             None => self.limits.map(|[low, high]| {
                 if low > T::ZERO {
                     low
@@ -141,7 +160,7 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
         solutions: &'a mut Solutions<T, N, M>,
     ) -> Option<Self> {
         let deviation = goal.deviation();
-        let finite = goal.point().iter().all(|x| x.is_finite()) && near.is_none_or(|q| q.iter().all(|x| x.is_finite()));
+        let finite = goal.point().iter().all(|x| x.is_finite()) && near.is_none_or(|q| facts.can_refer(q));
         if !(deviation <= T::NOT_A_ROTATION) || !finite {
             solutions.set_status(Status::BadTarget);
             return None;
@@ -314,7 +333,13 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
             self.solutions.mark_awkward();
             self.settle(evaluate);
         }
-        !(self.elsewhere_wanted() && self.move_on() || self.seek_nearest())
+        if self.elsewhere_wanted() && self.move_on() || self.seek_nearest() {
+            return false;
+        }
+        if self.solutions.is_empty() && self.solutions.is_awkward() {
+            self.rescue(evaluate);
+        }
+        true
     }
 
     /// If nothing is listed and the target is not far out of reach, the branches that come nearest are to be followed to
@@ -346,9 +371,12 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
     #[inline]
     fn mark_limits(&mut self) {
         for solution in self.solutions.as_mut_slice() {
-            // Every joint, without a branch.
+            // Every joint, without a branch; beyond a limit by rounding only is within it.
             let joints = solution.q.iter().zip(self.facts.limits);
-            let inside = joints.fold(true, |inside, (q, [low, high])| inside & (q >= low) & (q <= high));
+            let inside = joints.fold(true, |inside, (q, [low, high])| {
+                let rounding = T::EPSILON * T::from_f64(16.0) * (T::ONE + q.abs());
+                inside & (*q >= *low - rounding) & (*q <= *high + rounding)
+            });
             if !(inside && self.combined.iter().all(|limit| limit.holds(&solution.q))) {
                 solution.flags |= Flags::OUT_OF_LIMITS;
             }

@@ -196,6 +196,47 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
         best
     }
 
+    /// Beside a pose where several singularities meet, equations of almost nothing can lead every branch astray. If
+    /// nothing is listed, the iteration is started from the reference and from places spread over all joints; what comes
+    /// within the tolerance is listed, without the name of a branch.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn rescue(&mut self, evaluate: &impl Evaluate<T, N>) {
+        let facts = self.facts;
+        let homes = facts.homes(self.near);
+        let mut best = refine(facts, self.goal, &self.goal.placed(homes), evaluate, FREE_STEPS);
+        for attempt in 1..=RESTARTS {
+            if relative(facts, &best.1) <= T::EXACT {
+                break;
+            }
+            let mut start = homes;
+            for (joint, value) in start.iter_mut().enumerate() {
+                // Multiples of irrational numbers modulo 1, one for each joint, fill the box evenly (Kronecker).
+                let part = f64::from(attempt) * (2.0 + joint as f64).sqrt() * 0.618_033_988_749_895;
+                let part = T::from_f64(2.0 * (part - f64::from(part as u32)) - 1.0);
+                *value = if facts.prismatic.contains(joint) { *value + part * facts.reach } else { part * T::PI };
+            }
+            let next = refine(facts, self.goal, &self.goal.placed(start), evaluate, FREE_STEPS);
+            if relative(facts, &next.1) < relative(facts, &best.1) {
+                best = next;
+            }
+        }
+        let (mut q, mut residual) = best;
+        for (joint, value) in q.iter_mut().enumerate() {
+            if !facts.prismatic.contains(joint) && !self.goal.given().contains(joint) {
+                *value = wrap(*value);
+            }
+        }
+        let within =
+            residual.position <= facts.tolerance.position && residual.orientation <= facts.tolerance.orientation;
+        residual.orientation += self.deviation;
+        let exact = relative(facts, &residual) <= T::EXACT;
+        if within {
+            let flags = if exact { Flags::EXACT } else { Flags::APPROXIMATE };
+            self.solutions.push(Solution { q, flags, residual, ..Solution::EMPTY });
+        }
+    }
+
     /// Unwinds the joints next to the reference (inside the limits where some turn is), keeps the reference's own place
     /// on a singular family, and sorts nearest first.
     #[inline(never)]

@@ -46,10 +46,13 @@ fn across<T: Tolerances>(along: V<T>, v: V<T>) -> V<T> {
 
 /// Where the elbow lies off the line from shoulder to wrist, as a unit vector: at right angles to the line and to the
 /// elbow's axis, on the elbow's side. An arm that is stretched out has the side of the axis turned by a right angle.
-fn side<T: Tolerances>(line: V<T>, axis: V<T>, elbow: V<T>) -> V<T> {
+/// `distance`: from shoulder to wrist; the shorter, the less is known of the direction of the line.
+fn side<T: Tolerances>(line: V<T>, distance: T, axis: V<T>, elbow: V<T>) -> V<T> {
     let normal = across(line, axis);
     let away = cross(normal, line);
-    if dot(away, elbow) < -T::ROUNDING * norm(elbow) { away.map(|e| -e) } else { away }
+    let size = norm(elbow);
+    let rounding = T::ROUNDING * size * (T::ONE + size / distance);
+    if dot(away, elbow) < -rounding { away.map(|e| -e) } else { away }
 }
 
 /// The rotation of the upper arm that puts the wrist where it has to be, with the elbow swung by the arm angle.
@@ -66,7 +69,7 @@ pub fn swivel<T: Tolerances>(wrist: V<T>, moved: V<T>, axis: V<T>, elbow: V<T>, 
     let [vx, vy, vz] = cross(a, u);
     let d = [cos * ux + sin * vx, cos * uy + sin * vy, cos * uz + sin * vz];
     let m = line(moved, elbow);
-    let s = side(m, axis, elbow);
+    let s = side(m, norm(moved), axis, elbow);
     let (to, from) = ([a, d, cross(a, d)], [m, s, cross(m, s)]);
     [0, 1, 2].map(|row| {
         [0, 1, 2].map(|column| {
@@ -104,9 +107,10 @@ impl<T: Tolerances> Swivel<T> {
             let ([px, py, pz], [x, y, z]) = (point, axis);
             [px - along * x, py - along * y, pz - along * z]
         };
-        let line = line(seen.transform_point(&self.wrist), foot);
+        let wrist = seen.transform_point(&self.wrist);
+        let line = line(wrist, foot);
         let up = across(line, [T::ZERO, T::ZERO, T::ONE]);
-        let side = side(line, axis, foot);
+        let side = side(line, norm(wrist), axis, foot);
         atan2(dot(cross(line, up), side), dot(up, side))
     }
 }

@@ -22,6 +22,8 @@ pub trait Tolerances: Scalar {
     const COINCIDENT: Self;
     /// A candidate with a relative residual above this is a guess rather than a solution of small error.
     const CLOSE: Self;
+    /// An angle beyond this, rad, is no reference: half a unit of its last place in every joint is about [`Self::EXACT`].
+    const MOST_WOUND: Self;
     /// An arm of this reach or more has squares of areas that overflow.
     const LARGEST_REACH: Self;
     /// An arm of this reach or less has squares of areas that underflow where they count.
@@ -37,6 +39,7 @@ impl Tolerances for f64 {
     const NOT_A_ROTATION: f64 = 1e-6;
     const COINCIDENT: f64 = 2.4e-7;
     const CLOSE: f64 = 1e-4;
+    const MOST_WOUND: f64 = 2048.0;
     const LARGEST_REACH: f64 = 1e60;
     const SMALLEST_REACH: f64 = 1e-60;
 }
@@ -50,6 +53,7 @@ impl Tolerances for f32 {
     const NOT_A_ROTATION: f32 = 1e-3;
     const COINCIDENT: f32 = 5.5e-3;
     const CLOSE: f32 = 1e-2;
+    const MOST_WOUND: f32 = 64.0;
     const LARGEST_REACH: f32 = 1e8;
     const SMALLEST_REACH: f32 = 1e-4;
 }
