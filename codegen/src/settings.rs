@@ -92,6 +92,8 @@ pub fn short(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used)]
+
     use super::describe;
     use crate::{model, spec};
 
@@ -111,8 +113,8 @@ coupling:
 combined_limits:
   - {sum: {q2: 1, q3: 1}, limits: [-60, 200]}
 ";
-        let (spec, _) = spec::read(text, "linked.yaml").unwrap_or_else(|errors| panic!("{errors}"));
-        let model = model::check(&spec).unwrap_or_else(|errors| panic!("{errors}"));
+        let (spec, _) = spec::read(text, "linked.yaml").unwrap();
+        let model = model::check(&spec).unwrap();
         let lines = describe(&model, &model.parameters);
         let told = [
             "joints: q1 is base",

@@ -135,7 +135,7 @@ where
                 // is kept.
                 let elbow = solution.q[3].sin().abs();
                 let turned = denhart::math::wrap(angle(&arm, &solution.q) - asked.1).abs();
-                let told = solution.free.is_empty() && (elbow < 1e-15 || elbow > 1e-2);
+                let told = solution.free.is_empty() && !(1e-15..=1e-2).contains(&elbow);
                 assert!(own || !told || turned < 1e-6, "{turned:e} at {q:?}, {solution}");
             }
             assert!(!contains || exact().any(|solution| apart(&solution.q, &q) < 1e-6), "{q:?}");
