@@ -17,6 +17,8 @@ enum Pass<T> {
     Home,
     /// At one of the other places.
     Place(u32),
+    /// At home once more, where what is left is refined as it is.
+    HomeAgain,
     /// Around the place that is best for the first open branch: the step in turns, with its sign, and whether the
     /// opposite step has failed from there.
     Nearer { step: T, both: bool },
@@ -89,9 +91,9 @@ impl<T: Tolerances, const M: usize> Elsewhere<T, M> {
         self.pass != Pass::Home
     }
 
-    /// Whether no place is left for the branch that is followed.
+    /// Whether what is left is to be refined as it is.
     pub(super) fn last(&self) -> bool {
-        self.pass == Pass::Last
+        matches!(self.pass, Pass::HomeAgain | Pass::Last)
     }
 
     /// Remembers a branch that was missed at home, or is on a crossing there, and the joints that are free on it.
@@ -129,7 +131,7 @@ impl<T: Tolerances, const M: usize> Elsewhere<T, M> {
     /// Takes those branches off that a solution has met (those on a crossing: one of a further pass), and those that have
     /// had their last pass.
     fn strike(&mut self, met: impl Fn(&Open<T>) -> bool) {
-        let (all, passed) = (self.open, usize::from(self.last()));
+        let (all, passed) = (self.open, usize::from(self.pass == Pass::Last));
         let placed = self.pass == Pass::Place(PLACES - 1);
         let left =
             all.iter().take(self.len).skip(passed).filter(|open| !(placed && open.crossing.is_some() || met(open)));
@@ -148,6 +150,7 @@ impl<T: Tolerances, const M: usize> Elsewhere<T, M> {
             }
             Pass::Home => Pass::Place(1),
             Pass::Place(place) if place + 1 < PLACES => Pass::Place(place + 1),
+            Pass::Place(_) => Pass::HomeAgain,
             Pass::Nearer { step, both } if branch == first_before => {
                 if turn == self.turn {
                     Pass::Nearer { step, both: false }
@@ -167,7 +170,7 @@ impl<T: Tolerances, const M: usize> Elsewhere<T, M> {
             }
         }
         self.turn = match self.pass {
-            Pass::Home | Pass::Nearest => T::ZERO,
+            Pass::Home | Pass::HomeAgain | Pass::Nearest => T::ZERO,
             // Bits in reverse: half a turn, quarters, eighths.
             Pass::Place(place) => {
                 let reversed = place.reverse_bits() >> (u32::BITS - PLACES.ilog2());
@@ -213,10 +216,12 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
         }
         elsewhere.compare(branch, (trail.gap.position / reach).max(trail.gap.orientation));
         let free = elsewhere.free;
-        let open = elsewhere.open_mut(branch).is_some_and(|open| open.crossing.is_none_or(|at_home| at_home != loose));
+        let known = elsewhere.open_mut(branch).map(|open| open.crossing);
+        let open = known.is_some_and(|crossing| crossing.is_none_or(|at_home| at_home != loose));
         match pass {
             Pass::Home => return !trail.missed,
             Pass::Nearest => return trail.beyond,
+            Pass::HomeAgain => return open,
             Pass::Last => return elsewhere.open.first().is_some_and(|first| first.branch == branch),
             Pass::Place(_) | Pass::Nearer { .. } => {}
         }

@@ -212,9 +212,11 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
             let mut start = homes;
             for (joint, value) in start.iter_mut().enumerate() {
                 // Multiples of irrational numbers modulo 1, one for each joint, fill the box evenly (Kronecker).
-                let part = f64::from(attempt) * (2.0 + joint as f64).sqrt() * 0.618_033_988_749_895;
-                let part = T::from_f64(2.0 * (part - f64::from(part as u32)) - 1.0);
-                *value = if facts.prismatic.contains(joint) { *value + part * facts.reach } else { part * T::PI };
+                let turns =
+                    T::from_f64(f64::from(attempt) * 0.618_033_988_749_895) * T::from_f64(2.0 + joint as f64).sqrt();
+                let angle = wrap(turns * T::TWO * T::PI);
+                let slides = facts.prismatic.contains(joint);
+                *value = if slides { *value + angle / T::PI * facts.reach } else { angle };
             }
             let next = refine(facts, self.goal, &self.goal.placed(start), evaluate, FREE_STEPS);
             if relative(facts, &next.1) < relative(facts, &best.1) {
