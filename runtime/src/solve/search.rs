@@ -90,6 +90,8 @@ pub(super) struct Doubts<T, const M: usize> {
     pub(super) elsewhere: Elsewhere<T, M>,
     /// Bit i: solution i is to be checked in full.
     pub(super) solutions: u32,
+    /// Whether any of them has such joints.
+    astray: bool,
     /// For each solution the joints that are free or nearly so.
     pub(super) loose: [JointMask; M],
     /// The least residual of the branches that were checked in full and are none.
@@ -107,6 +109,7 @@ impl<T: Tolerances, const M: usize> Doubts<T, M> {
     const NONE: Self = Self {
         elsewhere: Elsewhere::START,
         solutions: 0,
+        astray: false,
         loose: [JointMask::NONE; M],
         checked_gap: None,
         stage_gap: None,
@@ -295,6 +298,7 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
     fn doubt(&mut self, at: usize, trail: &Trail<T>) {
         let (doubts, bit) = (self.doubts(), 1u32.checked_shl(at as u32).unwrap_or(0));
         doubts.solutions |= bit;
+        doubts.astray |= !(trail.free | trail.weak).is_empty();
         if let Some(loose) = doubts.loose.get_mut(at) {
             *loose = trail.free | trail.weak;
         }
@@ -336,7 +340,7 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
         if self.elsewhere_wanted() && self.move_on() || self.seek_nearest() {
             return false;
         }
-        if self.solutions.is_empty() && self.solutions.is_awkward() {
+        if self.solutions.is_empty() && self.doubts().astray {
             self.rescue(evaluate);
         }
         true
