@@ -1,5 +1,6 @@
 //! Limits of sums of joint values.
 
+use crate::limits::within;
 use crate::math::Scalar;
 
 /// The range of a sum of joint values, as of two linked joints.
@@ -31,12 +32,8 @@ impl<T: Scalar, const N: usize> CombinedLimit<T, N> {
     #[inline]
     #[must_use]
     pub fn holds(&self, q: &[T; N]) -> bool {
-        let [low, high] = self.limits;
-        let sum = self.sum(q);
         let terms = self.factors.iter().zip(q).filter(|(factor, _)| **factor != T::ZERO);
-        let size = terms.fold(T::ONE, |size, (factor, q)| size + (*factor * *q).abs());
-        let rounding = T::from_f64(16.0) * T::EPSILON * size;
-        sum >= low - rounding && sum <= high + rounding
+        within(self.sum(q), self.limits, terms.fold(T::ZERO, |size, (factor, q)| size + (*factor * *q).abs()))
     }
 }
 

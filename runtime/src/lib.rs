@@ -37,6 +37,7 @@ mod delegate;
 mod dh;
 mod flags;
 mod jacobian;
+mod limits;
 mod manipulability;
 mod margin;
 pub mod math;

@@ -1,6 +1,7 @@
 //! Whole turns: joint vectors that differ by multiples of 2 pi put the tool in the same place.
 
 use crate::dh::JointKind;
+use crate::limits::rounding;
 use crate::math::{Scalar, wrap};
 
 /// The angle that differs from `value` by whole turns, next to `reference`: of those inside the limits the nearest one.
@@ -20,7 +21,7 @@ fn at_limit<T: Scalar>(value: T, near: T, limits: [T; 2]) -> T {
     let [low, high] = limits;
     let held = near.max(low).min(high);
     let beyond = (near - held).abs();
-    if beyond <= T::from_f64(16.0) * T::EPSILON * held.abs().max(T::ONE) {
+    if beyond <= rounding(held.abs()) {
         held
     } else if !far_beyond(near, limits) {
         near
@@ -98,7 +99,7 @@ impl Turns {
 
     fn of<T: Scalar>(q: T, [low, high]: [T; 2], kind: JointKind) -> Self {
         // As `inverse` has it, beyond a limit by rounding only is within it.
-        let rounding = T::from_f64(16.0) * T::EPSILON * (T::ONE + q.abs());
+        let rounding = rounding(q.abs());
         let (low, high) = (low - rounding, high + rounding);
         let inside = q >= low && q <= high;
         if kind != JointKind::Revolute {

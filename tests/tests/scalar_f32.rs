@@ -9,7 +9,10 @@ use denhart_tests::subject::{Specified, Subject, largest, reach};
 /// About fifty roundings of 6e-8 through forward kinematics and Jacobian.
 const ROUNDING: f64 = 4e-6;
 
-/// What is called exact closes within 2e-5 by the arm's own forward kinematics; the target's rounding and that of the
+/// A pose whose least singular value is greater is a regular one, which closes to rounding.
+const REGULAR: f64 = 0.02;
+
+/// What is called exact at another pose closes within 2e-5 by the arm's own forward kinematics; the target's rounding and that of the
 /// check come on top.
 const CLOSES: f64 = 2e-5 + 2.0 * ROUNDING;
 
@@ -75,9 +78,10 @@ where
         for solution in solutions.as_ref() {
             assert!(solution.q.iter().all(|x| x.is_finite()), "{q:?}: {solution:?}");
             let miss = largest(subject.miss(&target.into(), &double(solution.q)).into_iter());
-            assert!(!solution.is_exact() || miss < CLOSES, "{q:?}: {solution:?} misses by {miss:e}");
+            let closes = if least > REGULAR { MOVES } else { CLOSES };
+            assert!(!solution.is_exact() || miss < closes, "{q:?}: {solution:?} misses by {miss:e}");
         }
-        if least > 0.02 {
+        if least > REGULAR {
             let distance = |s: &denhart::Solution<f32, 6>| subject.distance(&double(s.q), &q, |_| true);
             let nearest = solutions.as_ref().iter().map(distance).fold(f64::INFINITY, f64::min);
             assert!(nearest < MOVES / least, "{q:?}: the nearest solution is {nearest:e} away");

@@ -150,6 +150,28 @@ macro_rules! snapshot_tests {
 
 denhart_tests::published_arms!(snapshot_tests);
 
+/// Tasks that no file of `specs/` asks for.
+const OTHER_TASKS: [(&str, &str, &str); 2] = [
+    ("arm_angle", "kuka_iiwa7_r800", "inverse: {task: pose, redundant: arm_angle}"),
+    ("position_axis", "scorbot_er5", "inverse: {task: position_axis, axis: x}"),
+];
+
+#[test]
+fn other_tasks() {
+    for (name, arm, inverse) in OTHER_TASKS {
+        let generate = |text: &str, file: &str| {
+            let lines = text.lines().map(|line| if line.starts_with("inverse:") { inverse } else { line });
+            let text = lines.collect::<Vec<_>>().join("\n");
+            let report = denhart_codegen::check(&text, file)?;
+            assert!(report.refusal.is_none(), "{name}: {report}");
+            denhart_codegen::generate(&text, file, &Options::new("Robot"))?.to_file()
+        };
+        let code = made(arm, generate);
+        check_code(name, &code, &made(arm, generate));
+        keep("code", name, &code);
+    }
+}
+
 #[test]
 fn numbers_and_parts_are_found() {
     let found: Vec<&str> = numbers("let x1 = -0.5 * D4 + [2.0; 3] - f64::sin(0..7)").collect();

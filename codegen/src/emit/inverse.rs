@@ -274,7 +274,8 @@ impl Nest<'_> {
         self.at(level, statement);
         let (before, wrist) = (&self.trail, vectors.first());
         let homes = quote!([search.home(0), search.home(1)]);
-        self.at(level, quote!(let swung = search.directed(&#before, LENGTH, #wrist, #homes);));
+        let doc = docs::lines("A wrist in the shoulder leaves joints 1 and 2 free.");
+        self.at(level, quote!(#doc let swung = search.directed(&#before, LENGTH, #wrist, #homes);));
         self.trail = quote!(swung);
         for name in names.iter().flatten() {
             self.known.insert(name.clone(), level);

@@ -5,12 +5,22 @@ use super::angle::WrittenAngle;
 /// What to write for a text in the place of a number.
 pub fn number(text: &str) -> Option<String> {
     let text = text.trim();
-    if let Some(plain) = with_ascii_minus(text) {
-        return Some(plain);
-    }
-    if let Some(number) = with_point(text) {
-        return Some(format!("write {number}, with a decimal point"));
-    }
+    typed(text).or_else(|| with_unit(text))
+}
+
+/// What to write for a text in the place of an angle.
+pub fn angle(text: &str) -> Option<String> {
+    let text = text.trim();
+    typed(text).or_else(|| with_variable(text))
+}
+
+/// A number in other characters than the keyboard's.
+fn typed(text: &str) -> Option<String> {
+    with_ascii_minus(text).or_else(|| with_point(text))
+}
+
+/// A length with its unit.
+fn with_unit(text: &str) -> Option<String> {
     let end = text.find(|c: char| c.is_alphabetic() && !matches!(c, 'e' | 'E'))?;
     let (number, word) = text.split_at_checked(end)?;
     let (number, word) = (number.trim(), word.trim());
@@ -20,16 +30,8 @@ pub fn number(text: &str) -> Option<String> {
     })
 }
 
-/// What to write for a text in the place of an angle.
-pub fn angle(text: &str) -> Option<String> {
-    let text = text.trim();
-    if let Some(plain) = with_ascii_minus(text) {
-        return Some(plain);
-    }
-    if let Some(number) = with_point(text) {
-        return Some(format!("write {number}, with a decimal point"));
-    }
-    // The joint's variable is added to the constant by itself: `q2 - 90`, `90 + q2`, `q2`.
+/// A joint's variable with the constant that it is added to by itself: `q2 - 90`, `90 + q2`, `q2`.
+fn with_variable(text: &str) -> Option<String> {
     let start = text.find(['q', 'Q'])?;
     let (before, joint) = text.split_at_checked(start)?;
     let end = joint.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(joint.len());
@@ -52,7 +54,7 @@ fn with_point(text: &str) -> Option<String> {
     let (whole, part) = text.split_once(',')?;
     let digits = |text: &str| !text.is_empty() && text.chars().all(|c| c.is_ascii_digit());
     let sign = whole.strip_prefix(['-', '+']).unwrap_or(whole);
-    (digits(sign) && digits(part)).then(|| format!("{whole}.{part}"))
+    (digits(sign) && digits(part)).then(|| format!("write {whole}.{part}, with a decimal point"))
 }
 
 #[cfg(test)]

@@ -1,9 +1,11 @@
 //! Following the branches of the cascade and collecting the solutions.
 
+use super::doubts::Doubts;
 use super::elsewhere::Elsewhere;
 use super::refine::Evaluate;
 use super::stage::Met;
 use super::{Goal, Home, Measure, Stage, Tolerances, Trail};
+use crate::limits::within;
 use crate::math::wrap;
 use crate::vector::norm;
 use crate::{Branch, CombinedLimit, Flags, JointMask, Residual, Solution, Solutions, Status};
@@ -80,56 +82,6 @@ impl<T: Tolerances, const N: usize> Facts<T, N> {
                 }
             }),
         }
-    }
-}
-
-/// What a search remembers of an awkward pose; at an ordinary one there is nothing to remember.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Doubts<T, const M: usize> {
-    /// Branches that have to be followed again with a free joint elsewhere.
-    pub(super) elsewhere: Elsewhere<T, M>,
-    /// Bit i: solution i is to be checked in full.
-    pub(super) solutions: u32,
-    /// Whether any of them has such joints.
-    astray: bool,
-    /// For each solution the joints that are free or nearly so.
-    pub(super) loose: [JointMask; M],
-    /// The least residual of the branches that were checked in full and are none.
-    checked_gap: Option<T>,
-    /// The least gap of a stage at which a branch ended.
-    stage_gap: Option<T>,
-    /// The same over reach, or in rad.
-    relative_gap: T,
-    /// Branches that are missed by no more than this (over reach, or rad) are followed to their end, as the nearest
-    /// approach to a target out of reach.
-    nearest: T,
-}
-
-impl<T: Tolerances, const M: usize> Doubts<T, M> {
-    const NONE: Self = Self {
-        elsewhere: Elsewhere::START,
-        solutions: 0,
-        astray: false,
-        loose: [JointMask::NONE; M],
-        checked_gap: None,
-        stage_gap: None,
-        relative_gap: T::INFINITY,
-        nearest: T::ZERO,
-    };
-
-    /// A branch has been checked in full and misses by this.
-    pub(super) fn misses(&mut self, residual: T) {
-        self.checked_gap = Some(self.checked_gap.map_or(residual, |least| least.min(residual)));
-    }
-
-    /// A stage is missed by this, over reach (or in rad) by `relative`. Returns whether its branch ends there.
-    fn ends(&mut self, gap: T, relative: T) -> bool {
-        self.relative_gap = self.relative_gap.min(relative);
-        let ends = relative > self.nearest;
-        if ends {
-            self.stage_gap = Some(self.stage_gap.map_or(gap, |least| least.min(gap)));
-        }
-        ends
     }
 }
 
@@ -375,12 +327,9 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
     #[inline]
     fn mark_limits(&mut self) {
         for solution in self.solutions.as_mut_slice() {
-            // Every joint, without a branch; beyond a limit by rounding only is within it.
+            // Every joint, without a branch.
             let joints = solution.q.iter().zip(self.facts.limits);
-            let inside = joints.fold(true, |inside, (q, [low, high])| {
-                let rounding = T::EPSILON * T::from_f64(16.0) * (T::ONE + q.abs());
-                inside & (*q >= *low - rounding) & (*q <= *high + rounding)
-            });
+            let inside = joints.fold(true, |inside, (q, limits)| inside & within(*q, *limits, q.abs()));
             if !(inside && self.combined.iter().all(|limit| limit.holds(&solution.q))) {
                 solution.flags |= Flags::OUT_OF_LIMITS;
             }

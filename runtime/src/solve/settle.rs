@@ -1,8 +1,8 @@
 //! The end of a search: doubtful solutions are checked in full, coinciding ones merged, and with a reference the
 //! joints are unwound next to it.
 
+use super::doubts::Doubts;
 use super::refine::{Evaluate, NOISE, STIFF, approached, refine, relative};
-use super::search::Doubts;
 use super::{Goal, Search, Tolerances};
 use crate::math::wrap;
 use crate::windings::next_to;
@@ -11,12 +11,10 @@ use crate::{Flags, JointMask, Residual, Solution};
 /// Newton steps for a solution that is already close.
 const STEPS: usize = 24;
 /// Steps for one whose free joint has to move.
-const FREE_STEPS: usize = 40;
+pub(super) const FREE_STEPS: usize = 40;
 /// Steps for one that no place of its free joint has met: where the arm is also at the edge of its reach, several roots
 /// meet, towards which every step gains the same small part.
 const LAST_STEPS: usize = 300;
-/// Starts beside a singular place.
-const RESTARTS: u32 = 16;
 
 impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T, G, N, M> {
     /// Checks every doubtful solution with forward kinematics; refines it if that closes it. What stays beyond the
@@ -147,96 +145,6 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
             }
         }
         best
-    }
-
-    /// At a singular target the first-order steps may not see the direction that is missing. From beside the place they
-    /// do: a few fixed offsets are tried, of the free joint if it is known, else of all joints. The first start that
-    /// closes is taken, or the one that comes nearest.
-    #[cold]
-    #[inline(never)]
-    fn restarted(&self, q: &[T; N], loose: JointMask, evaluate: &impl Evaluate<T, N>) -> ([T; N], Residual<T>) {
-        let facts = self.facts;
-        let mut best = (*q, Residual { position: T::INFINITY, orientation: T::INFINITY });
-        for attempt in 1..=RESTARTS {
-            let mut start = *q;
-            // A stroke out of all proportion comes from slides that are nearly parallel.
-            for joint in facts.prismatic.iter() {
-                if let (Some(value), Some(home)) = (start.get_mut(joint), self.homes.get(joint))
-                    && !(value.abs() < facts.reach * T::from_f64(10.0))
-                {
-                    *value = *home;
-                }
-            }
-            let sign = if attempt % 2 == 0 { -T::ONE } else { T::ONE };
-            let size = T::from_f64(f64::from(attempt.div_ceil(2)));
-            for (joint, value) in start.iter_mut().enumerate() {
-                let unit = if facts.prismatic.contains(joint) { facts.reach } else { T::ONE };
-                let offset = if self.goal.given().contains(joint) {
-                    T::ZERO
-                } else if loose.contains(joint) {
-                    // The whole turn in eighths of half turns, both ways, nearest first.
-                    sign * size * T::PI * T::from_f64(0.125)
-                } else if !loose.is_empty() {
-                    T::ZERO
-                } else {
-                    // Different for every joint, so that no two stay in line.
-                    let spread = T::from_f64(0.01 + 0.007 * f64::from((joint as u32 * 5 + 2) % 7));
-                    sign * size * spread * if joint % 2 == 0 { T::ONE } else { -T::ONE }
-                };
-                *value += offset * unit;
-            }
-            let next = refine(facts, self.goal, &start, evaluate, FREE_STEPS);
-            if relative(facts, &next.1) < relative(facts, &best.1) {
-                best = next;
-            }
-            if relative(facts, &best.1) <= T::EXACT {
-                break;
-            }
-        }
-        best
-    }
-
-    /// Beside a pose where several singularities meet, equations of almost nothing can lead every branch astray. If
-    /// nothing is listed, the iteration is started from the reference and from places spread over all joints; what comes
-    /// within the tolerance is listed, without the name of a branch.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn rescue(&mut self, evaluate: &impl Evaluate<T, N>) {
-        let facts = self.facts;
-        let homes = facts.homes(self.near);
-        let mut best = refine(facts, self.goal, &self.goal.placed(homes), evaluate, FREE_STEPS);
-        for attempt in 1..=RESTARTS {
-            if relative(facts, &best.1) <= T::EXACT {
-                break;
-            }
-            let mut start = homes;
-            for (joint, value) in start.iter_mut().enumerate() {
-                // Multiples of irrational numbers modulo 1, one for each joint, fill the box evenly (Kronecker).
-                let turns =
-                    T::from_f64(f64::from(attempt) * 0.618_033_988_749_895) * T::from_f64(2.0 + joint as f64).sqrt();
-                let angle = wrap(turns * T::TWO * T::PI);
-                let slides = facts.prismatic.contains(joint);
-                *value = if slides { *value + angle / T::PI * facts.reach } else { angle };
-            }
-            let next = refine(facts, self.goal, &self.goal.placed(start), evaluate, FREE_STEPS);
-            if relative(facts, &next.1) < relative(facts, &best.1) {
-                best = next;
-            }
-        }
-        let (mut q, mut residual) = best;
-        for (joint, value) in q.iter_mut().enumerate() {
-            if !facts.prismatic.contains(joint) && !self.goal.given().contains(joint) {
-                *value = wrap(*value);
-            }
-        }
-        let within =
-            residual.position <= facts.tolerance.position && residual.orientation <= facts.tolerance.orientation;
-        residual.orientation += self.deviation;
-        let exact = relative(facts, &residual) <= T::EXACT;
-        if within {
-            let flags = if exact { Flags::EXACT } else { Flags::APPROXIMATE };
-            self.solutions.push(Solution { q, flags, residual, ..Solution::EMPTY });
-        }
     }
 
     /// Unwinds the joints next to the reference (inside the limits where some turn is), keeps the reference's own place

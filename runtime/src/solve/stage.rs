@@ -192,7 +192,7 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
     }
 
     /// The roots to go on with, each with its index; none if the branch has ended. With `wanted` only the root of that
-    /// index, which is the one root where two have met or the joint is free.
+    /// index, which is the one root where two have met, or where a free joint leaves but one.
     #[inline]
     pub fn each(&self, trail: &Trail<T>, wanted: Option<usize>) -> impl Iterator<Item = (usize, &[Turn<T>; K])> {
         let len = if trail.ended { 0 } else { self.len };

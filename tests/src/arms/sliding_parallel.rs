@@ -219,6 +219,21 @@ joints:
 base: {xyz: [0.032, -0.155, 0.29], rpy: [45, 180, 180]}
 tool: {xyz: [0.009, -0.21, 0.298], rpy: [0, 90, 0]}
 " };
+            rail_to_stretch RailToStretch 6 inverse { yaml = "
+# PRRRRR, a rail whose stretched elbow leaves a free joint one place
+name: rail_to_stretch
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose, require: true}
+joints:
+  - {type: prismatic, a: 0, alpha: -90, d: 0, theta: 90, limits: [0, 0.893]}
+  - {a: 0, alpha: 90, d: 0.31, theta: 0}
+  - {a: 0.741, alpha: 0, d: 0, theta: 0}
+  - {a: 0.688, alpha: 0, d: 0.1, theta: 0}
+  - {a: 0, alpha: -90, d: 0, theta: 0}
+  - {a: 0, alpha: 0, d: 0.128, theta: 0}
+tool: {xyz: [-0.091, 0.041, 0.194], rpy: [0, 45, 0]}
+" };
         }
     };
 }

@@ -297,4 +297,32 @@ joints:
   - {a: 0, alpha: 90, d: 0, theta: 0}
 tool: {xyz: [0.1, 0, 0.1], rpy: [0, 45, 0]}
 " };
+    pitches_and_offset_axis 5 PositionAxis(Z) { yaml = "
+# yaw, three pitch joints and a roll whose tool stands beside its axis: a quartic; families of solutions cross where axis 5 is axis 1
+name: pitches_and_offset_axis
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: position_axis, axis: z, require: true}
+joints:
+  - {a: 0.05, alpha: 90, d: 0.1, theta: 0}
+  - {a: 0.3, alpha: 0, d: 0, theta: 90}
+  - {a: 0.25, alpha: 0, d: 0, theta: 0}
+  - {a: 0, alpha: 90, d: 0, theta: 90}
+  - {a: 0, alpha: 90, d: 0.15, theta: 0}
+base: {xyz: [0, 0, 0], rpy: [30, -45, 60]}
+tool: {xyz: [0.1, 0, 0], rpy: [0, 0, 0]}
+" };
+    rail_and_four 5 PositionAxis(Z) { yaml = "
+# a rail with yaw and three pitch joints: a stretched elbow leaves a free joint one place
+name: rail_and_four
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: position_axis, axis: z, require: true}
+joints:
+  - {type: prismatic, a: 0, alpha: -90, d: 0, theta: 90, limits: [0, 0.893]}
+  - {a: 0.05, alpha: 90, d: 0.31, theta: 0}
+  - {a: 0.3, alpha: 0, d: 0, theta: 0}
+  - {a: 0.25, alpha: 0, d: 0.05, theta: 0}
+  - {a: 0.1, alpha: -90, d: 0, theta: 0}
+" };
 }

@@ -1,0 +1,17 @@
+//! Joint limits, up to rounding.
+
+use crate::math::Scalar;
+
+/// How far beyond a limit a value of this size may be by rounding: a robot parked at its limit is within it.
+#[inline]
+pub(crate) fn rounding<T: Scalar>(size: T) -> T {
+    T::from_f64(16.0) * T::EPSILON * (T::ONE + size)
+}
+
+/// Whether a value is within limits, up to the rounding of what it was computed from, which has this size. Not where it
+/// is not a number.
+#[inline]
+pub(crate) fn within<T: Scalar>(value: T, [low, high]: [T; 2], size: T) -> bool {
+    let rounding = rounding(size);
+    (value >= low - rounding) & (value <= high + rounding)
+}
