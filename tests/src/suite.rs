@@ -8,7 +8,7 @@ use crate::random::Random;
 use crate::recover;
 use crate::report::Report;
 use crate::subject::{Specified, Subject};
-use crate::task::Asked;
+use crate::task::{Asked, Kind};
 
 /// How large grids may be.
 #[derive(Debug, Clone, Copy)]
@@ -66,8 +66,9 @@ pub fn awkward_poses<const N: usize>(subject: &Subject<N>) {
         space.all_special(&mut random),
     ];
     let surface = singular_surface(subject, &mut random);
-    // Slides alone are singular nowhere.
-    let rigid = subject.kinds.iter().all(|kind| *kind == JointKind::Prismatic);
+    // Slides are singular nowhere, nor is one joint that turns a tool whose orientation counts.
+    let turning = subject.kinds.iter().filter(|kind| **kind == JointKind::Revolute).count();
+    let rigid = turning == 0 || turning == 1 && subject.task.kind == Kind::Pose;
     assert!(rigid || !surface.poses.is_empty(), "{}: nothing in the family {}", subject.name, surface.name);
     for family in special.iter().chain([&surface]) {
         for q in &family.poses {

@@ -1,4 +1,4 @@
-//! Arms with four or five joints: a plane that yaws, and the SCARA.
+//! Arms with four or five joints: a plane that yaws, and one that stays upright (SCARA, gantry).
 
 use super::asked::PlanTask;
 use super::closure::{Closure, Link};
@@ -125,22 +125,22 @@ pub fn yawing_pose(problem: Problem, task: PlanTask) -> Result<Plan, Refusal> {
     Ok(c.finish(triple, PlanTask { overdetermined: true, ..task }))
 }
 
-/// A whole pose for three parallel joints and a stroke along them.
-pub fn scara_pose(problem: Problem, task: PlanTask) -> Result<Plan, Refusal> {
+/// A whole pose for three joints that move in a plane and a stroke across it.
+pub fn upright_pose(problem: Problem, task: PlanTask) -> Result<Plan, Refusal> {
     let triple = Triple { first: 0, kind: TripleKind::Parallel };
     let mut c = Closure::new(problem, triple);
     let flange = c.link(3).back;
     let (link_a, link_b, link_c) = (c.link(0).forward, c.link(1).forward, c.link(2).forward);
     let still = link_a.then(&mut c.g, &link_b).then(&mut c.g, &link_c);
-    let numerator = c.g.sub(Side::along(flange.p), Side::along(still.p));
-    let kernel = Kernel::SlideTo { denominator: Side::along(still.z()), numerator };
+    // The stroke's direction in the frame of the first joint, which no joint turns.
+    let own = c.clean3(still.z(), Unit::Direction);
+    let (height, before) = (c.g.dot3(own, flange.p), c.g.dot3(own, still.p));
+    let kernel = Kernel::SlideTo { denominator: Expr::ONE, numerator: c.g.sub(height, before) };
     let label = c.label(3);
     let meaning = format!("Joint {label}: the height of the tool.");
     c.stage(&[(3, Angle::ZERO)], 3, Unit::Length, Branching::None, meaning, kernel);
-    let (seen, own) = (flange.z(), still.z());
-    let [x, y] = Side::plane(seen);
-    let along = c.g.sub(Side::along(seen), Side::along(own));
-    agreement(&mut c, "The stroke is parallel to the joints' axes.", Unit::Direction, vec![x, y, along]);
+    let misses = c.g.sub3(flange.z(), own).to_vec();
+    agreement(&mut c, "The stroke is parallel to the joints' axes.", Unit::Direction, misses);
     triple::parallel(&mut c)?;
     Ok(c.finish(triple, PlanTask { overdetermined: true, ..task }))
 }

@@ -5,7 +5,7 @@ use super::probe::{POSITION, Probe, ROTATION};
 use crate::kinematics;
 use crate::model::chain::{Chain, Step};
 use crate::model::geometry::{Line, TOLERANCE, Triple, triples};
-use crate::model::numeric::Transform;
+use crate::model::numeric::{Transform, cross, dot, length};
 use crate::model::{Angle, JointKind, Model};
 use crate::symbolic::{Expr, Graph, Pair, Rigid, transpose};
 
@@ -157,12 +157,35 @@ impl Problem {
         (parallel(first) && cosines.all(parallel)).then(|| first.signum())
     }
 
-    /// The chain with the sliding joint `i` moved past the turning joint after it, whose axis is parallel:
-    /// `T_z(d) C R_z(t) = C R_z(t) T_z(+-d)`.
+    /// The joint that slides along the direction about which all joints turn that do; the others slide across it.
+    pub fn stroke_along_turns(&self) -> Option<usize> {
+        let samples = self.probe.samples().iter();
+        let mut strokes = samples.map(|sample| {
+            let axes = self.axes(sample);
+            let turning = axes.iter().zip(&self.slots).find(|(_, slot)| slot.turns)?.0.direction;
+            let along = |line: &Line| length(cross(line.direction, turning)) <= TOLERANCE;
+            let across = |line: &Line| dot(line.direction, turning).abs() <= TOLERANCE;
+            let mut upright =
+                axes.iter().zip(&self.slots).all(|(line, slot)| along(line) || !slot.turns && across(line));
+            let mut strokes =
+                axes.iter().zip(&self.slots).enumerate().filter(|(_, (line, slot))| !slot.turns && along(line));
+            let stroke = strokes.next().map(|(i, _)| i);
+            upright &= strokes.next().is_none();
+            stroke.filter(|_| upright)
+        });
+        let first = strokes.next()??;
+        strokes.all(|stroke| stroke == Some(first)).then_some(first)
+    }
+
+    /// The chain with the sliding joint `i` moved past the joint after it: one that slides too, or one that turns about
+    /// a parallel axis, `T_z(d) C R_z(t) = C R_z(t) T_z(+-d)`.
     pub fn slide_later(&self, i: usize) -> Option<Problem> {
-        let (slides, turns) = (self.slots.get(i)?, self.slots.get(i + 1)?);
-        if slides.turns || !turns.turns {
+        let (slides, next) = (self.slots.get(i)?, self.slots.get(i + 1)?);
+        if slides.turns {
             return None;
+        }
+        if !next.turns {
+            return Some(self.slides_swapped(i));
         }
         let sign = self.keeps_axis(i + 1)?;
         let mut moved = self.clone();
@@ -175,6 +198,21 @@ impl Problem {
             *place = link;
         }
         Some(moved)
+    }
+
+    /// The chain with the sliding joints `i` and `i + 1` in the other order.
+    fn slides_swapped(&self, i: usize) -> Problem {
+        let mut moved = self.clone();
+        let g = &mut moved.g;
+        let between = self.link(i + 1);
+        let before = self.link(i).then(g, &between);
+        let after = between.then(g, &self.link(i + 2));
+        let back = between.inverse(g);
+        moved.slots.swap(i, i + 1);
+        for (place, link) in moved.links.iter_mut().skip(i).zip([before, back, after]) {
+            *place = link;
+        }
+        moved
     }
 
     /// The chain with the sliding joint `i` moved before the turning joint before it.

@@ -65,7 +65,7 @@ fn attempt(task: Task, model: &Model, geometry: &Geometry, problem: &Problem) ->
     match (task, problem.slots.len()) {
         (Task::Pose, 6) => pose(model, geometry, problem),
         (Task::Pose, 4 | 5) if few::yaws_and_pitches(&problem) => few::yawing_pose(problem, asked),
-        (Task::Pose, 4) => few::scara_pose(stroke_last(problem)?, asked),
+        (Task::Pose, 4) => few::upright_pose(stroke_last(problem)?, asked),
         (Task::Position, 3) => position(problem),
         (Task::PositionAxis, 5) => position_axis(model.inverse.axis, problem),
         (Task::PositionAngle, 4) if problem.locked.is_some() => Err(Refusal::new(
@@ -112,20 +112,20 @@ fn alternatives(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<String
     found
 }
 
-/// A SCARA with its stroke, wherever it stands, moved behind the joints that turn.
+/// An arm whose tool moves in space and turns about one direction, with the stroke along it moved behind the others.
 fn stroke_last(mut problem: Problem) -> Result<Problem, Refusal> {
     let refused = || {
         Refusal::new(
-            "with four joints the task `pose` needs a joint that yaws and three parallel joints across its axis, or three \
-             parallel joints and a sliding one along them (SCARA)",
+            "with four joints the task `pose` needs a joint that yaws and three parallel joints across its axis, or joints \
+             that turn about parallel axes, one that slides along these, and others that slide across (SCARA, gantry)",
         )
     };
-    let slides = problem.slots.iter().position(|slot| !slot.turns).ok_or_else(refused)?;
-    for i in slides..3 {
+    let stroke = problem.stroke_along_turns().ok_or_else(refused)?;
+    rank::check(&problem, rank::Asked::Pose)?;
+    for i in stroke..3 {
         problem = problem.slide_later(i).ok_or_else(refused)?;
     }
-    let upright = (1..4).all(|i| problem.keeps_axis(i).is_some());
-    if upright && problem.slots.iter().take(3).all(|slot| slot.turns) { Ok(problem) } else { Err(refused()) }
+    Ok(problem)
 }
 
 fn plan_task(task: Task, problem: &Problem) -> PlanTask {

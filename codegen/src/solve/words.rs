@@ -1,6 +1,6 @@
 //! The plan in words.
 
-use super::plan::{Kernel, Plan, PlanStep};
+use super::plan::{Kernel, Plan, PlanStep, Value};
 use crate::model::geometry::TripleKind;
 
 /// One line a step: which joint, by which kind of equation.
@@ -14,22 +14,42 @@ pub fn describe(plan: &Plan) -> Vec<String> {
         TripleKind::Parallel => "are parallel",
     };
     let mut lines = vec![format!("axes {}, {}, {} {kind}", label(0), label(1), label(2))];
-    for step in &plan.steps {
-        lines.push(match step {
-            PlanStep::Stage(stage) => {
-                let joints: Vec<String> = stage.joints.iter().map(|j| format!("q{}", plan.label(*j))).collect();
-                format!("{}: {}", joints.join(", "), kernel(&stage.kernel))
-            }
-            PlanStep::Agreement { meaning, .. } => meaning.trim_end_matches('.').to_lowercase(),
-            PlanStep::Swivel { .. } => "the upper arm's rotation from the wrist center and the arm angle".into(),
-            PlanStep::Angle { name, .. } => {
-                let joints: Vec<String> = name.chars().skip(1).map(|c| format!("q{c}")).collect();
-                let last = label(2);
-                format!("q{last}: what is left of the sum {}", joints.join(", "))
-            }
-        });
+    let steps = plan.steps.iter().filter_map(|step| match step {
+        PlanStep::Stage(stage) => {
+            let joints: Vec<String> = stage.joints.iter().map(|j| format!("q{}", plan.label(*j))).collect();
+            Some(format!("{}: {}", joints.join(", "), kernel(&stage.kernel)))
+        }
+        PlanStep::Agreement { meaning, .. } => Some(meaning.trim_end_matches('.').to_lowercase()),
+        PlanStep::Swivel { .. } => Some("the upper arm's rotation from the wrist center and the arm angle".into()),
+        PlanStep::Angle { name, .. } => left_of_sum(plan, name),
+    });
+    for line in steps {
+        // Two angles that are measured may be parts of one sum.
+        if !lines.contains(&line) {
+            lines.push(line);
+        }
     }
     lines
+}
+
+/// The joint that is what others leave of a sum, which an angle is a part of.
+fn left_of_sum(plan: &Plan, sum: &str) -> Option<String> {
+    let part = |value: &Value| value.terms.iter().any(|(term, _)| term == sum);
+    let joint = plan.values.iter().position(part)?;
+    let terms = &plan.values.get(joint)?.terms;
+    let known = |slot: usize| {
+        let label = plan.label(slot);
+        terms.iter().any(|(term, _)| term.strip_prefix(['q', 't']) == Some(&label))
+    };
+    let joints: Vec<String> = (0..plan.slots.len())
+        .filter(|slot| *slot == joint || known(*slot))
+        .map(|slot| format!("q{}", plan.label(slot)))
+        .collect();
+    let label = plan.label(joint);
+    Some(match joints.len() {
+        1 => format!("q{label}: the direction of the tool in the plane"),
+        _ => format!("q{label}: what is left of the sum {}", joints.join(", ")),
+    })
 }
 
 fn kernel(kernel: &Kernel) -> &'static str {

@@ -85,4 +85,80 @@ joints:
   - {a: 0.02, alpha: 90, d: 0.01, theta: -90}
   - {a: 0, alpha: 0, d: 0.145, theta: 0}
 " };
+    gantry_pppr 4 Pose { yaml = "
+# PPPR: a gantry with a tool that turns
+name: gantry_pppr
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose, require: true}
+joints:
+  - {type: prismatic, a: 0, alpha: 90, d: 0, theta: 90, limits: [0, 1.2]}
+  - {type: prismatic, a: 0, alpha: 90, d: 0.1, theta: 90, limits: [-0.4, 0.4]}
+  - {type: prismatic, a: 0, alpha: 0, d: 0, theta: 0, limits: [0, 0.3]}
+  - {a: 0.05, alpha: 180, d: 0.1, theta: 30}
+tool: {xyz: [0.1, -0.05, 0.08], rpy: [20, 50, -110]}
+" };
+    table_rppp 4 Pose { yaml = "
+# RPPP: a turntable under a skewed gantry
+name: table_rppp
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose, require: true}
+joints:
+  - {a: 0.1, alpha: 90, d: 0.2, theta: 0}
+  - {type: prismatic, a: 0, alpha: 60, d: 0, theta: 90, limits: [-0.5, 0.5]}
+  - {type: prismatic, a: 0.1, alpha: 90, d: 0.1, theta: 90, limits: [0, 0.6]}
+  - {type: prismatic, a: 0.05, alpha: 0, d: 0, theta: 0, limits: [0.1, 0.4]}
+base: {xyz: [0.2, 0.1, -0.3], rpy: [35, -20, 80]}
+" };
+    cylindrical_rppr 4 Pose { yaml = "
+# RPPR: a column, a beam, and a tool that turns about the vertical
+name: cylindrical_rppr
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose, require: true}
+joints:
+  - {a: 0.04, alpha: 0, d: 0.3, theta: 0}
+  - {type: prismatic, a: 0, alpha: -90, d: 0, theta: 0, limits: [0, 0.8]}
+  - {type: prismatic, a: 0.03, alpha: 90, d: 0.2, theta: 0, limits: [0, 0.5]}
+  - {a: 0.06, alpha: 180, d: 0.1, theta: 0}
+base: {xyz: [0.1, 0.2, 0.3], rpy: [10, 60, -35]}
+" };
+    rail_prpr 4 Pose { yaml = "
+# PRPR: a rail, a turntable, a beam across it and a tool that turns; the beam lifts
+name: rail_prpr
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose, require: true}
+joints:
+  - {type: prismatic, a: 0, alpha: 90, d: 0, theta: 0, limits: [-1, 1]}
+  - {a: 0.2, alpha: 0, d: 0.1, theta: 0}
+  - {type: prismatic, a: 0.1, alpha: 0, d: 0, theta: 20, limits: [0, 0.6]}
+  - {a: 0.15, alpha: -90, d: 0.05, theta: 0}
+" };
+    rail_pprr 4 Pose { yaml = "
+# PPRR: a rail that a lift stands on, and two links
+name: rail_pprr
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose, require: true}
+joints:
+  - {type: prismatic, a: 0, alpha: 90, d: 0, theta: 90, limits: [0, 2]}
+  - {type: prismatic, a: 0.1, alpha: 0, d: 0, theta: 0, limits: [0, 0.5]}
+  - {a: 0.3, alpha: 0, d: 0, theta: 0}
+  - {a: 0.2, alpha: 180, d: 0.1, theta: 0}
+tool: {xyz: [0.05, 0, 0.1], rpy: [0, 0, 45]}
+" };
+    hanging_rprp 4 Pose { yaml = "
+# RPRP: a beam that turns, with an elbow and a stroke at its end
+name: hanging_rprp
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose, require: true}
+joints:
+  - {a: 0, alpha: 90, d: 0.5, theta: 0}
+  - {type: prismatic, a: 0, alpha: -90, d: 0.3, theta: 0, limits: [0, 0.7]}
+  - {a: 0.2, alpha: 180, d: 0, theta: -40}
+  - {type: prismatic, a: 0, alpha: 0, d: 0.1, theta: 0, limits: [0, 0.2]}
+" };
 }
