@@ -51,9 +51,10 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for Pose<T> {
     #[inline]
     fn deviation(&self) -> T {
         let [[a, d, g], [b, e, h], [c, f, i]] = self.rotation;
-        // Columns x = (a, b, c), y = (d, e, f), z = (g, h, i).
-        let unit_x = a * a + b * b + c * c - T::ONE;
-        let unit_y = d * d + e * e + f * f - T::ONE;
+        // Columns x = (a, b, c), y = (d, e, f), z = (g, h, i). By how much the lengths of x and y differ from 1, how much
+        // these lean, and by how much z differs from their product: the distance of the nearest rotation.
+        let unit_x = T::HALF * (a * a + b * b + c * c - T::ONE);
+        let unit_y = T::HALF * (d * d + e * e + f * f - T::ONE);
         let right = a * d + b * e + c * f;
         let handed = [b * f - c * e - g, c * d - a * f - h, a * e - b * d - i];
         let squares = unit_x * unit_x + unit_y * unit_y + right * right;
@@ -344,5 +345,24 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize> Goal<T, N> for Locked<'_, T, 
             *place = self.value;
         }
         q
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_deviation_is_the_distance_of_a_rotation() {
+        let exact = Pose::<f64>::from_xyz_rpy([0.0; 3], [0.4, -1.1, 2.3]);
+        let deviation = |pose: &Pose<f64>| Goal::<f64, 6>::deviation(pose);
+        assert!(deviation(&exact) < 1e-15);
+        for entry in 0..9 {
+            let mut off = exact;
+            *off.rotation.as_flattened_mut().iter_mut().nth(entry).unwrap() += 5e-7;
+            assert!((4e-7..8e-7).contains(&deviation(&off)), "entry {entry}: {:e}", deviation(&off));
+        }
+        let longer = Pose { rotation: exact.rotation.map(|row| row.map(|x| x * (1.0 + 1e-6))), ..exact };
+        assert!((deviation(&longer) - 1e-6 * 3.0_f64.sqrt()).abs() < 1e-11);
     }
 }
