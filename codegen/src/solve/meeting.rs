@@ -312,6 +312,37 @@ fn stroke_square(c: &mut Closure, side: &Side) -> [Expr; 2] {
     [c.g.mul(two, Side::along(from)), c.g.dot3(from, from)]
 }
 
+/// Which of two equations has nothing of a joint in it, but something of the other.
+fn row_of_one(c: &Closure, rows: &[[Expr; 3]; 2], others: &[[Expr; 3]; 2]) -> Option<usize> {
+    let moves = |[cos, sin, _]: &[Expr; 3]| !c.vanish(&[*cos, *sin], Unit::Length);
+    rows.iter().zip(others).position(|(row, other)| !moves(row) && moves(other))
+}
+
+/// The first joint from the equation that is its own, the second from the other one.
+fn one_after_the_other(
+    c: &mut Closure,
+    [first, second]: [&Side; 2],
+    [own, others]: [[[Expr; 3]; 2]; 2],
+    alone: usize,
+    ny: &str,
+) {
+    let w = c.center();
+    let row = |rows: [[Expr; 3]; 2], i: usize| {
+        let [cos, sin, k] = rows.into_iter().nth(i).unwrap_or([Expr::ZERO; 3]);
+        Row { c: cos, s: sin, k }
+    };
+    let meaning =
+        |n: String| format!("Joint {n}: {w} keeps its offset from axis {ny}, `{{a}} cos + {{b}} sin = {{d}}`.");
+    let text = meaning(c.label(first.joint));
+    first.offset(c, row(own, alone), row(others, alone).k, Unit::Length, Branching::Shoulder, text);
+    let ([known, wanted], pair) = ([own, others].map(|rows| row(rows, 1 - alone)), c.pair(first.joint));
+    let (cos, sin) = (c.g.mul(known.c, pair.cos), c.g.mul(known.s, pair.sin));
+    let turned = c.g.add(cos, sin);
+    let value = c.g.add(turned, known.k);
+    let text = meaning(c.label(second.joint));
+    second.offset(c, wanted, value, Unit::Length, Branching::Elbow, text);
+}
+
 /// Joint y slides: the components across its axis are equal, and its stroke is the difference along it.
 fn sliding(c: &mut Closure, y: usize, a: Side, b: Side) -> Result<(), Refusal> {
     let w = c.center();
@@ -320,8 +351,14 @@ fn sliding(c: &mut Closure, y: usize, a: Side, b: Side) -> Result<(), Refusal> {
     let meaning = format!("Joints {n} and {m} together: {w} has equal components across axis {ny}.");
     if a.turns && b.turns {
         let [p, q] = across_rows(c, [&a, &b]);
-        let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
-        c.stage(&joints, a.joint, Unit::Length, Branching::Root, meaning, Kernel::Pair { p, q, across: None });
+        if let Some(alone) = row_of_one(c, &p, &q) {
+            one_after_the_other(c, [&b, &a], [q, p], alone, &ny);
+        } else if let Some(alone) = row_of_one(c, &q, &p) {
+            one_after_the_other(c, [&a, &b], [p, q], alone, &ny);
+        } else {
+            let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
+            c.stage(&joints, a.joint, Unit::Length, Branching::Root, meaning, Kernel::Pair { p, q, across: None });
+        }
     } else {
         one_slides(c, [&a, &b], [across_a, across_b], &ny);
     }
