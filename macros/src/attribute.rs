@@ -1,6 +1,7 @@
 //! `#[arm(..)]` as a type. Reading goes on after a mistake, so that all of them are reported together.
 
 use denhart_codegen::ScalarKind;
+use quote::ToTokens;
 use syn::meta::ParseNestedMeta;
 use syn::{Attribute, Error, LitStr, Path, Result, Token};
 
@@ -40,6 +41,11 @@ impl ArmAttribute {
         let mut found = false;
         for attribute in attributes.iter().filter(|attribute| attribute.path().is_ident("arm")) {
             found = true;
+            if let Ok(text) = attribute.parse_args::<LitStr>() {
+                let help = format!("help: write `spec = {}`; {KEYS}", text.token());
+                errors.push(Error::new(text.span(), format!("a value without its key\n{help}")));
+                continue;
+            }
             let read = attribute.parse_nested_meta(|meta| written.read_key(&meta, errors));
             errors.extend(read.err());
         }
@@ -71,7 +77,7 @@ impl Written {
                 return skip_value(meta);
             }
         };
-        let value: LitStr = meta.value()?.parse()?;
+        let Some(value) = text(meta, errors)? else { return Ok(()) };
         if slot.is_some() {
             let key = &meta.path;
             errors.push(Error::new_spanned(key, "this key is given twice"));
@@ -117,6 +123,27 @@ impl Written {
             warn: self.warn,
         }
     }
+}
+
+/// The value of a key, a text in quotes; none after a mistake.
+fn text(meta: &ParseNestedMeta<'_>, errors: &mut Vec<Error>) -> Result<Option<LitStr>> {
+    let value = match meta.value() {
+        Ok(value) => value,
+        Err(_) => {
+            let help = format!("help: write `{} = \"...\"`", meta.path.to_token_stream());
+            errors.push(Error::new_spanned(&meta.path, format!("a key without a value\n{help}")));
+            skip_value(meta)?;
+            return Ok(None);
+        }
+    };
+    if value.peek(LitStr) {
+        return value.parse().map(Some);
+    }
+    let other: syn::Expr = value.parse()?;
+    let written = other.to_token_stream();
+    let help = format!("help: write `{} = \"{written}\"`, in quotes", meta.path.to_token_stream());
+    errors.push(Error::new_spanned(other, format!("not a text\n{help}")));
+    Ok(None)
 }
 
 /// Steps over the value of a key that is not known, to read on behind it.

@@ -166,7 +166,9 @@ fn doc(plan: &Plan, writer: &Writer, factors: &[Factor]) -> String {
          exactly there, with opposite signs beside it, without a unit; `px`, `r11` are entries of `forward(q)`.\n\n",
     );
     for factor in factors {
-        let value = scaled(writer, factor).to_string().replace(" . ", ".").replace("( - ", "(-").replace("- (", "-(");
+        let value =
+            scaled(writer, factor).to_string().replace(" . ", ".").replace("( - (", "(-(").replace("( - ", "(-");
+        let value = value.strip_prefix("- ").map_or(value.clone(), |rest| format!("-{rest}"));
         let value = value.strip_prefix("- ").map_or(value.clone(), |rest| format!("-{rest}"));
         let value = if value.len() > 70 { "the determinant of its equations".into() } else { format!("`{value}`") };
         text += &format!("- {}: {value}{}\n", factor.name, shifts(plan, &symbols(writer.graph, &[factor.value])));

@@ -12,6 +12,14 @@ struct Bare;
 struct Nowhere;
 
 #[derive(Arm)]
+#[arm("specs/ur5.yaml")]
+struct WithoutKey;
+
+#[derive(Arm)]
+#[arm(spec, scalar = f32)]
+struct Unquoted;
+
+#[derive(Arm)]
 #[arm(yaml = "
 name: lever
 convention: standard
