@@ -158,11 +158,12 @@ impl<const N: usize> Pitch<N> {
     /// No joint counts.
     pub const NONE: Self = Self { signs: [0.0; N], offset: 0.0 };
 
-    /// Every turning joint after the first one whose axis is parallel to that of joint 2, which has to be one of them.
+    /// Every turning joint after the first one whose axis is parallel to that of the next that turns.
     pub fn of(chain: &Chain) -> Self {
         let jacobian = chain.jacobian(&[0.0; N]).expect("the chain has as many joints as the arm");
         let axis = |joint: usize| -> Vector3<f64> { jacobian.fixed_view::<3, 1>(3, joint).into() };
-        let signs = std::array::from_fn(|joint| match axis(joint).dot(&axis(1)) {
+        let pitch = (1..N).map(axis).find(|axis| axis.norm() > 0.5).expect("a joint that pitches");
+        let signs = std::array::from_fn(|joint| match axis(joint).dot(&pitch) {
             along if joint > 0 && along.abs() > 1.0 - 1e-9 => along.signum(),
             _ => 0.0,
         });

@@ -18,14 +18,27 @@ pub fn yaws_and_pitches(problem: &Problem) -> bool {
     turns && problem.slots.len() >= 4 && parallel && problem.keeps_axis(1).is_none()
 }
 
-/// What the yaw joint leaves of the chain: `n`, the pitch axis before the yaw, and how far along it the chain ends.
-fn across_plane(c: &mut Closure, ends: Expr) -> (Vec3, Expr) {
+/// A yaw joint and three that move in a plane which it turns: parallel axes, or some of the joints sliding across them.
+pub fn yaws_a_plane(problem: &Problem) -> bool {
+    let yaws = problem.slots.first().is_some_and(|slot| slot.turns);
+    let pitches = (1..4).find(|i| problem.slots.get(*i).is_some_and(|slot| slot.turns));
+    let plane = problem.triples().contains(&Triple { first: 1, kind: TripleKind::Parallel });
+    yaws && problem.slots.len() == 4 && plane && pitches.is_some_and(|pitch| !problem.are_parallel(0, pitch))
+}
+
+/// What the yaw joint leaves of the chain: `n`, the pitch axis before the yaw, and how far along it the chain ends, both
+/// from what they are in the frame behind it.
+fn across_plane(c: &mut Closure, pitch: Vec3, end: Vec3) -> (Vec3, Expr) {
     let yaw = c.link(0).forward;
-    let n = c.clean3(yaw.z(), Unit::Direction);
-    let offset = c.g.dot3(n, yaw.p);
+    let n = c.g.apply3(&yaw.r, pitch);
+    let n = c.clean3(n, Unit::Direction);
+    let (offset, ends) = (c.g.dot3(n, yaw.p), c.g.dot3(pitch, end));
     let value = c.g.add(offset, ends);
     (n, c.clean(value, Unit::Length))
 }
+
+/// The pitch axis in the frame of joint 1.
+const PITCH: Vec3 = [Expr::ZERO, Expr::ZERO, Expr::ONE];
 
 /// A point and the sum of the pitch joints.
 pub fn position_angle(mut problem: Problem, task: PlanTask) -> Result<Plan, Refusal> {
@@ -38,9 +51,14 @@ pub fn position_angle(mut problem: Problem, task: PlanTask) -> Result<Plan, Refu
     let mut c = Closure::new(problem, triple);
     let (link_a, link_b) = (c.link(1).forward, c.link(2).forward);
     let plane = link_a.then(&mut c.g, &link_b);
+    // The frame of the first pitch joint, in that of joint 1.
+    let frames = [Rigid::identity(), link_a, plane].map(|frame| frame.r);
+    let turns = [1, 2, 3].map(|joint| c.turns(joint));
+    let upright = frames.iter().zip(turns).find(|(_, turns)| *turns).map_or(Graph::identity(), |(frame, _)| *frame);
+    let pitch = upright.map(|[_, _, z]| z);
     let end = plane.point(&mut c.g, tool.p);
     let point = c.link(3).back.p;
-    let (n, value) = across_plane(&mut c, Side::along(end));
+    let (n, value) = across_plane(&mut c, pitch, end);
     let row = turned_back(&mut c.g, n, point, Expr::ZERO);
     let label = c.label(0);
     let meaning =
@@ -48,9 +66,13 @@ pub fn position_angle(mut problem: Problem, task: PlanTask) -> Result<Plan, Refu
     let d = c.g.sub(value, row.k);
     let kernel = Kernel::Offset { a: row.c, b: row.s, d };
     c.stage(&[(0, Angle::ZERO)], 0, Unit::Length, Branching::Shoulder, meaning, kernel);
-    // Rotation of the plane: R_z(angle) and the constant turns of the links.
+    // Rotation of the plane: the angle about the pitch axis, and the constant turns of the links.
     let known = Pair { sin: c.g.symbol("sin_angle"), cos: c.g.symbol("cos_angle") };
-    let columns = transpose(&plane.r).map(|axis| c.g.rotate_z(known, axis));
+    let columns = transpose(&plane.r).map(|axis| {
+        let axis = c.g.apply3(&transpose(&upright), axis);
+        let axis = c.g.rotate_z(known, axis);
+        c.g.apply3(&upright, axis)
+    });
     let r = transpose(&columns);
     let seen = c.move_back(0, point);
     let seen = c.link(0).back.point(&mut c.g, seen);
@@ -60,15 +82,17 @@ pub fn position_angle(mut problem: Problem, task: PlanTask) -> Result<Plan, Refu
     let rest = Link { forward, back, target: true };
     let links = [c.link(1), c.link(2), rest];
     planar::solve(&mut c, [1, 2, 3], links)?;
-    let sign = |c: &Closure, e: Expr| c.value(e).map_or(1.0, f64::signum);
-    let (third, fourth) = (sign(&c, Side::along(link_a.z())), sign(&c, Side::along(plane.z())));
-    let signs = [0.0, 1.0, third, fourth];
+    let mut signs = vec![0.0];
+    for (frame, turns) in frames.iter().zip(turns) {
+        let along = c.g.dot3(pitch, frame.map(|[_, _, z]| z));
+        signs.push(if turns { c.value(along).map_or(1.0, f64::signum) } else { 0.0 });
+    }
     let constant = signs.iter().zip(&offsets).fold(Angle::ZERO, |sum, (sign, offset)| match *sign {
         0.0 => sum,
         sign if sign < 0.0 => sum.add(offset.neg()),
         _ => sum.add(*offset),
     });
-    let task = PlanTask { angle: Some((signs.to_vec(), constant)), ..task };
+    let task = PlanTask { angle: Some((signs, constant)), ..task };
     Ok(c.finish(triple, task))
 }
 
@@ -88,7 +112,7 @@ pub fn yawing_pose(problem: Problem, task: PlanTask) -> Result<Plan, Refusal> {
         if c.vanish(&Side::plane(c.link(3).back.z()), Unit::Direction) {
             return Err(Refusal::new("joints 4 and 5 turn about parallel axes: the arm cannot leave its plane"));
         }
-        let (n, value) = across_plane(&mut c, Side::along(outer.p));
+        let (n, value) = across_plane(&mut c, PITCH, outer.p);
         let length = turned_back(&mut c.g, n, flange.p, Expr::ZERO);
         let direction = turned_back(&mut c.g, n, flange.z(), Expr::ZERO);
         let cosine = c.clean(Side::along(outer.z()), Unit::Direction);
@@ -115,7 +139,7 @@ pub fn yawing_pose(problem: Problem, task: PlanTask) -> Result<Plan, Refusal> {
         c.stage(&[(0, Angle::ZERO)], 0, Unit::Direction, Branching::None, meaning, kernel);
         let miss = c.g.sub(Side::along(axis), Side::along(n));
         agreement(&mut c, "The pitch axis keeps its angle to the first axis.", Unit::Direction, vec![miss]);
-        let (n, value) = across_plane(&mut c, Side::along(plane.p));
+        let (n, value) = across_plane(&mut c, PITCH, plane.p);
         let seen = c.move_back(0, flange.p);
         let offset = c.g.dot3(n, seen);
         let miss = c.g.sub(offset, value);

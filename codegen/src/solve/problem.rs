@@ -157,6 +157,13 @@ impl Problem {
         (parallel(first) && cosines.all(parallel)).then(|| first.signum())
     }
 
+    /// Whether two axes are parallel at a generic configuration.
+    pub fn are_parallel(&self, i: usize, j: usize) -> bool {
+        let axes = self.probe.samples().first().map(|sample| self.axes(sample)).unwrap_or_default();
+        let pair = axes.get(i).zip(axes.get(j));
+        pair.is_some_and(|(a, b)| length(cross(a.direction, b.direction)) <= TOLERANCE)
+    }
+
     /// The joint that slides along the direction about which all joints turn that do; the others slide across it.
     pub fn stroke_along_turns(&self) -> Option<usize> {
         let samples = self.probe.samples().iter();

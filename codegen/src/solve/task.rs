@@ -64,18 +64,31 @@ fn attempt(task: Task, model: &Model, geometry: &Geometry, problem: &Problem) ->
     let problem = problem.clone();
     match (task, problem.slots.len()) {
         (Task::Pose, 6) => pose(model, geometry, problem),
-        (Task::Pose, 4 | 5) if few::yaws_and_pitches(&problem) => few::yawing_pose(problem, asked),
+        (Task::Pose, 4 | 5) if few::yaws_and_pitches(&problem) => {
+            rank::check(&problem, rank::Asked::Pose)?;
+            few::yawing_pose(problem, asked)
+        }
         (Task::Pose, 4) => few::upright_pose(stroke_last(problem)?, asked),
         (Task::Position, 3) => position(problem),
         (Task::PositionAxis, 5) => position_axis(model.inverse.axis, problem),
         (Task::PositionAngle, 4) if problem.locked.is_some() => Err(Refusal::new(
             "the task `position_angle` takes no joint's value: the angle of the plane is the sum of all of them",
         )),
-        (Task::PositionAngle, 4) if few::yaws_and_pitches(&problem) => few::position_angle(problem, asked),
+        (Task::PositionAngle, 4) if few::yaws_a_plane(&problem) => {
+            rank::check(&problem, rank::Asked::Pose)?;
+            few::position_angle(problem, asked)
+        }
         (Task::PositionAngle, 4) => Err(Refusal::new(
-            "the task `position_angle` needs a joint that yaws and then three parallel joints across its axis",
+            "the task `position_angle` needs a joint that yaws, and three that move in a plane which it turns",
         )),
-        (Task::PlanarPose, 3) | (Task::PlanarPosition, 2) => few::in_plane(problem, asked),
+        (Task::PlanarPose, 3) => {
+            rank::check(&problem, rank::Asked::Pose)?;
+            few::in_plane(problem, asked)
+        }
+        (Task::PlanarPosition, 2) => {
+            rank::check(&problem, rank::Asked::Point)?;
+            few::in_plane(problem, asked)
+        }
         _ => Err(refusal::not_covered(model, Some(task))),
     }
 }
@@ -116,8 +129,7 @@ fn alternatives(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<String
 fn stroke_last(mut problem: Problem) -> Result<Problem, Refusal> {
     let refused = || {
         Refusal::new(
-            "with four joints the task `pose` needs a joint that yaws and three parallel joints across its axis, or joints \
-             that turn about parallel axes, one that slides along these, and others that slide across (SCARA, gantry)",
+            "four joints have `pose` if all turn about and slide along or across one direction, or yaw and pitch thrice",
         )
     };
     let stroke = problem.stroke_along_turns().ok_or_else(refused)?;

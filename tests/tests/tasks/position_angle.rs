@@ -67,4 +67,55 @@ joints:
   - {a: 0.15, alpha: 40, d: 0.02, theta: -50}
 tool: {xyz: [0.02, 0.1, 0.05], rpy: [30, 10, 0]}
 " };
+    crane_rrpr 4 PositionAngle { yaml = "
+# RRPR: a crane, whose boom lifts and slides out, with a wrist
+name: crane_rrpr
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: position_angle, require: true}
+joints:
+  - {a: 0.1, alpha: 90, d: 0.5, theta: 0}
+  - {a: 0, alpha: 90, d: 0.02, theta: 90}
+  - {type: prismatic, a: 0.05, alpha: -90, d: 0.3, theta: 0, limits: [0, 0.8]}
+  - {a: 0.2, alpha: 0, d: 0.1, theta: -60}
+base: {xyz: [0.2, 0, 0.1], rpy: [15, -70, 40]}
+tool: {xyz: [0.05, 0.1, -0.04], rpy: [10, 20, 30]}
+" };
+    digger_rrrp 4 PositionAngle { yaml = "
+# RRRP: yaw, two pitches and a stroke at the end, at an angle
+name: digger_rrrp
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: position_angle, require: true}
+joints:
+  - {a: 0.1, alpha: -90, d: 0.4, theta: 0}
+  - {a: 0.35, alpha: 180, d: 0, theta: 20}
+  - {a: 0.05, alpha: 90, d: 0.03, theta: 65}
+  - {type: prismatic, a: 0, alpha: 0, d: 0.1, theta: 0, limits: [0, 0.4]}
+tool: {xyz: [0.03, 0, 0.1], rpy: [0, 40, 0]}
+" };
+    beam_rprr 4 PositionAngle { yaml = "
+# RPRR: yaw, a beam that slides out, and two pitches
+name: beam_rprr
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: position_angle, require: true}
+joints:
+  - {a: 0.06, alpha: 90, d: 0.4, theta: 0}
+  - {type: prismatic, a: 0.1, alpha: -90, d: 0.2, theta: 30, limits: [0, 0.5]}
+  - {a: 0.3, alpha: 0, d: 0.05, theta: 0}
+  - {a: 0.2, alpha: 180, d: 0, theta: -45}
+" };
+    polar_rppr 4 PositionAngle { yaml = "
+# RPPR: yaw, a lift and a beam, and one pitch
+name: polar_rppr
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: position_angle, require: true}
+joints:
+  - {a: 0.05, alpha: 0, d: 0.3, theta: 0}
+  - {type: prismatic, a: 0.1, alpha: 90, d: 0.2, theta: 10, limits: [0, 0.9]}
+  - {type: prismatic, a: 0, alpha: 90, d: 0.1, theta: 90, limits: [0, 0.6]}
+  - {a: 0.15, alpha: 0, d: 0.04, theta: 0}
+" };
 }
