@@ -96,6 +96,7 @@ macro_rules! smaller {
             $target
         };
         let targets: Vec<_> = joints(stringify!($Type)).iter().map(target).collect();
+        assert!(targets.iter().all(|target| $Type.inverse(target).status().is_reachable()));
         let numbers: Vec<[f64; 16]> = joints("numbers");
         let cases = vec![
             Case::new(concat!($angles, " atan2, ", $roots, " sqrt"), &numbers, repeat, |x| alone(x, $angles, $roots)),
@@ -153,7 +154,8 @@ fn main() {
     smaller!(options, Anthro3r, 8, 10, |pose, _q| pose.translation);
     smaller!(options, Cylindrical, 2, 2, |pose, _q| pose.translation);
     smaller!(options, Jupiter, 8, 10, |pose, q| PointAngle::new(pose.translation, q[1] + q[2] + q[3]));
-    smaller!(options, Al5d, 8, 10, |pose, q| PointAngle::new(pose.translation, q[1] + q[2] + q[3]));
+    // The axis of joint 3 is turned around, and the table's angles add up to a right one.
+    smaller!(options, Al5d, 8, 10, |pose, q| PointAngle::new(pose.translation, q[1] - q[2] + q[3] + 0.5 * PI));
     smaller!(options, Scara, 4, 4, |pose, _q| pose);
     smaller!(options, Youbot, 12, 12, |pose, _q| pose);
     held!(options, SixOfIiwa, KukaIiwa);
