@@ -141,11 +141,13 @@ fn stroke(c: &mut Closure, [first, slides, last]: [usize; 3], [link_a, link_b, l
     let total = in_plane(c, &link_c.back, format!("t{na}{nc}"), meaning);
     let between = link_a.forward.then(&mut c.g, &Rigid { p: [Expr::ZERO; 3], ..link_b.forward });
     let part = in_plane(c, &between, format!("turn{na}"), format!("The turn from joint {na} to {nc}."));
+    // Both turn the axis around, or neither does. A constant link tells; the target does so only where it can be met.
+    let flipped = if link_c.target { part.flipped } else { total.flipped };
     let mut sum = Sum::new();
-    sum.add(&total.terms, total.constant, part.flipped);
+    sum.add(&total.terms, total.constant, flipped);
     let (terms, constant) = c.solved(first);
-    sum.add(&terms, constant, !part.flipped);
-    sum.add(&part.terms, part.constant, !part.flipped);
+    sum.add(&terms, constant, !flipped);
+    sum.add(&part.terms, part.constant, !flipped);
     c.sum(last, sum.terms, sum.constant);
 }
 

@@ -3,7 +3,7 @@
 use super::circle::{Circle, angles};
 use super::curve::{Across, Row, at, beside, newton, slope};
 use super::lengths::Lengths;
-use super::separated::{combined, one_after_the_other, separated};
+use super::separated::{combined, separated};
 use super::{Home, Measure, Stage, Tolerances, Turn};
 
 /// Solves the two rows `p (cos x, sin x, 1) = q (cos z, sin z, 1)` for `(x, z)`: one side is eliminated, which leaves
@@ -179,11 +179,6 @@ fn candidates<T: Tolerances>(
     let (det_p, det_q) = (determinant(p), determinant(q));
     if det_p.abs().max(det_q.abs()) < T::COINCIDENT {
         separated([home_x, home_z], p, q)
-    } else if det_p == T::ZERO {
-        // A row without x: solved after the other the two keep apart roots that a quartic cannot.
-        one_after_the_other([home_x, home_z], p, q)
-    } else if det_q == T::ZERO {
-        one_after_the_other([home_z, home_x], q, p).swapped()
     } else if det_p.abs() >= det_q.abs() {
         eliminated(home_z, p, det_p, q, across.map(|across| &across.z))
     } else {

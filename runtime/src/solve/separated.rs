@@ -32,15 +32,6 @@ pub(super) fn separated<T: Tolerances>(
     }
 }
 
-/// Rows of which a combination lacks `x`: that one gives `z`, the other one `x`.
-pub(super) fn one_after_the_other<T: Tolerances>(
-    homes: [Home<T>; 2],
-    p: &[Row<T>; 2],
-    q: &[Row<T>; 2],
-) -> Stage<T, 2, 4> {
-    in_turn(homes, null_row(p, q), p, q)
-}
-
 /// A unit combination of the rows in which `x` drops out as far as it can; if it never appears, the combination with
 /// the most of `z`.
 fn null_row<T: Tolerances>([a, b]: &[Row<T>; 2], [c, d]: &[Row<T>; 2]) -> [T; 2] {

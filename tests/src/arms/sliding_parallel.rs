@@ -234,6 +234,48 @@ joints:
   - {a: 0, alpha: 0, d: 0.128, theta: 0}
 tool: {xyz: [-0.091, 0.041, 0.194], rpy: [0, 45, 0]}
 " };
+            slide_flip_123 SlideFlip123 6 inverse { yaml = "
+# PRRRRR, a slide and two axes turned against each other, then a wrist with offsets
+name: slide_flip_123
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose, require: true}
+joints:
+  - {type: prismatic, a: 0, alpha: 90, d: 0, theta: 0}
+  - {a: 0.3, alpha: 180, d: 0, theta: 0}
+  - {a: 0.1, alpha: 90, d: 0.1, theta: 0}
+  - {a: 0.1, alpha: -90, d: 0.3, theta: 0}
+  - {a: 0, alpha: 90, d: 0.1, theta: 0}
+  - {a: 0, alpha: 0, d: 0.1, theta: 0}
+" };
+            slide_flip_234 SlideFlip234 6 inverse { yaml = "
+# RRRPRR, two axes turned against each other and a slide: a quartic
+name: slide_flip_234
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose, require: true}
+joints:
+  - {a: 0, alpha: 90, d: 0.3, theta: 0}
+  - {a: 0.3, alpha: 180, d: 0.1, theta: 0}
+  - {a: 0.1, alpha: 90, d: 0, theta: 90}
+  - {type: prismatic, a: 0.1, alpha: 60, d: 0.2, theta: 0}
+  - {a: 0.1, alpha: 90, d: 0.1, theta: 0}
+  - {a: 0.05, alpha: 0, d: 0.1, theta: 0}
+" };
+            slide_flip_456 SlideFlip456 6 inverse { yaml = "
+# RRRPRR, a slide and two axes turned against each other at the end
+name: slide_flip_456
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose, require: true}
+joints:
+  - {a: 0.1, alpha: 90, d: 0.3, theta: 0}
+  - {a: 0.1, alpha: 60, d: 0.1, theta: 0}
+  - {a: 0.1, alpha: 90, d: 0.1, theta: 0}
+  - {type: prismatic, a: 0.1, alpha: 90, d: 0.1, theta: 90}
+  - {a: 0.2, alpha: 180, d: 0.1, theta: 0}
+  - {a: 0.05, alpha: 0, d: 0.1, theta: 0}
+" };
         }
     };
 }

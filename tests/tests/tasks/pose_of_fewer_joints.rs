@@ -161,4 +161,28 @@ joints:
   - {a: 0.2, alpha: 180, d: 0, theta: -40}
   - {type: prismatic, a: 0, alpha: 0, d: 0.1, theta: 0, limits: [0, 0.2]}
 " };
+    flipped_prrp 4 Pose { yaml = "
+# PRRP: the second turning axis against the first
+name: flipped_prrp
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose, require: true}
+joints:
+  - {type: prismatic, a: 0, alpha: 90, d: 0, theta: 0}
+  - {a: 0.2, alpha: 180, d: 0, theta: 0}
+  - {a: 0.1, alpha: 0, d: 0, theta: 0}
+  - {type: prismatic, a: 0, alpha: 0, d: 0, theta: 0}
+" };
+    flipped_rrpp 4 Pose { yaml = "
+# RRPP: the second turning axis against the first
+name: flipped_rrpp
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose, require: true}
+joints:
+  - {a: 0.2, alpha: 180, d: 0, theta: 0}
+  - {a: 0, alpha: 0, d: 0, theta: 0}
+  - {type: prismatic, a: 0, alpha: 90, d: 0, theta: 0}
+  - {type: prismatic, a: 0.1, alpha: 0, d: 0, theta: 0}
+" };
 }

@@ -325,4 +325,17 @@ joints:
   - {a: 0.25, alpha: 0, d: 0.05, theta: 0}
   - {a: 0.1, alpha: -90, d: 0, theta: 0}
 " };
+    flipped_rrprr 5 PositionAxis(X) { yaml = "
+# RRPRR: two axes turned against each other, then a slide
+name: flipped_rrprr
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: position_axis, axis: x, require: true}
+joints:
+  - {a: 0.25, alpha: 180, d: 0.2, theta: 0}
+  - {a: 0.2, alpha: -90, d: 0, theta: 30}
+  - {type: prismatic, a: -0.15, alpha: -90, d: 0.25, theta: 30}
+  - {a: 0.1, alpha: -90, d: 0, theta: 30}
+  - {a: 0, alpha: 180, d: 0.25, theta: -90}
+" };
 }
