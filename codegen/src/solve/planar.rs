@@ -166,6 +166,10 @@ fn strokes(c: &mut Closure, [turns, j1, j2]: [usize; 3], [link_a, link_b, link_c
         c.known(turns, cos, sin);
         c.sum(turns, angle.terms, angle.constant);
     }
+    if link_a.target {
+        // Both slide before the joint that turns, which moves no point of its axis.
+        return strokes_to_point(c, [j1, j2], [link_b, link_c], link_a.back.p);
+    }
     let at = c.move_back(turns, m.p);
     let left = c.g.sub3(at, still.p);
     let first = link_a.forward.z();

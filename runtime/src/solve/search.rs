@@ -340,11 +340,19 @@ impl<'a, T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'a
     #[inline(never)]
     fn unreachable(&self) -> Status<T> {
         let listed = self.solutions.iter().map(|s| s.residual.position.max(s.residual.orientation));
-        let residual = listed
+        let checked = listed
             .chain(self.doubts.and_then(|doubts| doubts.checked_gap))
-            .chain(self.doubts.and_then(|doubts| doubts.stage_gap))
             .fold(T::INFINITY, |least, gap| least.min(gap));
+        // The gap of a stage is not all that its branch misses: it counts where no branch has been followed to its end.
+        let residual = if checked.is_finite() {
+            checked
+        } else {
+            self.doubts.and_then(|doubts| doubts.stage_gap).unwrap_or(T::INFINITY)
+        };
         // A quartic without real roots has no gap: all that is known is that the target is not near.
-        Status::Unreachable { residual: if residual.is_finite() { residual } else { self.facts.reach } }
+        let residual = if residual.is_finite() { residual } else { self.facts.reach };
+        // One farther away than the arm is long is missed by the difference at least.
+        let beyond = if self.facts.prismatic.is_empty() { norm(self.goal.point()) - self.facts.reach } else { T::ZERO };
+        Status::Unreachable { residual: residual.max(beyond) }
     }
 }
