@@ -12,6 +12,9 @@ impl<T, const N: usize, F: Fn(&[T; N]) -> (Pose<T>, Jacobian<T, N>)> Evaluate<T,
 /// that chases them leads far away.
 pub(super) const NOISE: f64 = 20.0;
 
+/// A step that takes less than this part of the error takes nothing.
+const STILL: f64 = 1e-3;
+
 /// The residual, lengths relative to reach, as one number; infinite if it is not a number.
 pub(super) fn relative<T: Tolerances, const N: usize>(facts: &Facts<T, N>, residual: &Residual<T>) -> T {
     let position = residual.position / facts.reach;
@@ -33,7 +36,19 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
     evaluate: &impl Evaluate<T, N>,
     steps: usize,
 ) -> ([T; N], Residual<T>) {
-    weighted(facts, goal, start, evaluate, steps, T::ONE)
+    weighted(facts, goal, start, evaluate, steps, Manner { stiffness: T::ONE, brief: false })
+}
+
+/// The same from one of several starts: not followed to the end where a step leads on neither to first nor to second
+/// order, as out of reach, where the error has a least value.
+pub(super) fn refine_briefly<T: Tolerances, const N: usize>(
+    facts: &Facts<T, N>,
+    goal: &impl Goal<T, N>,
+    start: &[T; N],
+    evaluate: &impl Evaluate<T, N>,
+    steps: usize,
+) -> ([T; N], Residual<T>) {
+    weighted(facts, goal, start, evaluate, steps, Manner { stiffness: T::ONE, brief: true })
 }
 
 /// The same towards a target out of reach, with the orientation kept: the tool comes as close as it goes.
@@ -46,7 +61,13 @@ pub(super) fn approached<T: Tolerances, const N: usize>(
     evaluate: &impl Evaluate<T, N>,
     steps: usize,
 ) -> ([T; N], Residual<T>) {
-    weighted(facts, goal, start, evaluate, steps, T::from_f64(STIFF))
+    weighted(facts, goal, start, evaluate, steps, Manner { stiffness: T::from_f64(STIFF), brief: false })
+}
+
+/// How the iteration goes: how much angles count, and whether it gives up early.
+struct Manner<T> {
+    stiffness: T,
+    brief: bool,
 }
 
 fn weighted<T: Tolerances, const N: usize>(
@@ -55,7 +76,7 @@ fn weighted<T: Tolerances, const N: usize>(
     start: &[T; N],
     evaluate: &impl Evaluate<T, N>,
     steps: usize,
-    stiffness: T,
+    Manner { stiffness, brief }: Manner<T>,
 ) -> ([T; N], Residual<T>) {
     let measured = |q: [T; N]| {
         let (pose, jacobian) = evaluate(&q);
@@ -72,11 +93,17 @@ fn weighted<T: Tolerances, const N: usize>(
             break;
         }
         let damping = (place.size + T::EPSILON * T::EPSILON * T::from_f64(16.0)) * boost;
-        let Some(step) = damped_step(facts, &place.jacobian, &place.error, damping, stiffness) else {
+        let Some(Step { step, left, square }) = damped_step(facts, &place.jacobian, &place.error, damping, stiffness)
+        else {
             boost *= T::from_f64(100.0);
             place = best;
             continue;
         };
+        let still = T::from_f64(STILL);
+        let stays = left > place.size * (T::ONE - still) && square * square < place.size * still * still;
+        if brief && stays && !(place.size > best.size) {
+            break;
+        }
         let mut next = place.q;
         for ((value, change), joint) in next.iter_mut().zip(step).zip(0..) {
             *value += change;
@@ -111,6 +138,13 @@ struct Place<T, const N: usize> {
     size: T,
 }
 
+/// A step, the squared error that it leaves to first order, and its squared length (rad, strokes over reach).
+struct Step<T, const N: usize> {
+    step: [T; N],
+    left: T,
+    square: T,
+}
+
 /// The error with its lengths over reach and its angles times `stiffness`.
 fn scaled<T: Tolerances, const N: usize>(facts: &Facts<T, N>, [x, y, z, u, v, w]: [T; 6], stiffness: T) -> [T; 6] {
     let k = T::ONE / facts.reach;
@@ -121,21 +155,22 @@ fn square<T: Tolerances>(error: &[T; 6]) -> T {
     error.iter().fold(T::ZERO, |sum, e| sum + *e * *e)
 }
 
-/// The step that minimizes `|J step - error|^2 + damping |step|^2`, with lengths over reach and angles times
-/// `stiffness` throughout: the rows of J
-/// are rotated (Givens) into the triangle that starts as `sqrt(damping) I`. Unlike the normal equations this keeps
-/// singular values down to the rounding of J itself, which is what the steps near a fold need.
+/// The step that minimizes `|J step - error|^2 + damping |step|^2`, and that minimum, with lengths over reach and angles
+/// times `stiffness` throughout: the rows of J are rotated (Givens) into the triangle that starts as `sqrt(damping) I`.
+/// Unlike the normal equations this keeps singular values down to the rounding of J itself, which is what the steps near
+/// a fold need.
 fn damped_step<T: Tolerances, const N: usize>(
     facts: &Facts<T, N>,
     jacobian: &Jacobian<T, N>,
     error: &[T; 6],
     damping: T,
     stiffness: T,
-) -> Option<[T; N]> {
+) -> Option<Step<T, N>> {
     let unit = |joint: usize| if facts.prismatic.contains(joint) { facts.reach } else { T::ONE };
     let k = T::ONE / facts.reach;
     let mut triangle = [[T::ZERO; N]; N];
     let mut right = [T::ZERO; N];
+    let mut left = T::ZERO;
     for (i, line) in triangle.iter_mut().enumerate() {
         *line.get_mut(i)? = damping.sqrt();
     }
@@ -156,14 +191,16 @@ fn damped_step<T: Tolerances, const N: usize>(
             }
             (*value, e) = (c * *value + s * e, c * e - s * *value);
         }
+        left += e * e;
     }
     let mut step = [T::ZERO; N];
     for (j, line) in triangle.iter().enumerate().rev() {
         let known = line.iter().zip(&step).skip(j + 1).fold(T::ZERO, |sum, (a, x)| sum + *a * *x);
         *step.get_mut(j)? = (*right.get(j)? - known) / *line.get(j)?;
     }
+    let square = step.iter().fold(T::ZERO, |sum, change| sum + *change * *change);
     for (joint, change) in step.iter_mut().enumerate() {
         *change *= unit(joint);
     }
-    step.iter().all(|x| x.is_finite()).then_some(step)
+    step.iter().all(|x| x.is_finite()).then_some(Step { step, left, square })
 }

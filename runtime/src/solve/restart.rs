@@ -1,6 +1,6 @@
 //! Starting the iteration from several places, where none of the branches closes.
 
-use super::refine::{Evaluate, refine, relative};
+use super::refine::{Evaluate, refine_briefly, relative};
 use super::settle::FREE_STEPS;
 use super::{Goal, Search, Tolerances};
 use crate::math::wrap;
@@ -55,7 +55,7 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize, const M: usize> Search<'_, T,
         let facts = self.facts;
         let mut best = (self.homes, Residual { position: T::INFINITY, orientation: T::INFINITY });
         for start in starts {
-            let next = refine(facts, self.goal, &start, evaluate, FREE_STEPS);
+            let next = refine_briefly(facts, self.goal, &start, evaluate, FREE_STEPS);
             if relative(facts, &next.1) < relative(facts, &best.1) {
                 best = next;
             }
