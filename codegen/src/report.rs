@@ -3,7 +3,7 @@
 use crate::error::Diagnostic;
 use crate::model::geometry::{Geometry, Relation, TripleKind};
 use crate::model::{JointKind, Model, Parameter};
-use crate::settings::{self, short};
+use crate::settings::{self, plus, short, sum};
 use crate::solve::{Plan, Refusal, describe};
 use crate::symbolic::Cost;
 use std::fmt;
@@ -63,7 +63,10 @@ impl Report {
         }
         match inverse {
             Ok(plan) => {
-                lines.push(format!("inverse (task {}): at most {} solutions", plan.task.name(), plan.max_solutions()));
+                let most = plan.max_solutions();
+                let plural = if most == 1 { "" } else { "s" };
+                lines.push(format!("inverse (task {}): at most {most} solution{plural}", plan.task.name()));
+                lines.extend(angle(plan).map(|angle| format!("  the angle asked for is {angle}")));
                 lines.extend(describe(plan).into_iter().map(|line| format!("  {line}")));
             }
             Err(refusal) => lines.push(format!("no inverse: {}", refusal.reason)),
@@ -79,6 +82,13 @@ impl Report {
             lines,
         }
     }
+}
+
+/// The angle of `position_angle`, as a sum of joints.
+fn angle(plan: &Plan) -> Option<String> {
+    let (signs, constant) = plan.task.angle.as_ref()?;
+    let constant = (!constant.is_zero()).then(|| format!("{} deg", short(constant.rad().to_degrees())));
+    Some(plus(sum(signs), constant))
 }
 
 impl fmt::Display for Report {

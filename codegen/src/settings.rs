@@ -60,7 +60,7 @@ fn value(value: f64, kind: JointKind, unit: &str) -> String {
 }
 
 /// A weighted sum of joint values.
-fn sum(factors: &[f64]) -> String {
+pub fn sum(factors: &[f64]) -> String {
     factors.iter().enumerate().filter(|(_, k)| **k != 0.0).fold(String::new(), |text, (joint, k)| {
         let joint = joint + 1;
         let term = if k.abs() == 1.0 { format!("q{joint}") } else { format!("{} q{joint}", short(k.abs())) };
@@ -73,7 +73,7 @@ fn sum(factors: &[f64]) -> String {
     })
 }
 
-fn plus(text: String, constant: Option<String>) -> String {
+pub fn plus(text: String, constant: Option<String>) -> String {
     match constant {
         None => text,
         Some(constant) => match constant.strip_prefix('-') {

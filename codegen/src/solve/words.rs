@@ -23,7 +23,13 @@ pub fn describe(plan: &Plan) -> Vec<String> {
         PlanStep::Swivel { .. } => Some("the upper arm's rotation from the wrist center and the arm angle".into()),
         PlanStep::Angle { name, .. } => left_of_sum(plan, name),
     });
-    for line in steps {
+    // An angle that is known beforehand is no step.
+    let staged = |joint: usize| {
+        plan.steps.iter().any(|step| matches!(step, PlanStep::Stage(stage) if stage.joints.contains(&joint)))
+    };
+    let own = |joint: usize| plan.slots.get(joint).is_some_and(|slot| slot.joint.is_some());
+    let rest = (0..plan.slots.len()).filter(|joint| own(*joint) && !staged(*joint));
+    for line in steps.chain(rest.filter_map(|joint| left_of_others(plan, joint))) {
         // Two angles that are measured may be parts of one sum.
         if !lines.contains(&line) {
             lines.push(line);
@@ -35,7 +41,11 @@ pub fn describe(plan: &Plan) -> Vec<String> {
 /// The joint that is what others leave of a sum, which an angle is a part of.
 fn left_of_sum(plan: &Plan, sum: &str) -> Option<String> {
     let part = |value: &Value| value.terms.iter().any(|(term, _)| term == sum);
-    let joint = plan.values.iter().position(part)?;
+    left_of_others(plan, plan.values.iter().position(part)?)
+}
+
+/// A joint that is what others leave of a sum.
+fn left_of_others(plan: &Plan, joint: usize) -> Option<String> {
     let terms = &plan.values.get(joint)?.terms;
     let known = |slot: usize| {
         let label = plan.label(slot);

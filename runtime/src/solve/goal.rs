@@ -359,7 +359,7 @@ mod tests {
         assert!(deviation(&exact) < 1e-15);
         for entry in 0..9 {
             let mut off = exact;
-            *off.rotation.as_flattened_mut().iter_mut().nth(entry).unwrap() += 5e-7;
+            off.rotation[entry / 3][entry % 3] += 5e-7;
             assert!((4e-7..8e-7).contains(&deviation(&off)), "entry {entry}: {:e}", deviation(&off));
         }
         let longer = Pose { rotation: exact.rotation.map(|row| row.map(|x| x * (1.0 + 1e-6))), ..exact };
