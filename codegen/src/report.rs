@@ -51,6 +51,7 @@ impl Report {
                     "move in a plane"
                 }
                 TripleKind::Parallel => "are parallel",
+                TripleKind::Turning => "turn the tool",
             };
             lines.push(format!("  {}, {}, {} {what}", first, first + 1, first + 2));
         }

@@ -51,6 +51,8 @@ pub enum TripleKind {
     Meeting,
     /// All three are parallel; or they move in a plane, some of them sliding across the direction of the others.
     Parallel,
+    /// Wherever they are, they turn a tool that three other joints only slide.
+    Turning,
 }
 
 /// Three consecutive axes that meet in a point or are parallel (or move in a plane).

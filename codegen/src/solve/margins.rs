@@ -56,7 +56,15 @@ pub fn margins(plan: &Plan) -> (Graph, Vec<Factor>) {
 /// A stage after the first that gives a second stroke: the determinant of both is the first one's pivot.
 fn only_follows(plan: &Plan, stage: &Stage) -> bool {
     let slides = matches!(stage.kernel, Kernel::SlideTo { .. });
-    slides && plan.triple.kind == TripleKind::Meeting && !stage.joints.contains(&between(plan))
+    let first = |stage: &Stage| matches!(stage.kernel, Kernel::SlideTo { .. });
+    slides
+        && match plan.triple.kind {
+            TripleKind::Meeting => !stage.joints.contains(&between(plan)),
+            TripleKind::Turning => {
+                plan.stages().find(|stage| first(stage)).is_some_and(|first| first.joints != stage.joints)
+            }
+            TripleKind::Parallel => false,
+        }
 }
 
 /// Joint y: the middle one of the three outside the triple.
@@ -128,7 +136,7 @@ fn pivot(g: &mut Graph, plan: &Plan, stage: &Stage) -> (Expr, u32) {
 fn pair_power(plan: &Plan) -> u32 {
     let across = plan.values.get(between(plan)).is_some_and(|value| value.sliding);
     match (plan.triple.kind, across) {
-        (TripleKind::Parallel, _) => 1,
+        (TripleKind::Parallel | TripleKind::Turning, _) => 1,
         (TripleKind::Meeting, true) => 2,
         (TripleKind::Meeting, false) => 3,
     }

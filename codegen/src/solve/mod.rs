@@ -21,6 +21,7 @@ mod rank;
 mod refusal;
 mod rows;
 mod sides;
+mod strokes;
 mod swivel;
 mod task;
 mod triple;
@@ -60,6 +61,11 @@ fn cheapest(problem: &Problem, task: &PlanTask) -> Result<Option<Plan>, Refusal>
             }
         }
     }
+    if best.is_none()
+        && let Some(plan) = strokes::plan(problem, task)
+    {
+        return plan.map(Some);
+    }
     match (best, failure) {
         (Some(plan), _) => Ok(Some(plan)),
         (None, Some(refusal)) => Err(refusal),
@@ -88,11 +94,12 @@ fn solve(problem: Problem, triple: Triple, task: &PlanTask) -> Result<Plan, Refu
     match triple.kind {
         TripleKind::Meeting => meeting::outer(&mut closure)?,
         TripleKind::Parallel => parallel::outer(&mut closure)?,
+        TripleKind::Turning => {}
     }
     match triple.kind {
         // Three virtual joints are not wanted.
         TripleKind::Meeting if closure.is_virtual(triple) => {}
-        TripleKind::Meeting => triple::meeting(&mut closure),
+        TripleKind::Meeting | TripleKind::Turning => triple::meeting(&mut closure),
         TripleKind::Parallel => triple::parallel(&mut closure)?,
     }
     Ok(closure.finish(triple, task.clone()))

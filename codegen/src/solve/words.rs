@@ -12,6 +12,7 @@ pub fn describe(plan: &Plan) -> Vec<String> {
             "move in a plane"
         }
         TripleKind::Parallel => "are parallel",
+        TripleKind::Turning => "turn the tool, the others slide",
     };
     let mut lines = vec![format!("axes {}, {}, {} {kind}", label(0), label(1), label(2))];
     let steps = plan.steps.iter().filter_map(|step| match step {

@@ -259,6 +259,50 @@ joints:
   - {a: 0, alpha: 45, d: 0.2, theta: 0}
   - {type: prismatic, a: 0.1, alpha: 0, d: -0.2, theta: 0, limits: [-0.3, 0.68]}
 " };
+            gantry_offset_wrist GantryOffsetWrist 6 inverse { yaml = "
+# PPPRRR: a gantry whose wrist has offsets everywhere
+name: gantry_offset_wrist
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose, require: true}
+joints:
+  - {type: prismatic, a: 0, alpha: 90, d: 0, theta: 90, limits: [0, 1.2]}
+  - {type: prismatic, a: 0, alpha: 90, d: 0.1, theta: 90, limits: [-0.4, 0.4]}
+  - {type: prismatic, a: 0.05, alpha: 35, d: 0, theta: 0, limits: [0, 0.5]}
+  - {a: 0.1, alpha: 60, d: 0.1, theta: 0}
+  - {a: 0.08, alpha: -70, d: 0.05, theta: 0}
+  - {a: 0.02, alpha: 0, d: 0.15, theta: 0}
+tool: {xyz: [0.05, 0.02, 0.1], rpy: [20, 0, 40]}
+" };
+            turned_slides TurnedSlides 6 inverse { yaml = "
+# RRRPPP: three axes with offsets turn three slides at odd angles
+name: turned_slides
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose, require: true}
+joints:
+  - {a: 0.1, alpha: 90, d: 0.3, theta: 0}
+  - {a: 0.1, alpha: -90, d: 0.05, theta: 0}
+  - {a: 0.05, alpha: 30, d: 0.1, theta: 0}
+  - {type: prismatic, a: 0.1, alpha: 80, d: 0.1, theta: 20, limits: [0, 0.4]}
+  - {type: prismatic, a: 0, alpha: 90, d: 0.1, theta: 70, limits: [-0.3, 0.3]}
+  - {type: prismatic, a: 0.02, alpha: 0, d: 0.1, theta: 0, limits: [0, 0.3]}
+" };
+            slides_on_either_side SlidesOnEitherSide 6 inverse { yaml = "
+# PPRRRP: slides on either side of three axes with offsets
+name: slides_on_either_side
+convention: modified
+units: {length: m, angle: deg}
+inverse: {task: pose, require: true}
+joints:
+  - {type: prismatic, a: 0, alpha: 0, d: 0, theta: 0, limits: [0, 1]}
+  - {type: prismatic, a: 0.1, alpha: 90, d: 0, theta: 30, limits: [-0.5, 0.5]}
+  - {a: 0.1, alpha: 80, d: 0.1, theta: 0}
+  - {a: 0.2, alpha: 90, d: 0.05, theta: 0}
+  - {a: 0.1, alpha: -90, d: 0.1, theta: 0}
+  - {type: prismatic, a: 0.05, alpha: 40, d: 0.1, theta: 0, limits: [0, 0.4]}
+tool: {xyz: [0.05, 0.02, 0.1], rpy: [20, 0, 40]}
+" };
         }
     };
 }

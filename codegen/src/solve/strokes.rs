@@ -1,0 +1,67 @@
+//! Three joints that turn and three that slide: the tool's orientation is a matter of the former alone.
+
+use super::asked::PlanTask;
+use super::closure::Closure;
+use super::plan::{Branching, Kernel, Plan, Unit};
+use super::problem::Problem;
+use super::{Refusal, triple};
+use crate::model::Angle;
+use crate::model::geometry::{Triple, TripleKind};
+use crate::symbolic::{Expr, Graph, Vec3};
+
+/// The plan for three turning joints in a row and three sliding ones, wherever the axes are; `None` for other arms.
+pub fn plan(problem: &Problem, task: &PlanTask) -> Option<Result<Plan, Refusal>> {
+    let turning: Vec<usize> =
+        (0..problem.slots.len()).filter(|i| problem.slots.get(*i).is_some_and(|s| s.turns)).collect();
+    let [first, second, third] = *turning.as_slice() else { return None };
+    let in_a_row = second == first + 1 && third == second + 1 && problem.slots.len() == 6;
+    in_a_row.then(|| {
+        let triple = Triple { first, kind: TripleKind::Turning };
+        let mut c = Closure::new(problem.clone(), triple);
+        triple::meeting(&mut c);
+        strokes(&mut c)?;
+        Ok(c.finish(triple, task.clone()))
+    })
+}
+
+/// `d_x e_z + R_x d_y e_z + R_x R_y d_z e_z` is what the known rest of the loop leaves: three linear equations (Cramer).
+fn strokes(c: &mut Closure) -> Result<(), Refusal> {
+    let [first, second, third, x, y, z] = c.order;
+    let (link_x, link_y) = (c.link(x).forward, c.link(y).forward);
+    let mut end = c.link(z).back.p;
+    for joint in [first, second, third] {
+        let moved = c.move_back(joint, end);
+        end = c.link(joint).back.point(&mut c.g, moved);
+    }
+    let still = link_x.point(&mut c.g, link_y.p);
+    let left = c.g.sub3(end, still);
+    let link_xy = link_x.then(&mut c.g, &link_y);
+    let axes = [[Expr::ZERO, Expr::ZERO, Expr::ONE], link_x.z(), link_xy.z()];
+    let axes = axes.map(|axis| c.clean3(axis, Unit::Direction));
+    let denominator = determinant(&mut c.g, axes);
+    if c.vanish(&[denominator], Unit::Direction) {
+        return Err(Refusal::new(
+            "the arm is singular everywhere: its three sliding joints move the tool in a plane only",
+        ));
+    }
+    for (place, joint) in [x, y, z].into_iter().enumerate() {
+        let mut columns = axes;
+        if let Some(column) = columns.get_mut(place) {
+            *column = left;
+        }
+        let kernel = Kernel::SlideTo { denominator, numerator: determinant(&mut c.g, columns) };
+        let meaning = format!("Joint {}: slides by what is left of the tool's place.", c.label(joint));
+        c.stage(&[(joint, Angle::ZERO)], joint, Unit::Length, Branching::None, meaning, kernel);
+    }
+    Ok(())
+}
+
+fn determinant(g: &mut Graph, [a, b, c]: [Vec3; 3]) -> Expr {
+    let ([bx, by, bz], [cx, cy, cz]) = (b, c);
+    let mut minor = |p: Expr, q: Expr, r: Expr, s: Expr| {
+        let (ps, qr) = (g.mul(p, s), g.mul(q, r));
+        g.sub(ps, qr)
+    };
+    let across = [minor(by, bz, cy, cz), minor(bz, bx, cz, cx), minor(bx, by, cx, cy)];
+    g.dot3(a, across)
+}
