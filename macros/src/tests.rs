@@ -179,7 +179,7 @@ fn every_mistake_of_the_attribute_and_of_the_struct_is_told() {
                 #[arm(spec = 5)]
                 struct A;
             ),
-            &["expected string literal"],
+            &["not a text\nhelp: write `spec = \"5\"`, in quotes"],
         ),
         (
             quote!(

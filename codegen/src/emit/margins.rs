@@ -11,6 +11,9 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use std::collections::HashSet;
 
+/// Sine and cosine of the angle that `position_angle` asks for.
+const ANGLE: [&str; 2] = ["sin_angle", "cos_angle"];
+
 /// The method, and the dimensions it uses; nothing for a task that has none.
 pub fn margins(model: &Model, plan: &Plan, target: &Target, dimensions: &mut Dimensions) -> TokenStream {
     let (graph, factors) = factors(plan);
@@ -58,10 +61,11 @@ fn known(graph: &Graph, roots: &[Expr], plan: &Plan) -> bool {
         let own = number.is_some_and(|number| (1..=plan.joints()).contains(&number));
         own && ["q", "s", "c", "sin_t", "cos_t"].contains(&part)
     };
+    let of_plane = |name: &str| plan.task.angle.is_some() && ANGLE.contains(&name);
     graph.reachable(roots).into_iter().all(|e| match graph.node(e) {
         Node::Symbol(symbol) => {
             let name = symbol.name.as_str();
-            symbol.value.is_some() || name.starts_with("arm.") || entry(name) || of_joint(name)
+            of_plane(name) || symbol.value.is_some() || name.starts_with("arm.") || entry(name) || of_joint(name)
         }
         _ => true,
     })
@@ -117,6 +121,8 @@ fn angles(plan: &Plan, used: &HashSet<String>, target: &Target) -> TokenStream {
     let krate = &target.krate;
     let (mut sines, mut cosines, mut arguments) = (Vec::new(), Vec::new(), Vec::new());
     let mut joints = Vec::new();
+    let plane = plan.task.angle.as_ref().filter(|_| ANGLE.iter().any(|name| used.contains(*name)));
+    let pitches = |index: usize| plane.is_some_and(|(signs, _)| signs.get(index).is_some_and(|sign| *sign != 0.0));
     for index in 0..plan.joints() {
         let number = index + 1;
         let constant = constant(plan, index);
@@ -127,7 +133,7 @@ fn angles(plan: &Plan, used: &HashSet<String>, target: &Target) -> TokenStream {
         let turns = sin.is_some() || cos.is_some();
         let joint = ident(&name);
         let unused = ident(&format!("_{name}"));
-        joints.push(if turns || used.contains(&name) { quote!(#joint) } else { quote!(#unused) });
+        joints.push(if turns || used.contains(&name) || pitches(index) { quote!(#joint) } else { quote!(#unused) });
         if !turns {
             continue;
         }
@@ -155,7 +161,16 @@ fn angles(plan: &Plan, used: &HashSet<String>, target: &Target) -> TokenStream {
         [_] => quote!(let (#(#sines),*, #(#cosines),*) = #krate::math::sin_cos(#(#arguments),*);),
         _ => quote!(let ([#(#sines),*], [#(#cosines),*]) = #krate::math::sin_cos_array([#(#arguments),*]);),
     };
-    quote!(let [#(#joints),*] = *q; #trigonometry)
+    let plane = plane.map(|(signs, offset)| {
+        let terms = signs.iter().zip(1..).filter(|(sign, _)| **sign != 0.0).map(|(sign, number)| {
+            let joint = ident(&format!("q{number}"));
+            if *sign < 0.0 { quote!(- #joint) } else { quote!(+ #joint) }
+        });
+        let offset = angle::tokens(*offset, target);
+        let [sin, cos] = ANGLE.map(|name| if used.contains(name) { ident(name) } else { ident(&format!("_{name}")) });
+        quote!(let (#sin, #cos) = #krate::math::sin_cos(#offset #(#terms)*);)
+    });
+    quote!(let [#(#joints),*] = *q; #trigonometry #plane)
 }
 
 fn doc(plan: &Plan, writer: &Writer, factors: &[Factor]) -> String {

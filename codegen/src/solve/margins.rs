@@ -23,13 +23,12 @@ pub struct Factor {
     pub power: u32,
 }
 
-/// The factors that are not constant, in the order of the stages, and the graph they are in. Only for the pose
-/// of an arm with enough joints, and for a position: what other tasks read of their target is no entry of the tool's
-/// pose, or there are more equations than joints.
+/// The factors that are not constant, in the order of the stages, and the graph they are in. None where there are more
+/// equations than joints, or where what is read of the target is no entry of the tool's pose (a pointing axis).
 pub fn margins(plan: &Plan) -> (Graph, Vec<Factor>) {
     let mut g = plan.graph.clone();
     let mut factors = Vec::new();
-    if plan.task.overdetermined || !matches!(plan.task.task, Task::Pose | Task::Position) {
+    if plan.task.overdetermined || plan.task.task == Task::PositionAxis {
         return (g, factors);
     }
     let wanted = |slot: &usize| plan.slots.get(*slot).is_some_and(|slot| slot.joint.is_some());

@@ -7,14 +7,14 @@
 /// One module an arm, one test a group of joint vectors.
 macro_rules! arms {
     ($($name:ident $dof:tt $kind:ident $(($axis:ident))? $(given $joint:literal)? { $($attribute:tt)* };)*) => {$(
-        mod $name {
+        pub(crate) mod $name {
             use denhart_tests::subject::{Specified, Subject};
             use denhart_tests::task::{Kind, Task};
             use denhart_tests::{bad_targets, branches, suite};
 
             #[derive(Debug, Clone, Copy, Default, denhart::Arm)]
             #[arm($($attribute)*)]
-            struct Tested;
+            pub(crate) struct Tested;
 
             impl Specified<$dof> for Tested {
                 const NAME: &'static str = stringify!($name);
@@ -60,6 +60,7 @@ macro_rules! arms {
     )*};
 }
 
+mod margins;
 mod planar;
 mod pose_of_fewer_joints;
 mod position;
