@@ -111,13 +111,6 @@ impl Branch {
         Self { root, ..self }
     }
 
-    /// Whether this is the branch that `named` names, or one of them if it names only some parts.
-    pub(crate) fn is_part_of(self, named: Self) -> bool {
-        let part = |shift: u8| named.get(shift) == 0 || named.get(shift) == self.get(shift);
-        let root = named.root == 0 || named.root == self.root;
-        root && [0, Self::ELBOW, Self::WRIST].into_iter().all(part)
-    }
-
     /// Side of the shoulder, where the arm has one.
     #[inline]
     #[must_use]

@@ -35,6 +35,7 @@ mod chain;
 mod combined_limit;
 mod delegate;
 mod dh;
+pub mod effort;
 mod flags;
 mod jacobian;
 mod limits;

@@ -22,12 +22,13 @@ pub struct Solutions<T, const N: usize, const M: usize> {
     status: Status<T>,
     /// A branch needed more than the closed form: the pose is singular or on a boundary for it.
     awkward: bool,
+    deviation: T,
 }
 
 impl<T: Scalar, const N: usize, const M: usize> Solutions<T, N, M> {
     /// One constant, all bits zero, so that making a list is a single fill of memory. (Struct update from it would
     /// compile to a slower copy of read-only data.)
-    const EMPTY: Self = Self { items: [Solution::EMPTY; M], len: 0, status: Status::Reachable, awkward: false };
+    const EMPTY: Self = Self { items: [Solution::EMPTY; M], len: 0, status: Status::Reachable, awkward: false, deviation: T::ZERO };
 
     /// An empty list.
     #[inline]
@@ -95,6 +96,23 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
     #[inline]
     pub(crate) const fn mark_awkward(&mut self) {
         self.awkward = true;
+    }
+
+    /// By how much the target's rotation was off, to first order the Frobenius distance of the nearest rotation. That
+    /// rotation is what the solutions reach and what their residuals refer to; 0 for a deviation of rounding alone.
+    #[inline]
+    #[must_use]
+    pub const fn deviation(&self) -> T
+    where
+        T: Copy,
+    {
+        self.deviation
+    }
+
+    /// Sets the target's deviation.
+    #[inline]
+    pub(crate) fn set_deviation(&mut self, deviation: T) {
+        self.deviation = deviation;
     }
 
     /// Sets the outcome of the call.

@@ -8,6 +8,7 @@ pub mod arms;
 pub mod bad_targets;
 pub mod boundary;
 pub mod branches;
+pub mod effort;
 pub mod poses;
 pub mod random;
 pub mod recover;

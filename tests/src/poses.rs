@@ -159,6 +159,25 @@ impl<const N: usize> Space<N> {
         Family { name: "two joints at 0, +-90, 180", poses }
     }
 
+    /// Every three joints at special values, exactly and beside them; other joints random.
+    pub fn three_special(&self, random: &mut Random) -> Family<N> {
+        let offsets: Vec<f64> = offsets().collect();
+        let mut poses = Vec::new();
+        for first in 0..N {
+            for (second, third) in (first + 1..N).flat_map(|b| (b + 1..N).map(move |c| (b, c))) {
+                for exact in [true, true, false, false] {
+                    let mut q = self.random(random);
+                    for joint in [first, second, third] {
+                        let offset = if exact { 0.0 } else { random.pick(&offsets) * self.unit(joint) };
+                        q[joint] = random.pick(&self.special_values(joint)) + offset;
+                    }
+                    poses.push(q);
+                }
+            }
+        }
+        Family { name: "three joints at 0, +-90, 180", poses }
+    }
+
     /// Every joint at a special value, a random half of them a little beside it.
     pub fn all_special(&self, random: &mut Random) -> Family<N> {
         let offsets: Vec<f64> = offsets().collect();

@@ -5,6 +5,7 @@ use std::fmt;
 use denhart::{Chain, DhTable, InverseKinematics, JointKind, Solution, Status};
 use nalgebra::{Isometry3, Matrix6xX, Translation3, UnitQuaternion, Vector3};
 
+use crate::effort;
 use crate::task::{Asked, EQUATIONS, Goal, Kind, Pitch, Task, across, heading, tool_axis};
 
 /// The constants of a derived arm, for code that is generic over the arm.
@@ -58,12 +59,14 @@ where
     A: InverseKinematics<f64, N, Target: Asked> + Send + Sync,
 {
     fn inverse(&self, goal: &Goal) -> Answer<N> {
-        let solutions = self.arm.inverse(&A::Target::of(self.kind, goal));
+        let target = A::Target::of(self.kind, goal);
+        let solutions = effort::bounded(|| self.arm.inverse(&target));
         Answer { solutions: solutions.as_ref().to_vec(), status: A::status(&solutions) }
     }
 
     fn inverse_near(&self, goal: &Goal, q_ref: &[f64; N]) -> Answer<N> {
-        let solutions = self.arm.inverse_near(&A::Target::of(self.kind, goal), q_ref);
+        let target = A::Target::of(self.kind, goal);
+        let solutions = effort::bounded(|| self.arm.inverse_near(&target, q_ref));
         Answer { solutions: solutions.as_ref().to_vec(), status: A::status(&solutions) }
     }
 }

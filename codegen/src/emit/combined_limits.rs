@@ -32,11 +32,8 @@ pub fn constant(model: &Model, target: &Target) -> TokenStream {
     }
 }
 
-/// The statement that tells the search; nothing for an arm without any.
-pub fn statement(model: &Model, target: &Target) -> TokenStream {
-    if model.combined_limits.is_empty() {
-        return TokenStream::new();
-    }
+/// The constant as a slice.
+pub fn reference(model: &Model, target: &Target) -> TokenStream {
     let name = &target.type_name;
-    quote!(search.limit_sums(&#name::COMBINED_LIMITS);)
+    if model.combined_limits.is_empty() { quote!(&[]) } else { quote!(&#name::COMBINED_LIMITS) }
 }

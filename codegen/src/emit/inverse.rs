@@ -5,7 +5,7 @@ use super::inverse_frame::{function, given, inverse_trait, items, methods};
 use super::kernel::Calls;
 use super::task::task;
 use super::tokens::{Writer, ident};
-use super::{Target, angle, combined_limits, docs};
+use super::{Target, angle, docs};
 use crate::model::Model;
 use crate::solve::{Branching, Kernel, Plan, PlanStep, Stage};
 use crate::symbolic::{Expr, Node};
@@ -60,6 +60,7 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
     let names = [
         "agreed",
         "locked",
+        "nearest",
         "search",
         "solutions",
         "start",
@@ -95,8 +96,7 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
         }
     }
     nest.values();
-    let (limits, body) = (combined_limits::statement(model, target), nest.finish());
-    let body = quote!(#limits #body);
+    let body = nest.finish();
     let task = task(model, plan, target, &used);
     Inverse {
         items: items(model, plan, target, calls.items),

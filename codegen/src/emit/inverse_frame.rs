@@ -2,7 +2,7 @@
 
 use super::task::TaskCode;
 use super::tokens::{ident, integer, number};
-use super::{Target, docs, parameters};
+use super::{Target, combined_limits, docs, parameters};
 use crate::model::{JointKind, Model};
 use crate::solve::Plan;
 use proc_macro2::{Ident, TokenStream};
@@ -27,6 +27,7 @@ pub(super) fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStr
     let unit = model.length_unit.symbol();
     let reach_doc = format!(" Reach of the arm, {unit}: the scale of every length comparison.");
     let type_name = &target.type_name;
+    let combined = combined_limits::reference(model, target);
     let (measure, facts_doc) = if model.parameters.is_empty() {
         let measure = quote! {
             /// Lengths are compared relative to the reach.
@@ -43,6 +44,7 @@ pub(super) fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStr
         #[doc = #facts_doc]
         const FACTS: #krate::solve::Facts<#scalar, #n> = #krate::solve::Facts {
             limits: &#type_name::LIMITS,
+            combined: #combined,
             weights: &[#(#weights),*],
             limited: #limited,
             prismatic: #krate::JointMask::NONE #(#sliding)*,
@@ -88,16 +90,9 @@ pub(super) fn function(
     if let Some(q) = given(plan) {
         // The arm angle holds no joint: a number beyond the last.
         let joint = integer(plan.task.locked.as_ref().map_or(plan.joints(), |locked| locked.joint));
-        goal = match goal.is_empty() {
-            true => quote!(let goal = &#krate::solve::Locked::new(target, #joint, #q);),
-            false => quote!(#goal let locked = &#krate::solve::Locked::new(goal, #joint, #q);),
-        };
+        goal = quote!(#goal let locked = &#krate::solve::Locked::new(goal, #joint, #q););
     }
-    let sought = match (goal.is_empty(), given(plan)) {
-        (true, _) => quote!(target),
-        (false, Some(_)) if !task.goal.is_empty() => quote!(locked),
-        (false, _) => quote!(goal),
-    };
+    let sought = ident(if given(plan).is_some() { "locked" } else { "goal" });
     let (facts, sizes) = if model.parameters.is_empty() {
         (quote!(&FACTS), TokenStream::new())
     } else {
@@ -118,20 +113,22 @@ pub(super) fn function(
             #sizes
             #goal
             let ::core::option::Option::Some(mut search) =
-                #krate::solve::Search::new(#facts, #sought, near, &mut solutions)
+                #krate::solve::Search::new(#facts, arm, #sought, near, &mut solutions)
             else {
                 return solutions;
             };
             #unpack
             #given_symbols
             /// Once; again with a free joint elsewhere, where a later stage cannot be met with that joint at home.
-            loop {
+            for _ in 0..#krate::solve::MOST_CASCADES {
                 let start = search.start();
                 #body
-                if search.complete(|q| #type_name::forward_and_jacobian(arm, q)) {
-                    return solutions;
+                if search.complete() {
+                    break;
                 }
             }
+            search.finish(near);
+            solutions
         }
     }
 }
@@ -165,7 +162,6 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
     let (asked, check) = (&task.target, &task.check);
     let argument = q.as_ref().map(|q| quote!(, #q: #scalar));
     let pass = q.as_ref().map(|q| quote!(#q,));
-    let pass_on = q.as_ref().map(|q| quote!(, #q));
     let from_reference = plan.task.locked.as_ref().zip(q.as_ref()).map(|(locked, q)| {
         let before = (0..locked.joint).map(|_| quote!(_,));
         quote!(let [#(#before)* #q, ..] = *q_ref;)
@@ -213,8 +209,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
             #argument,
             branch: #krate::Branch,
         ) -> #krate::OneSolution<#scalar, #n> {
-            let alone = branches(self, target, #pass ::core::option::Option::None, branch);
-            #krate::solve::one_branch(branch, &alone, || self.inverse(target #pass_on))
+            branches(self, target, #pass ::core::option::Option::None, branch).first_or_status()
         }
 
         #near

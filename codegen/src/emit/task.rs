@@ -16,8 +16,7 @@ pub struct TaskCode {
     pub doc: String,
     /// What makes a target a bad one, after "if the target".
     pub bad: &'static str,
-    /// Statements before the search; after them `goal` is a reference to what is searched
-    /// for; none if that is `target` itself.
+    /// Statements before the search; after them `goal` is a reference to what is searched for.
     pub goal: TokenStream,
     /// The same for one residual, after `forward`.
     pub check: TokenStream,
@@ -50,7 +49,7 @@ pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>)
             target: quote!([#scalar; 3]),
             doc: format!("`target`: where the tool point is to be, base frame, {unit}, `[3]`."),
             bad: "is not finite",
-            goal: TokenStream::new(),
+            goal: quote!(let goal = target;),
             check: quote!(target),
             unpack: quote!(let [#(#position),*] = *target;),
         },
@@ -102,7 +101,7 @@ pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>)
                 "`target`: position of the tool in the base frame's xy plane ({unit}) and direction of its x axis there (rad)."
             ),
             bad: "is not finite",
-            goal: TokenStream::new(),
+            goal: quote!(let goal = target;),
             check: quote!(target),
             unpack: {
                 let ([px, py, _], phi) = (&position, field("phi"));
@@ -117,7 +116,7 @@ pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>)
             target: quote!([#scalar; 2]),
             doc: format!("`target`: where the tool point is to be in the base frame's xy plane, {unit}, `[2]`."),
             bad: "is not finite",
-            goal: TokenStream::new(),
+            goal: quote!(let goal = target;),
             check: quote!(target),
             unpack: {
                 let [px, py, _] = &position;
@@ -128,9 +127,12 @@ pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>)
             target: quote!(#krate::Pose<#scalar>),
             doc: format!("`target`: pose of the tool in the base frame, position in {unit}."),
             bad: "is not finite or its rotation is not one",
-            goal: TokenStream::new(),
+            goal: quote! {
+                let nearest = #krate::solve::nearest_rotation(target, &mut solutions);
+                let goal = nearest.as_ref().unwrap_or(target);
+            },
             check: quote!(target),
-            unpack: frame(quote!(target)),
+            unpack: frame(quote!(goal)),
         },
     }
 }

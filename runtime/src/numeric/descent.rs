@@ -9,7 +9,7 @@ use super::step;
 use crate::math::{self, Scalar};
 use crate::pose::Pose;
 use crate::solution::Residual;
-use crate::solve::{Goal, Tolerances};
+use crate::solve::{Tolerances, as_rotation};
 
 /// The longest step that says the posture is as near as it comes, rad or in lengths of the arm.
 const SETTLED: f64 = 1e-3;
@@ -29,10 +29,9 @@ pub(crate) fn run<T: Tolerances, M: Model<T>>(
     let unknown = Residual { position: T::INFINITY, orientation: T::INFINITY };
     let refused = |stop| NumericSolution { q: start.clone(), stop, iterations: 0, restarts: 0, residual: unknown };
     let is_finite = |q: &M::Joints| q.as_ref().iter().all(|value| value.is_finite());
-    let deviation = <Pose<T> as Goal<T, 0>>::deviation(target);
-    if !(target.is_finite() && deviation <= T::NOT_A_ROTATION && settings.task.is_meant()) {
+    let Some(target) = &as_rotation(target).filter(|_| settings.task.is_meant()) else {
         return refused(Stop::BadTarget);
-    }
+    };
     if !is_finite(start) || posture.is_some_and(|q| !is_finite(q) || q.as_ref().len() != start.as_ref().len()) {
         return refused(Stop::BadStart);
     }

@@ -174,7 +174,7 @@ mod tests {
     use std::vec::Vec;
 
     fn homes() -> [Home<f64>; 2] {
-        [(0, 0.3), (1, -0.8)].map(|(joint, value)| Home { value, joint: JointMask::single(joint) })
+        [(0, 0.3), (1, -0.8)].map(|(joint, value)| Home::at(value, JointMask::single(joint)))
     }
 
     /// Axes at the angle `between` to each other and a slide askew to both, and what joints at `(x, z)` move onto `h`.

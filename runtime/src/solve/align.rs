@@ -24,7 +24,7 @@ pub fn align<T: Tolerances>(home: Home<T>, measure: Measure<T>, from: [T; 2], to
 #[cold]
 #[inline(never)]
 fn short<T: Tolerances>(home: Home<T>, measure: Measure<T>, square: T, cross: T, dot: T) -> Stage<T, 1, 1> {
-    let vanishing = measure.vanishing();
+    let vanishing = home.free_below * measure.scale;
     if !(square > vanishing * vanishing) {
         return Stage::free([Turn::ZERO], home, T::ZERO, measure);
     }

@@ -1,6 +1,7 @@
 //! A direction or point, turned about one axis, with a given component along another.
 
 use super::tolerances::Tolerances;
+use super::stage::Level;
 use super::{Home, Measure, Stage, Turn};
 
 /// The range of that component. The vector's length is fixed, so each end also has a component across.
@@ -44,7 +45,7 @@ pub fn cone<T: Tolerances>(home: Home<T>, measure: Measure<T>, d: T, rho: T, con
 fn narrow<T: Tolerances>(home: Home<T>, measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> Stage<T, 1, 2> {
     let ([max, max_across], [min, _]) = (cone.max, cone.min);
     let range = max - min;
-    if !(range > measure.vanishing()) {
+    if !(range > home.free_below * measure.scale) {
         return Stage::free([Turn::ZERO], home, gap(d, rho, max, max_across), measure);
     }
     let stage = within(measure, d, rho, cone);
@@ -66,19 +67,20 @@ fn within<T: Tolerances>(measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> St
     let (top, bottom) = (below(max, max_across), -below(min, min_across));
     // The rounding of the component itself; roots farther apart are told apart.
     let close = T::EPSILON * (T::TWO + T::TWO) * measure.scale;
+    let level = Level::cosine((bottom - top) / (max - min));
     let met = |end: T, across: T| (end - d).abs() <= close && (rho - across.abs()).abs() <= close;
     if !(top > T::ZERO) || met(max, max_across) {
-        return Stage::edge([Turn::ZERO], gap(d, rho, max, max_across), measure);
+        return Stage::edge([Turn::ZERO], gap(d, rho, max, max_across), measure).at_level(level);
     }
     if !(bottom > T::ZERO) || met(min, min_across) {
         let half = Turn { value: T::PI, sin: T::ZERO, cos: -T::ONE };
-        return Stage::edge([half], gap(d, rho, min, min_across), measure);
+        return Stage::edge([half], gap(d, rho, min, min_across), measure).at_level(level);
     }
     // |(2 sqrt(top bottom), bottom - top)| = top + bottom
     let k = T::ONE / (top + bottom);
     let half_sine = (top * bottom).sqrt() * k;
     let turn = Turn::of(half_sine + half_sine, (bottom - top) * k);
-    Stage::solved([[turn], [turn.reversed()]], measure).with_amplitude(half_sine)
+    Stage::solved([[turn], [turn.reversed()]], measure).with_amplitude(half_sine).at_level(level)
 }
 
 /// The angle (times length, for points) between `(d, rho)` and an end of the range, zero within rounding.
@@ -96,7 +98,7 @@ mod tests {
     /// A short vector across the turning axis, next to a long one along it: the angle is as accurate as the component.
     #[test]
     fn a_small_component_of_a_long_vector() {
-        let home = Home { value: 0.0, joint: JointMask::single(0) };
+        let home = Home::at(0.0, JointMask::single(0));
         for t in [0.3, 1.2, 1.57, 2.0, 3.0_f64] {
             let (along, across) = (-0.8, 4e-8);
             let d = across * t.cos();

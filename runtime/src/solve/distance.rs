@@ -1,6 +1,7 @@
 //! The elbow: two points a given distance apart, one of them turned about an axis.
 
 use super::tolerances::Tolerances;
+use super::stage::Level;
 use super::{Home, Measure, Stage, Turn};
 
 /// The range of the distance between a point on one link and a point on the next.
@@ -53,14 +54,16 @@ fn within<T: Tolerances>(measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<
     // The rounding of the distance itself; roots farther apart are told apart.
     let close = T::EPSILON * T::TWO * elbow.max;
     if !(outer.min(inner) > close) {
-        return end(measure, outer, inner, elbow.side);
+        let (max2, min2, rho2) = (elbow.max * elbow.max, elbow.min * elbow.min, rho * rho);
+        let level = Level::cosine(((rho2 - min2) - (max2 - rho2)) / (max2 - min2));
+        return end(measure, outer, inner, elbow.side).at_level(level);
     }
     let (top, bottom) = (outer * (elbow.max + rho), inner * (rho + elbow.min));
     // |(2 sqrt(top bottom), bottom - top)| = top + bottom
     let k = T::ONE / (top + bottom);
     let half_sine = (top * bottom).sqrt() * k;
     let turn = Turn::of((half_sine + half_sine) * elbow.side, (bottom - top) * (k * elbow.side));
-    Stage::solved([[turn], [turn.reversed()]], measure).with_amplitude(half_sine)
+    Stage::solved([[turn], [turn.reversed()]], measure).with_amplitude(half_sine).at_level(Level::cosine((bottom - top) * k))
 }
 
 /// At the ends of the range or outside it, by how much the distance is inside either end.
@@ -78,7 +81,7 @@ fn end<T: Tolerances>(measure: Measure<T>, outer: T, inner: T, side: T) -> Stage
 #[inline(never)]
 fn narrow<T: Tolerances>(home: Home<T>, measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<T, 1, 2> {
     let range = elbow.max - elbow.min;
-    if !(range > measure.vanishing()) {
+    if !(range > home.free_below * measure.scale) {
         return Stage::free([Turn::ZERO], home, (elbow.max - rho).abs(), measure);
     }
     let stage = within(measure, rho, elbow);
@@ -94,7 +97,7 @@ mod tests {
     /// A point close to the axis turns through any angle within a narrow range of distances: the joint is nearly free.
     #[test]
     fn a_point_close_to_the_axis_leaves_the_joint_nearly_free() {
-        let home = Home { value: 0.0, joint: JointMask::single(2) };
+        let home = Home::at(0.0, JointMask::single(2));
         let solved = |a: f64| {
             let t = 0.7_f64;
             let rho = (a * a + 0.25 + a * t.cos()).sqrt();

@@ -7,8 +7,8 @@ use crate::{Jacobian, JointMask, PlanarPose, PointAngle, PointAxis, Pose, Residu
 
 /// A target, as the search sees it. An equation that is not asked for is a row of zeros.
 pub trait Goal<T, const N: usize> {
-    /// By how much given directions fail to be orthonormal; not a number if the target cannot be meant.
-    fn deviation(&self) -> T;
+    /// Whether all of it is finite.
+    fn is_finite(&self) -> bool;
 
     /// Where the tool point is to be.
     fn point(&self) -> [T; 3];
@@ -35,11 +35,6 @@ pub trait Goal<T, const N: usize> {
     }
 }
 
-/// Zero for numbers, not a number for anything else.
-fn known<T: Tolerances>(value: T) -> T {
-    value * T::ZERO
-}
-
 fn points<T: Tolerances, const N: usize>(jacobian: &Jacobian<T, N>) -> Jacobian<T, N> {
     let [x, y, z, ..] = jacobian.rows;
     let none = [T::ZERO; N];
@@ -49,17 +44,8 @@ fn points<T: Tolerances, const N: usize>(jacobian: &Jacobian<T, N>) -> Jacobian<
 /// The whole pose.
 impl<T: Tolerances, const N: usize> Goal<T, N> for Pose<T> {
     #[inline]
-    fn deviation(&self) -> T {
-        let [[a, d, g], [b, e, h], [c, f, i]] = self.rotation;
-        // Columns x = (a, b, c), y = (d, e, f), z = (g, h, i). By how much the lengths of x and y differ from 1, how much
-        // these lean, and by how much z differs from their product: the distance of the nearest rotation.
-        let unit_x = T::HALF * (a * a + b * b + c * c - T::ONE);
-        let unit_y = T::HALF * (d * d + e * e + f * f - T::ONE);
-        let right = a * d + b * e + c * f;
-        let handed = [b * f - c * e - g, c * d - a * f - h, a * e - b * d - i];
-        let squares = unit_x * unit_x + unit_y * unit_y + right * right;
-        let [u, v, w] = handed;
-        (squares + u * u + v * v + w * w).sqrt()
+    fn is_finite(&self) -> bool {
+        Pose::is_finite(self)
     }
 
     #[inline]
@@ -89,8 +75,8 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for Pose<T> {
 /// A point.
 impl<T: Tolerances, const N: usize> Goal<T, N> for [T; 3] {
     #[inline]
-    fn deviation(&self) -> T {
-        T::ZERO
+    fn is_finite(&self) -> bool {
+        self.iter().all(|x| x.is_finite())
     }
 
     #[inline]
@@ -151,9 +137,8 @@ impl<T: Tolerances> Pointing<T> {
 
 impl<T: Tolerances, const N: usize> Goal<T, N> for Pointing<T> {
     #[inline]
-    fn deviation(&self) -> T {
-        let [x, y, z] = self.direction;
-        known(x + y + z)
+    fn is_finite(&self) -> bool {
+        self.point.iter().chain(&self.direction).all(|x| x.is_finite())
     }
 
     #[inline]
@@ -208,8 +193,8 @@ impl<T: Tolerances, const N: usize> InPlane<T, N> {
 
 impl<T: Tolerances, const N: usize> Goal<T, N> for InPlane<T, N> {
     #[inline]
-    fn deviation(&self) -> T {
-        known(self.target.angle)
+    fn is_finite(&self) -> bool {
+        self.target.angle.is_finite() && self.target.point.iter().all(|x| x.is_finite())
     }
 
     #[inline]
@@ -236,8 +221,8 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for InPlane<T, N> {
 /// A pose in the plane.
 impl<T: Tolerances, const N: usize> Goal<T, N> for PlanarPose<T> {
     #[inline]
-    fn deviation(&self) -> T {
-        known(self.phi)
+    fn is_finite(&self) -> bool {
+        self.x.is_finite() && self.y.is_finite() && self.phi.is_finite()
     }
 
     #[inline]
@@ -264,8 +249,8 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for PlanarPose<T> {
 /// A point in the plane.
 impl<T: Tolerances, const N: usize> Goal<T, N> for [T; 2] {
     #[inline]
-    fn deviation(&self) -> T {
-        T::ZERO
+    fn is_finite(&self) -> bool {
+        self.iter().all(|x| x.is_finite())
     }
 
     #[inline]
@@ -308,8 +293,8 @@ impl<'a, T: Tolerances, G> Locked<'a, T, G> {
 
 impl<T: Tolerances, G: Goal<T, N>, const N: usize> Goal<T, N> for Locked<'_, T, G> {
     #[inline]
-    fn deviation(&self) -> T {
-        self.goal.deviation() + known(self.value)
+    fn is_finite(&self) -> bool {
+        self.goal.is_finite() && self.value.is_finite()
     }
 
     #[inline]
@@ -345,24 +330,5 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize> Goal<T, N> for Locked<'_, T, 
             *place = self.value;
         }
         q
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_deviation_is_the_distance_of_a_rotation() {
-        let exact = Pose::<f64>::from_xyz_rpy([0.0; 3], [0.4, -1.1, 2.3]);
-        let deviation = |pose: &Pose<f64>| Goal::<f64, 6>::deviation(pose);
-        assert!(deviation(&exact) < 1e-15);
-        for entry in 0..9 {
-            let mut off = exact;
-            off.rotation[entry / 3][entry % 3] += 5e-7;
-            assert!((4e-7..8e-7).contains(&deviation(&off)), "entry {entry}: {:e}", deviation(&off));
-        }
-        let longer = Pose { rotation: exact.rotation.map(|row| row.map(|x| x * (1.0 + 1e-6))), ..exact };
-        assert!((deviation(&longer) - 1e-6 * 3.0_f64.sqrt()).abs() < 1e-11);
     }
 }

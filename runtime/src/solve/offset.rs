@@ -1,6 +1,7 @@
 //! One trigonometric equation: a point turned about an axis keeps a given offset.
 
 use super::tolerances::Tolerances;
+use super::stage::Level;
 use super::{Home, Measure, Stage, Turn};
 
 /// Solves `a cos(t) + b sin(t) = d` for `t`: `t = atan2(b, a) +- atan2(sqrt(r^2 - d^2), d)`, `r = |(a, b)|`.
@@ -11,19 +12,20 @@ use super::{Home, Measure, Stage, Turn};
 pub fn offset<T: Tolerances>(home: Home<T>, measure: Measure<T>, a: T, b: T, d: T) -> Stage<T, 1, 2> {
     let r2 = a * a + b * b;
     let r = r2.sqrt();
-    if !(r > measure.vanishing()) {
+    if !(r > home.free_below * measure.scale) {
         return Stage::free([Turn::ZERO], home, d.abs(), measure);
     }
     let h2 = (r - d) * (r + d);
     // The rounding of h2 itself; roots farther apart are told apart.
     if !(h2 > T::EPSILON * (T::TWO + T::TWO) * r2) {
         let side = if d < T::ZERO { -T::ONE / r } else { T::ONE / r };
-        return Stage::edge([Turn::of(b * side, a * side)], (d.abs() - r).max(T::ZERO), measure);
+        return Stage::edge([Turn::of(b * side, a * side)], (d.abs() - r).max(T::ZERO), measure)
+            .at_level(Level::cosine(d / r));
     }
     let h = h2.sqrt();
     let k = T::ONE / r2;
     let sines = [(b * d + a * h) * k, (b * d - a * h) * k];
     let cosines = [(a * d - b * h) * k, (a * d + b * h) * k];
     let roots = Turn::array(sines, cosines).map(|turn| [turn]);
-    Stage::solved(roots, measure).with_amplitude((h / r).min(r / measure.scale))
+    Stage::solved(roots, measure).with_amplitude((h / r).min(r / measure.scale)).at_level(Level::cosine(d / r))
 }

@@ -224,7 +224,7 @@ fn eliminated<T: Tolerances>(
         }
         stage
     };
-    if circle.largest() <= vanishing || amplitude(q) < T::VANISHING {
+    if circle.largest() <= vanishing || amplitude(q) < home.free_below {
         return Stage { free: home.joint, ..anywhere() };
     }
     let (roots, len) = angles(&circle);
@@ -285,7 +285,7 @@ mod tests {
     const LENGTH: Measure<f64> = Measure::length(1.0);
 
     fn homes() -> [Home<f64>; 2] {
-        [0, 1].map(|joint| Home { value: 0.0, joint: JointMask::single(joint) })
+        [0, 1].map(|joint| Home::at(0.0, JointMask::single(joint)))
     }
 
     type Equations = ([Row<f64>; 2], [Row<f64>; 2], [Row<f64>; 4]);

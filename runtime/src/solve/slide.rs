@@ -1,6 +1,7 @@
 //! Sliding joints.
 
 use super::tolerances::Tolerances;
+use super::stage::Level;
 use super::{Home, Measure, Stage, Turn};
 
 /// Solves for the position `x` of a point on a line at which its distance from another point is `rho`; the line passes
@@ -10,21 +11,22 @@ use super::{Home, Measure, Stage, Turn};
 #[inline]
 pub fn slide<T: Tolerances>(measure: Measure<T>, rho: T, across: T, middle: T) -> Stage<T, 1, 2> {
     let beyond = rho - across;
+    let level = Level::square(beyond * (rho + across) / (measure.scale * measure.scale));
     if !(beyond > measure.rounding()) {
-        return Stage::edge([Turn::position(middle)], (-beyond).max(T::ZERO), measure);
+        return Stage::edge([Turn::position(middle)], (-beyond).max(T::ZERO), measure).at_level(level);
     }
     let half = (beyond * (rho + across)).sqrt();
     let roots = [[Turn::position(middle + half)], [Turn::position(middle - half)]];
-    Stage::solved(roots, measure).with_amplitude(half / measure.scale)
+    Stage::solved(roots, measure).with_amplitude(half / measure.scale).at_level(level)
 }
 
 /// Solves `denominator x = numerator`. One root. With the denominator (dimensionless) vanishing the joint is free.
 #[inline]
 pub fn slide_to<T: Tolerances>(home: Home<T>, measure: Measure<T>, denominator: T, numerator: T) -> Stage<T, 1, 1> {
-    if !(denominator.abs() > T::VANISHING) {
+    if !(denominator.abs() > home.free_below) {
         let mut stage = Stage::free([Turn::ZERO], home, numerator.abs(), measure);
         stage.roots = [[Turn::position(home.value)]];
-        return stage;
+        return stage.at_level(Level::zero(numerator / measure.scale));
     }
     Stage::solved([[Turn::position(numerator / denominator)]], measure).with_weak(home, denominator.abs())
 }
@@ -41,13 +43,14 @@ pub fn quadratic<T: Tolerances>(measure: Measure<T>, [a, b, c]: [T; 3]) -> Stage
     let discriminant = half * half - a * c;
     // Rounding of the discriminant itself; roots farther apart are told apart.
     let close = T::EPSILON * T::TWO * (half * half + (a * c).abs());
+    let level = Level::square(discriminant / (measure.scale * measure.scale));
     if !(discriminant > close) {
         // The equation is a difference of two squared distances, at its extremum off by `discriminant / a`.
         let gap = (-discriminant).max(T::ZERO) / (a.abs() * measure.scale);
-        return Stage::edge([Turn::position(-half / a)], gap, measure);
+        return Stage::edge([Turn::position(-half / a)], gap, measure).at_level(level);
     }
     let root = discriminant.sqrt();
     let larger = if half < T::ZERO { root - half } else { -half - root };
     let roots = [[Turn::position(larger / a)], [Turn::position(c / larger)]];
-    Stage::solved(roots, measure).with_amplitude(root / measure.scale)
+    Stage::solved(roots, measure).with_amplitude(root / measure.scale).at_level(level)
 }

@@ -17,7 +17,7 @@ pub fn slide_turning<T: Tolerances>(
 ) -> Stage<T, 2, 2> {
     let ([home, home_s], [u, v]) = (homes, stroke);
     let length = (u * u + v * v).sqrt();
-    if !(length > T::VANISHING) {
+    if !(length > home_s.free_below) {
         return standing(homes, measure, rows);
     }
     let k = T::ONE / length;
@@ -26,8 +26,8 @@ pub fn slide_turning<T: Tolerances>(
     let angle = offset(home, measure, u * a2 - v * a1, u * b2 - v * b1, v * k1 - u * k2);
     let [a, b, c] = [u * a1 + v * a2, u * b1 + v * b2, u * k1 + v * k2].map(|e| e * k);
     let roots = angle.roots.map(|[turn]| [turn, Turn::position(a * turn.cos + b * turn.sin + c)]);
-    let Stage { len, gap, boundary, amplitude, doubt, free, .. } = angle;
-    let stage = Stage { len, gap, boundary, amplitude, doubt, free, ..Stage::solved(roots, measure) };
+    let Stage { len, gap, boundary, amplitude, doubt, free, level, .. } = angle;
+    let stage = Stage { len, gap, boundary, amplitude, doubt, free, level, ..Stage::solved(roots, measure) };
     if length < T::DOUBTFUL { stage.nearly_free(home_s, length) } else { stage }
 }
 
@@ -70,7 +70,7 @@ mod tests {
     use crate::JointMask;
 
     fn solve(stroke: [f64; 2], rows: [[f64; 2]; 2], [angle, s]: [f64; 2]) -> Stage<f64, 2, 2> {
-        let homes = [(0, 0.0), (1, 0.25)].map(|(joint, value)| Home { value, joint: JointMask::single(joint) });
+        let homes = [(0, 0.0), (1, 0.25)].map(|(joint, value)| Home::at(value, JointMask::single(joint)));
         let (sin, cos) = angle.sin_cos();
         let [first, second] = [0, 1].map(|i| {
             let [a, b] = rows[i];

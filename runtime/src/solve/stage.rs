@@ -38,6 +38,41 @@ impl<T: Tolerances> Measure<T> {
     }
 }
 
+/// A number that says whether a stage has roots: it has them if and only if `low <= value <= high`.
+///
+/// A stage with two roots a half difference h apart solves `cos(h) = value` between -1 and 1; one that a slide solves
+/// needs a square that is not negative; an equation without a joint of its own needs the value 0. The value is known
+/// outside its range too. A joint that turns points about an axis moves it as `a + b cos(x - phi)`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Level<T> {
+    pub(super) value: T,
+    pub(super) low: T,
+    pub(super) high: T,
+}
+
+impl<T: Tolerances> Level<T> {
+    /// Nothing is known.
+    pub(super) const NONE: Self = Self { value: T::NAN, low: T::NAN, high: T::NAN };
+
+    /// The cosine of half the difference of two angles.
+    #[inline]
+    pub(super) fn cosine(value: T) -> Self {
+        Self { value, low: -T::ONE, high: T::ONE }
+    }
+
+    /// A square.
+    #[inline]
+    pub(super) fn square(value: T) -> Self {
+        Self { value, low: T::ZERO, high: T::MAX }
+    }
+
+    /// What has to vanish.
+    #[inline]
+    pub(super) fn zero(value: T) -> Self {
+        Self { value, low: T::ZERO, high: T::ZERO }
+    }
+}
+
 /// What a branch has met so far.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Trail<T> {
@@ -48,13 +83,16 @@ pub struct Trail<T> {
     pub(super) amplitude: T,
     /// Joints that an equation of very small amplitude gave: good only as far as the joints before are.
     pub(super) weak: JointMask,
+    /// The solution is to be verified.
     pub(super) doubt: bool,
-    /// The branch leads nowhere: a stage has no root near it.
+    /// The branch leads nowhere: a stage has no root near it, and the joints before it are what they have to be.
     pub(super) ended: bool,
     /// A stage has no root near the branch, but a joint before it is free and may be elsewhere.
     pub(super) missed: bool,
-    /// A stage is missed by more than the tolerance, and the joints before it are what they have to be.
-    pub(super) beyond: bool,
+    /// A stage is missed by more than rounding, and the joints before it are what they have to be.
+    pub(super) clamped: bool,
+    /// The level of the first stage after a joint that is free or weak.
+    pub(super) level: Level<T>,
 }
 
 impl<T: Tolerances> Trail<T> {
@@ -68,12 +106,23 @@ impl<T: Tolerances> Trail<T> {
         doubt: false,
         ended: false,
         missed: false,
-        beyond: false,
+        clamped: false,
+        level: Level::NONE,
     };
 
-    /// Adds what a doubtful stage has met.
-    #[cold]
-    pub(super) fn note(&mut self, Met { gap, angular, amplitude, weak, boundary, free }: Met<T>) {
+    /// The joints so far that may be elsewhere.
+    pub(super) fn loose(&self) -> JointMask {
+        self.free | self.weak
+    }
+
+    /// Adds what a stage has met.
+    pub(super) fn note(&mut self, Met { gap, angular, amplitude, weak, boundary, free, doubt, level }: Met<T>) {
+        if !self.loose().is_empty() && !(self.level.value.is_finite()) {
+            self.level = level;
+        }
+        if !doubt {
+            return;
+        }
         self.doubt = true;
         self.amplitude = self.amplitude.min(amplitude);
         self.weak |= weak;
@@ -94,7 +143,7 @@ impl<T: Tolerances> Trail<T> {
     }
 }
 
-/// What a doubtful stage has met.
+/// What a stage has met.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Met<T> {
     pub(super) gap: T,
@@ -103,6 +152,8 @@ pub(super) struct Met<T> {
     pub(super) weak: JointMask,
     pub(super) boundary: bool,
     pub(super) free: JointMask,
+    pub(super) doubt: bool,
+    pub(super) level: Level<T>,
 }
 
 /// The roots of one equation for `K` joints, at most `R`, and how well they are determined.
@@ -118,6 +169,8 @@ pub struct Stage<T, const K: usize, const R: usize> {
     pub(super) weak: JointMask,
     pub(super) doubt: bool,
     pub(super) free: JointMask,
+    /// Whether there are roots.
+    pub(super) level: Level<T>,
 }
 
 impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
@@ -134,7 +187,15 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
             weak: JointMask::NONE,
             doubt: false,
             free: JointMask::NONE,
+            level: Level::NONE,
         }
+    }
+
+    /// The same with its level.
+    #[inline]
+    pub(super) fn at_level(mut self, level: Level<T>) -> Self {
+        self.level = level;
+        self
     }
 
     /// Marks the stage as doubtful if its relative amplitude is small.
@@ -171,8 +232,8 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
     /// What it has met.
     #[inline]
     pub(super) fn met(&self) -> Met<T> {
-        let Self { gap, angular, amplitude, weak, boundary, free, .. } = *self;
-        Met { gap, angular, amplitude, weak, boundary, free }
+        let Self { gap, angular, amplitude, weak, boundary, free, doubt, level, .. } = *self;
+        Met { gap, angular, amplitude, weak, boundary, free, doubt, level }
     }
 
     /// The one place where two roots meet, or the nearest to a solution, missing it by `gap`.

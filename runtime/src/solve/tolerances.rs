@@ -15,8 +15,6 @@ pub trait Tolerances: Scalar {
     const ROUNDING: Self;
     /// A residual up to this (relative to reach, and in rad) is exact.
     const EXACT: Self;
-    /// Largest deviation of a target's rotation from orthonormal.
-    const NOT_A_ROTATION: Self;
     /// Joint vectors closer than this in every joint (rad, relative to reach) are one solution: two roots merge when
     /// the sine of their half difference falls below the root of [`Self::ROUNDING`].
     const COINCIDENT: Self;
@@ -36,7 +34,6 @@ impl Tolerances for f64 {
     const WEAK: f64 = 1e-5;
     const ROUNDING: f64 = 64.0 * f64::EPSILON;
     const EXACT: f64 = 8e-13;
-    const NOT_A_ROTATION: f64 = 1e-6;
     const COINCIDENT: f64 = 2.4e-7;
     const CLOSE: f64 = 1e-4;
     const MOST_WOUND: f64 = 2048.0;
@@ -50,7 +47,6 @@ impl Tolerances for f32 {
     const WEAK: f32 = 1e-2;
     const ROUNDING: f32 = 64.0 * f32::EPSILON;
     const EXACT: f32 = 2e-5;
-    const NOT_A_ROTATION: f32 = 1e-3;
     const COINCIDENT: f32 = 5.5e-3;
     const CLOSE: f32 = 1e-2;
     const MOST_WOUND: f32 = 64.0;

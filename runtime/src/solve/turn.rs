@@ -105,18 +105,26 @@ pub struct Home<T> {
     pub value: T,
     /// The joint.
     pub joint: JointMask,
+    /// An equation of less amplitude than this leaves the joint free.
+    pub(super) free_below: T,
 }
 
 impl<T: Tolerances> Home<T> {
+    /// A joint that stays at a value where it is free.
+    #[inline]
+    pub fn at(value: T, joint: JointMask) -> Self {
+        Self { value, joint, free_below: T::VANISHING }
+    }
+
     /// For a kernel whose variable is the joint value plus `by`.
     #[inline]
     pub fn shifted(self, by: T) -> Self {
-        Self { value: self.value + by, joint: self.joint }
+        Self { value: self.value + by, ..self }
     }
 
     /// For a kernel whose variable runs against the joint.
     #[inline]
     pub fn reversed(self) -> Self {
-        Self { value: -self.value, joint: self.joint }
+        Self { value: -self.value, ..self }
     }
 }

@@ -10,7 +10,7 @@ use super::{Home, Measure, Stage, Turn};
 pub fn flip<T: Tolerances>(home: Home<T>, m: [T; 3]) -> Stage<T, 2, 2> {
     let [mx, my, mz] = m;
     let rho = (mx * mx + my * my).sqrt();
-    if !(rho > T::VANISHING) {
+    if !(rho > home.free_below) {
         // Order (a, b) so that the free joint comes first, then back.
         let b = if mz < T::ZERO { Turn { value: T::PI, sin: T::ZERO, cos: -T::ONE } } else { Turn::ZERO };
         let mut stage = Stage::<T, 2, 2>::free([Turn::ZERO, b], home, T::ZERO, Measure::DIRECTION);
@@ -32,7 +32,7 @@ pub fn wrist<T: Tolerances>(home: Home<T>, m: [[T; 3]; 3]) -> Stage<T, 3, 2> {
     let [[m11, m12, m13], [m21, m22, m23], [_, _, m33]] = m;
     let square = m13 * m13 + m23 * m23;
     let rho = square.sqrt();
-    if !(rho > T::VANISHING) {
+    if !(rho > home.free_below) {
         return in_line(home, m);
     }
     // The root and the division, both slow, at the same time; and what is scaled meanwhile.

@@ -49,6 +49,11 @@ macro_rules! inverse_tests {
             fn bad_targets() {
                 denhart_tests::bad_targets::check::<$Type, 6>();
             }
+
+            #[test]
+            fn effort() {
+                denhart_tests::effort::check::<$Type, 6>();
+            }
         }
     };
 }

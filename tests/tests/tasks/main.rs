@@ -48,6 +48,11 @@ macro_rules! arms {
             }
 
             #[test]
+            fn effort() {
+                denhart_tests::effort::check::<Tested, $dof>();
+            }
+
+            #[test]
             fn residuals() {
                 suite::residuals::<Tested, $dof>();
             }

@@ -1,0 +1,60 @@
+//! What a call of the inverse costs, counted: for tests.
+//!
+//! A *cascade* is one run of an arm's nest of stages; an *evaluation* is one `forward_and_jacobian` that verifies a
+//! solution. Every call of `inverse`, `inverse_near` and `inverse_branch` takes at most [`MOST_CASCADES`] and
+//! [`MOST_EVALUATIONS`], whatever the bits of its arguments are. The feature `count` counts them for each thread;
+//! without that feature nothing is counted and nothing is spent on it.
+
+/// The most runs of the nest in one call.
+pub const MOST_CASCADES: usize = 12;
+
+/// The most evaluations of `forward_and_jacobian` in one call.
+pub const MOST_EVALUATIONS: usize = 200;
+
+#[cfg(feature = "count")]
+mod counted {
+    extern crate std;
+
+    use core::cell::Cell;
+
+    /// What a call cost.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub struct Effort {
+        /// Runs of the nest of stages.
+        pub cascades: usize,
+        /// Evaluations of `forward_and_jacobian`.
+        pub evaluations: usize,
+    }
+
+    std::thread_local! {
+        static EFFORT: Cell<Effort> = const { Cell::new(Effort { cascades: 0, evaluations: 0 }) };
+    }
+
+    pub(crate) fn cascade() {
+        EFFORT.with(|effort| effort.set(Effort { cascades: effort.get().cascades + 1, ..effort.get() }));
+    }
+
+    pub(crate) fn evaluation() {
+        EFFORT.with(|effort| effort.set(Effort { evaluations: effort.get().evaluations + 1, ..effort.get() }));
+    }
+
+    /// The result of `call`, and what the calls of inverse kinematics in it cost on this thread.
+    pub fn effort_of<R>(call: impl FnOnce() -> R) -> (R, Effort) {
+        EFFORT.set(Effort::default());
+        let result = call();
+        (result, EFFORT.get())
+    }
+}
+
+#[cfg(feature = "count")]
+pub use counted::{Effort, effort_of};
+#[cfg(feature = "count")]
+pub(crate) use counted::{cascade, evaluation};
+
+#[cfg(not(feature = "count"))]
+#[inline(always)]
+pub(crate) fn cascade() {}
+
+#[cfg(not(feature = "count"))]
+#[inline(always)]
+pub(crate) fn evaluation() {}

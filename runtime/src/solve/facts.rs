@@ -1,0 +1,100 @@
+//! What a search knows about an arm.
+
+use super::Tolerances;
+use crate::{Arm, CombinedLimit, Jacobian, JointMask, Pose, Residual};
+
+/// What the search needs to know about an arm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Facts<T: 'static, const N: usize> {
+    /// Lower and upper limit of every joint, infinite where there is none.
+    pub limits: &'static [[T; 2]; N],
+    /// Limits of sums of joint values.
+    pub combined: &'static [CombinedLimit<T, N>],
+    /// How much each joint counts in the distance from a reference, the squared norm `sum w (q - q_ref)^2`.
+    pub weights: &'static [T; N],
+    /// Whether any joint has limits.
+    pub limited: bool,
+    /// The sliding joints.
+    pub prismatic: JointMask,
+    /// Reach of the arm, in its length unit.
+    pub reach: T,
+    /// Residuals up to this are listed as approximate solutions.
+    pub tolerance: Residual<T>,
+}
+
+impl<T: Tolerances, const N: usize> Facts<T, N> {
+    /// The same arm with lengths that are known at run time: its reach, and up to which position residual a solution is
+    /// listed. An arm without any length has the reach 1.
+    ///
+    /// `None` if the reach is not finite, or so large or so small that fourth powers of the arm's lengths, which the
+    /// kernels compute, leave the range of the scalar: beyond 1e60 and 1e-60 (f32: 1e8 and 1e-4) of the length unit.
+    #[inline]
+    pub fn with_reach(mut self, reach: T, position: T) -> Option<Self> {
+        if reach == T::ZERO {
+            self.tolerance.position = position.max(T::from_f64(1e-6));
+            self.reach = T::ONE;
+            return Some(self);
+        }
+        self.reach = reach;
+        self.tolerance.position = position;
+        (reach < T::LARGEST_REACH && reach > T::SMALLEST_REACH).then_some(self)
+    }
+
+    /// Whether a joint vector can be a reference: finite, and its angles not so far wound that their rounding is more
+    /// than an exact solution may miss by.
+    #[inline]
+    pub(super) fn can_refer(&self, near: &[T; N]) -> bool {
+        let mut joints = near.iter().enumerate();
+        joints.all(|(joint, q)| q.is_finite() && (self.prismatic.contains(joint) || q.abs() <= T::MOST_WOUND))
+    }
+
+    /// Where each joint stays if it is free: its reference value; without one 0, or the limit nearest to 0.
+    #[inline]
+    pub(super) fn homes(&self, near: Option<&[T; N]>) -> [T; N] {
+        let Some(near) = near else {
+            return self.limits.map(|[low, high]| if low > T::ZERO { low } else { high.min(T::ZERO) });
+        };
+        let mut homes = *near;
+        for joint in self.prismatic.iter() {
+            // A slide farther off than the arm reaches beyond its limits is no place to stay.
+            if let (Some(home), Some([low, high])) = (homes.get_mut(joint), self.limits.get(joint)) {
+                let (low, high) = (low.max(-self.reach * T::TWO), high.min(self.reach * T::TWO));
+                *home = home.max(low - self.reach).min(high + self.reach);
+            }
+        }
+        homes
+    }
+
+    /// What a joint is measured in: 1 rad, or the reach.
+    #[inline]
+    pub(super) fn unit(&self, joint: usize) -> T {
+        if self.prismatic.contains(joint) { self.reach } else { T::ONE }
+    }
+
+    /// The residual, lengths relative to reach, as one number; infinite if it is not a number.
+    pub(super) fn relative(&self, residual: &Residual<T>) -> T {
+        let position = residual.position / self.reach;
+        let known = position.is_finite() && residual.orientation.is_finite();
+        if known { position.max(residual.orientation) } else { T::INFINITY }
+    }
+
+    /// Whether a residual is within the file's tolerance.
+    pub(super) fn tolerates(&self, residual: &Residual<T>) -> bool {
+        residual.position <= self.tolerance.position && residual.orientation <= self.tolerance.orientation
+    }
+}
+
+/// Forward kinematics and Jacobian of an arm, as an object: what verifies a solution exists once, not once an arm.
+pub trait Evaluate<T, const N: usize> {
+    /// Pose of the tool and geometric Jacobian at `q`, both in the base frame.
+    fn evaluate(&self, q: &[T; N]) -> (Pose<T>, Jacobian<T, N>);
+}
+
+impl<T, A: Arm<T, N>, const N: usize> Evaluate<T, N> for A {
+    #[cold]
+    #[inline(never)]
+    fn evaluate(&self, q: &[T; N]) -> (Pose<T>, Jacobian<T, N>) {
+        crate::effort::evaluation();
+        self.forward_and_jacobian(q)
+    }
+}

@@ -1,0 +1,125 @@
+//! Damped least-squares steps towards a target.
+
+use super::facts::Evaluate;
+use super::{Facts, Goal, Tolerances};
+use crate::math::wrap;
+use crate::{Jacobian, Residual};
+
+/// Steps for a solution near a singularity: more have not closed what these leave.
+const STEPS: usize = 6;
+/// Residuals up to so many roundings say nothing about where the solution is, and where the arm is nearly singular a step
+/// that chases them leads far away.
+const NOISE: f64 = 20.0;
+
+/// A joint vector with what it misses the target by.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Iterate<T, const N: usize> {
+    pub(super) q: [T; N],
+    pub(super) residual: Residual<T>,
+    jacobian: Jacobian<T, N>,
+    /// Lengths over reach.
+    error: [T; 6],
+    /// Its squared length.
+    size: T,
+}
+
+impl<T: Tolerances, const N: usize> Iterate<T, N> {
+    /// Evaluates the arm at `q`.
+    pub(super) fn at(facts: &Facts<T, N>, goal: &dyn Goal<T, N>, arm: &dyn Evaluate<T, N>, q: [T; N]) -> Self {
+        let (pose, jacobian) = arm.evaluate(&q);
+        let k = T::ONE / facts.reach;
+        let [x, y, z, u, v, w] = goal.error(&q, &pose);
+        let error = [x * k, y * k, z * k, u, v, w];
+        let size = error.iter().fold(T::ZERO, |sum, e| sum + *e * *e);
+        let residual = goal.residual(&q, &pose);
+        Self { q, residual, jacobian: goal.rows(&pose, &jacobian), error, size }
+    }
+}
+
+/// At most six steps of damped least squares (Levenberg 1944, Marquardt 1963), damping in proportion to the squared
+/// error, so that convergence is quadratic. Of two steps in a row one has to reduce the error, else neither is taken
+/// (the watchdog of Chamberlain, Powell, Lemarechal, Pedersen 1982).
+#[cold]
+#[inline(never)]
+pub(super) fn refined<T: Tolerances, const N: usize>(
+    facts: &Facts<T, N>,
+    goal: &dyn Goal<T, N>,
+    arm: &dyn Evaluate<T, N>,
+    start: Iterate<T, N>,
+) -> Iterate<T, N> {
+    let (mut best, mut place) = (start, start);
+    let mut boost = T::ONE;
+    let floor = T::from_f64(NOISE) * T::EPSILON;
+    for _ in 0..STEPS {
+        if !(place.size > floor * floor) {
+            break;
+        }
+        let damping = (place.size + T::EPSILON * T::EPSILON * T::from_f64(16.0)) * boost;
+        let Some(step) = damped_step(facts, &place.jacobian, &place.error, damping) else { break };
+        let mut q = place.q;
+        for ((value, change), joint) in q.iter_mut().zip(step).zip(0..) {
+            *value += change;
+            if !facts.prismatic.contains(joint) && !goal.given().contains(joint) {
+                *value = wrap(*value);
+            }
+        }
+        let next = Iterate::at(facts, goal, arm, q);
+        // A step along a narrow curved valley leaves it, and the next one leads back: one step may make it worse.
+        let second = place.size > best.size;
+        if next.size < best.size {
+            (best, place) = (next, next);
+            boost = (boost * T::from_f64(0.1)).max(T::ONE);
+        } else if second || !next.size.is_finite() {
+            place = best;
+            boost *= T::from_f64(100.0);
+        } else {
+            place = next;
+        }
+    }
+    best
+}
+
+/// The step that minimizes `|J step - error|^2 + damping |step|^2`, with lengths over reach throughout: the rows of J are
+/// rotated (Givens 1958) into the triangle that starts as `sqrt(damping) I`. Unlike the normal equations this keeps
+/// singular values down to the rounding of J itself, which is what the steps near a fold need.
+fn damped_step<T: Tolerances, const N: usize>(
+    facts: &Facts<T, N>,
+    jacobian: &Jacobian<T, N>,
+    error: &[T; 6],
+    damping: T,
+) -> Option<[T; N]> {
+    let k = T::ONE / facts.reach;
+    let mut triangle = [[T::ZERO; N]; N];
+    let mut right = [T::ZERO; N];
+    for (i, line) in triangle.iter_mut().enumerate() {
+        *line.get_mut(i)? = damping.sqrt();
+    }
+    for (i, (row, e)) in jacobian.rows.iter().zip(error).enumerate() {
+        let (mut row, mut e) = (*row, *e);
+        for (joint, entry) in row.iter_mut().enumerate() {
+            *entry = *entry * facts.unit(joint) * if i < 3 { k } else { T::ONE };
+        }
+        for (j, (line, value)) in triangle.iter_mut().zip(&mut right).enumerate() {
+            let (diagonal, below) = (*line.get(j)?, *row.get(j)?);
+            let length = (diagonal * diagonal + below * below).sqrt();
+            if !(length > T::ZERO) {
+                continue;
+            }
+            let inverse = T::ONE / length;
+            let (c, s) = (diagonal * inverse, below * inverse);
+            for (upper, lower) in line.iter_mut().zip(&mut row).skip(j) {
+                (*upper, *lower) = (c * *upper + s * *lower, c * *lower - s * *upper);
+            }
+            (*value, e) = (c * *value + s * e, c * e - s * *value);
+        }
+    }
+    let mut step = [T::ZERO; N];
+    for (j, line) in triangle.iter().enumerate().rev() {
+        let known = line.iter().zip(&step).skip(j + 1).fold(T::ZERO, |sum, (a, x)| sum + *a * *x);
+        *step.get_mut(j)? = (*right.get(j)? - known) / *line.get(j)?;
+    }
+    for (joint, change) in step.iter_mut().enumerate() {
+        *change *= facts.unit(joint);
+    }
+    step.iter().all(|x| x.is_finite()).then_some(step)
+}

@@ -1,0 +1,315 @@
+//! Following the branches again with a free joint elsewhere.
+
+use super::place::{sliding, turning};
+use super::stage::Level;
+use super::{Facts, Search, Tolerances, Trail};
+use crate::math::wrap;
+use crate::{Branch, JointMask, Solution};
+
+/// A slide is sampled at home and this many reaches either way.
+const STROKE: f64 = 2.0 / 3.0;
+/// Where other members of crossing families are looked for, in turns from home: odd sixteenths, because families cross
+/// at quarters and eighths.
+const CROSSINGS: [f64; 2] = [1.0 / 16.0, 9.0 / 16.0];
+
+/// What a further run of the nest is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Pass {
+    /// The level at one of three places of the first or second free joint; nothing is listed.
+    Sample { second: bool, place: usize },
+    /// The place of one open branch.
+    Open(usize),
+    /// One more member of crossing families.
+    Cross(usize),
+}
+
+/// A branch that is still to be met.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Open<T> {
+    branch: Branch,
+    /// Where families of solutions cross: the joints that are free or nearly so there.
+    crossing: Option<JointMask>,
+    /// The levels at the three places.
+    levels: [Level<T>; 3],
+    /// How far the free joints are from home at the branch's place, in turns or strokes.
+    steps: [T; 2],
+    /// Whether that place is known, and whether the stage has roots there.
+    known: bool,
+    feasible: bool,
+    /// Where a joint that is nearly free has been, and how far it may move from there without moving the tool; infinite
+    /// for a joint that is free.
+    value: T,
+    slack: T,
+}
+
+/// The branches on which a joint is free or nearly so, and which are missed with that joint at home. Such a branch has
+/// roots for an interval of the joint, or at one place alone: a stretched elbow that every other place of the joint
+/// would have to stretch more. Three runs of the nest tell the level of the stage that misses, and with that the place.
+///
+/// A branch may also be met at home just where another stage is singular: there families of solutions cross, and the one
+/// at home does not tell which joints move together on the other. A second member is looked for elsewhere.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Passes<T, const N: usize, const M: usize> {
+    pass: Option<Pass>,
+    /// How far the free joints are from home in this pass, in turns or strokes.
+    steps: [T; 2],
+    /// The joints that are free on open branches.
+    free: JointMask,
+    /// Open branches, the first `len`.
+    open: [Open<T>; M],
+    len: usize,
+    /// Where joints stay with the free joints at home.
+    homes: [T; N],
+    /// The number of solutions after the pass at home.
+    at_home: usize,
+}
+
+impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
+    fn new(homes: [T; N]) -> Self {
+        let open = Open {
+            branch: Branch::NONE,
+            crossing: None,
+            levels: [Level::NONE; 3],
+            steps: [T::ZERO; 2],
+            known: false,
+            feasible: false,
+            value: T::ZERO,
+            slack: T::INFINITY,
+        };
+        let (pass, steps, free) = (None, [T::ZERO; 2], JointMask::NONE);
+        Self { pass, steps, free, open: [open; M], len: 0, homes, at_home: 0 }
+    }
+
+    /// Whether this is not the first pass.
+    pub(super) fn again(&self) -> bool {
+        self.pass.is_some()
+    }
+
+    fn open(&self) -> &[Open<T>] {
+        self.open.get(..self.len).unwrap_or(&[])
+    }
+
+    fn open_mut(&mut self) -> &mut [Open<T>] {
+        self.open.get_mut(..self.len).unwrap_or(&mut [])
+    }
+
+    /// Below which amplitude a joint is free: on the way to an open branch, also if it is nearly free.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn free_below(&self, joint: usize) -> T {
+        if self.free.contains(joint) && self.pass.is_some() { T::WEAK } else { T::VANISHING }
+    }
+
+    /// Where a joint stays in this pass, given its home.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn away(&self, facts: &Facts<T, N>, joint: usize, home: T) -> T {
+        let before = self.free.iter().filter(|other| *other < joint).count();
+        let step = if self.free.contains(joint) { self.steps.get(before).copied().unwrap_or(T::ZERO) } else { T::ZERO };
+        if facts.prismatic.contains(joint) {
+            home + facts.reach * T::from_f64(STROKE) * step
+        } else {
+            wrap(home + T::TAU * step)
+        }
+    }
+
+    /// Remembers a branch that is missed at home, or on a crossing there.
+    fn remember(&mut self, open: Open<T>, free: JointMask) {
+        let known = |other: &Open<T>| {
+            other.crossing.is_some() == open.crossing.is_some() && same(other.branch, open.branch, true)
+        };
+        if self.open().iter().any(known) {
+            return;
+        }
+        if let Some(slot) = self.open.get_mut(self.len) {
+            *slot = open;
+            self.len += 1;
+            self.free |= free;
+        }
+    }
+
+    /// The place of every open branch from the levels at three places of a free joint.
+    fn locate(&mut self, facts: &Facts<T, N>, second: bool) {
+        let Some(joint) = self.free.iter().nth(usize::from(second)) else { return };
+        let home = self.homes.get(joint).copied().unwrap_or(T::ZERO);
+        let steps = self.steps;
+        for open in self.open_mut().iter_mut().filter(|open| !open.feasible && open.crossing.is_none()) {
+            let now = if open.slack < T::INFINITY { open.value } else { home };
+            let place = if facts.prismatic.contains(joint) {
+                sliding(&open.levels, (now - home) / (facts.reach * T::from_f64(STROKE)))
+            } else {
+                turning(&open.levels, wrap(now - home), open.slack)
+            };
+            open.levels = [Level::NONE; 3];
+            let Some(place) = place else { continue };
+            let [first, _] = steps;
+            open.steps = if second { [first, place.step] } else { [place.step, T::ZERO] };
+            open.known = true;
+            open.feasible = place.feasible;
+        }
+    }
+
+    /// The pass after this one.
+    fn following(&self, facts: &Facts<T, N>) -> Option<Pass> {
+        let _ = facts;
+        let place = |from: usize| {
+            let mut rest = self.open().iter().enumerate().skip(from);
+            rest.find(|(_, open)| open.known && open.crossing.is_none()).map(|(index, _)| Pass::Open(index))
+        };
+        let crossing = self.open().iter().any(|open| open.crossing.is_some()).then_some(Pass::Cross(0));
+        let seek = self.open().iter().any(|open| open.crossing.is_none());
+        match self.pass {
+            None if seek => Some(Pass::Sample { second: false, place: 0 }),
+            None => crossing,
+            Some(Pass::Sample { second, place }) if place < 2 => Some(Pass::Sample { second, place: place + 1 }),
+            Some(Pass::Sample { second: false, .. })
+                if self.free.len() > 1 && self.open().iter().any(|open| open.crossing.is_none() && !open.feasible) =>
+            {
+                Some(Pass::Sample { second: true, place: 0 })
+            }
+            Some(Pass::Sample { .. }) => place(0).or(crossing),
+            Some(Pass::Open(index)) => place(index + 1).or(crossing),
+            Some(Pass::Cross(k)) => (k + 1 < CROSSINGS.len()).then_some(Pass::Cross(k + 1)),
+        }
+    }
+}
+
+/// Whether two names are those of one branch, whichever way the elbow bends, and without `wrist` whichever way the
+/// wrist does.
+fn same(a: Branch, b: Branch, wrist: bool) -> bool {
+    a.shoulder() == b.shoulder() && a.root() == b.root() && (!wrist || a.wrist() == b.wrist())
+}
+
+impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
+    fn passes(&mut self) -> &mut Passes<T, N, M> {
+        let homes = self.homes;
+        self.passes.get_or_insert_with(|| Passes::new(homes))
+    }
+
+    /// The first pass, with every free joint at home.
+    fn at_home(&self) -> bool {
+        self.passes.as_ref().is_none_or(|passes| passes.pass.is_none())
+    }
+
+    /// Whether the solution at the end of a doubtful branch is to be verified in this pass. Its branch gets the name of
+    /// the open branch that it stands for. A branch that is missed is remembered.
+    pub(super) fn takes(&mut self, trail: &Trail<T>, solution: &mut Solution<T, N>) -> bool {
+        let branch = solution.branch;
+        if trail.missed && !matches!(self.pass(), Some(Pass::Sample { .. })) {
+            self.misses(trail.gap.position.max(trail.gap.orientation));
+        }
+        match self.pass() {
+            None => {
+                if trail.missed {
+                    self.seek(trail, solution, T::INFINITY);
+                } else if !trail.free.is_empty() && trail.loose().len() > 1 {
+                    // Beside a free joint another one is free, or nearly so.
+                    self.remember(trail.free, solution, T::INFINITY, Some(trail.loose()));
+                }
+                !trail.missed
+            }
+            Some(Pass::Sample { place, .. }) => {
+                for exact in [true, false] {
+                    for open in self.passes().open_mut().iter_mut().filter(|open| same(open.branch, branch, exact)) {
+                        if let Some(level) = open.levels.get_mut(place).filter(|l| exact || !l.value.is_finite()) {
+                            *level = trail.level;
+                        }
+                    }
+                }
+                false
+            }
+            Some(Pass::Open(index)) => {
+                let Some(open) = self.passes().open().get(index).copied() else { return false };
+                if trail.missed || !same(open.branch, branch, false) {
+                    return false;
+                }
+                if let Some(wrist) = open.branch.wrist() {
+                    solution.branch = branch.with_wrist(wrist);
+                }
+                !self.solutions.exact().any(|listed| listed.branch == solution.branch)
+            }
+            Some(Pass::Cross(_)) => {
+                let loose = trail.loose();
+                let crosses = |open: &Open<T>| {
+                    open.branch == branch && open.crossing.is_some_and(|at_home| at_home != loose)
+                };
+                let passes = self.passes();
+                let (crosses, at_home) = (passes.open().iter().any(crosses), passes.at_home);
+                let listed = |s: &Solution<T, N>| s.branch == branch && s.free == trail.free && s.is_exact();
+                !trail.missed && crosses && !self.solutions.iter().skip(at_home).any(listed)
+            }
+        }
+    }
+
+    fn pass(&self) -> Option<Pass> {
+        self.passes.as_ref().and_then(|passes| passes.pass)
+    }
+
+    /// A branch is to be followed again with its free joint elsewhere: a later stage has no root with that joint at home,
+    /// or the solution does not close there. `slack`: by how much a joint that is nearly free may move.
+    pub(super) fn seek(&mut self, trail: &Trail<T>, solution: &Solution<T, N>, slack: T) {
+        if self.at_home() {
+            self.remember(trail.loose(), solution, slack, None);
+        }
+    }
+
+    fn remember(&mut self, free: JointMask, solution: &Solution<T, N>, slack: T, crossing: Option<JointMask>) {
+        let value = free.iter().next().and_then(|joint| solution.q.get(joint)).copied().unwrap_or(T::ZERO);
+        let passes = self.passes();
+        let empty = Open { branch: solution.branch, crossing, value, slack, ..Self::unmet() };
+        passes.remember(empty, free);
+    }
+
+    fn unmet() -> Open<T> {
+        Open {
+            branch: Branch::NONE,
+            crossing: None,
+            levels: [Level::NONE; 3],
+            steps: [T::ZERO; 2],
+            known: false,
+            feasible: false,
+            value: T::ZERO,
+            slack: T::INFINITY,
+        }
+    }
+
+    /// Goes on to the next pass. False if there is none.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn next_pass(&mut self) -> bool {
+        let (facts, listed) = (self.facts, self.solutions.len());
+        let Some(passes) = &mut self.passes else { return false };
+        match passes.pass {
+            None => passes.at_home = listed,
+            Some(Pass::Sample { second, place: 2 }) => passes.locate(facts, second),
+            _ => {}
+        }
+        let Some(pass) = passes.following(facts) else { return false };
+        passes.pass = Some(pass);
+        passes.steps = match pass {
+            Pass::Sample { second, place } => {
+                let third = T::from_f64([0.0, 1.0 / 3.0, -1.0 / 3.0].get(place).copied().unwrap_or(0.0));
+                let unit = if passes.slides(facts, second) { third * T::from_f64(3.0) } else { third };
+                // The second joint, with the first one where the first open branch has it.
+                let first = passes.open().iter().find(|open| open.known && !open.feasible).map_or(T::ZERO, |o| o.steps[0]);
+                if second { [first, unit] } else { [unit, T::ZERO] }
+            }
+            Pass::Open(index) => passes.open().get(index).map_or([T::ZERO; 2], |open| open.steps),
+            Pass::Cross(k) => {
+                let step = T::from_f64(CROSSINGS.get(k).copied().unwrap_or(0.0));
+                [step, step * T::from_f64(3.0)]
+            }
+        };
+        let passes = *passes;
+        for (joint, (slot, home)) in self.homes.iter_mut().zip(passes.homes).enumerate() {
+            *slot = passes.away(facts, joint, home);
+        }
+        true
+    }
+}
+
+impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
+    fn slides(&self, facts: &Facts<T, N>, second: bool) -> bool {
+        self.free.iter().nth(usize::from(second)).is_some_and(|joint| facts.prismatic.contains(joint))
+    }
+}

@@ -1,0 +1,150 @@
+//! Doubtful solutions: verified by forward kinematics, refined by a few damped steps, and merged where they coincide.
+
+use super::least_squares::{Iterate, refined};
+use super::{Facts, Search, Tolerances, Trail};
+use crate::math::wrap;
+use crate::{Flags, Solution};
+
+impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
+    /// The end of a branch at an awkward pose.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn candidate(&mut self, trail: &Trail<T>, mut solution: Solution<T, N>) {
+        if trail.doubt && !(self.takes(trail, &mut solution) && self.verified(trail, &mut solution)) {
+            return;
+        }
+        self.list(solution);
+    }
+
+    /// Verifies a solution; refines it if that closes it. What stays beyond the tolerance is no solution; its residual
+    /// counts as the gap of its branch.
+    fn verified(&mut self, trail: &Trail<T>, solution: &mut Solution<T, N>) -> bool {
+        let facts = self.facts;
+        let start = Iterate::at(facts, self.goal, self.arm, solution.q);
+        // Joints before a clamped stage are what they have to be: the branch is missed by what it is missed by.
+        let end = if trail.clamped { start } else { refined(facts, self.goal, self.arm, start) };
+        (solution.q, solution.residual) = (end.q, end.residual);
+        let exact = facts.relative(&solution.residual) <= T::EXACT;
+        if !exact {
+            solution.flags.remove(Flags::EXACT);
+            solution.flags |= Flags::APPROXIMATE;
+            if !trail.loose().is_empty() && !trail.clamped {
+                let slack = if trail.free.is_empty() {
+                    T::HALF * T::HALF * T::EXACT / trail.amplitude
+                } else {
+                    T::INFINITY
+                };
+                self.seek(trail, solution, slack);
+            }
+        }
+        if exact || !trail.loose().is_empty() {
+            self.solutions.mark_awkward();
+        }
+        let listed = exact || facts.tolerates(&solution.residual);
+        if !listed {
+            self.misses(solution.residual.position.max(solution.residual.orientation));
+        }
+        listed
+    }
+
+    /// Lists a solution, or the better one of two that coincide.
+    fn list(&mut self, solution: Solution<T, N>) {
+        let facts = self.facts;
+        let again = self.passes.as_ref().is_some_and(|passes| passes.again());
+        let twin = self.solutions.as_mut_slice().iter_mut().find(|other| {
+            coincident(facts, &other.q, &solution.q)
+                // What did not close with the free joint at home.
+                || again && other.branch == solution.branch && other.flags.contains(Flags::APPROXIMATE | Flags::FREE)
+        });
+        let Some(twin) = twin else {
+            self.solutions.push(solution);
+            return;
+        };
+        let met = Flags::BOUNDARY;
+        if facts.relative(&solution.residual) < facts.relative(&twin.residual) {
+            *twin = solution;
+        }
+        twin.flags |= met;
+    }
+
+    /// Unwinds the joints next to the reference (inside the limits where some turn is), keeps the reference's own place
+    /// on a singular family, and sorts nearest first.
+    #[inline(never)]
+    pub(super) fn next_to(&mut self, near: &[T; N]) {
+        if self.solutions.is_awkward() {
+            self.hold(near);
+        }
+        let facts = self.facts;
+        for solution in self.solutions.as_mut_slice() {
+            let joints = solution.q.iter_mut().zip(near).zip(facts.limits);
+            for (joint, ((value, reference), limits)) in joints.enumerate() {
+                if !facts.prismatic.contains(joint) {
+                    *value = crate::windings::next_to(*value, *reference, *limits);
+                }
+            }
+        }
+        let distance = |q: &[T; N]| {
+            q.iter().zip(near).zip(facts.weights).enumerate().fold(T::ZERO, |sum, (joint, ((a, b), weight))| {
+                let step = (*a - *b) / facts.unit(joint);
+                sum + *weight * step * step
+            })
+        };
+        self.solutions
+            .sort_by(|a, b| distance(&a.q).partial_cmp(&distance(&b.q)).unwrap_or(core::cmp::Ordering::Equal));
+    }
+
+    /// Near a singularity a whole family of joint vectors closes within rounding. The member next to the reference is
+    /// what a controller wants: it is found from the reference itself, and listed if no solution lies there yet.
+    #[cold]
+    #[inline(never)]
+    fn hold(&mut self, near: &[T; N]) {
+        let facts = self.facts;
+        let mut start = self.goal.placed(*near);
+        for (joint, value) in start.iter_mut().enumerate() {
+            if !facts.prismatic.contains(joint) && !self.goal.given().contains(joint) {
+                *value = wrap(*value);
+            }
+        }
+        let start = Iterate::at(facts, self.goal, self.arm, start);
+        // Only from a reference that already is close: farther away there is no "same place" to keep.
+        if !(facts.relative(&start.residual) <= T::DOUBTFUL) {
+            return;
+        }
+        let Iterate { q, residual, .. } = refined(facts, self.goal, self.arm, start);
+        if !(facts.relative(&residual) <= T::EXACT) {
+            return;
+        }
+        let apart = |other: &Solution<T, N>| {
+            other.q.iter().zip(&q).fold(T::ZERO, |sum, (a, b)| sum + wrap(*a - *b) * wrap(*a - *b))
+        };
+        let nearer = |a: &&mut Solution<T, N>, b: &&mut Solution<T, N>| {
+            apart(a).partial_cmp(&apart(b)).unwrap_or(core::cmp::Ordering::Equal)
+        };
+        let same = self.solutions.as_mut_slice().iter_mut();
+        let same = same.filter(|other| coincident(facts, &other.q, &q)).min_by(nearer);
+        if let Some(same) = same {
+            // The same place, but nearer to the reference: beside a limit a small step would be a whole turn.
+            (same.q, same.residual) = (q, residual);
+            same.flags.remove(Flags::APPROXIMATE);
+            same.flags |= Flags::EXACT;
+            return;
+        }
+        let nearest = self.solutions.as_mut_slice().iter_mut().min_by(nearer);
+        let mut held = nearest.map_or(Solution::EMPTY, |nearest| *nearest);
+        (held.q, held.residual) = (q, residual);
+        held.flags.remove(Flags::APPROXIMATE);
+        held.flags |= Flags::EXACT;
+        let full = !self.solutions.push(held);
+        if full && let Some(nearest) = self.solutions.as_mut_slice().iter_mut().min_by(nearer) {
+            *nearest = held;
+        }
+    }
+}
+
+/// Whether two joint vectors are one solution.
+fn coincident<T: Tolerances, const N: usize>(facts: &Facts<T, N>, a: &[T; N], b: &[T; N]) -> bool {
+    a.iter().zip(b).enumerate().all(|(joint, (a, b))| {
+        let apart = if facts.prismatic.contains(joint) { (*a - *b) / facts.reach } else { wrap(*a - *b) };
+        apart.abs() <= T::COINCIDENT
+    })
+}
