@@ -18,11 +18,11 @@ impl<T: Scalar> Pose<T> {
     ///
     /// The result is orthonormal to a few units of rounding if the singular values of `R` are within 0.85 and 1.2.
     /// Entries may be off by 0.05 each for that; those printed with two digits are off by 0.005. A second call then
-    /// changes nothing beyond rounding, and a rotation itself stays.
+    /// changes nothing beyond rounding, nor does the first one of a rotation.
     ///
-    /// A matrix further off comes closer to a rotation, but not to rounding. A mirrored matrix, of negative determinant,
-    /// gives the nearest mirrored one, not a rotation. A matrix without inverse, or with an entry that is not finite,
-    /// gives entries that are not finite.
+    /// A matrix further off may still be off by more than rounding after the four steps. A mirrored matrix, of negative
+    /// determinant, gives the nearest mirrored one, not a rotation. A matrix without inverse, or with an entry that is
+    /// not finite, gives entries that are not finite.
     ///
     /// ```
     /// use denhart::Pose;
