@@ -16,6 +16,10 @@ mod sealed {
         fn from_i32(value: i32) -> Self;
         /// The integer without the fraction; beyond `i32` its nearest end, 0 for what is not a number.
         fn to_i32(self) -> i32;
+        /// Nearest value to an integer, without `f64` between.
+        fn from_i64(value: i64) -> Self;
+        /// As [`Kernel::to_i32`].
+        fn to_i64(self) -> i64;
     }
 }
 
@@ -117,6 +121,14 @@ macro_rules! scalar {
             #[inline]
             fn to_i32(self) -> i32 {
                 self as i32
+            }
+            #[inline]
+            fn from_i64(value: i64) -> Self {
+                value as $float
+            }
+            #[inline]
+            fn to_i64(self) -> i64 {
+                self as i64
             }
         }
 
