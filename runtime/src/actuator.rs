@@ -27,16 +27,17 @@ impl<T: Scalar> Actuator<T> {
     #[must_use]
     pub fn pulses(&self, value: T) -> (i32, bool) {
         let exact = (value - self.home) * self.pulses_per_unit;
-        let count = half_away_from_zero(exact).to_f64();
-        // The conversion saturates, and takes what is not a number to 0.
-        (count as i32, !(count >= f64::from(i32::MIN) && count <= f64::from(i32::MAX)))
+        let count = half_away_from_zero(exact);
+        // 2^31, which either type has exactly; a whole number below it is an `i32`.
+        let end = -T::from_i32(i32::MIN);
+        (count.to_i32(), !(count >= -end && count < end))
     }
 
     /// The motor value, rad or length unit, at a count: `home + pulses / pulses_per_unit`.
     #[inline]
     #[must_use]
     pub fn value(&self, pulses: i32) -> T {
-        self.home + T::from_f64(f64::from(pulses)) / self.pulses_per_unit
+        self.home + T::from_i32(pulses) / self.pulses_per_unit
     }
 }
 

@@ -110,7 +110,7 @@ impl Turns {
             let turns = whole((nearest - q) / T::TAU);
             return if nearest >= low && nearest <= high { Self { low: turns, high: turns } } else { Self::NONE };
         }
-        let at = |turns: i64| q + T::from_f64(turns as f64) * T::TAU;
+        let at = |turns: i64| q + T::from_i64(turns) * T::TAU;
         // Rounding may take either end one turn too far.
         let (mut least, mut most) = (whole((low - q) / T::TAU) - 1, whole((high - q) / T::TAU) + 1);
         for _ in 0..2 {
@@ -145,7 +145,7 @@ impl Turns {
 
 /// The nearest whole number, within 2^31.
 fn whole<T: Scalar>(x: T) -> i64 {
-    (x.round_ties_even().to_f64() as i64).clamp(-(1 << 31), 1 << 31)
+    x.round_ties_even().to_i64().clamp(-(1 << 31), 1 << 31)
 }
 
 impl<T: Scalar, const N: usize> Windings<T, N> {
@@ -171,7 +171,7 @@ impl<T: Scalar, const N: usize> Iterator for Windings<T, N> {
         for (q, (turns, at)) in q.iter_mut().zip(self.turns.iter().zip(&self.at)) {
             let turns = turns.nth(*at);
             if turns != 0 {
-                *q += T::from_f64(turns as f64) * T::TAU;
+                *q += T::from_i64(turns) * T::TAU;
             }
         }
         self.done = true;

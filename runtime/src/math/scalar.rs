@@ -6,12 +6,20 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 use super::{double, single, sqrt};
 
 mod sealed {
-    /// What only this module's functions use; it also keeps other types from being a scalar.
+    /// What only this crate's functions use; it also keeps other types from being a scalar.
     pub trait Kernel: Sized {
         /// Pi less its nearest float.
         const PI_LO: Self;
         /// `|self|` less a multiple of pi/2 as a sum of two floats, and the multiple modulo 4.
         fn reduce(self) -> (Self, Self, u8);
+        /// Nearest value to an integer, without `f64` between.
+        fn from_i32(value: i32) -> Self;
+        /// The integer without the fraction; beyond `i32` its nearest end, 0 for what is not a number.
+        fn to_i32(self) -> i32;
+        /// Nearest value to an integer, without `f64` between.
+        fn from_i64(value: i64) -> Self;
+        /// As [`Kernel::to_i32`].
+        fn to_i64(self) -> i64;
     }
 }
 
@@ -105,6 +113,22 @@ macro_rules! scalar {
             fn reduce(self) -> (Self, Self, u8) {
                 let angle = $kernels::sin_cos::reduce(self);
                 (angle.hi, angle.lo, (angle.quarters & 3) as u8)
+            }
+            #[inline]
+            fn from_i32(value: i32) -> Self {
+                value as $float
+            }
+            #[inline]
+            fn to_i32(self) -> i32 {
+                self as i32
+            }
+            #[inline]
+            fn from_i64(value: i64) -> Self {
+                value as $float
+            }
+            #[inline]
+            fn to_i64(self) -> i64 {
+                self as i64
             }
         }
 

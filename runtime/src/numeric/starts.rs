@@ -22,7 +22,7 @@ impl Generator {
 
     /// Uniform in `0 .. 1`, with 24 bits, which both scalars hold.
     fn unit<T: Scalar>(&mut self) -> T {
-        T::from_f64((self.bits() >> 40) as f64 / 16_777_216.0)
+        T::from_i32((self.bits() >> 40) as i32) / T::from_f64(16_777_216.0)
     }
 
     /// A joint vector within the limits. A revolute joint without limits on both sides lies within half a turn of

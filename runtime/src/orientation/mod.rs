@@ -10,11 +10,14 @@
 //! | axis and angle | [`Pose::from_xyz_axis_angle`] | [`Pose::axis_angle`] | no turn: the axis is z |
 //! | twist to another pose | | [`Pose::error_to`] | half a turn: two signs |
 //!
+//! [`Pose::orthonormalized`] gives the rotation nearest to a matrix that is one only roughly.
+//!
 //! Nothing uses `asin` or `acos`: every angle comes from two components of which one is not stationary, so accuracy
 //! does not fade near a singular orientation. Back in a matrix, an entry is off by a few roundings anywhere.
 
 mod axis_angle;
 mod euler;
+mod nearest;
 mod quaternion;
 
 pub use axis_angle::AxisAngle;

@@ -53,24 +53,34 @@ pub(in crate::math) fn sin_cos(x: f64) -> (f64, f64) {
 /// Sines and cosines of several angles, the same bits as [`sin_cos`] of each: one range check for all.
 #[inline]
 pub(in crate::math) fn sin_cos_array<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
-    let mut results = ([0.0; N], [0.0; N]);
-    let (sines, cosines) = (results.0.as_mut_slice(), results.1.as_mut_slice());
     // One sum bounds every magnitude, and is not a number if one of them is not.
     let mut sum = 0.0;
     for angle in &angles {
         sum += f64::from_bits(angle.to_bits() & MAGNITUDE);
     }
-    let angles = angles.as_slice();
-    if sum <= LIMIT {
-        // In blocks whose loops the compiler turns into vector code; it leaves loops of other lengths alone.
-        let (angles, sines, cosines) = near_blocks::<8>(angles, sines, cosines);
-        let (angles, sines, cosines) = near_blocks::<6>(angles, sines, cosines);
-        let (angles, sines, cosines) = near_blocks::<4>(angles, sines, cosines);
-        near_blocks::<1>(angles, sines, cosines);
-    } else {
-        for ((angle, sine), cosine) in angles.iter().zip(sines).zip(cosines) {
-            (*sine, *cosine) = sin_cos(*angle);
-        }
+    if sum <= LIMIT { near_array(angles) } else { distant_array(angles) }
+}
+
+/// Sines and cosines of angles within [`LIMIT`]. Their results stay in registers because the others are made elsewhere.
+#[inline(always)]
+fn near_array<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
+    let mut results = ([0.0; N], [0.0; N]);
+    let (angles, sines, cosines) = (angles.as_slice(), results.0.as_mut_slice(), results.1.as_mut_slice());
+    // In blocks whose loops the compiler turns into vector code; it leaves loops of other lengths alone.
+    let (angles, sines, cosines) = near_blocks::<8>(angles, sines, cosines);
+    let (angles, sines, cosines) = near_blocks::<6>(angles, sines, cosines);
+    let (angles, sines, cosines) = near_blocks::<4>(angles, sines, cosines);
+    near_blocks::<1>(angles, sines, cosines);
+    results
+}
+
+/// Sines and cosines of angles of which one may be far off or not a number.
+#[cold]
+#[inline(never)]
+fn distant_array<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
+    let mut results = ([0.0; N], [0.0; N]);
+    for ((angle, sine), cosine) in angles.iter().zip(&mut results.0).zip(&mut results.1) {
+        (*sine, *cosine) = distant(*angle);
     }
     results
 }
@@ -106,6 +116,7 @@ fn near(x: f64) -> (f64, f64) {
     evaluate(reduce_near(f64::from_bits(bits & MAGNITUDE)), bits)
 }
 
+/// The same for any angle, whatever its magnitude.
 #[cold]
 #[inline(never)]
 fn distant(x: f64) -> (f64, f64) {
@@ -113,7 +124,7 @@ fn distant(x: f64) -> (f64, f64) {
     if !x.is_finite() {
         return (f64::NAN, f64::NAN);
     }
-    evaluate(far::reduce(f64::from_bits(bits & MAGNITUDE)), bits)
+    evaluate(reduce(x), bits)
 }
 
 #[inline(always)]

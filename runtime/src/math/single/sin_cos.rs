@@ -35,23 +35,33 @@ pub(in crate::math) fn sin_cos(x: f32) -> (f32, f32) {
 /// Sines and cosines of several angles, the same bits as [`sin_cos`] of each: one range check for all.
 #[inline]
 pub(in crate::math) fn sin_cos_array<const N: usize>(angles: [f32; N]) -> ([f32; N], [f32; N]) {
-    let mut results = ([0.0; N], [0.0; N]);
-    let (sines, cosines) = (results.0.as_mut_slice(), results.1.as_mut_slice());
     // One sum bounds every magnitude, and is not a number if one of them is not.
     let mut sum = 0.0;
     for angle in &angles {
         sum += f32::from_bits(angle.to_bits() & MAGNITUDE);
     }
-    let angles = angles.as_slice();
-    if sum <= LIMIT {
-        // In blocks whose loops the compiler turns into vector code; it leaves loops of other lengths alone.
-        let (angles, sines, cosines) = near_blocks::<8>(angles, sines, cosines);
-        let (angles, sines, cosines) = near_blocks::<4>(angles, sines, cosines);
-        near_blocks::<1>(angles, sines, cosines);
-    } else {
-        for ((angle, sine), cosine) in angles.iter().zip(sines).zip(cosines) {
-            (*sine, *cosine) = sin_cos(*angle);
-        }
+    if sum <= LIMIT { near_array(angles) } else { distant_array(angles) }
+}
+
+/// Sines and cosines of angles within [`LIMIT`]. Their results stay in registers because the others are made elsewhere.
+#[inline(always)]
+fn near_array<const N: usize>(angles: [f32; N]) -> ([f32; N], [f32; N]) {
+    let mut results = ([0.0; N], [0.0; N]);
+    let (angles, sines, cosines) = (angles.as_slice(), results.0.as_mut_slice(), results.1.as_mut_slice());
+    // In blocks whose loops the compiler turns into vector code; it leaves loops of other lengths alone.
+    let (angles, sines, cosines) = near_blocks::<8>(angles, sines, cosines);
+    let (angles, sines, cosines) = near_blocks::<4>(angles, sines, cosines);
+    near_blocks::<1>(angles, sines, cosines);
+    results
+}
+
+/// Sines and cosines of angles of which one may be far off or not a number.
+#[cold]
+#[inline(never)]
+fn distant_array<const N: usize>(angles: [f32; N]) -> ([f32; N], [f32; N]) {
+    let mut results = ([0.0; N], [0.0; N]);
+    for ((angle, sine), cosine) in angles.iter().zip(&mut results.0).zip(&mut results.1) {
+        (*sine, *cosine) = distant(*angle);
     }
     results
 }
@@ -87,6 +97,7 @@ fn near(x: f32) -> (f32, f32) {
     evaluate(reduce_near(f32::from_bits(bits & MAGNITUDE)), bits)
 }
 
+/// The same for any angle, whatever its magnitude.
 #[cold]
 #[inline(never)]
 fn distant(x: f32) -> (f32, f32) {
@@ -94,7 +105,7 @@ fn distant(x: f32) -> (f32, f32) {
     if !x.is_finite() {
         return (f32::NAN, f32::NAN);
     }
-    evaluate(far::reduce(f32::from_bits(bits & MAGNITUDE)), bits)
+    evaluate(reduce(x), bits)
 }
 
 #[inline(always)]

@@ -17,25 +17,92 @@ fn integer_root_is_correctly_rounded() {
     }
 }
 
+/// The processor's root is the oracle of the one in integers.
+fn check_double(x: f64) {
+    assert_eq!(integer::double(x).to_bits(), math::sqrt(x).to_bits(), "{x:e}");
+}
+
+fn check_single(bits: u32) {
+    let x = f32::from_bits(bits);
+    assert_eq!(integer::single(x).to_bits(), math::sqrt(x).to_bits(), "{x:e}");
+}
+
+/// The root of every `f32` follows from those of two octaves, an exponent and a shift.
 #[test]
-fn roots_agree() {
+fn single_roots() {
+    for bits in 0x3f80_0000..0x4080_0000 {
+        check_single(bits);
+    }
     let mut random = Random(22);
-    for _ in 0..100_000 {
-        let x = random.finite().abs();
-        assert_eq!(integer::double(x).to_bits(), math::sqrt(x).to_bits(), "{x:e}");
-        let x = random.finite_single().abs();
-        assert_eq!(integer::single(x).to_bits(), math::sqrt(x).to_bits(), "{x:e}");
-        let x = f64::from_bits(random.bits() >> (12 + random.bits() % 50));
-        assert_eq!(integer::double(x).to_bits(), math::sqrt(x).to_bits(), "{x:e}");
-        let x = f32::from_bits((random.bits() >> (41 + random.bits() % 20)) as u32);
-        assert_eq!(integer::single(x).to_bits(), math::sqrt(x).to_bits(), "{x:e}");
+    for exponent in 1..255_u32 {
+        for _ in 0..1000 {
+            check_single((exponent << 23) | (random.bits() >> 41) as u32);
+        }
+        for end in [0, 1, 2, 0x3f_ffff, 0x40_0000, 0x7f_fffe, 0x7f_ffff] {
+            check_single((exponent << 23) | end);
+        }
     }
+    for i in 0..1_000_000 {
+        check_single((random.bits() >> (41 + i % 23)) as u32);
+    }
+}
+
+#[test]
+#[ignore = "every float: a minute"]
+fn every_single_root() {
+    for bits in 0..f32::INFINITY.to_bits() {
+        check_single(bits);
+    }
+}
+
+#[test]
+fn double_roots() {
+    let mut random = Random(24);
+    for i in 0..2_000_000 {
+        check_double(random.finite().abs());
+        // The range of lengths, and subnormals of all magnitudes.
+        check_double(f64::from_bits((random.bits() >> 12) | ((1000 + random.bits() % 50) << 52)));
+        check_double(f64::from_bits(random.bits() >> (12 + i % 52)));
+    }
+}
+
+/// Roots next to halfway between two floats, next to floats, and at the ends of the chords.
+#[test]
+fn hard_double_roots() {
+    let mut random = Random(25);
+    for i in 0..1_000_000 {
+        // An odd number of 54 bits: its square is that of a root halfway between two floats.
+        let halfway = (random.bits() >> 11) | (1 << 53) | 1;
+        let even = (random.bits() >> 12) | (1 << 52);
+        for square in [u128::from(halfway) * u128::from(halfway), u128::from(even) * u128::from(even)] {
+            // The cast rounds to the nearest float.
+            let x = square as f64;
+            for bits in x.to_bits() - 1..=x.to_bits() + 1 {
+                check_double(f64::from_bits(bits));
+            }
+        }
+        let end = (i % 64) << 47;
+        let beside = random.bits() >> (17 + i % 47);
+        for mantissa in [(end + beside) & ((1 << 52) - 1), (end + (1 << 52) - 1 - beside) & ((1 << 52) - 1)] {
+            for exponent in [1022, 1023] {
+                check_double(f64::from_bits((exponent << 52) | mantissa));
+            }
+        }
+    }
+}
+
+#[test]
+fn unusual_roots() {
     for x in [0.0, -0.0, 1.0, 4.0, f64::MAX, f64::MIN_POSITIVE, f64::from_bits(1), f64::INFINITY, 0.9999999999999999] {
-        assert_eq!(integer::double(x).to_bits(), math::sqrt(x).to_bits());
-        assert_eq!(integer::single(x as f32).to_bits(), math::sqrt(x as f32).to_bits());
+        check_double(x);
+        check_single((x as f32).to_bits());
     }
-    assert!(integer::double(-1.0).is_nan() && integer::single(-1.0).is_nan() && math::sqrt(-1.0_f64).is_nan());
-    assert!(integer::double(f64::NAN).is_nan() && integer::single(f32::NAN).is_nan());
+    for x in [-1.0, -f64::MAX, -f64::from_bits(1), f64::NEG_INFINITY, f64::NAN, -f64::NAN] {
+        assert!(integer::double(x).is_nan() && math::sqrt(x).is_nan());
+    }
+    for x in [-1.0, -f32::MAX, -f32::from_bits(1), f32::NEG_INFINITY, f32::NAN, -f32::NAN] {
+        assert!(integer::single(x).is_nan() && math::sqrt(x).is_nan());
+    }
 }
 
 #[test]
