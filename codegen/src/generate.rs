@@ -136,12 +136,12 @@ pub fn check(text: &str, file: &str) -> Result<Report, Errors> {
     Ok(analyze(text, file, &Bound::None)?.report())
 }
 
-/// What the stages before code find, as text. For the snapshots of this repository: no contract.
+/// What the stages before code find with the parameters bound so, as text. For the tests of this repository: no contract.
 ///
 /// # Errors
 /// Every mistake in the file, with its place.
 #[doc(hidden)]
-pub fn stages_text(text: &str, file: &str) -> Result<String, Errors> {
-    let Analyzed { model, chain, geometry, inverse, .. } = analyze(text, file, &Bound::None)?;
+pub fn stages_text(text: &str, file: &str, bound: &Bound) -> Result<String, Errors> {
+    let Analyzed { model, chain, geometry, inverse, .. } = analyze(text, file, bound)?;
     Ok(stages::text(&model, &chain, &geometry, &inverse))
 }
