@@ -5,7 +5,7 @@ use crate::error::{Diagnostic, Errors};
 use crate::kinematics::{Wanted, kinematics};
 use crate::model::chain::Chain;
 use crate::model::geometry::{Geometry, geometry};
-use crate::model::{self, Bound, Model, Parameter};
+use crate::model::{self, Bound, Model, Parameter, Sizes};
 use crate::report::Report;
 use crate::solve::{Plan, Refusal, plan};
 use crate::{ScalarKind, spec, stages};
@@ -76,9 +76,14 @@ struct Analyzed {
     warnings: Vec<Diagnostic>,
 }
 
-fn analyze(text: &str, file: &str, bound: &Bound) -> Result<Analyzed, Errors> {
+fn analyze(text: &str, file: &str, bound: &Bound, scalar: ScalarKind) -> Result<Analyzed, Errors> {
     let (spec, warnings) = spec::read(text, file)?;
     let model = model::check(&spec)?;
+    if scalar == ScalarKind::F32
+        && let Some(mistake) = Sizes::SINGLE.missed(&spec, &model)
+    {
+        return Err(Errors::from(mistake));
+    }
     let parameters = model.parameters.clone();
     let model = model.bind(bound);
     let chain = Chain::of(&model);
@@ -110,7 +115,7 @@ impl Analyzed {
 /// # Errors
 /// Every mistake in the file, with its place; an arm without an inverse whose file requires one.
 pub fn generate(text: &str, file: &str, options: &Options) -> Result<Generated, Errors> {
-    let analyzed = analyze(text, file, &options.bound)?;
+    let analyzed = analyze(text, file, &options.bound, options.scalar)?;
     let Analyzed { model, chain, inverse, .. } = &analyzed;
     if let Some(mistake) = analyzed.lacking() {
         return Err(Errors::from(mistake));
@@ -133,15 +138,15 @@ pub fn generate(text: &str, file: &str, options: &Options) -> Result<Generated, 
 /// # Errors
 /// Every mistake in the file, with its place.
 pub fn check(text: &str, file: &str) -> Result<Report, Errors> {
-    Ok(analyze(text, file, &Bound::None)?.report())
+    Ok(analyze(text, file, &Bound::None, ScalarKind::F64)?.report())
 }
 
-/// What the stages before code find, as text. For the snapshots of this repository: no contract.
+/// What the stages before code find with the parameters bound so, as text. For the tests of this repository: no contract.
 ///
 /// # Errors
 /// Every mistake in the file, with its place.
 #[doc(hidden)]
-pub fn stages_text(text: &str, file: &str) -> Result<String, Errors> {
-    let Analyzed { model, chain, geometry, inverse, .. } = analyze(text, file, &Bound::None)?;
+pub fn stages_text(text: &str, file: &str, bound: &Bound) -> Result<String, Errors> {
+    let Analyzed { model, chain, geometry, inverse, .. } = analyze(text, file, bound, ScalarKind::F64)?;
     Ok(stages::text(&model, &chain, &geometry, &inverse))
 }

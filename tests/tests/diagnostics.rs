@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use denhart_codegen::{Errors, Options, generate};
+use denhart_codegen::{Errors, Options, ScalarKind, generate};
 
 fn files(folder: &str, extension: &str) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
@@ -41,6 +41,30 @@ fn every_mistake_has_its_text() {
         }
         settings.bind(|| insta::assert_snapshot!(name, errors.to_string()));
     }
+}
+
+/// Single precision has a range of its own, for the reach and for lengths that are no part of it.
+#[test]
+fn an_arm_beyond_single_precision_is_a_mistake_there() {
+    let single = Options { scalar: ScalarKind::F32, ..Options::new("Arm") };
+    let arm = |a: &str, home: &str| {
+        format!(
+            "convention: standard\nunits: {{length: m, angle: deg}}\njoints:\n  - {{type: prismatic, a: {a}, alpha: 0, d: 0, \
+             theta: 0, actuator: {{pulses_per_unit: 1, home: {home}}}}}\n"
+        )
+    };
+    for (a, home, found) in [
+        ("1e9", "0", "4:26: the lengths add up to 1e9 m: expected an arm in single precision of 1e-4 to 1e8 m"),
+        ("1e-5", "0", "4:26: the lengths add up to 1e-5 m: expected an arm in single precision of 1e-4 to 1e8 m"),
+        ("1", "-1e39", "4:92: a length is -1e39 m: expected an arm in single precision of 1e-4 to 1e8 m"),
+    ] {
+        let text = arm(a, home);
+        assert!(mistakes(&text, "arm.yaml").is_none(), "{text}");
+        let errors = generate(&text, "arm.yaml", &single).unwrap_err().to_string();
+        assert!(errors.starts_with(&format!("arm.yaml:{found}\n")), "{errors}");
+        assert!(errors.contains("help: choose another unit of length, or generate the arm for `f64`"), "{errors}");
+    }
+    assert!(generate(&arm("1e3", "1"), "arm.yaml", &single).is_ok());
 }
 
 #[test]

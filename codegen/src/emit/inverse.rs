@@ -7,7 +7,7 @@ use super::task::task;
 use super::tokens::{Writer, ident};
 use super::{Target, angle, docs};
 use crate::model::Model;
-use crate::solve::{Branching, Kernel, Plan, PlanStep, Stage};
+use crate::solve::{Branching, Kernel, Plan, PlanStep, Stage, Unit};
 use crate::symbolic::{Expr, Node};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -92,7 +92,9 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
             PlanStep::Stage(stage) => nest.stage(stage, &mut calls),
             PlanStep::Angle { name, meaning, y, x } => nest.angle(name, meaning, *y, *x),
             PlanStep::Agreement { meaning, unit, misses } => nest.agreement(meaning, calls.measure(*unit), misses),
-            PlanStep::Swivel { names, meaning, .. } => nest.swivel(names, meaning, &step.inputs()),
+            PlanStep::Swivel { names, meaning, .. } => {
+                nest.swivel(names, meaning, &step.inputs(), calls.measure(Unit::Length));
+            }
         }
     }
     nest.values();
@@ -256,7 +258,7 @@ impl Nest<'_> {
         self.trail = quote!(agreed);
     }
 
-    fn swivel(&mut self, names: &[[String; 3]; 3], meaning: &str, inputs: &[Expr]) {
+    fn swivel(&mut self, names: &[[String; 3]; 3], meaning: &str, inputs: &[Expr], length: TokenStream) {
         let level = self.bind(inputs);
         let krate = &self.target.krate;
         let writer = Writer { graph: &self.plan.graph, bound: &self.block.bound, krate };
@@ -275,7 +277,7 @@ impl Nest<'_> {
         let (before, wrist) = (&self.trail, vectors.first());
         let homes = quote!([search.home(0), search.home(1)]);
         let doc = docs::lines("A wrist in the shoulder leaves joints 1 and 2 free.");
-        self.at(level, quote!(#doc let swung = search.directed(&#before, LENGTH, #wrist, #homes);));
+        self.at(level, quote!(#doc let swung = search.directed(&#before, #length, #wrist, #homes);));
         self.trail = quote!(swung);
         for name in names.iter().flatten() {
             self.known.insert(name.clone(), level);

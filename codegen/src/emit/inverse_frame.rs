@@ -35,7 +35,8 @@ pub(super) fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStr
         };
         (measure, " What the search needs to know about the arm.")
     } else {
-        (TokenStream::new(), " What the search needs to know about the arm; the reach is that of the file's lengths.")
+        let reach = parameters::reach(model, target);
+        (reach, " What the search needs to know about the arm; the reach is that of the file's lengths.")
     };
     quote! {
         #[doc = #reach_doc]
@@ -171,7 +172,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
         None => from_reference,
     };
     let arm_angle = arm_angle(plan, target);
-    let sample = sample_redundancy(plan, target, task);
+    let sample = sample_redundancy(model, plan, target, task);
     let held = q.as_ref().map_or_else(
         || "a free joint stays at its value".into(),
         |q| format!("`{q}` and free joints stay at their value"),
@@ -257,7 +258,7 @@ fn arm_angle(plan: &Plan, target: &Target) -> Option<TokenStream> {
 }
 
 /// A walk over the values of a redundant joint.
-fn sample_redundancy(plan: &Plan, target: &Target, task: &TaskCode) -> Option<TokenStream> {
+fn sample_redundancy(model: &Model, plan: &Plan, target: &Target, task: &TaskCode) -> Option<TokenStream> {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
     let (solutions, asked) = (solutions(plan, target), &task.target);
     if plan.task.swivel.is_some() {
@@ -276,7 +277,11 @@ fn sample_redundancy(plan: &Plan, target: &Target, task: &TaskCode) -> Option<To
     }
     let locked = plan.task.locked.as_ref()?;
     let joint = integer(locked.joint);
-    let whole = if locked.turns { quote!(<#scalar as #krate::Scalar>::PI) } else { quote!(REACH) };
+    let whole = match locked.turns {
+        true => quote!(<#scalar as #krate::Scalar>::PI),
+        false if model.parameters.is_empty() => quote!(REACH),
+        false => quote!(reach(self)),
+    };
     let doc = docs::lines(&format!(
         "Walks the redundant joint `q{}` through its limits (without limits: {}) in `n` equal steps and solves for each\n\
          value, the middle of its step. Yields the value and its solutions; allocates nothing.",

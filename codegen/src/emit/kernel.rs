@@ -58,7 +58,8 @@ impl<'a> Calls<'a> {
             }
             Kernel::OffsetOfTwo { length, direction } => {
                 let (length, direction) = (row(length), row(direction));
-                quote!(#krate::solve::offset_of_two(#home, LENGTH, #length, #direction))
+                let measure = self.measure(Unit::Length);
+                quote!(#krate::solve::offset_of_two(#home, #measure, #length, #direction))
             }
             Kernel::Distance { rho, range, about } => {
                 let rho = w(rho);

@@ -7,7 +7,7 @@ use super::{Target, angle, docs};
 use crate::model::{Angle, Model, Task};
 use crate::solve::{Factor, Plan, margins as factors};
 use crate::symbolic::{Expr, Graph, Node};
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use std::collections::HashSet;
 
@@ -25,25 +25,29 @@ pub fn margins(model: &Model, plan: &Plan, target: &Target, dimensions: &mut Dim
     let used = symbols(&graph, &roots);
     let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
     let count = integer(factors.len());
-    let reserved = used.iter().cloned().chain(["target", "q", "arm"].map(String::from));
+    let reserved = used.iter().cloned().chain(["target", "q", "arm", "reach"].map(String::from));
     let mut block = Block::new(&graph, &roots, reserved);
     let fresh = block.bind(&roots);
     let statements = fresh.iter().map(|e| block.statement(*e, krate));
     let writer = Writer { graph: &graph, bound: &block.bound, krate };
+    let bound = !model.parameters.is_empty();
+    let reach = ident(if bound { "reach" } else { "REACH" });
     let entries = factors.iter().map(|factor| {
-        let (name, value) = (&factor.name, scaled(&writer, factor));
+        let (name, value) = (&factor.name, scaled(&writer, factor, &reach));
         quote!(#krate::Margin::new(#name, #value))
     });
     let target_parts = target_parts(&used);
     // The expressions are those of the inverse, in which run-time parameters are fields of `arm`.
     let fields = used.iter().any(|name| name.starts_with("arm.")).then(|| quote!(let arm = self;));
+    let size = (bound && factors.iter().any(|factor| factor.power > 0)).then(|| quote!(let reach = reach(self);));
     let angles = angles(plan, &used, target);
-    let doc = docs::lines(&doc(plan, &writer, &factors));
+    let doc = docs::lines(&doc(plan, &writer, &factors, &reach));
     quote! {
         #doc
         #[must_use]
         pub fn margins(&self, q: &[#scalar; #n]) -> [#krate::Margin<#scalar>; #count] {
             #fields
+            #size
             #target_parts
             #angles
             #(#statements)*
@@ -80,16 +84,16 @@ fn symbols(graph: &Graph, roots: &[Expr]) -> HashSet<String> {
 }
 
 /// The value over the reach, as often as it has lengths.
-fn scaled(writer: &Writer, factor: &Factor) -> TokenStream {
+fn scaled(writer: &Writer, factor: &Factor, reach: &Ident) -> TokenStream {
     let value = writer.write(factor.value);
     let simple = !matches!(writer.graph.node(factor.value), Node::Add(..) | Node::Sub(..));
     let value =
         if simple || factor.power == 0 || writer.bound.contains_key(&factor.value) { value } else { quote!((#value)) };
     match factor.power {
         0 => value,
-        1 => quote!(#value / REACH),
-        2 => quote!(#value / (REACH * REACH)),
-        _ => quote!(#value / (REACH * REACH * REACH)),
+        1 => quote!(#value / #reach),
+        2 => quote!(#value / (#reach * #reach)),
+        _ => quote!(#value / (#reach * #reach * #reach)),
     }
 }
 
@@ -173,7 +177,7 @@ fn angles(plan: &Plan, used: &HashSet<String>, target: &Target) -> TokenStream {
     quote!(let [#(#joints),*] = *q; #trigonometry #plane)
 }
 
-fn doc(plan: &Plan, writer: &Writer, factors: &[Factor]) -> String {
+fn doc(plan: &Plan, writer: &Writer, factors: &[Factor], reach: &Ident) -> String {
     let rows = if plan.task.task == Task::Pose { "" } else { ", of what the task asks for," };
     let column = plan.task.locked.as_ref().map(|locked| format!(" without q{}", locked.joint + 1)).unwrap_or_default();
     let mut text = format!(
@@ -182,7 +186,7 @@ fn doc(plan: &Plan, writer: &Writer, factors: &[Factor]) -> String {
     );
     for factor in factors {
         let value =
-            scaled(writer, factor).to_string().replace(" . ", ".").replace("( - (", "(-(").replace("( - ", "(-");
+            scaled(writer, factor, reach).to_string().replace(" . ", ".").replace("( - (", "(-(").replace("( - ", "(-");
         let value = value.strip_prefix("- ").map_or(value.clone(), |rest| format!("-{rest}"));
         let value = value.strip_prefix("- ").map_or(value.clone(), |rest| format!("-{rest}"));
         let value = if value.len() > 70 { "the determinant of its equations".into() } else { format!("`{value}`") };

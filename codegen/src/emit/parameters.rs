@@ -146,9 +146,9 @@ fn value(length: &Length, target: &Target) -> TokenStream {
     }
 }
 
-/// The size of the arm as it is bound, and what follows from it: `length`, `facts`.
-pub fn sizes(model: &Model, target: &Target) -> TokenStream {
-    let (krate, scalar) = (&target.krate, target.scalar.tokens());
+/// The reach of the arm as it is bound: what `REACH` is where all lengths are numbers.
+pub fn reach(model: &Model, target: &Target) -> TokenStream {
+    let (krate, scalar, name) = (&target.krate, target.scalar.tokens(), &target.type_name);
     let mut constant = strokes(model);
     let mut parts: Vec<TokenStream> = Vec::new();
     let size = |length: &Length| {
@@ -178,15 +178,29 @@ pub fn sizes(model: &Model, target: &Target) -> TokenStream {
             }
         }
     }
-    if constant > 0.0 {
+    if constant > 0.0 || parts.is_empty() {
         parts.push(number(constant));
     }
+    let unit = model.length_unit.symbol();
+    let doc = format!(" Reach of the arm as it is bound, {unit}; 1 without any length.");
+    quote! {
+        #[doc = #doc]
+        fn reach(arm: &#name) -> #scalar {
+            let reach = #(#parts)+*;
+            if reach == 0.0 { 1.0 } else { reach }
+        }
+    }
+}
+
+/// The size of the arm as it is bound, and what follows from it: `length`, `facts`.
+pub fn sizes(model: &Model, target: &Target) -> TokenStream {
+    let krate = &target.krate;
     let tolerance = match model.inverse.tolerance_length {
         Some(length) => number(length),
         None => quote!(0.000001 * reach),
     };
     quote! {
-        let reach: #scalar = #(#parts)+*;
+        let reach = reach(arm);
         let ::core::option::Option::Some(facts) = FACTS.with_reach(reach, #tolerance) else {
             return solutions;
         };

@@ -10,8 +10,15 @@ pub fn ident(name: &str) -> Ident {
     Ident::new(name, Span::call_site())
 }
 
-/// A floating point literal; negative ones as minus and the positive literal.
+/// A floating point literal; negative ones as minus and the positive literal. What is not finite, which no file can
+/// have, is a quotient: there is no literal.
 pub fn number(value: f64) -> TokenStream {
+    if value.is_nan() {
+        return quote!((0.0 / 0.0));
+    }
+    if value.is_infinite() {
+        return if value > 0.0 { quote!((1.0 / 0.0)) } else { quote!((-1.0 / 0.0)) };
+    }
     let literal = Literal::f64_unsuffixed(value.abs());
     if value.is_sign_negative() && value != 0.0 { quote!(-#literal) } else { quote!(#literal) }
 }
@@ -106,6 +113,18 @@ impl Writer<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_number_can_be_written() {
+        for value in [0.0, -1.5, f64::MAX, -f64::MIN_POSITIVE, 5e-324] {
+            let written = number(value).to_string().replace(' ', "");
+            assert_eq!(written.parse(), Ok(value), "{written}");
+        }
+        for (value, text) in [(f64::NAN, "(0.0/0.0)"), (f64::INFINITY, "(1.0/0.0)"), (f64::NEG_INFINITY, "(-1.0/0.0)")]
+        {
+            assert_eq!(number(value).to_string().replace(' ', ""), text);
+        }
+    }
 
     #[test]
     fn only_needed_parentheses() {

@@ -4,6 +4,7 @@ use super::actuator::actuators;
 use super::combined_limits::combined_limits;
 use super::coupling::coupling;
 use super::joint_names::named;
+use super::reach::Sizes;
 use super::weights::weights;
 use super::{Angle, Frame, InverseRequest, Joint, JointKind, MOST_JOINTS, Model, Parameter, Row};
 use crate::error::{Diagnostic, Errors};
@@ -35,7 +36,7 @@ pub fn check(spec: &Spec) -> Result<Model, Errors> {
         name: row.name.as_ref().map(|(name, _)| name.clone()),
         joint: joints.iter().position(|joint| joint.row == index),
     };
-    Ok(Model {
+    let model = Model {
         name: spec.name.clone(),
         source: spec.source.leading_comment(),
         convention: spec.convention,
@@ -49,7 +50,11 @@ pub fn check(spec: &Spec) -> Result<Model, Errors> {
         coupling,
         combined_limits,
         actuators,
-    })
+    };
+    match Sizes::DOUBLE.missed(spec, &model) {
+        Some(mistake) => Err(Errors::from(mistake)),
+        None => Ok(model),
+    }
 }
 
 fn frame(spec: &FrameSpec) -> Frame {

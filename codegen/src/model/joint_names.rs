@@ -2,7 +2,7 @@
 
 use super::{Angle, Joint, JointKind};
 use crate::error::Diagnostic;
-use crate::spec::{JointRef, Place, Spec, WrittenValue, nearest};
+use crate::spec::{ANGLE, JointRef, POSITION, Place, Spec, WrittenValue, nearest};
 
 /// The joint of that name; `qK` also means the K-th joint where no joint has that name. `what` is the key that names
 /// it, for the message.
@@ -51,14 +51,31 @@ pub fn value(
     mistakes: &mut Vec<Diagnostic>,
 ) -> Option<f64> {
     match kind {
-        JointKind::Revolute => Some(Angle::from(written.angle).rad()),
+        JointKind::Revolute => {
+            let rad = Angle::from(written.angle).rad();
+            within(spec, what, ANGLE.missed(rad), place, mistakes).then_some(rad)
+        }
         JointKind::Prismatic => {
             if written.length.is_none() {
                 let message = format!("`{what}`: expected a length, found the angle {}", spec.source.written(place));
                 let help = "the joint slides: write a number, in the file's length unit";
                 mistakes.push(spec.source.mistake(place, message).help(help));
             }
-            written.length
+            let length = written.length?;
+            within(spec, what, POSITION.missed(length), place, mistakes).then_some(length)
         }
     }
+}
+
+/// Whether nothing else is expected than what was written.
+fn within(spec: &Spec, what: &str, expected: Option<String>, place: &Place, mistakes: &mut Vec<Diagnostic>) -> bool {
+    if let Some(expected) = &expected {
+        let message = format!("`{what}`: expected {expected}, found {}", spec.source.written(place));
+        let help = match what {
+            "limits" => "write null for an end without a limit",
+            _ => "write where the motor stands when all joints are at 0",
+        };
+        mistakes.push(spec.source.mistake(place, message).help(help));
+    }
+    expected.is_none()
 }

@@ -116,11 +116,12 @@ fn alternatives(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<String
         .map(|joint| format!("`redundant: {}`", joint.name))
         .collect();
     found.extend(given);
-    let swings = !request.arm_angle && request.task.is_none_or(|task| task == Task::Pose) && {
-        let problem = Problem::new(model, chain, geometry.reach, None);
-        let task = plan_task(Task::Pose, &problem);
-        swivel::plan(problem, chain, task).is_ok()
-    };
+    let swings =
+        !request.arm_angle && model.parameters.is_empty() && request.task.is_none_or(|task| task == Task::Pose) && {
+            let problem = Problem::new(model, chain, geometry.reach, None);
+            let task = plan_task(Task::Pose, &problem);
+            swivel::plan(problem, chain, task).is_ok()
+        };
     found.extend(swings.then(|| "`redundant: arm_angle`".to_string()));
     found
 }

@@ -73,7 +73,7 @@ impl Reader<'_> {
         let home = match (fields.get("home"), kind) {
             (Some(field), RowKind::Prismatic) => HomeSpec::Length(self.number(&field).unwrap_or(0.0)),
             (Some(field), _) => {
-                HomeSpec::Angle(self.angle(&field, unit, AngleRole::Limit).unwrap_or(WrittenAngle::ZERO))
+                HomeSpec::Angle(self.angle(&field, unit, AngleRole::Position).unwrap_or(WrittenAngle::ZERO))
             }
             (None, RowKind::Prismatic) => HomeSpec::Length(0.0),
             (None, _) => HomeSpec::Angle(WrittenAngle::ZERO),

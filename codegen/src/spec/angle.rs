@@ -34,6 +34,15 @@ impl WrittenAngle {
         }
     }
 
+    /// The value in radians.
+    pub fn rad(self) -> f64 {
+        match self {
+            Self::Degrees(value) => value.to_radians(),
+            Self::Radians(value) => value,
+            Self::PiFraction(numerator, denominator) => pi_times(numerator as f64, denominator as f64),
+        }
+    }
+
     /// Reads text with a unit or with `pi`. `None` for anything else, a number without a unit too.
     pub fn parse(text: &str) -> Option<Self> {
         let text = text.trim().to_lowercase();

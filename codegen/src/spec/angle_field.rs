@@ -2,6 +2,7 @@
 
 use super::angle::{AngleUnit, WrittenAngle, pi_times};
 use super::meant;
+use super::range;
 use super::reader::{Field, NOTHING, Reader};
 use super::yaml::Node;
 use std::f64::consts::{FRAC_PI_4, PI};
@@ -15,8 +16,25 @@ pub enum AngleRole {
     Offset,
     /// The end of a joint's range: any value may be meant, and exactness gains nothing.
     Limit,
+    /// Where a joint or a motor stands: the same.
+    Position,
     /// A small angle of any size.
     Tolerance,
+}
+
+/// What to write instead of a range that is no range.
+pub const NO_LIMIT: &str = "write null for an end without a limit";
+
+impl AngleRole {
+    /// What to write instead of an angle that is too large or too small.
+    fn advice(self) -> &'static str {
+        match self {
+            Self::Twist | Self::Offset => "write the angle within a turn, such as 90 deg, 1.5 rad or pi/2; 0 for none",
+            Self::Limit => NO_LIMIT,
+            Self::Position => "write the angle at which the joint stands, such as 90 deg; 0 for none",
+            Self::Tolerance => "write a small angle, such as `angle: 1e-6 rad`",
+        }
+    }
 }
 
 /// Plain radians beyond two turns are degrees.
@@ -33,6 +51,8 @@ impl Reader<'_> {
         let expected = "an angle: a number, or text such as 90 deg, 1.5 rad, pi/2, -2*pi/3";
         let angle = match field.node {
             Node::Number(value) if value.is_finite() => {
+                let size = WrittenAngle::number(*value, unit.unwrap_or(AngleUnit::Degree)).rad();
+                self.within(range::ANGLE, field, size, role.advice())?;
                 if unit.is_some_and(|unit| self.wrong_unit(field, *value, unit, role)) {
                     return None;
                 }
@@ -43,7 +63,10 @@ impl Reader<'_> {
                 return None;
             }
             Node::Text(text) => match WrittenAngle::parse(text) {
-                Some(angle) => angle,
+                Some(angle) => {
+                    self.within(range::ANGLE, field, angle.rad(), role.advice())?;
+                    angle
+                }
                 None => {
                     let text = text.trim();
                     let number = text.parse::<f64>().is_ok_and(f64::is_finite);
@@ -75,7 +98,7 @@ impl Reader<'_> {
         }
         let eighths = looks_like_radians(value);
         let certain = match unit {
-            AngleUnit::Radian if value.abs() > MOST_RADIANS => role != AngleRole::Limit,
+            AngleUnit::Radian if value.abs() > MOST_RADIANS => matches!(role, AngleRole::Twist | AngleRole::Offset),
             AngleUnit::Degree if eighths.is_some() => role == AngleRole::Twist,
             _ => return false,
         };

@@ -2,6 +2,7 @@
 
 use super::angle::AngleUnit;
 use super::place::{Place, Step};
+use super::range;
 use super::reader::{Field, Fields, Reader};
 use super::value::{JointRef, Named, WrittenValue};
 use super::yaml::Node;
@@ -164,6 +165,9 @@ impl Reader<'_> {
         match field.node {
             Node::Text(text) => {
                 let factor = length_per_angle(text);
+                if let Some(Factor::LengthPerRad(size)) = factor {
+                    self.within(range::FACTOR, field, size, "write the travel of the motor for a turn: `20 per rev`")?;
+                }
                 if factor.is_none() {
                     let help = "a sliding motor moves by a length for each turn of a joint: `20 per rev`, `per deg`, `per rad`";
                     self.unexpected(field, "a factor, a number", Some(help.to_owned()));

@@ -1,5 +1,6 @@
 //! Lengths: a number, or a parameter with a sign or a numeric factor.
 
+use super::range;
 use std::collections::HashMap;
 
 /// A length in the file's unit, as the file has it.
@@ -86,8 +87,9 @@ pub(super) fn factored(text: &str) -> Factored<'_> {
         rest = after.get(1..).unwrap_or_default();
     }
     match name {
-        Some(name) if f64::is_finite(factor) && factor != 0.0 => Ok((factor, name)),
-        _ => Err(FORM),
+        Some(_) if range::FACTOR.missed(factor).is_some() || factor == 0.0 => Err("a factor between 1e-12 and 1e12"),
+        Some(name) => Ok((factor, name)),
+        None => Err(FORM),
     }
 }
 

@@ -15,6 +15,7 @@ mod meant;
 mod nearest;
 mod parameter;
 mod place;
+mod range;
 mod reader;
 mod row;
 mod source;
@@ -35,6 +36,7 @@ pub use length::Length;
 pub use nearest::nearest;
 pub use parameter::ParameterSpec;
 pub use place::Place;
+pub use range::{ANGLE, POSITION};
 pub use row::{LimitsSpec, RowKind, RowSpec};
 pub use source::Source;
 pub use units::{Convention, LengthUnit};
@@ -72,6 +74,8 @@ pub struct Spec {
     pub coupling: Option<CouplingSpec>,
     /// Ranges of sums of joint values.
     pub combined_limits: Vec<CombinedLimitSpec>,
+    /// The lengths as they were read, with their places; strokes too.
+    pub lengths: Vec<(f64, Place)>,
     /// The mistakes of form. They are reported together with those of meaning, so that one run shows all.
     pub mistakes: Vec<Diagnostic>,
 }
@@ -112,7 +116,7 @@ pub fn read(text: &str, file: &str) -> Result<(Spec, Vec<Diagnostic>), Errors> {
     let inverse = reader.inverse(&fields, units.angle);
     let coupling = reader.coupling(&fields, units.angle);
     let combined_limits = reader.combined_limits(&fields, units.angle);
-    let Reader { mistakes, warnings, .. } = reader;
+    let Reader { mistakes, warnings, lengths, .. } = reader;
     let name = name.unwrap_or_else(|| source.stem());
     let spec = Spec {
         name,
@@ -125,6 +129,7 @@ pub fn read(text: &str, file: &str) -> Result<(Spec, Vec<Diagnostic>), Errors> {
         inverse,
         coupling,
         combined_limits,
+        lengths,
         mistakes,
         source,
     };

@@ -3,6 +3,7 @@
 use super::length::{Length, factored};
 use super::nearest::nearest;
 use super::place::{Place, Step};
+use super::range;
 use super::reader::{Field, Fields, Reader};
 use super::yaml::Node;
 use super::{FrameSpec, RowSpec};
@@ -65,11 +66,10 @@ impl Reader<'_> {
         match factored(text) {
             Ok((factor, name)) => match parameters.iter().find(|parameter| parameter.name == name) {
                 Some(parameter) => {
-                    return Some(Length::Multiple {
-                        factor,
-                        parameter: name.to_owned(),
-                        default: factor * parameter.default,
-                    });
+                    let default = factor * parameter.default;
+                    self.within(range::LENGTH, field, default, "mind the factor and the parameter's own value")?;
+                    self.lengths.push((default, field.place.clone()));
+                    return Some(Length::Multiple { factor, parameter: name.to_owned(), default });
                 }
                 None if parameters.is_empty() => {
                     self.number(field);

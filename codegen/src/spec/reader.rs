@@ -3,6 +3,7 @@
 use super::meant;
 use super::nearest::nearest;
 use super::place::{Place, Step};
+use super::range;
 use super::source::Source;
 use super::yaml::Node;
 use crate::error::Diagnostic;
@@ -24,6 +25,8 @@ pub struct Reader<'s> {
     pub source: &'s Source,
     pub mistakes: Vec<Diagnostic>,
     pub warnings: Vec<Diagnostic>,
+    /// Every length that was read, with its place.
+    pub lengths: Vec<(f64, Place)>,
 }
 
 /// The entries of a mapping with known keys.
@@ -47,7 +50,7 @@ impl<'n> Fields<'n> {
 
 impl<'s> Reader<'s> {
     pub fn new(source: &'s Source) -> Self {
-        Self { source, mistakes: Vec::new(), warnings: Vec::new() }
+        Self { source, mistakes: Vec::new(), warnings: Vec::new(), lengths: Vec::new() }
     }
 
     /// Records that `field` is not what was expected.
@@ -170,10 +173,19 @@ impl<'s> Reader<'s> {
         None
     }
 
-    /// A finite number without a unit; lengths are in the file's length unit.
+    /// A finite number in the file's length unit.
     pub fn number(&mut self, field: &Field<'_>) -> Option<f64> {
+        self.stroke(field, "lengths are in the unit that `units` names; write 0 where there is none")
+    }
+
+    /// The same with advice of its own for a number that is too large or too small.
+    pub fn stroke(&mut self, field: &Field<'_>, help: &str) -> Option<f64> {
         match field.node {
-            Node::Number(value) if value.is_finite() => return Some(*value),
+            Node::Number(value) if value.is_finite() => {
+                let value = self.within(range::LENGTH, field, *value, help)?;
+                self.lengths.push((value, field.place.clone()));
+                return Some(value);
+            }
             Node::Number(_) => self.unexpected(field, "a finite number", None),
             Node::Text(text) => match text.trim().parse::<f64>() {
                 Ok(value) if value.is_finite() => {

@@ -2,7 +2,7 @@
 
 use super::actuator::ActuatorSpec;
 use super::angle::{AngleUnit, WrittenAngle};
-use super::angle_field::AngleRole;
+use super::angle_field::{AngleRole, NO_LIMIT};
 use super::length::Length;
 use super::parameter::ParameterSpec;
 use super::place::Place;
@@ -156,7 +156,7 @@ impl Reader<'_> {
                 return (None, None);
             }
             let read = match kind {
-                RowKind::Prismatic => (None, reader.number(&field)),
+                RowKind::Prismatic => (None, reader.stroke(&field, NO_LIMIT)),
                 _ => (reader.angle(&field, unit, AngleRole::Limit), None),
             };
             whole &= read != (None, None);

@@ -3,6 +3,7 @@
 use super::angle::{AngleUnit, WrittenAngle};
 use super::angle_field::AngleRole;
 use super::place::{Place, Step};
+use super::range;
 use super::reader::{Field, Reader};
 use super::yaml::Node;
 
@@ -48,7 +49,7 @@ impl Reader<'_> {
             let angle = WrittenAngle::number(value, unit.unwrap_or(AngleUnit::Degree));
             return Some(WrittenValue { angle, length: Some(value) });
         }
-        self.angle(field, unit, AngleRole::Limit).map(|angle| WrittenValue { angle, length: None })
+        self.angle(field, unit, AngleRole::Position).map(|angle| WrittenValue { angle, length: None })
     }
 
     /// The entries of a mapping from joints to values; `what` names it in messages.
@@ -83,7 +84,9 @@ impl Reader<'_> {
     /// A finite number without a unit.
     pub fn factor(&mut self, field: &Field<'_>) -> Option<f64> {
         match *field.node {
-            Node::Number(value) if value.is_finite() => Some(value),
+            Node::Number(value) if value.is_finite() => {
+                self.within(range::FACTOR, field, value, "use units in which the factor is a number of ordinary size")
+            }
             _ => {
                 self.unexpected(field, "a factor, a finite number", None);
                 None

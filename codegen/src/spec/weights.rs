@@ -1,6 +1,7 @@
 //! `inverse: weights:`, how much each joint counts in the distance from a reference.
 
 use super::place::{Place, Step};
+use super::range;
 use super::reader::{Field, Reader};
 use super::yaml::Node;
 
@@ -58,7 +59,9 @@ impl Reader<'_> {
 
     fn weight(&mut self, field: &Field<'_>) -> Option<f64> {
         match field.node {
-            Node::Number(value) if value.is_finite() && *value >= 0.0 => Some(*value),
+            Node::Number(value) if value.is_finite() && *value >= 0.0 => {
+                self.within(range::WEIGHT, field, *value, "a weight of 1 is that of a joint without a weight")
+            }
             _ => {
                 self.unexpected(field, "a weight, a finite number that is not negative", None);
                 None

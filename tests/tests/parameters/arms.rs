@@ -2,12 +2,46 @@
 
 use denhart::{Arm, Chain, DhFrame, DhRow, DhTable};
 
+/// Calls `$with!` with `($more)` and every arm: type, joints, name.
+macro_rules! arms {
+    ($with:ident $($more:tt)*) => {
+        $with! {
+            ($($more)*)
+            Puma560 6 "puma560";
+            Ur5 6 "ur5";
+            Askew 6 "askew";
+            Tilted 6 "tilted";
+            Reacher 3 "reacher";
+            Planar2r 2 "planar2r";
+            Planar3r 3 "planar3r";
+            Jupiter 4 "jupiter";
+            FiveJoints 5 "five_joints";
+            SkewPoint 3 "skew_point";
+            SlideBetween 3 "slide_between";
+            Telescope 3 "telescope";
+            RailFirst 3 "rail_first";
+            TwoSlides 3 "two_slides";
+            RailAndFour 5 "rail_and_four";
+            SlidesOutside 6 "slides_outside";
+        }
+    };
+}
+
+/// Calls a function of an arm for every arm: `arms!(check function)`.
+macro_rules! check {
+    (($function:ident) $($Arm:ident $joints:literal $name:literal;)*) => {
+        $($function::<$Arm, $joints>($name);)*
+    };
+}
+
 /// What the tests need of a struct of parameters.
 pub trait Parametric<const N: usize>: Arm<f64, N> + Copy + Send + Sync {
     /// The arm whose lengths are constants.
     type Folded: Arm<f64, N> + Default;
     /// Its table.
     const TABLE: DhTable;
+    /// Its file.
+    const YAML: &'static str;
     /// How many parameters there are.
     const COUNT: usize;
 
@@ -44,6 +78,7 @@ macro_rules! parametric {
         impl Parametric<$joints> for $name {
             type Folded = $folded;
             const TABLE: DhTable = $folded::DH;
+            const YAML: &'static str = $yaml;
             const COUNT: usize = [$(stringify!($field)),+].len();
 
             fn with(values: &[f64]) -> Self {

@@ -2,14 +2,18 @@
 //! many lengths.
 #![allow(clippy::unwrap_used)]
 
+#[macro_use]
 mod arms;
 mod code;
 mod inverse;
+mod kernel_arms;
+mod kernels;
 
-use arms::{Askew, Jupiter, Parametric, Planar2r, Planar3r, Puma560, Reacher, Tilted, Ur5};
-use denhart::{Arm, Jacobian, Pose};
+use arms::*;
+use denhart::{Arm, Jacobian, JointKind, Pose};
 use denhart_tests::random::Random;
 use denhart_tests::subject::largest;
+use kernel_arms::*;
 use std::f64::consts::PI;
 
 /// A product of ten transforms rounds about fifty times, each time by at most 1.1e-16 of the value or of reach.
@@ -22,10 +26,16 @@ fn pose_error(a: &Pose<f64>, b: &Pose<f64>, reach: f64) -> f64 {
     largest(positions.chain(rotations))
 }
 
-/// Largest difference of two Jacobians, velocities in `reach`.
-fn jacobian_error<const N: usize>(a: &Jacobian<f64, N>, b: impl Fn(usize, usize) -> f64, reach: f64) -> f64 {
-    let difference =
-        |row: usize, joint: usize| (a.rows[row][joint] - b(row, joint)) / if row < 3 { reach } else { 1.0 };
+/// Largest difference of two Jacobians of the arm `A`, velocities in `reach`; what slides moves by a direction.
+fn jacobian_error<A: Arm<f64, N>, const N: usize>(
+    a: &Jacobian<f64, N>,
+    b: impl Fn(usize, usize) -> f64,
+    reach: f64,
+) -> f64 {
+    let difference = |row: usize, joint: usize| {
+        let is_length = row < 3 && A::JOINT_KINDS[joint] == JointKind::Revolute;
+        (a.rows[row][joint] - b(row, joint)) / if is_length { reach } else { 1.0 }
+    };
     largest((0..6).flat_map(|row| (0..N).map(move |joint| (row, joint))).map(|(row, joint)| difference(row, joint)))
 }
 
@@ -40,8 +50,17 @@ fn reach<A: Parametric<N>, const N: usize>(arm: &A) -> f64 {
     }
 }
 
-fn joints<const N: usize>(random: &mut Random) -> [f64; N] {
-    std::array::from_fn(|_| random.uniform(-PI, PI))
+/// What a joint is measured in: 1 rad, or the reach of the arm.
+fn unit<A: Parametric<N>, const N: usize>(arm: &A, joint: usize) -> f64 {
+    if A::JOINT_KINDS[joint] == JointKind::Prismatic { reach(arm) } else { 1.0 }
+}
+
+/// Any angles, and strokes of up to half the reach.
+fn joints<A: Parametric<N>, const N: usize>(arm: &A, random: &mut Random) -> [f64; N] {
+    std::array::from_fn(|joint| match A::JOINT_KINDS[joint] {
+        JointKind::Prismatic => random.uniform(-0.5, 0.5) * reach(arm),
+        _ => random.uniform(-PI, PI),
+    })
 }
 
 /// Every forward function of `arm` at `q` beside another arm and the chain.
@@ -59,7 +78,7 @@ fn check_at<A: Parametric<N>, const N: usize>(arm: &A, q: &[f64; N]) {
     let (both, jacobian) = arm.forward_and_jacobian(q);
     assert!(pose_error(&both, &pose, reach) < ROUNDING);
     for jacobian in [jacobian, arm.jacobian(q)] {
-        let error = jacobian_error(&jacobian, |row, joint| expected[(row, joint)], reach);
+        let error = jacobian_error::<A, N>(&jacobian, |row, joint| expected[(row, joint)], reach);
         assert!(error < ROUNDING, "jacobian of {:?} at {q:?}: {error:e}", arm.values());
     }
 }
@@ -77,7 +96,7 @@ fn forward_beside_chain<A: Parametric<N>, const N: usize>(name: &str) {
     for _ in 0..200 {
         let arm: A = lengths(&mut random);
         for _ in 0..5 {
-            check_at(&arm, &joints(&mut random));
+            check_at(&arm, &joints(&arm, &mut random));
         }
     }
 }
@@ -89,35 +108,78 @@ fn nominal_is_folded<A: Parametric<N>, const N: usize>(name: &str) {
     assert_eq!((rows.as_slice(), base, tool), (A::TABLE.rows, A::TABLE.base, A::TABLE.tool));
     let (mut random, reach) = (Random::named(name), reach(&arm));
     for _ in 0..200 {
-        let q = joints(&mut random);
+        let q = joints(&arm, &mut random);
         assert!(pose_error(&arm.forward(&q), &folded.forward(&q), reach) < ROUNDING);
         let expected = folded.jacobian(&q);
-        assert!(jacobian_error(&arm.jacobian(&q), |row, joint| expected.rows[row][joint], reach) < ROUNDING);
+        assert!(jacobian_error::<A, N>(&arm.jacobian(&q), |row, joint| expected.rows[row][joint], reach) < ROUNDING);
     }
 }
 
 #[test]
 fn forward_functions_follow_the_lengths() {
-    forward_beside_chain::<Planar2r, 2>("planar2r");
-    forward_beside_chain::<Planar3r, 3>("planar3r");
-    forward_beside_chain::<Jupiter, 4>("jupiter");
-    forward_beside_chain::<Puma560, 6>("puma560");
-    forward_beside_chain::<Ur5, 6>("ur5");
-    forward_beside_chain::<Askew, 6>("askew");
-    forward_beside_chain::<Tilted, 6>("tilted");
-    forward_beside_chain::<Reacher, 3>("reacher");
+    arms!(check forward_beside_chain);
 }
 
 #[test]
 fn the_values_of_the_file_give_the_arm_of_the_file() {
-    nominal_is_folded::<Planar2r, 2>("planar2r");
-    nominal_is_folded::<Planar3r, 3>("planar3r");
-    nominal_is_folded::<Jupiter, 4>("jupiter");
-    nominal_is_folded::<Puma560, 6>("puma560");
-    nominal_is_folded::<Ur5, 6>("ur5");
-    nominal_is_folded::<Askew, 6>("askew");
-    nominal_is_folded::<Tilted, 6>("tilted");
-    nominal_is_folded::<Reacher, 3>("reacher");
+    arms!(check nominal_is_folded);
+}
+
+/// Margins have no unit: an arm of twice the size has the same.
+#[test]
+fn margins_are_relative_to_the_bound_reach() {
+    let (arm, mut random) = (Puma560::file(), Random::named("margins"));
+    let large = Puma560::with(&arm.values().iter().map(|length| 2.0 * length).collect::<Vec<_>>());
+    for _ in 0..100 {
+        let q = joints(&arm, &mut random);
+        for (margin, expected) in large.margins(&q).iter().zip(&arm.margins(&q)) {
+            assert!((margin.value - expected.value).abs() < ROUNDING, "{margin:?}, {expected:?}");
+        }
+    }
+}
+
+/// A parameter that nothing uses, on an arm without any length.
+#[test]
+fn an_arm_without_lengths_compiles() {
+    #[derive(denhart::Arm)]
+    #[arm(yaml = "
+name: ball
+convention: standard
+units: {length: m, angle: deg}
+parameters: {unused: 0.5}
+joints:
+  - {type: revolute, a: 0, alpha: 90, d: 0, theta: 0}
+  - {type: revolute, a: 0, alpha: -90, d: 0, theta: 0}
+  - {type: revolute, a: 0, alpha: 0, d: 0, theta: 0}
+")]
+    struct Ball {
+        #[allow(dead_code)]
+        unused: f64,
+    }
+    assert_eq!(Ball { unused: 1.0 }.forward(&[0.0; 3]), Pose::identity());
+}
+
+/// A redundant joint that slides, without limits, is walked over the reach of the arm as it is bound.
+#[test]
+fn a_redundant_slide_is_walked_over_the_bound_reach() {
+    #[derive(denhart::Arm)]
+    #[arm(yaml = "
+name: rail
+convention: standard
+units: {length: m, angle: deg}
+parameters: {upper: 0.5}
+inverse: {task: planar_position, redundant: q1, require: true}
+joints:
+  - {type: prismatic, a: 0, alpha: 90, d: 0, theta: 90}
+  - {type: fixed, a: 0, alpha: -90, d: 0, theta: 0}
+  - {type: revolute, a: upper, alpha: 0, d: 0, theta: 0}
+  - {type: revolute, a: upper, alpha: 0, d: 0, theta: 0}
+")]
+    struct Rail {
+        upper: f64,
+    }
+    let walked: Vec<f64> = Rail { upper: 3.0 }.sample_redundancy(&[1.0, 1.0], 2).map(|(q1, _)| q1).collect();
+    assert_eq!(walked, [-3.0, 3.0]);
 }
 
 /// A struct with some of the fields binds those.

@@ -19,7 +19,7 @@ impl UserCrate {
         let user = Self { folder };
         let manifest = format!("[package]\nname = \"{name}\"\nedition = \"2024\"\n\n{dependencies}\n[workspace]\n");
         user.write("Cargo.toml", &manifest.replace("$ROOT", &root().display().to_string()));
-        // The same versions as in this repository, so that nothing is fetched.
+        // The versions of this repository: no newer ones are looked for.
         user.write("Cargo.lock", &fs::read_to_string(root().join("Cargo.lock")).unwrap());
         user
     }
@@ -31,13 +31,13 @@ impl UserCrate {
         fs::write(path, content).unwrap();
     }
 
-    /// Runs cargo in the crate.
+    /// Runs cargo in the crate. What no build of this repository needed before, such as `libm`, cargo fetches.
     pub fn cargo(&self, arguments: &[&str]) -> Output {
         // One folder for what all these crates depend on, and not the one the running test holds.
         let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("user_crates");
         Command::new(env!("CARGO"))
             .args(arguments)
-            .args(["--offline", "--quiet"])
+            .arg("--quiet")
             .current_dir(&self.folder)
             .env("CARGO_TARGET_DIR", target)
             .env("CARGO_TERM_COLOR", "never")
