@@ -95,21 +95,6 @@ impl<T: Scalar> Pose<T> {
         Residual { position, orientation: math::atan2(norm(axis), trace - T::ONE) }
     }
 
-    /// TEMP
-    #[must_use]
-    pub fn orthonormalized(&self) -> Self {
-        let mut r = self.rotation;
-        for _ in 0..3 {
-            let [x, y, z] = columns(&r);
-            let s = [[dot(x, x), dot(x, y), dot(x, z)], [dot(x, y), dot(y, y), dot(y, z)], [dot(x, z), dot(y, z), dot(z, z)]];
-            let three = T::from_f64(3.0);
-            let [[a, b, c], [_, d, e], [_, _, f]] = s;
-            let m = [[three - a, -b, -c], [-b, three - d, -e], [-c, -e, three - f]];
-            r = r.map(|row| m.map(|column| T::HALF * dot(row, column)));
-        }
-        Self { rotation: r, ..*self }
-    }
-
     /// By how much the rotation fails to be one, to first order the distance of the nearest rotation (Frobenius norm):
     /// the lengths of the columns x and y less 1, how much these lean, and the difference of z from their product.
     #[inline]

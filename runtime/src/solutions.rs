@@ -28,7 +28,8 @@ pub struct Solutions<T, const N: usize, const M: usize> {
 impl<T: Scalar, const N: usize, const M: usize> Solutions<T, N, M> {
     /// One constant, all bits zero, so that making a list is a single fill of memory. (Struct update from it would
     /// compile to a slower copy of read-only data.)
-    const EMPTY: Self = Self { items: [Solution::EMPTY; M], len: 0, status: Status::Reachable, awkward: false, deviation: T::ZERO };
+    const EMPTY: Self =
+        Self { items: [Solution::EMPTY; M], len: 0, status: Status::Reachable, awkward: false, deviation: T::ZERO };
 
     /// An empty list.
     #[inline]

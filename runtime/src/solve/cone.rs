@@ -1,7 +1,7 @@
 //! A direction or point, turned about one axis, with a given component along another.
 
-use super::tolerances::Tolerances;
 use super::stage::Level;
+use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
 
 /// The range of that component. The vector's length is fixed, so each end also has a component across.

@@ -1,7 +1,7 @@
 //! The elbow: two points a given distance apart, one of them turned about an axis.
 
-use super::tolerances::Tolerances;
 use super::stage::Level;
+use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
 
 /// The range of the distance between a point on one link and a point on the next.
@@ -63,7 +63,9 @@ fn within<T: Tolerances>(measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<
     let k = T::ONE / (top + bottom);
     let half_sine = (top * bottom).sqrt() * k;
     let turn = Turn::of((half_sine + half_sine) * elbow.side, (bottom - top) * (k * elbow.side));
-    Stage::solved([[turn], [turn.reversed()]], measure).with_amplitude(half_sine).at_level(Level::cosine((bottom - top) * k))
+    Stage::solved([[turn], [turn.reversed()]], measure)
+        .with_amplitude(half_sine)
+        .at_level(Level::cosine((bottom - top) * k))
 }
 
 /// At the ends of the range or outside it, by how much the distance is inside either end.

@@ -1,7 +1,7 @@
 //! One trigonometric equation: a point turned about an axis keeps a given offset.
 
-use super::tolerances::Tolerances;
 use super::stage::Level;
+use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
 
 /// Solves `a cos(t) + b sin(t) = d` for `t`: `t = atan2(b, a) +- atan2(sqrt(r^2 - d^2), d)`, `r = |(a, b)|`.

@@ -230,9 +230,8 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
             }
             Some(Pass::Cross(_)) => {
                 let loose = trail.loose();
-                let crosses = |open: &Open<T>| {
-                    open.branch == branch && open.crossing.is_some_and(|at_home| at_home != loose)
-                };
+                let crosses =
+                    |open: &Open<T>| open.branch == branch && open.crossing.is_some_and(|at_home| at_home != loose);
                 let passes = self.passes();
                 let (crosses, at_home) = (passes.open().iter().any(crosses), passes.at_home);
                 let listed = |s: &Solution<T, N>| s.branch == branch && s.free == trail.free && s.is_exact();
@@ -291,7 +290,8 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
                 let third = T::from_f64([0.0, 1.0 / 3.0, -1.0 / 3.0].get(place).copied().unwrap_or(0.0));
                 let unit = if passes.slides(facts, second) { third * T::from_f64(3.0) } else { third };
                 // The second joint, with the first one where the first open branch has it.
-                let first = passes.open().iter().find(|open| open.known && !open.feasible).map_or(T::ZERO, |o| o.steps[0]);
+                let first =
+                    passes.open().iter().find(|open| open.known && !open.feasible).map_or(T::ZERO, |o| o.steps[0]);
                 if second { [first, unit] } else { [unit, T::ZERO] }
             }
             Pass::Open(index) => passes.open().get(index).map_or([T::ZERO; 2], |open| open.steps),

@@ -141,13 +141,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
     /// Adds a solution. `q`: joint angles in (-pi, pi], rad; strokes in the length unit.
     #[inline]
     pub fn push(&mut self, trail: &Trail<T>, q: [T; N], branch: Branch) {
-        let solution = Solution {
-            q,
-            flags: trail.flags | Flags::EXACT,
-            free: trail.free,
-            branch,
-            residual: trail.gap,
-        };
+        let solution = Solution { q, flags: trail.flags | Flags::EXACT, free: trail.free, branch, residual: trail.gap };
         if trail.doubt | self.solutions.is_awkward() {
             self.candidate(trail, solution);
         } else {

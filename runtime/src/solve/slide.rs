@@ -1,7 +1,7 @@
 //! Sliding joints.
 
-use super::tolerances::Tolerances;
 use super::stage::Level;
+use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
 
 /// Solves for the position `x` of a point on a line at which its distance from another point is `rho`; the line passes

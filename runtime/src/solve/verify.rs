@@ -29,18 +29,16 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
             solution.flags.remove(Flags::EXACT);
             solution.flags |= Flags::APPROXIMATE;
             if !trail.loose().is_empty() && !trail.clamped {
-                let slack = if trail.free.is_empty() {
-                    T::HALF * T::HALF * T::EXACT / trail.amplitude
-                } else {
-                    T::INFINITY
-                };
+                let slack =
+                    if trail.free.is_empty() { T::HALF * T::HALF * T::EXACT / trail.amplitude } else { T::INFINITY };
                 self.seek(trail, solution, slack);
             }
         }
         if exact || !trail.loose().is_empty() {
             self.solutions.mark_awkward();
         }
-        let listed = exact || facts.tolerates(&solution.residual);
+        // A guess that comes near by its steps alone, without closing, is no branch of this target.
+        let listed = exact || facts.tolerates(&start.residual);
         if !listed {
             self.misses(solution.residual.position.max(solution.residual.orientation));
         }
