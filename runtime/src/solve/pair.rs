@@ -138,10 +138,7 @@ fn eliminated<T: Tolerances>(
     if len == 0 && circle.largest() < T::WEAK * det.abs() {
         return Stage { weak: home.joint, ..anywhere() };
     }
-    let roots = roots.map(|angle| {
-        let z = Turn::at(angle);
-        [other(&z), z]
-    });
+    let roots = roots.map(|z| [other(&z), z]);
     Stage { len, ..Stage::solved(roots, Measure::DIRECTION) }
 }
 
@@ -161,9 +158,8 @@ fn zeros<T: Tolerances>(rows: &[Row<T>; 2]) -> [Option<Turn<T>>; 2] {
     let (circle, size) = square(rows);
     let (found, len) = angles(&circle);
     let mut zeros = [None; 2];
-    for angle in found.into_iter().take(len) {
+    for mut turn in found.into_iter().take(len) {
         let [p, q] = rows;
-        let mut turn = Turn::at(angle);
         // A double root comes with half of the digits; the rows themselves have all.
         for _ in 0..2 {
             let (u, v, du, dv) = (p.at(&turn), q.at(&turn), p.slope(&turn), q.slope(&turn));

@@ -60,13 +60,7 @@ fn candidates<T: Tolerances>(
         };
         let (roots, len) = angles(&circle);
         let [line, _] = rows;
-        (
-            roots.map(|angle| {
-                let z = Turn::at(angle);
-                [Turn::position(line.at(&z) / scale), z]
-            }),
-            len,
-        )
+        (roots.map(|z| [Turn::position(line.at(&z) / scale), z]), len)
     } else {
         without_angle(scale, det, parabola, rows)
     }
@@ -95,8 +89,7 @@ fn without_angle<T: Tolerances>(
         *k -= *l;
     }
     let (roots, len) = angles(&circle);
-    let place = |angle: T| {
-        let t = Turn::at(angle);
+    let place = |t: Turn<T>| {
         let z = Turn::direction(sin.at(&t) * det, cos.at(&t) * det);
         [Turn::position(t.sin / (T::ONE + t.cos).max(T::EPSILON)), z]
     };
@@ -110,8 +103,7 @@ fn separated<T: Tolerances>(
 ) -> ([Place<T>; 4], usize) {
     let mut roots = [[Turn::ZERO; 2]; 4];
     let (found, len) = angles(&Circle { k0: *c, k1: [*a, *b], k2: [T::ZERO; 2] });
-    for (pair, angle) in roots.chunks_exact_mut(2).zip(found) {
-        let z = Turn::at(angle);
+    for (pair, z) in roots.chunks_exact_mut(2).zip(found) {
         let (half, rest) = (*m * T::HALF, *n - row.at(&z));
         let root = (half * half - *square * rest).max(T::ZERO).sqrt();
         let larger = -(half + root.copysign(half));
