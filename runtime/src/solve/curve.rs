@@ -143,8 +143,16 @@ fn moved<T: Tolerances, X: Moving<T>, Z: Moving<T>>([x, z]: &Place<T>, [dx, dz]:
     [X::step(x, dx), Z::step(z, dz)]
 }
 
+/// A root of two equations.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Found<T> {
+    pub place: Place<T>,
+    /// Whether the equations close to rounding there, and know the place well: then it is a root beyond doubt.
+    pub sure: bool,
+}
+
 /// A few steps of Newton's method on both rows, as long as they bring the root closer.
-pub(super) fn newton<T, X, Z>(p: &[X; 2], q: &[Z; 2], root: Place<T>) -> Place<T>
+pub(super) fn newton<T, X, Z>(p: &[X; 2], q: &[Z; 2], root: Place<T>) -> Found<T>
 where
     T: Tolerances,
     X: Moving<T>,
@@ -153,30 +161,33 @@ where
     let ([p1, p2], [q1, q2]) = (p, q);
     let miss = |[x, z]: &Place<T>| [p1.at(x) - q1.at(z), p2.at(x) - q2.at(z)];
     let square = |[u, v]: [T; 2]| u * u + v * v;
-    let mut best = root;
-    let mut size = square(miss(&best));
+    let slopes = |[x, z]: &Place<T>| [p1.slope(x), -q1.slope(z), p2.slope(x), -q2.slope(z)];
+    let mut place = root;
+    let mut missed = miss(&place);
+    let mut size = square(missed);
     // The rounding of the rows, which are of unit length.
     let floor = T::EPSILON * T::from_f64(8.0);
+    let closed = |size: T| size <= floor * floor;
     for _ in 0..4 {
-        if !(size > floor * floor) {
+        if closed(size) {
             break;
         }
-        let [x, z] = &best;
-        let [u, v] = miss(&best);
-        let (a, b, c, d) = (p1.slope(x), -q1.slope(z), p2.slope(x), -q2.slope(z));
+        let ([u, v], [a, b, c, d]) = (missed, slopes(&place));
         let k = T::ONE / (a * d - b * c);
         let (dx, dz) = ((b * v - d * u) * k, (c * u - a * v) * k);
         if !(dx.abs().max(dz.abs()) < T::HALF) {
             break;
         }
-        let next = moved::<T, X, Z>(&best, [dx, dz]);
-        let next_size = square(miss(&next));
+        let next = moved::<T, X, Z>(&place, [dx, dz]);
+        let next_missed = miss(&next);
+        let next_size = square(next_missed);
         if !(next_size < size) {
             break;
         }
-        (best, size) = (next, next_size);
+        (place, missed, size) = (next, next_missed, next_size);
     }
-    best
+    let [a, b, c, d] = slopes(&place);
+    Found { place, sure: closed(size) && (a * d - b * c).abs() >= T::DOUBTFUL }
 }
 
 /// The two roots of `p = q` and of equal lengths across the axis that are nearest to a place where those lengths are

@@ -1,9 +1,9 @@
 //! Two equations in two joints that do not separate.
 
 use super::circle::{Circle, angles};
-use super::curve::{Across, Moving, Row, newton};
+use super::curve::{Across, Found, Moving, Row, newton};
 use super::separated::{combined, separated};
-use super::twins::with_twins;
+use super::twins::{distinct, with_twins};
 use super::{Home, Measure, Stage, Tolerances, Turn};
 
 /// Solves the two rows `p (cos x, sin x, 1) = q (cos z, sin z, 1)` for `(x, z)`: one side is eliminated, which leaves
@@ -11,14 +11,19 @@ use super::{Home, Measure, Stage, Tolerances, Turn};
 /// rows themselves. Where the rows lose rank (a point on a joint axis) they are combined so that one joint drops out,
 /// and solved one after the other. Where the polynomial vanishes for every angle, that joint is free.
 ///
-/// Every root is marked for a full check: near a double root a candidate may turn out not to be a solution.
+/// The roots are marked for a full check, unless each closes both rows to rounding, and they determine it well: near a
+/// double root a candidate may turn out not to be a solution.
 pub fn pair<T: Tolerances>(homes: [Home<T>; 2], measure: Measure<T>, p: [Row<T>; 2], q: [Row<T>; 2]) -> Stage<T, 2, 4> {
     let (p, q) = normalized(measure, p, q);
     let mut stage = candidates(homes, &p, &q, None);
+    let mut sure = true;
     for root in stage.roots.iter_mut().take(stage.len) {
-        *root = newton(&p, &q, *root);
+        let Found { place, sure: known } = newton(&p, &q, *root);
+        *root = place;
+        sure &= known;
     }
-    finished(stage, homes, measure, [&p, &q])
+    let sure = sure && distinct::<T, Row<T>, Row<T>>(&stage);
+    finished(stage, sure, homes, measure, [&p, &q])
 }
 
 /// The same where a joint between the two turns one vector onto another, which both joints move: `across` has its
@@ -36,8 +41,8 @@ pub fn pair_turning<T: Tolerances>(
     let across = Across { x: [x1, x2], z: [z1, z2] };
     let (p, q) = normalized(measure, p, q);
     let mut stage = candidates(homes, &p, &q, Some(&across));
-    with_twins(&mut stage, (&p, &q), &across);
-    finished(stage, homes, measure, [&p, &q])
+    let sure = with_twins(&mut stage, (&p, &q), &across);
+    finished(stage, sure, homes, measure, [&p, &q])
 }
 
 /// How far a joint moves its rows.
@@ -47,14 +52,18 @@ fn amplitude<T: Tolerances>(rows: &[Row<T>; 2]) -> T {
 
 fn finished<T: Tolerances>(
     mut stage: Stage<T, 2, 4>,
+    sure: bool,
     homes: [Home<T>; 2],
     measure: Measure<T>,
     sides: [&[Row<T>; 2]; 2],
 ) -> Stage<T, 2, 4> {
+    (stage.angular, stage.gap) = (measure.is_angular(), T::ZERO);
+    if sure && stage.len > 0 && stage.free.is_empty() && stage.weak.is_empty() {
+        return Stage { doubt: false, ..stage };
+    }
     for (home, rows) in homes.into_iter().zip(sides) {
         stage = stage.nearly_free(home, amplitude(rows));
     }
-    (stage.angular, stage.gap) = (measure.is_angular(), T::ZERO);
     stage
 }
 

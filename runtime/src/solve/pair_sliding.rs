@@ -24,15 +24,22 @@ pub fn pair_sliding<T: Tolerances>(
     q: Row<T>,
     (sliding, turning): ([[T; 2]; 2], [Row<T>; 2]),
 ) -> Stage<T, 2, 4> {
-    // In units of the reach.
+    // In units of the reach, and both rows of unit length.
     let k = T::ONE / measure.scale;
-    let p = [Stroke([T::ZERO, scale, T::ZERO]), Stroke([T::ONE, m * k, n * k * k])];
-    let q = [line.map(|e| e * k), q.map(|e| e * k * k)];
+    let unit = |x: [T; 3], z: Row<T>| {
+        let size = (Stroke(x).square() + z.square()).sqrt();
+        let k = if size > T::ZERO { T::ONE / size } else { T::ZERO };
+        (Stroke(x.map(|e| e * k)), z.map(|e| e * k))
+    };
+    let (p1, q1) = unit([T::ZERO, scale, T::ZERO], line.map(|e| e * k));
+    let (p2, q2) = unit([T::ONE, m * k, n * k * k], q.map(|e| e * k * k));
+    let (p, q) = ([p1, p2], [q1, q2]);
     let across =
         Across { x: sliding.map(|[u, e]| Stroke([T::ZERO, u, e * k])), z: turning.map(|row| row.map(|e| e * k)) };
-    let (roots, len) = candidates(scale, &p[1], &q);
-    let mut stage = Stage { len, doubt: true, ..Stage::solved(roots, measure) };
-    with_twins(&mut stage, (&p, &q), &across);
+    let (roots, len) = candidates(&p, &q);
+    let mut stage = Stage { len, ..Stage::solved(roots, measure) };
+    let sure = with_twins(&mut stage, (&p, &q), &across);
+    stage.doubt = !sure || len == 0;
     for [x, _] in &mut stage.roots {
         *x = Turn::position(x.value * measure.scale);
     }
@@ -41,11 +48,10 @@ pub fn pair_sliding<T: Tolerances>(
 
 /// The roots as the quartic (or what takes its place) gives them.
 fn candidates<T: Tolerances>(
-    scale: T,
-    parabola: &Stroke<T>,
+    [Stroke([_, scale, _]), parabola]: &[Stroke<T>; 2],
     rows @ [[a, b, c], [d, e, f]]: &[Row<T>; 2],
 ) -> ([Place<T>; 4], usize) {
-    let det = *a * *e - *b * *d;
+    let (scale, det) = (*scale, *a * *e - *b * *d);
     if scale.abs().max(det.abs()) < T::COINCIDENT {
         separated(parabola, rows)
     } else if scale.abs() >= det.abs() {

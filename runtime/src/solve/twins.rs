@@ -1,13 +1,14 @@
 //! The roots of two equations in two joints made accurate, two that nearly meet included.
 
-use super::curve::{Across, Moving, Place, beside, newton};
+use super::curve::{Across, Found, Moving, Place, beside, newton};
 use super::{Stage, Tolerances};
 
-/// Replaces every root of the rows by one that is accurate: two candidates for two close roots by one each.
+/// Replaces every root of the rows by one that is accurate: two candidates for two close roots by one each. Returns
+/// whether all of them are roots beyond doubt.
 ///
 /// The second row says that `across` is of equal length over either joint, and knows two close roots to the root of
 /// rounding where that vector nearly vanishes.
-pub(super) fn with_twins<T, X, Z>(stage: &mut Stage<T, 2, 4>, (p, q): (&[X; 2], &[Z; 2]), across: &Across<X, Z>)
+pub(super) fn with_twins<T, X, Z>(stage: &mut Stage<T, 2, 4>, (p, q): (&[X; 2], &[Z; 2]), across: &Across<X, Z>) -> bool
 where
     T: Tolerances,
     X: Moving<T>,
@@ -18,10 +19,12 @@ where
     let apart = |[x, z]: &Place<T>, [u, w]: &Place<T>| X::between(x, u).max(Z::between(z, w));
     let mut found = stage.roots;
     let mut done = 0;
+    let mut sure = true;
     while let Some(&root) = found.get(done).filter(|_| done < stage.len) {
-        let itself = newton(p, q, root);
+        let Found { place: itself, sure: known } = newton(p, q, root);
         let size = across.relative(&root);
         let near = if size < T::DOUBTFUL { beside(rows, across, root) } else { [None; 2] };
+        sure &= known && size >= T::DOUBTFUL;
         // Two candidates for two roots that are closer than the quartic tells apart, which is the fourth root of
         // rounding at worst: one each.
         let close = |other: &Place<T>| apart(other, &root) < T::COINCIDENT.sqrt();
@@ -48,4 +51,18 @@ where
             done += 1;
         }
     }
+    sure && distinct::<T, X, Z>(stage)
+}
+
+/// Whether no two candidates have become the same root.
+pub(super) fn distinct<T, X, Z>(stage: &Stage<T, 2, 4>) -> bool
+where
+    T: Tolerances,
+    X: Moving<T>,
+    Z: Moving<T>,
+{
+    let roots = stage.roots.iter().take(stage.len);
+    roots.clone().enumerate().all(|(i, [x, z])| {
+        roots.clone().skip(i + 1).all(|[u, w]| X::between(x, u).max(Z::between(z, w)) > T::COINCIDENT)
+    })
 }
