@@ -24,7 +24,16 @@ pub(super) trait Moving<T>: Copy {
 
 impl<T: Tolerances> Moving<T> for Row<T> {
     fn step(turn: &Turn<T>, by: T) -> Turn<T> {
-        Turn::at(wrap(turn.value + by))
+        let value = wrap(turn.value + by);
+        let square = by * by;
+        // The first terms of both series that are left out, of degrees 7 and 6, are below rounding.
+        if !(square * square * square < T::EPSILON * T::from_f64(180.0)) {
+            return Turn::at(value);
+        }
+        let (sixth, twelfth) = (square * T::from_f64(1.0 / 6.0), square * T::from_f64(1.0 / 12.0));
+        let sin = by * (T::ONE - sixth * (T::ONE - square * T::from_f64(0.05)));
+        let cos = T::ONE - square * T::HALF * (T::ONE - twelfth);
+        Turn { value, sin: turn.sin * cos + turn.cos * sin, cos: turn.cos * cos - turn.sin * sin }
     }
 
     fn between(turn: &Turn<T>, other: &Turn<T>) -> T {

@@ -122,22 +122,29 @@ fn eliminated<T: Tolerances>(
     let (mut circle, size) = square(&[w1, w2]);
     circle.k0 -= det * det;
     let sign = if det < T::ZERO { -T::ONE } else { T::ONE };
-    let other = |z: &Turn<T>| {
-        let (u1, u2) = (w1.at(z), w2.at(z));
-        if u1 == T::ZERO && u2 == T::ZERO { Turn::ZERO } else { Turn::towards(u2 * sign, u1 * sign) }
+    let paired = |z: [Turn<T>; 4]| {
+        let directions = z.map(|z| {
+            let (u1, u2) = (w1.at(&z) * sign, w2.at(&z) * sign);
+            let size = u1 * u1 + u2 * u2;
+            let k = T::ONE / size.sqrt();
+            if size > T::ZERO { [u1 * k, u2 * k] } else { [T::ONE, T::ZERO] }
+        });
+        let [x1, x2, x3, x4] = Turn::array(directions.map(|[_, sin]| sin), directions.map(|[cos, _]| cos));
+        let [z1, z2, z3, z4] = z;
+        Stage::solved([[x1, z1], [x2, z2], [x3, z3], [x4, z4]], Measure::DIRECTION)
     };
     // With coefficients of no more than rounding, or without any of z in the rows, every angle is as good. The polynomial
     // is the difference of the squares of two lengths, one of them `det`.
     let vanishing = (T::EPSILON * T::from_f64(8.0) * (size + det * det)).max(T::VANISHING * det.abs());
     let anywhere = || {
-        let z = Turn::at(crate::math::wrap(home.value));
-        let mut stage = Stage { len: 1, ..Stage::solved([[other(&z), z]; 4], Measure::DIRECTION) };
         let crossings = across.map_or([None; 2], zeros);
-        for (slot, z) in stage.roots.iter_mut().skip(1).zip(crossings.into_iter().flatten()) {
-            *slot = [other(&z), z];
-            stage.len += 1;
+        let mut places = [Turn::at(crate::math::wrap(home.value)); 4];
+        let mut len = 1;
+        for (slot, z) in places.iter_mut().skip(1).zip(crossings.into_iter().flatten()) {
+            *slot = z;
+            len += 1;
         }
-        stage
+        Stage { len, ..paired(places) }
     };
     if circle.largest() <= vanishing || amplitude(q) < T::VANISHING {
         return Stage { free: home.joint, ..anywhere() };
@@ -147,8 +154,7 @@ fn eliminated<T: Tolerances>(
     if len == 0 && circle.largest() < T::WEAK * det.abs() {
         return Stage { weak: home.joint, ..anywhere() };
     }
-    let roots = roots.map(|z| [other(&z), z]);
-    Stage { len, ..Stage::solved(roots, Measure::DIRECTION) }
+    Stage { len, ..paired(roots) }
 }
 
 /// The squared length of a vector of two rows, as a trigonometric polynomial, and the sum of all squared coefficients.

@@ -20,7 +20,9 @@ where
     let mut found = stage.roots;
     let mut done = 0;
     let mut sure = true;
-    while let Some(&root) = found.get(done).filter(|_| done < stage.len) {
+    // Every pass is done with one root or two.
+    for _ in 0..4 {
+        let Some(&root) = found.get(done).filter(|_| done < stage.len) else { break };
         let Found { place: itself, sure: known } = newton(p, q, root);
         let size = across.relative(&root);
         let near = if size < T::DOUBTFUL { beside(rows, across, root) } else { [None; 2] };
