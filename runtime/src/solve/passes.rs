@@ -1,7 +1,6 @@
 //! Following the branches again with a free joint elsewhere.
 
-use super::place::{sliding, turning};
-use super::stage::Level;
+use super::place::{PLACES, Samples, turn};
 use super::{Facts, Search, Tolerances, Trail};
 use crate::math::wrap;
 use crate::{Branch, JointMask, Solution};
@@ -29,8 +28,8 @@ struct Open<T> {
     branch: Branch,
     /// Where families of solutions cross: the joints that are free or nearly so there.
     crossing: Option<JointMask>,
-    /// The levels at the three places.
-    levels: [Level<T>; 3],
+    /// The levels of the stage that misses.
+    samples: Samples<T>,
     /// How far the free joints are from home at the branch's place, in turns or strokes.
     steps: [T; 2],
     /// Whether that place is known, and whether the stage has roots there.
@@ -44,7 +43,7 @@ struct Open<T> {
 
 /// The branches on which a joint is free or nearly so, and which are missed with that joint at home. Such a branch has
 /// roots for an interval of the joint, or at one place alone: a stretched elbow that every other place of the joint
-/// would have to stretch more. Three runs of the nest tell the level of the stage that misses, and with that the place.
+/// would have to stretch more. Five runs of the nest (three for a slide) tell the level of the stage that misses, and with that the place.
 ///
 /// A branch may also be met at home just where another stage is singular: there families of solutions cross, and the one
 /// at home does not tell which joints move together on the other. A second member is looked for elsewhere.
@@ -69,7 +68,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
         let open = Open {
             branch: Branch::NONE,
             crossing: None,
-            levels: [Level::NONE; 3],
+            samples: Samples::NONE,
             steps: [T::ZERO; 2],
             known: false,
             feasible: false,
@@ -132,15 +131,15 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
     fn locate(&mut self, facts: &Facts<T, N>, second: bool) {
         let Some(joint) = self.free.iter().nth(usize::from(second)) else { return };
         let home = self.homes.get(joint).copied().unwrap_or(T::ZERO);
-        let steps = self.steps;
+        let (steps, count) = (self.steps, self.places(facts, second));
         for open in self.open_mut().iter_mut().filter(|open| !open.feasible && open.crossing.is_none()) {
             let now = if open.slack < T::INFINITY { open.value } else { home };
             let place = if facts.prismatic.contains(joint) {
-                sliding(&open.levels, (now - home) / (facts.reach * T::from_f64(STROKE)))
+                open.samples.sliding((now - home) / (facts.reach * T::from_f64(STROKE)))
             } else {
-                turning(&open.levels, wrap(now - home), open.slack)
+                open.samples.turning(count, wrap(now - home), open.slack)
             };
-            open.levels = [Level::NONE; 3];
+            open.samples = Samples::NONE;
             let Some(place) = place else { continue };
             let [first, _] = steps;
             open.steps = if second { [first, place.step] } else { [place.step, T::ZERO] };
@@ -151,7 +150,6 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
 
     /// The pass after this one.
     fn following(&self, facts: &Facts<T, N>) -> Option<Pass> {
-        let _ = facts;
         let place = |from: usize| {
             let mut rest = self.open().iter().enumerate().skip(from);
             rest.find(|(_, open)| open.known && open.crossing.is_none()).map(|(index, _)| Pass::Open(index))
@@ -161,7 +159,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
         match self.pass {
             None if seek => Some(Pass::Sample { second: false, place: 0 }),
             None => crossing,
-            Some(Pass::Sample { second, place }) if place < 2 => Some(Pass::Sample { second, place: place + 1 }),
+            Some(Pass::Sample { second, place }) if place + 1 < self.places(facts, second) => Some(Pass::Sample { second, place: place + 1 }),
             Some(Pass::Sample { second: false, .. })
                 if self.free.len() > 1 && self.open().iter().any(|open| open.crossing.is_none() && !open.feasible) =>
             {
@@ -211,9 +209,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
             Some(Pass::Sample { place, .. }) => {
                 for exact in [true, false] {
                     for open in self.passes().open_mut().iter_mut().filter(|open| same(open.branch, branch, exact)) {
-                        if let Some(level) = open.levels.get_mut(place).filter(|l| exact || !l.value.is_finite()) {
-                            *level = trail.level;
-                        }
+                        open.samples.keep(place, &trail.level, exact);
                     }
                 }
                 false
@@ -263,7 +259,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         Open {
             branch: Branch::NONE,
             crossing: None,
-            levels: [Level::NONE; 3],
+            samples: Samples::NONE,
             steps: [T::ZERO; 2],
             known: false,
             feasible: false,
@@ -280,15 +276,20 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         let Some(passes) = &mut self.passes else { return false };
         match passes.pass {
             None => passes.at_home = listed,
-            Some(Pass::Sample { second, place: 2 }) => passes.locate(facts, second),
+            Some(Pass::Sample { second, place }) if place + 1 == passes.places(facts, second) => {
+                passes.locate(facts, second);
+            }
             _ => {}
         }
         let Some(pass) = passes.following(facts) else { return false };
         passes.pass = Some(pass);
         passes.steps = match pass {
             Pass::Sample { second, place } => {
-                let third = T::from_f64([0.0, 1.0 / 3.0, -1.0 / 3.0].get(place).copied().unwrap_or(0.0));
-                let unit = if passes.slides(facts, second) { third * T::from_f64(3.0) } else { third };
+                let unit = if passes.slides(facts, second) {
+                    T::from_f64([0.0, 1.0, -1.0].get(place).copied().unwrap_or(0.0))
+                } else {
+                    turn::<T>(passes.places(facts, second), place) / T::TAU
+                };
                 // The second joint, with the first one where the first open branch has it.
                 let first =
                     passes.open().iter().find(|open| open.known && !open.feasible).map_or(T::ZERO, |o| o.steps[0]);
@@ -309,6 +310,12 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
 }
 
 impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
+    /// The number of places at which a joint is sampled: the second one where the first one is, so that all passes
+    /// together keep to their bound.
+    fn places(&self, facts: &Facts<T, N>, second: bool) -> usize {
+        if second || self.slides(facts, second) { 3 } else { PLACES }
+    }
+
     fn slides(&self, facts: &Facts<T, N>, second: bool) -> bool {
         self.free.iter().nth(usize::from(second)).is_some_and(|joint| facts.prismatic.contains(joint))
     }

@@ -21,8 +21,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
     fn verified(&mut self, trail: &Trail<T>, solution: &mut Solution<T, N>) -> bool {
         let facts = self.facts;
         let start = Iterate::at(facts, self.goal, self.arm, solution.q);
-        // Joints before a clamped stage are what they have to be: the branch is missed by what it is missed by.
-        let end = if trail.clamped { start } else { refined(facts, self.goal, self.arm, start) };
+        let end = refined(facts, self.goal, self.arm, start);
         (solution.q, solution.residual) = (end.q, end.residual);
         let exact = facts.relative(&solution.residual) <= T::EXACT;
         if !exact {
