@@ -78,7 +78,7 @@ impl<T: Tolerances> Samples<T> {
         if !moves || !(above.largest() + below.largest()).is_finite() {
             return None;
         }
-        let range = Range::new([above, below], self.low == self.high);
+        let range = Range::new([above, below], square, self.low == self.high);
         let (x, feasible) = match range.interval(now, slack) {
             Some(x) => (x, true),
             None => range.touching(now)?,
@@ -123,6 +123,8 @@ impl<T: Tolerances> Samples<T> {
 /// Where a joint that turns leaves a stage roots: where both polynomials are positive, or for an equation vanish.
 struct Range<T> {
     bounds: [Circle<T>; 2],
+    /// The square of the pole. Where it vanishes both bounds touch zero, which says nothing.
+    square: Circle<T>,
     /// Where either vanishes, the first `len`.
     ends: [T; 8],
     len: usize,
@@ -130,8 +132,8 @@ struct Range<T> {
 }
 
 impl<T: Tolerances> Range<T> {
-    fn new(bounds: [Circle<T>; 2], equation: bool) -> Self {
-        let mut range = Self { bounds, ends: [T::ZERO; 8], len: 0, equation };
+    fn new(bounds: [Circle<T>; 2], square: Circle<T>, equation: bool) -> Self {
+        let mut range = Self { bounds, square, ends: [T::ZERO; 8], len: 0, equation };
         for bound in &bounds {
             let (roots, found) = angles(bound);
             for (slot, root) in range.ends.iter_mut().skip(range.len).zip(roots.iter().take(found)) {
@@ -182,12 +184,13 @@ impl<T: Tolerances> Range<T> {
     fn touching(&self, now: T) -> Option<(T, bool)> {
         let [above, below] = self.bounds;
         let scale = T::COINCIDENT * above.largest().max(below.largest());
-        let close = |x: &T| self.inside(*x) >= -scale;
-        if let Some(x) = nearest(self.ends().filter(close), now) {
+        let least = T::COINCIDENT * self.square.largest();
+        let ends = || self.ends().filter(|x| self.square.at(*x) > least);
+        if let Some(x) = nearest(ends().filter(|x| self.inside(*x) >= -scale), now) {
             return Some((x, !self.equation));
         }
         let by_miss = |a: &T, b: &T| self.inside(*b).partial_cmp(&self.inside(*a)).unwrap_or(Ordering::Equal);
-        self.ends().min_by(by_miss).map(|x| (x, false))
+        ends().min_by(by_miss).map(|x| (x, false))
     }
 }
 
@@ -201,6 +204,15 @@ fn nearest<T: Tolerances>(places: impl Iterator<Item = T>, now: T) -> Option<T> 
 /// on which arms are singular.
 pub(super) fn turn<T: Tolerances>(count: usize, place: usize) -> T {
     T::TAU * (T::from_f64(0.03) + T::from_i32(place as i32) / T::from_i32(count as i32))
+}
+
+/// The same for one that slides, in strokes; it needs three places.
+pub(super) fn stroke<T: Tolerances>(place: usize) -> T {
+    match place {
+        1 => T::ONE,
+        2 => -T::ONE,
+        _ => T::ZERO,
+    }
 }
 
 fn add<T: Tolerances>([a, b]: [T; 2], [c, d]: [T; 2]) -> [T; 2] {

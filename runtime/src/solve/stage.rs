@@ -99,7 +99,9 @@ pub struct Trail<T> {
     pub(super) missed: bool,
     /// A stage is missed by more than rounding, and the joints before it are what they have to be.
     pub(super) clamped: bool,
-    /// The level of the first stage after a joint that is free or weak.
+    /// The first joint that is free or weak.
+    pub(super) first: JointMask,
+    /// The level of the first stage after it.
     pub(super) level: Level<T>,
 }
 
@@ -115,6 +117,7 @@ impl<T: Tolerances> Trail<T> {
         ended: false,
         missed: false,
         clamped: false,
+        first: JointMask::NONE,
         level: Level::NONE,
     };
 
@@ -136,6 +139,9 @@ impl<T: Tolerances> Trail<T> {
         self.doubt = true;
         self.amplitude = self.amplitude.min(amplitude);
         self.weak |= weak;
+        if self.first.is_empty() {
+            self.first = free | weak;
+        }
         if angular {
             self.gap.orientation += gap;
         } else {

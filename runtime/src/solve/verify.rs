@@ -1,6 +1,7 @@
 //! Doubtful solutions: verified by forward kinematics, refined by a few damped steps, and merged where they coincide.
 
 use super::least_squares::{Iterate, refined};
+use super::search::VIRTUAL;
 use super::{Facts, Search, Tolerances, Trail};
 use crate::math::wrap;
 use crate::{Flags, Solution};
@@ -12,6 +13,9 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
     pub(super) fn candidate(&mut self, trail: &Trail<T>, mut solution: Solution<T, N>) {
         if trail.doubt && !(self.takes(trail, &mut solution) && self.verified(trail, &mut solution)) {
             return;
+        }
+        if solution.free.contains(VIRTUAL) {
+            solution.free = solution.free.without(VIRTUAL) | self.facts.stands_for;
         }
         self.list(solution);
     }
