@@ -12,7 +12,7 @@ pub fn align<T: Tolerances>(home: Home<T>, measure: Measure<T>, from: [T; 2], to
     let (cross, dot) = (ux * vy - uy * vx, ux * vx + uy * vy);
     let doubtful = T::DOUBTFUL * measure.scale;
     if !(u2.min(v2) >= doubtful * doubtful) {
-        return short(home, measure, u2.min(v2), cross, dot);
+        return short(home, measure, from, to);
     }
     // |(cross, dot)| = |from| |to|. The root and the division, both slow, at the same time.
     let square = u2 * v2;
@@ -20,13 +20,19 @@ pub fn align<T: Tolerances>(home: Home<T>, measure: Measure<T>, from: [T; 2], to
     Stage::solved([[Turn::of(cross * k, dot * k)]], measure)
 }
 
-/// The same where one of the vectors is short; `square`: its length squared.
+/// The same where one of the vectors is short. Both vectors have one length; where only one of them vanishes, a stage
+/// before is at the edge of its range, and the direction of that vector is the limit on its branch.
 #[cold]
 #[inline(never)]
-fn short<T: Tolerances>(home: Home<T>, measure: Measure<T>, square: T, cross: T, dot: T) -> Stage<T, 1, 1> {
+fn short<T: Tolerances>(home: Home<T>, measure: Measure<T>, from: [T; 2], to: [T; 2]) -> Stage<T, 1, 1> {
+    let [u, v] = [from, to].map(|[x, y]| x.abs().max(y.abs()));
     let vanishing = home.free_below * measure.scale;
-    if !(square > vanishing * vanishing) {
+    if !(u.max(v) > vanishing) || !(u.min(v) > T::ZERO) {
         return Stage::free([Turn::ZERO], home, T::ZERO, measure);
     }
-    Stage::solved([[Turn::towards(cross, dot)]], measure).with_weak(home, square.sqrt() / measure.scale)
+    // Scaled first, so that no square vanishes.
+    let ([ux, uy], [vx, vy]) = (from.map(|e| e / u), to.map(|e| e / v));
+    let turn = Turn::towards(ux * vy - uy * vx, ux * vx + uy * vy);
+    let amplitude = (u.min(v) / measure.scale).max(T::VANISHING);
+    Stage::solved([[turn]], measure).with_weak(home, amplitude)
 }

@@ -70,11 +70,10 @@ fn within<T: Tolerances>(measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> St
     let level = Level::cosine((bottom - top) / (max - min));
     let met = |end: T, across: T| (end - d).abs() <= close && (rho - across.abs()).abs() <= close;
     if !(top > T::ZERO) || met(max, max_across) {
-        return Stage::edge([Turn::ZERO], gap(d, rho, max, max_across), measure).at_level(level);
+        return Stage::edge([Turn::STRETCHED], gap(d, rho, max, max_across), measure).at_level(level);
     }
     if !(bottom > T::ZERO) || met(min, min_across) {
-        let half = Turn { value: T::PI, sin: T::ZERO, cos: -T::ONE };
-        return Stage::edge([half], gap(d, rho, min, min_across), measure).at_level(level);
+        return Stage::edge([Turn::FOLDED], gap(d, rho, min, min_across), measure).at_level(level);
     }
     // |(2 sqrt(top bottom), bottom - top)| = top + bottom
     let k = T::ONE / (top + bottom);

@@ -72,9 +72,8 @@ fn within<T: Tolerances>(measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<
 #[cold]
 #[inline(never)]
 fn end<T: Tolerances>(measure: Measure<T>, outer: T, inner: T, side: T) -> Stage<T, 1, 2> {
-    let folded = Turn { value: T::PI, sin: T::ZERO, cos: -T::ONE };
     let (gap, stretched) = if inner < outer { (-inner, false) } else { (-outer, true) };
-    let turn = if stretched == (side > T::ZERO) { Turn::ZERO } else { folded };
+    let turn = if stretched == (side > T::ZERO) { Turn::STRETCHED } else { Turn::FOLDED };
     Stage::edge([turn], gap.max(T::ZERO), measure)
 }
 

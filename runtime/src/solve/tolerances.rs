@@ -20,6 +20,10 @@ pub trait Tolerances: Scalar {
     const COINCIDENT: Self;
     /// A candidate with a relative residual above this is a guess rather than a solution of small error.
     const CLOSE: Self;
+    /// A sine far below rounding whose fourth power is a number.
+    const LEAST_SINE: Self;
+    /// -1.
+    const MINUS_ONE: Self;
     /// An angle beyond this, rad, is no reference: half a unit of its last place in every joint is about [`Self::EXACT`].
     const MOST_WOUND: Self;
     /// An arm of this reach or more has squares of areas that overflow.
@@ -36,6 +40,8 @@ impl Tolerances for f64 {
     const EXACT: f64 = 8e-13;
     const COINCIDENT: f64 = 2.4e-7;
     const CLOSE: f64 = 1e-4;
+    const LEAST_SINE: f64 = f64::EPSILON * f64::EPSILON;
+    const MINUS_ONE: f64 = -1.0;
     const MOST_WOUND: f64 = 2048.0;
     const LARGEST_REACH: f64 = 1e60;
     const SMALLEST_REACH: f64 = 1e-60;
@@ -49,6 +55,8 @@ impl Tolerances for f32 {
     const EXACT: f32 = 2e-5;
     const COINCIDENT: f32 = 5.5e-3;
     const CLOSE: f32 = 1e-2;
+    const LEAST_SINE: f32 = f32::EPSILON * 0.01;
+    const MINUS_ONE: f32 = -1.0;
     const MOST_WOUND: f32 = 64.0;
     const LARGEST_REACH: f32 = 1e8;
     const SMALLEST_REACH: f32 = 1e-4;

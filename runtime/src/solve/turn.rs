@@ -19,6 +19,13 @@ impl<T: Tolerances> Turn<T> {
     /// No turn.
     pub const ZERO: Self = Self { value: T::ZERO, sin: T::ZERO, cos: T::ONE };
 
+    /// No turn, where two roots have met: the limit of the first root, whose sine is positive. Far below rounding, the
+    /// sine still tells a later stage the direction of a vector that has become too short to have one of its own.
+    pub(super) const STRETCHED: Self = Self { sin: T::LEAST_SINE, ..Self::ZERO };
+
+    /// The same half a turn further.
+    pub(super) const FOLDED: Self = Self { value: T::PI, sin: T::LEAST_SINE, cos: T::MINUS_ONE };
+
     /// From a sine and cosine, `sin^2 + cos^2 = 1`.
     #[inline]
     pub fn of(sin: T, cos: T) -> Self {
