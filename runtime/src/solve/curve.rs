@@ -156,7 +156,9 @@ fn moved<T: Tolerances, X: Moving<T>, Z: Moving<T>>([x, z]: &Place<T>, [dx, dz]:
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Found<T> {
     pub place: Place<T>,
-    /// Whether the equations close to rounding there, and know the place well: then it is a root beyond doubt.
+    /// Whether the equations close to rounding there.
+    pub closed: bool,
+    /// Whether they also know the place well: then it is a root beyond doubt.
     pub sure: bool,
 }
 
@@ -195,8 +197,8 @@ where
         }
         (place, missed, size) = (next, next_missed, next_size);
     }
-    let [a, b, c, d] = slopes(&place);
-    Found { place, sure: closed(size) && (a * d - b * c).abs() >= T::DOUBTFUL }
+    let ([a, b, c, d], closed) = (slopes(&place), closed(size));
+    Found { place, closed, sure: closed && (a * d - b * c).abs() >= T::DOUBTFUL }
 }
 
 /// The two roots of `p = q` and of equal lengths across the axis that are nearest to a place where those lengths are

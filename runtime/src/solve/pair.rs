@@ -18,7 +18,7 @@ pub fn pair<T: Tolerances>(homes: [Home<T>; 2], measure: Measure<T>, p: [Row<T>;
     let mut stage = candidates(homes, &p, &q, None);
     let mut sure = true;
     for root in stage.roots.iter_mut().take(stage.len) {
-        let Found { place, sure: known } = newton(&p, &q, *root);
+        let Found { place, sure: known, .. } = newton(&p, &q, *root);
         *root = place;
         sure &= known;
     }

@@ -7,7 +7,8 @@ use super::{Stage, Tolerances};
 /// whether all of them are roots beyond doubt.
 ///
 /// The second row says that `across` is of equal length over either joint, and knows two close roots to the root of
-/// rounding where that vector nearly vanishes.
+/// rounding where that vector nearly vanishes. Where two roots nearly meet elsewhere, Newton's method has no direction
+/// between them; there, too, both are taken from the lengths.
 pub(super) fn with_twins<T, X, Z>(stage: &mut Stage<T, 2, 4>, (p, q): (&[X; 2], &[Z; 2]), across: &Across<X, Z>) -> bool
 where
     T: Tolerances,
@@ -23,9 +24,8 @@ where
     // Every pass is done with one root or two.
     for _ in 0..4 {
         let Some(&root) = found.get(done).filter(|_| done < stage.len) else { break };
-        let Found { place: itself, sure: known } = newton(p, q, root);
+        let Found { place: itself, closed, sure: known } = newton(p, q, root);
         let size = across.relative(&root);
-        let near = if size < T::DOUBTFUL { beside(rows, across, root) } else { [None; 2] };
         sure &= known && size >= T::DOUBTFUL;
         // Two candidates for two roots that are closer than the quartic tells apart, which is the fourth root of
         // rounding at worst: one each.
@@ -34,6 +34,14 @@ where
         if let Some(twin) = twin {
             found.swap(done + 1, done + 1 + twin);
         }
+        let near = if size < T::DOUBTFUL {
+            beside(rows, across, root)
+        } else if !closed && twin.is_some() {
+            // Steps that are not small lead to other roots.
+            beside(rows, across, root).map(|found| found.filter(close))
+        } else {
+            [None; 2]
+        };
         let pair = if let ([Some(first), Some(second)], Some(_)) = (near, twin) {
             [Some(first), Some(second)]
         } else {
@@ -42,7 +50,7 @@ where
                 .flatten()
                 .min_by(|a, b| apart(a, &root).partial_cmp(&apart(b, &root)).unwrap_or(core::cmp::Ordering::Equal));
             // One that is farther away belongs to another candidate, unless this one is no root itself.
-            let close = size * T::HALF * T::HALF + T::COINCIDENT;
+            let close = size.min(T::DOUBTFUL) * T::HALF * T::HALF + T::COINCIDENT;
             let taken = |other: &Place<T>| apart(other, &root) < close || across.gap(rows, &itself) > T::VANISHING;
             [nearest.filter(taken).or(Some(itself)), None]
         };
