@@ -201,7 +201,9 @@ fn together(c: &mut Closure, a: &Side, b: &Side, ny: &str) -> Result<(), Refusal
         c.stage(&joints, a.joint, Unit::Length, Branching::Root, meaning, kernel);
         return Ok(());
     }
-    let (slides, other, row, other_row) = if a.turns { (b, a, rows_b, rows_a) } else { (a, b, rows_a, rows_b) };
+    // The slide that is divided by its slope is the one whose slope no target makes vanish.
+    let b_first = a.turns || !b.turns && c.g.constant(rows_a.c).is_none();
+    let (slides, other, row, other_row) = if b_first { (b, a, rows_b, rows_a) } else { (a, b, rows_a, rows_b) };
     // slope s + k = other's component: s = (component - k) / slope
     let [m1, n1] = stroke_square(c, slides);
     if other.turns {

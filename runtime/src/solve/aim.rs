@@ -35,14 +35,14 @@ impl<T: Tolerances> Sight<T> {
 #[inline]
 pub fn aim<T: Tolerances>(homes: [Home<T>; 2], x: Sight<T>, z: Sight<T>) -> Stage<T, 2, 3> {
     let measure = Measure::DIRECTION;
-    let [home_x, _] = homes;
+    let [home_x, home_z] = homes;
     let ([_, _, nx], [_, _, nz]) = (x.frame, z.frame);
     let ([_, _, kx], [_, _, kz]) = (x.moved, z.moved);
     let (sx, sz) = (x.across(), z.across());
     let normal = cross(nx, nz);
     let square = dot(normal, normal);
     let least = square.sqrt().min(sx).min(sz);
-    if !(least > T::VANISHING) {
+    if !(least > home_x.free_below.max(home_z.free_below)) {
         return undetermined(homes, &x, &z);
     }
     let (sum, difference) = (plus(nx, nz, T::ONE), plus(nx, nz, -T::ONE));
@@ -73,17 +73,19 @@ pub fn aim<T: Tolerances>(homes: [Home<T>; 2], x: Sight<T>, z: Sight<T>) -> Stag
 #[cold]
 #[inline(never)]
 fn nearly<T: Tolerances>(mut stage: Stage<T, 2, 3>, homes: [Home<T>; 2], across: [T; 2], between: T) -> Stage<T, 2, 3> {
-    for (home, across) in homes.into_iter().zip(across) {
-        stage = stage.nearly_free(home, across.min(between));
-    }
-    stage
+    // About axes that are nearly parallel, z follows x.
+    let ([home_x, home_z], [across_x, across_z]) = (homes, across);
+    stage = stage.nearly_free(home_x, across_x.min(between));
+    if across_z < between { stage.nearly_free(home_z, across_z) } else { stage }
 }
 
 /// The cases in which a joint is free.
 #[cold]
 #[inline(never)]
 fn undetermined<T: Tolerances>(homes: [Home<T>; 2], x: &Sight<T>, z: &Sight<T>) -> Stage<T, 2, 3> {
-    let lies_along = |sight: &Sight<T>| !(sight.across() > T::VANISHING);
+    let [home_x, home_z] = homes;
+    let below = home_x.free_below.max(home_z.free_below);
+    let lies_along = |sight: &Sight<T>| !(sight.across() > below);
     match [x, z].map(lies_along) {
         [false, false] => in_line(homes, x, z),
         free => known(homes, x, z, free),

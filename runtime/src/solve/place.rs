@@ -32,8 +32,10 @@ impl<T: Tolerances> Samples<T> {
     /// Nothing is known.
     pub(super) const NONE: Self = Self { values: [[T::NAN; 2]; PLACES], low: T::NAN, high: T::NAN };
 
-    /// Keeps the level at a place; `over` what has been kept there if it is set.
+    /// Keeps the level at a place; `over` what has been kept there if it is set. An equation that is not met, on another
+    /// root of the same name, does not count beside it.
     pub(super) fn keep(&mut self, place: usize, level: &Level<T>, over: bool) {
+        let over = over && level.low < level.high;
         let square = level.pole * level.pole;
         if let Some(slot) = self.values.get_mut(place).filter(|[value, _]| over || !value.is_finite()) {
             *slot = [level.value * square, square];
@@ -148,6 +150,11 @@ impl<T: Tolerances> Range<T> {
         self.ends.iter().copied().take(self.len)
     }
 
+    /// Whether the pole says something at x.
+    fn sound(&self, x: T) -> bool {
+        self.square.at(x) > T::COINCIDENT * self.square.largest()
+    }
+
     /// By how much the stage has roots at x.
     fn inside(&self, x: T) -> T {
         let [above, below] = self.bounds.map(|bound| bound.at(x));
@@ -166,14 +173,15 @@ impl<T: Tolerances> Range<T> {
     /// The place next to `now` in an interval, inside it by a quarter or `slack`.
     fn interval(&self, now: T, slack: T) -> Option<T> {
         let quarter = T::from_f64(INSIDE);
-        let here = (self.inside(now) > T::ZERO).then(|| {
+        let here = (self.inside(now) > T::ZERO && self.sound(now)).then(|| {
             let (up, down) = (self.next(now, T::ONE), self.next(now, -T::ONE));
             let margin = ((up + down) * quarter).min(slack);
             now + (margin - down).max(T::ZERO) - (margin - up).max(T::ZERO)
         });
         let beside = self.ends().flat_map(|end| [(end, T::ONE), (end, -T::ONE)]).filter_map(|(end, way)| {
             let width = self.next(end, way);
-            let within = self.inside(end + way * width * T::HALF) > T::ZERO;
+            let middle = end + way * width * T::HALF;
+            let within = self.inside(middle) > T::ZERO && self.sound(middle);
             within.then(|| end + way * (width * quarter).min(slack))
         });
         nearest(here.into_iter().chain(beside), now)
@@ -184,8 +192,7 @@ impl<T: Tolerances> Range<T> {
     fn touching(&self, now: T) -> Option<(T, bool)> {
         let [above, below] = self.bounds;
         let scale = T::COINCIDENT * above.largest().max(below.largest());
-        let least = T::COINCIDENT * self.square.largest();
-        let ends = || self.ends().filter(|x| self.square.at(*x) > least);
+        let ends = || self.ends().filter(|x| self.sound(*x));
         if let Some(x) = nearest(ends().filter(|x| self.inside(*x) >= -scale), now) {
             return Some((x, !self.equation));
         }
