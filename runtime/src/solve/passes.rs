@@ -240,7 +240,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
             }
             Some(Pass::Open(index)) => {
                 let Some(open) = self.passes().open().get(index).copied() else { return false };
-                if trail.missed || !same(open.branch, branch, false) {
+                if !same(open.branch, branch, false) {
                     return false;
                 }
                 if let Some(wrist) = open.branch.wrist() {
