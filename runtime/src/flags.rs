@@ -134,6 +134,13 @@ impl JointMask {
         Self(self.0 | other.0)
     }
 
+    /// The joints of the set but one, counted from 0.
+    #[inline]
+    #[must_use]
+    pub const fn without(self, joint: usize) -> Self {
+        Self(self.0 & !Self::single(joint).0)
+    }
+
     /// Adds the joints of `other`.
     #[inline]
     pub const fn insert(&mut self, other: Self) {

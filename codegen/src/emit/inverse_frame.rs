@@ -28,6 +28,13 @@ pub(super) fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStr
     let reach_doc = format!(" Reach of the arm, {unit}: the scale of every length comparison.");
     let type_name = &target.type_name;
     let combined = combined_limits::reference(model, target);
+    let is_virtual = plan.stages().flat_map(|stage| &stage.joints).any(|slot| plan.joint(*slot).is_none());
+    let stands_for = if is_virtual {
+        let last = integer(plan.last_solved());
+        quote!(#krate::JointMask::single(#last))
+    } else {
+        quote!(#krate::JointMask::NONE)
+    };
     let (measure, facts_doc) = if model.parameters.is_empty() {
         let measure = quote! {
             /// Lengths are compared relative to the reach.
@@ -49,6 +56,7 @@ pub(super) fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStr
             weights: &[#(#weights),*],
             limited: #limited,
             prismatic: #krate::JointMask::NONE #(#sliding)*,
+            stands_for: #stands_for,
             reach: REACH,
             tolerance: #krate::Residual { position: #length, orientation: #angle },
         };

@@ -158,10 +158,7 @@ impl<'a> Calls<'a> {
         };
         let home = match self.plan.joint(joint).map(integer) {
             Some(joint) => quote!(search.home(#joint)),
-            None => {
-                let last = integer(self.plan.last_solved());
-                quote!(search.virtual_home(#last))
-            }
+            None => quote!(search.virtual_home()),
         };
         if shift.is_zero() {
             return home;

@@ -6,93 +6,197 @@ use crate::math::wrap;
 /// `a cos + b sin + k` as `[a, b, k]`.
 pub type Row<T> = [T; 3];
 
+/// A quantity as one joint moves it.
+pub(super) trait Moving<T>: Copy {
+    /// The joint after a step.
+    fn step(turn: &Turn<T>, by: T) -> Turn<T>;
+    /// How far one place of the joint is from another.
+    fn between(turn: &Turn<T>, other: &Turn<T>) -> T;
+    /// The quantity.
+    fn at(&self, turn: &Turn<T>) -> T;
+    /// Its derivative.
+    fn slope(&self, turn: &Turn<T>) -> T;
+    /// Its second derivative.
+    fn curvature(&self, turn: &Turn<T>) -> T;
+    /// The sum of its squared coefficients.
+    fn square(&self) -> T;
+}
+
+impl<T: Tolerances> Moving<T> for Row<T> {
+    fn step(turn: &Turn<T>, by: T) -> Turn<T> {
+        let value = wrap(turn.value + by);
+        let square = by * by;
+        // The first terms of both series that are left out, of degrees 7 and 6, are below rounding.
+        if !(square * square * square < T::EPSILON * T::from_f64(180.0)) {
+            return Turn::at(value);
+        }
+        let (sixth, twelfth) = (square * T::from_f64(1.0 / 6.0), square * T::from_f64(1.0 / 12.0));
+        let sin = by * (T::ONE - sixth * (T::ONE - square * T::from_f64(0.05)));
+        let cos = T::ONE - square * T::HALF * (T::ONE - twelfth);
+        Turn { value, sin: turn.sin * cos + turn.cos * sin, cos: turn.cos * cos - turn.sin * sin }
+    }
+
+    fn between(turn: &Turn<T>, other: &Turn<T>) -> T {
+        wrap(turn.value - other.value).abs()
+    }
+
+    fn at(&self, turn: &Turn<T>) -> T {
+        let [a, b, k] = *self;
+        a * turn.cos + b * turn.sin + k
+    }
+
+    fn slope(&self, turn: &Turn<T>) -> T {
+        let [a, b, _] = *self;
+        b * turn.cos - a * turn.sin
+    }
+
+    fn curvature(&self, turn: &Turn<T>) -> T {
+        let [a, b, _] = *self;
+        -(a * turn.cos + b * turn.sin)
+    }
+
+    fn square(&self) -> T {
+        self.iter().fold(T::ZERO, |sum, k| sum + *k * *k)
+    }
+}
+
+/// `a x^2 + b x + k` as `[a, b, k]`, for a joint that slides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Stroke<T>(pub [T; 3]);
+
+impl<T: Tolerances> Moving<T> for Stroke<T> {
+    fn step(turn: &Turn<T>, by: T) -> Turn<T> {
+        Turn::position(turn.value + by)
+    }
+
+    fn between(turn: &Turn<T>, other: &Turn<T>) -> T {
+        (turn.value - other.value).abs()
+    }
+
+    fn at(&self, turn: &Turn<T>) -> T {
+        let Self([a, b, k]) = *self;
+        (a * turn.value + b) * turn.value + k
+    }
+
+    fn slope(&self, turn: &Turn<T>) -> T {
+        let Self([a, b, _]) = *self;
+        T::TWO * a * turn.value + b
+    }
+
+    fn curvature(&self, _: &Turn<T>) -> T {
+        let Self([a, ..]) = *self;
+        T::TWO * a
+    }
+
+    fn square(&self) -> T {
+        self.0.iter().fold(T::ZERO, |sum, k| sum + *k * *k)
+    }
+}
+
 /// The components of a vector across an axis, as either of two joints moves it: two rows for each joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Across<T> {
+pub(super) struct Across<X, Z> {
     /// As joint x moves it.
-    pub x: [[T; 3]; 2],
+    pub x: [X; 2],
     /// As joint z moves it.
-    pub z: [[T; 3]; 2],
+    pub z: [Z; 2],
 }
 
 /// Values of both joints.
-type Place<T> = [Turn<T>; 2];
+pub(super) type Place<T> = [Turn<T>; 2];
 
-impl<T: Tolerances> Across<T> {
+impl<X, Z> Across<X, Z> {
     /// What the lengths across may be at most.
-    fn scale(&self) -> T {
-        let size = |rows: &[Row<T>; 2]| rows.iter().flatten().fold(T::ZERO, |sum, k| sum + *k * *k);
-        size(&self.x).max(size(&self.z)).sqrt()
+    fn scale<T: Tolerances>(&self) -> T
+    where
+        X: Moving<T>,
+        Z: Moving<T>,
+    {
+        let ([x1, x2], [z1, z2]) = (&self.x, &self.z);
+        (x1.square() + x2.square()).max(z1.square() + z2.square()).sqrt()
     }
 
     /// The lengths across, over either joint.
-    fn lengths(&self, [x, z]: &Place<T>) -> [T; 2] {
-        let length = |[u, v]: &[Row<T>; 2], turn: &Turn<T>| {
-            let (u, v) = (at(u, turn), at(v, turn));
-            (u * u + v * v).sqrt()
-        };
-        [length(&self.x, x), length(&self.z, z)]
+    fn lengths<T: Tolerances>(&self, [x, z]: &Place<T>) -> [T; 2]
+    where
+        X: Moving<T>,
+        Z: Moving<T>,
+    {
+        let length = |u: T, v: T| (u * u + v * v).sqrt();
+        let ([x1, x2], [z1, z2]) = (&self.x, &self.z);
+        [length(x1.at(x), x2.at(x)), length(z1.at(z), z2.at(z))]
     }
 
     /// The larger of the lengths, relative to what it may be.
-    pub(super) fn relative(&self, place: &Place<T>) -> T {
+    pub(super) fn relative<T: Tolerances>(&self, place: &Place<T>) -> T
+    where
+        X: Moving<T>,
+        Z: Moving<T>,
+    {
         let ([a, b], scale) = (self.lengths(place), self.scale());
         if scale > T::ZERO { a.max(b) / scale } else { T::ONE }
     }
 
     /// By how much the lengths differ, relative to what they may be, or the row does if that is more.
-    pub(super) fn gap(&self, [p, q]: [&Row<T>; 2], place: &Place<T>) -> T {
+    pub(super) fn gap<T: Tolerances>(&self, (p, q): (&X, &Z), place: &Place<T>) -> T
+    where
+        X: Moving<T>,
+        Z: Moving<T>,
+    {
         let ([a, b], [x, z]) = (self.lengths(place), place);
-        ((a - b) / self.scale()).abs().max((at(p, x) - at(q, z)).abs())
+        ((a - b) / self.scale()).abs().max((p.at(x) - q.at(z)).abs())
     }
 }
 
-/// The value of a row.
-pub(super) fn at<T: Tolerances>([a, b, k]: &Row<T>, turn: &Turn<T>) -> T {
-    *a * turn.cos + *b * turn.sin + *k
+fn moved<T: Tolerances, X: Moving<T>, Z: Moving<T>>([x, z]: &Place<T>, [dx, dz]: [T; 2]) -> Place<T> {
+    [X::step(x, dx), Z::step(z, dz)]
 }
 
-pub(super) fn slope<T: Tolerances>([a, b, _]: &Row<T>, turn: &Turn<T>) -> T {
-    *b * turn.cos - *a * turn.sin
-}
-
-pub(super) fn curvature<T: Tolerances>([a, b, _]: &Row<T>, turn: &Turn<T>) -> T {
-    -(*a * turn.cos + *b * turn.sin)
-}
-
-fn moved<T: Tolerances>([x, z]: &Place<T>, [dx, dz]: [T; 2]) -> Place<T> {
-    [Turn::at(wrap(x.value + dx)), Turn::at(wrap(z.value + dz))]
+/// A root of two equations.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Found<T> {
+    pub place: Place<T>,
+    /// Whether the equations close to rounding there, and know the place well: then it is a root beyond doubt.
+    pub sure: bool,
 }
 
 /// A few steps of Newton's method on both rows, as long as they bring the root closer.
-pub(super) fn newton<T: Tolerances>(p: &[Row<T>; 2], q: &[Row<T>; 2], root: Place<T>) -> Place<T> {
+pub(super) fn newton<T, X, Z>(p: &[X; 2], q: &[Z; 2], root: Place<T>) -> Found<T>
+where
+    T: Tolerances,
+    X: Moving<T>,
+    Z: Moving<T>,
+{
     let ([p1, p2], [q1, q2]) = (p, q);
-    let miss = |[x, z]: &Place<T>| [at(p1, x) - at(q1, z), at(p2, x) - at(q2, z)];
+    let miss = |[x, z]: &Place<T>| [p1.at(x) - q1.at(z), p2.at(x) - q2.at(z)];
     let square = |[u, v]: [T; 2]| u * u + v * v;
-    let mut best = root;
-    let mut size = square(miss(&best));
+    let slopes = |[x, z]: &Place<T>| [p1.slope(x), -q1.slope(z), p2.slope(x), -q2.slope(z)];
+    let mut place = root;
+    let mut missed = miss(&place);
+    let mut size = square(missed);
     // The rounding of the rows, which are of unit length.
     let floor = T::EPSILON * T::from_f64(8.0);
+    let closed = |size: T| size <= floor * floor;
     for _ in 0..4 {
-        if !(size > floor * floor) {
+        if closed(size) {
             break;
         }
-        let [x, z] = &best;
-        let [u, v] = miss(&best);
-        let (a, b, c, d) = (slope(p1, x), -slope(q1, z), slope(p2, x), -slope(q2, z));
+        let ([u, v], [a, b, c, d]) = (missed, slopes(&place));
         let k = T::ONE / (a * d - b * c);
         let (dx, dz) = ((b * v - d * u) * k, (c * u - a * v) * k);
         if !(dx.abs().max(dz.abs()) < T::HALF) {
             break;
         }
-        let next = moved(&best, [dx, dz]);
-        let next_size = square(miss(&next));
+        let next = moved::<T, X, Z>(&place, [dx, dz]);
+        let next_missed = miss(&next);
+        let next_size = square(next_missed);
         if !(next_size < size) {
             break;
         }
-        (best, size) = (next, next_size);
+        (place, missed, size) = (next, next_missed, next_size);
     }
-    best
+    let [a, b, c, d] = slopes(&place);
+    Found { place, sure: closed(size) && (a * d - b * c).abs() >= T::DOUBTFUL }
 }
 
 /// The two roots of `p = q` and of equal lengths across the axis that are nearest to a place where those lengths are
@@ -100,7 +204,12 @@ pub(super) fn newton<T: Tolerances>(p: &[Row<T>; 2], q: &[Row<T>; 2], root: Plac
 ///
 /// Along the curve of the row, the difference of the squared lengths is to second order a quadratic polynomial, and it
 /// is accurate to rounding where the lengths vanish.
-pub(super) fn beside<T: Tolerances>(row: [&Row<T>; 2], across: &Across<T>, place: Place<T>) -> [Option<Place<T>>; 2] {
+pub(super) fn beside<T, X, Z>(row: (&X, &Z), across: &Across<X, Z>, place: Place<T>) -> [Option<Place<T>>; 2]
+where
+    T: Tolerances,
+    X: Moving<T>,
+    Z: Moving<T>,
+{
     let Some(start) = Ahead::new(row, across, place) else { return [None; 2] };
     let square = |[dx, dz]: &[T; 2]| *dx * *dx + *dz * *dz;
     start.steps.map(|first| {
@@ -109,7 +218,7 @@ pub(super) fn beside<T: Tolerances>(row: [&Row<T>; 2], across: &Across<T>, place
             if square(&step) < T::EPSILON * T::EPSILON {
                 break;
             }
-            let ahead = Ahead::new(row, across, moved(&place, step))?;
+            let ahead = Ahead::new(row, across, moved::<T, X, Z>(&place, step))?;
             let [low, high] = ahead.steps;
             step = match (low, high) {
                 (Some(low), Some(high)) => {
@@ -125,7 +234,7 @@ pub(super) fn beside<T: Tolerances>(row: [&Row<T>; 2], across: &Across<T>, place
         }
         // Far below what tells two solutions apart.
         let still = T::COINCIDENT * T::from_f64(0.1);
-        (square(&step) < still * still).then(|| moved(&place, step))
+        (square(&step) < still * still).then(|| moved::<T, X, Z>(&place, step))
     })
 }
 
@@ -138,27 +247,20 @@ struct Ahead<T> {
 
 impl<T: Tolerances> Ahead<T> {
     /// From a place near the curve. `None` if the row does not say which way it goes.
-    fn new([p, q]: [&Row<T>; 2], across: &Across<T>, mut place: Place<T>) -> Option<Self> {
+    fn new<X: Moving<T>, Z: Moving<T>>((p, q): (&X, &Z), across: &Across<X, Z>, mut place: Place<T>) -> Option<Self> {
         let mut along = [T::ZERO; 2];
         for _ in 0..2 {
             let [x, z] = &place;
-            let (miss, dx, dz) = (at(p, x) - at(q, z), slope(p, x), -slope(q, z));
+            let (miss, dx, dz) = (p.at(x) - q.at(z), p.slope(x), -q.slope(z));
             let square = dx * dx + dz * dz;
             if !(square > T::WEAK * T::WEAK) {
                 return None;
             }
             let k = -miss / square;
             along = [-dz / square.sqrt(), dx / square.sqrt()];
-            place = moved(&place, [k * dx, k * dz]);
+            place = moved::<T, X, Z>(&place, [k * dx, k * dz]);
         }
         let ([x, z], [tx, tz]) = (&place, along);
-        // The squared length along the curve: half its slope, and half its curvature.
-        let second = |rows: &[Row<T>; 2], turn: &Turn<T>, t: T| {
-            rows.iter().fold([T::ZERO; 2], |[n1, n2], row| {
-                let (v, d, c) = (at(row, turn), slope(row, turn) * t, curvature(row, turn) * t * t);
-                [n1 + v * d, n2 + d * d + v * c]
-            })
-        };
         let ([a1, a2], [b1, b2]) = (second(&across.x, x, tx), second(&across.z, z, tz));
         // The difference of the squares as a product, so that it is as accurate as the lengths.
         let [a0, b0] = across.lengths(&place);
@@ -172,4 +274,13 @@ impl<T: Tolerances> Ahead<T> {
         };
         Some(Self { place, steps: [step(larger, a), step(c, larger)] })
     }
+}
+
+/// The squared length of two components along a curve on which their joint moves by `t`: half its slope, and half its
+/// curvature.
+fn second<T: Tolerances, M: Moving<T>>(parts: &[M; 2], turn: &Turn<T>, t: T) -> [T; 2] {
+    parts.iter().fold([T::ZERO; 2], |[n1, n2], part| {
+        let (v, d, c) = (part.at(turn), part.slope(turn) * t, part.curvature(turn) * t * t);
+        [n1 + v * d, n2 + d * d + v * c]
+    })
 }

@@ -16,6 +16,8 @@ pub struct Facts<T: 'static, const N: usize> {
     pub limited: bool,
     /// The sliding joints.
     pub prismatic: JointMask,
+    /// The joint that moves with a virtual one, and is named in its place where that is free.
+    pub stands_for: JointMask,
     /// Reach of the arm, in its length unit.
     pub reach: T,
     /// Residuals up to this are listed as approximate solutions.

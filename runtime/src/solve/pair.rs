@@ -1,9 +1,9 @@
 //! Two equations in two joints that do not separate.
 
 use super::circle::{Circle, angles};
-use super::curve::{Across, Row, at, beside, newton, slope};
-use super::lengths::Lengths;
+use super::curve::{Across, Found, Moving, Row, newton};
 use super::separated::{combined, separated};
+use super::twins::{distinct, with_twins};
 use super::{Home, Measure, Stage, Tolerances, Turn};
 
 /// Solves the two rows `p (cos x, sin x, 1) = q (cos z, sin z, 1)` for `(x, z)`: one side is eliminated, which leaves
@@ -11,14 +11,19 @@ use super::{Home, Measure, Stage, Tolerances, Turn};
 /// rows themselves. Where the rows lose rank (a point on a joint axis) they are combined so that one joint drops out,
 /// and solved one after the other. Where the polynomial vanishes for every angle, that joint is free.
 ///
-/// Every root is marked for a full check: near a double root a candidate may turn out not to be a solution.
+/// The roots are marked for a full check, unless each closes both rows to rounding, and they determine it well: near a
+/// double root a candidate may turn out not to be a solution.
 pub fn pair<T: Tolerances>(homes: [Home<T>; 2], measure: Measure<T>, p: [Row<T>; 2], q: [Row<T>; 2]) -> Stage<T, 2, 4> {
     let (p, q) = normalized(measure, p, q);
     let mut stage = candidates(homes, &p, &q, None);
+    let mut sure = true;
     for root in stage.roots.iter_mut().take(stage.len) {
-        *root = newton(&p, &q, *root);
+        let Found { place, sure: known } = newton(&p, &q, *root);
+        *root = place;
+        sure &= known;
     }
-    finished(stage, homes, measure, [&p, &q])
+    let sure = sure && distinct::<T, Row<T>, Row<T>>(&stage);
+    finished(stage, sure, homes, measure, [&p, &q])
 }
 
 /// The same where a joint between the two turns one vector onto another, which both joints move: `across` has its
@@ -36,102 +41,8 @@ pub fn pair_turning<T: Tolerances>(
     let across = Across { x: [x1, x2], z: [z1, z2] };
     let (p, q) = normalized(measure, p, q);
     let mut stage = candidates(homes, &p, &q, Some(&across));
-    let rows = [&p[0], &q[0]];
-    with_twins(&mut stage, apart, |root| {
-        let itself = newton(&p, &q, *root);
-        let size = across.relative(root);
-        let near = if size < T::DOUBTFUL { beside(rows, &across, *root) } else { [None; 2] };
-        Polished { itself, near, size, poor: across.gap(rows, &itself) > T::VANISHING }
-    });
-    finished(stage, homes, measure, [&p, &q])
-}
-
-/// A root of two equations, made accurate.
-struct Polished<T> {
-    /// The root itself.
-    itself: [Turn<T>; 2],
-    /// The two roots that there may be where the vector to be turned nearly vanishes.
-    near: [Option<[Turn<T>; 2]>; 2],
-    /// How long that vector is, relative to what it may be.
-    size: T,
-    /// Whether the root itself is no root.
-    poor: bool,
-}
-
-/// Replaces every root by what `polish` makes of it: two candidates for two close roots by one each.
-fn with_twins<T: Tolerances>(
-    stage: &mut Stage<T, 2, 4>,
-    apart: impl Fn(&[Turn<T>; 2], &[Turn<T>; 2]) -> T,
-    polish: impl Fn(&[Turn<T>; 2]) -> Polished<T>,
-) {
-    let mut found = stage.roots;
-    let mut done = 0;
-    while let Some(&root) = found.get(done).filter(|_| done < stage.len) {
-        let Polished { itself, near, size, poor } = polish(&root);
-        // Two candidates for two roots that are closer than the quartic tells apart, which is the fourth root of
-        // rounding at worst: one each.
-        let close = |other: &[Turn<T>; 2]| apart(other, &root) < T::COINCIDENT.sqrt();
-        let twin = found.iter().take(stage.len).skip(done + 1).position(close);
-        if let Some(twin) = twin {
-            found.swap(done + 1, done + 1 + twin);
-        }
-        let pair = if let ([Some(first), Some(second)], Some(_)) = (near, twin) {
-            [Some(first), Some(second)]
-        } else {
-            let nearest = near
-                .into_iter()
-                .flatten()
-                .min_by(|a, b| apart(a, &root).partial_cmp(&apart(b, &root)).unwrap_or(core::cmp::Ordering::Equal));
-            // One that is farther away belongs to another candidate, unless this one is no root itself.
-            let close = size * T::HALF * T::HALF + T::COINCIDENT;
-            [nearest.filter(|found| poor || apart(found, &root) < close).or(Some(itself)), None]
-        };
-        for value in pair.into_iter().flatten() {
-            if let Some(slot) = stage.roots.get_mut(done) {
-                *slot = value;
-            }
-            done += 1;
-        }
-    }
-}
-
-/// Solves `scale x = line (cos z, sin z, 1)` and `x^2 + m x + n = q (cos z, sin z, 1)` for `(x, z)`, `x` sliding;
-/// `scale` is a constant that does not vanish.
-///
-/// A joint between the two turns one vector onto another: `sliding` has its components across that joint's axis as `x` moves
-/// it, `[of x, constant]`, and `turning` the rows of `z`. Their lengths are equal, and known to rounding where the quartic
-/// knows two close roots to its root only.
-pub fn pair_sliding<T: Tolerances>(
-    measure: Measure<T>,
-    line: Row<T>,
-    scale: T,
-    [m, n]: [T; 2],
-    q: Row<T>,
-    (sliding, turning): ([[T; 2]; 2], [Row<T>; 2]),
-) -> Stage<T, 2, 4> {
-    let [a, b, c] = line.map(|k| k / scale);
-    let circle = Circle {
-        k0: (a * a + b * b) * T::HALF + c * c + m * c + n - q[2],
-        k1: [T::TWO * a * c + m * a - q[0], T::TWO * b * c + m * b - q[1]],
-        k2: [(a * a - b * b) * T::HALF, a * b],
-    };
-    let (roots, len) = angles(&circle);
-    let along = |z: Turn<T>| [Turn::position(a * z.cos + b * z.sin + c), z];
-    let roots = roots.map(|angle| along(Turn::at(angle)));
-    let mut stage = Stage { len, doubt: true, ..Stage::solved(roots, measure) };
-    let lengths = Lengths { of_x: sliding.map(|[u, k]| [u * a, u * b, u * c + k]), of_z: turning };
-    let between = |[_, z]: &[Turn<T>; 2], [_, w]: &[Turn<T>; 2]| crate::math::wrap(z.value - w.value).abs();
-    with_twins(&mut stage, between, |&[x, z]| {
-        let size = lengths.relative(&z);
-        let near = lengths.equal_beside(z).map(|z| z.map(along));
-        Polished { itself: [x, z], near, size, poor: lengths.gap(&z) > T::VANISHING }
-    });
-    stage
-}
-
-/// The larger of the distances in x and z.
-fn apart<T: Tolerances>([x, z]: &[Turn<T>; 2], [u, w]: &[Turn<T>; 2]) -> T {
-    crate::math::wrap(x.value - u.value).abs().max(crate::math::wrap(z.value - w.value).abs())
+    let sure = with_twins(&mut stage, (&p, &q), &across);
+    finished(stage, sure, homes, measure, [&p, &q])
 }
 
 /// How far a joint moves its rows.
@@ -141,14 +52,18 @@ fn amplitude<T: Tolerances>(rows: &[Row<T>; 2]) -> T {
 
 fn finished<T: Tolerances>(
     mut stage: Stage<T, 2, 4>,
+    sure: bool,
     homes: [Home<T>; 2],
     measure: Measure<T>,
     sides: [&[Row<T>; 2]; 2],
 ) -> Stage<T, 2, 4> {
+    (stage.angular, stage.gap) = (measure.is_angular(), T::ZERO);
+    if sure && stage.len > 0 && stage.free.is_empty() && stage.weak.is_empty() {
+        return Stage { doubt: false, ..stage };
+    }
     for (home, rows) in homes.into_iter().zip(sides) {
         stage = stage.nearly_free(home, amplitude(rows));
     }
-    (stage.angular, stage.gap) = (measure.is_angular(), T::ZERO);
     stage
 }
 
@@ -174,7 +89,7 @@ fn candidates<T: Tolerances>(
     [home_x, home_z]: [Home<T>; 2],
     p: &[Row<T>; 2],
     q: &[Row<T>; 2],
-    across: Option<&Across<T>>,
+    across: Option<&Across<Row<T>, Row<T>>>,
 ) -> Stage<T, 2, 4> {
     let (det_p, det_q) = (determinant(p), determinant(q));
     if det_p.abs().max(det_q.abs()) < T::COINCIDENT {
@@ -207,22 +122,29 @@ fn eliminated<T: Tolerances>(
     let (mut circle, size) = square(&[w1, w2]);
     circle.k0 -= det * det;
     let sign = if det < T::ZERO { -T::ONE } else { T::ONE };
-    let other = |z: &Turn<T>| {
-        let (u1, u2) = (at(&w1, z), at(&w2, z));
-        if u1 == T::ZERO && u2 == T::ZERO { Turn::ZERO } else { Turn::towards(u2 * sign, u1 * sign) }
+    let paired = |z: [Turn<T>; 4]| {
+        let directions = z.map(|z| {
+            let (u1, u2) = (w1.at(&z) * sign, w2.at(&z) * sign);
+            let size = u1 * u1 + u2 * u2;
+            let k = T::ONE / size.sqrt();
+            if size > T::ZERO { [u1 * k, u2 * k] } else { [T::ONE, T::ZERO] }
+        });
+        let [x1, x2, x3, x4] = Turn::array(directions.map(|[_, sin]| sin), directions.map(|[cos, _]| cos));
+        let [z1, z2, z3, z4] = z;
+        Stage::solved([[x1, z1], [x2, z2], [x3, z3], [x4, z4]], Measure::DIRECTION)
     };
     // With coefficients of no more than rounding, or without any of z in the rows, every angle is as good. The polynomial
     // is the difference of the squares of two lengths, one of them `det`.
     let vanishing = (T::EPSILON * T::from_f64(8.0) * (size + det * det)).max(T::VANISHING * det.abs());
     let anywhere = || {
-        let z = Turn::at(crate::math::wrap(home.value));
-        let mut stage = Stage { len: 1, ..Stage::solved([[other(&z), z]; 4], Measure::DIRECTION) };
         let crossings = across.map_or([None; 2], zeros);
-        for (slot, z) in stage.roots.iter_mut().skip(1).zip(crossings.into_iter().flatten()) {
-            *slot = [other(&z), z];
-            stage.len += 1;
+        let mut places = [Turn::at(crate::math::wrap(home.value)); 4];
+        let mut len = 1;
+        for (slot, z) in places.iter_mut().skip(1).zip(crossings.into_iter().flatten()) {
+            *slot = z;
+            len += 1;
         }
-        stage
+        Stage { len, ..paired(places) }
     };
     if circle.largest() <= vanishing || amplitude(q) < home.free_below {
         return Stage { free: home.joint, ..anywhere() };
@@ -232,15 +154,11 @@ fn eliminated<T: Tolerances>(
     if len == 0 && circle.largest() < T::WEAK * det.abs() {
         return Stage { weak: home.joint, ..anywhere() };
     }
-    let roots = roots.map(|angle| {
-        let z = Turn::at(angle);
-        [other(&z), z]
-    });
-    Stage { len, ..Stage::solved(roots, Measure::DIRECTION) }
+    Stage { len, ..paired(roots) }
 }
 
 /// The squared length of a vector of two rows, as a trigonometric polynomial, and the sum of all squared coefficients.
-fn square<T: Tolerances>([[a, b, c], [d, e, f]]: &[Row<T>; 2]) -> (Circle<T>, T) {
+pub(super) fn square<T: Tolerances>([[a, b, c], [d, e, f]]: &[Row<T>; 2]) -> (Circle<T>, T) {
     let (cos, sin, one) = (*a * *a + *d * *d, *b * *b + *e * *e, *c * *c + *f * *f);
     let circle = Circle {
         k0: (cos + sin) * T::HALF + one,
@@ -255,15 +173,14 @@ fn zeros<T: Tolerances>(rows: &[Row<T>; 2]) -> [Option<Turn<T>>; 2] {
     let (circle, size) = square(rows);
     let (found, len) = angles(&circle);
     let mut zeros = [None; 2];
-    for angle in found.into_iter().take(len) {
+    for mut turn in found.into_iter().take(len) {
         let [p, q] = rows;
-        let mut turn = Turn::at(angle);
         // A double root comes with half of the digits; the rows themselves have all.
         for _ in 0..2 {
-            let (u, v, du, dv) = (at(p, &turn), at(q, &turn), slope(p, &turn), slope(q, &turn));
+            let (u, v, du, dv) = (p.at(&turn), q.at(&turn), p.slope(&turn), q.slope(&turn));
             turn = Turn::at(crate::math::wrap(turn.value - (u * du + v * dv) / (du * du + dv * dv)));
         }
-        let (u, v) = (at(p, &turn), at(q, &turn));
+        let (u, v) = (p.at(&turn), q.at(&turn));
         let vanishes = (u * u + v * v) < T::VANISHING * T::VANISHING * size;
         let known = |other: &Turn<T>| crate::math::wrap(other.value - turn.value).abs() < T::COINCIDENT;
         if vanishes

@@ -1,7 +1,6 @@
 //! Following the branches again with a free joint elsewhere.
 
-use super::place::{sliding, turning};
-use super::stage::Level;
+use super::place::{PLACES, Samples, stroke, turn};
 use super::{Facts, Search, Tolerances, Trail};
 use crate::math::wrap;
 use crate::{Branch, JointMask, Solution};
@@ -29,8 +28,10 @@ struct Open<T> {
     branch: Branch,
     /// Where families of solutions cross: the joints that are free or nearly so there.
     crossing: Option<JointMask>,
-    /// The levels at the three places.
-    levels: [Level<T>; 3],
+    /// The first joint that is free or nearly so, and another one.
+    joints: [JointMask; 2],
+    /// The levels of the stage that misses.
+    samples: Samples<T>,
     /// How far the free joints are from home at the branch's place, in turns or strokes.
     steps: [T; 2],
     /// Whether that place is known, and whether the stage has roots there.
@@ -42,9 +43,29 @@ struct Open<T> {
     slack: T,
 }
 
+impl<T: Tolerances> Open<T> {
+    /// Whether two joints may move.
+    fn two(&self) -> bool {
+        let [_, second] = self.joints;
+        !second.is_empty()
+    }
+
+    const NONE: Self = Self {
+        branch: Branch::NONE,
+        crossing: None,
+        joints: [JointMask::NONE; 2],
+        samples: Samples::NONE,
+        steps: [T::ZERO; 2],
+        known: false,
+        feasible: false,
+        value: T::ZERO,
+        slack: T::INFINITY,
+    };
+}
+
 /// The branches on which a joint is free or nearly so, and which are missed with that joint at home. Such a branch has
 /// roots for an interval of the joint, or at one place alone: a stretched elbow that every other place of the joint
-/// would have to stretch more. Three runs of the nest tell the level of the stage that misses, and with that the place.
+/// would have to stretch more. Five runs of the nest (three for a slide) tell the level of the stage that misses, and with that the place.
 ///
 /// A branch may also be met at home just where another stage is singular: there families of solutions cross, and the one
 /// at home does not tell which joints move together on the other. A second member is looked for elsewhere.
@@ -53,8 +74,10 @@ pub(super) struct Passes<T, const N: usize, const M: usize> {
     pass: Option<Pass>,
     /// How far the free joints are from home in this pass, in turns or strokes.
     steps: [T; 2],
-    /// The joints that are free on open branches.
+    /// The joints that are free or nearly so on open branches.
     free: JointMask,
+    /// Of these the first ones, and others: those that either step moves.
+    moving: [JointMask; 2],
     /// Open branches, the first `len`.
     open: [Open<T>; M],
     len: usize,
@@ -66,18 +89,8 @@ pub(super) struct Passes<T, const N: usize, const M: usize> {
 
 impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
     fn new(homes: [T; N]) -> Self {
-        let open = Open {
-            branch: Branch::NONE,
-            crossing: None,
-            levels: [Level::NONE; 3],
-            steps: [T::ZERO; 2],
-            known: false,
-            feasible: false,
-            value: T::ZERO,
-            slack: T::INFINITY,
-        };
-        let (pass, steps, free) = (None, [T::ZERO; 2], JointMask::NONE);
-        Self { pass, steps, free, open: [open; M], len: 0, homes, at_home: 0 }
+        let (steps, free) = ([T::ZERO; 2], JointMask::NONE);
+        Self { pass: None, steps, free, moving: [free; 2], open: [Open::NONE; M], len: 0, homes, at_home: 0 }
     }
 
     /// Whether this is not the first pass.
@@ -104,8 +117,14 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
     #[cold]
     #[inline(never)]
     pub(super) fn away(&self, facts: &Facts<T, N>, joint: usize, home: T) -> T {
-        let before = self.free.iter().filter(|other| *other < joint).count();
-        let step = if self.free.contains(joint) { self.steps.get(before).copied().unwrap_or(T::ZERO) } else { T::ZERO };
+        let moved = self.moving.iter().zip(self.steps).find(|(moving, _)| moving.contains(joint));
+        let step = moved.map_or(T::ZERO, |(_, step)| step);
+        let step = match self.pass {
+            Some(Pass::Sample { second, place }) if !step.is_finite() => {
+                if facts.prismatic.contains(joint) { stroke(place) } else { turn::<T>(places(second), place) / T::TAU }
+            }
+            _ => step,
+        };
         if facts.prismatic.contains(joint) {
             home + facts.reach * T::from_f64(STROKE) * step
         } else {
@@ -125,22 +144,26 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
             *slot = open;
             self.len += 1;
             self.free |= free;
+            for (moving, joint) in self.moving.iter_mut().zip(open.joints) {
+                *moving |= joint;
+            }
         }
     }
 
     /// The place of every open branch from the levels at three places of a free joint.
     fn locate(&mut self, facts: &Facts<T, N>, second: bool) {
-        let Some(joint) = self.free.iter().nth(usize::from(second)) else { return };
-        let home = self.homes.get(joint).copied().unwrap_or(T::ZERO);
-        let steps = self.steps;
+        let (steps, homes) = (self.steps, self.homes);
         for open in self.open_mut().iter_mut().filter(|open| !open.feasible && open.crossing.is_none()) {
-            let now = if open.slack < T::INFINITY { open.value } else { home };
+            let [one, other] = open.joints;
+            let Some(joint) = (if second { other } else { one }).iter().next() else { continue };
+            let home = homes.get(joint).copied().unwrap_or(T::ZERO);
+            let now = if open.slack < T::INFINITY && !second { open.value } else { home };
             let place = if facts.prismatic.contains(joint) {
-                sliding(&open.levels, (now - home) / (facts.reach * T::from_f64(STROKE)))
+                open.samples.sliding((now - home) / (facts.reach * T::from_f64(STROKE)))
             } else {
-                turning(&open.levels, wrap(now - home), open.slack)
+                open.samples.turning(places(second), wrap(now - home), open.slack)
             };
-            open.levels = [Level::NONE; 3];
+            open.samples = Samples::NONE;
             let Some(place) = place else { continue };
             let [first, _] = steps;
             open.steps = if second { [first, place.step] } else { [place.step, T::ZERO] };
@@ -150,8 +173,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
     }
 
     /// The pass after this one.
-    fn following(&self, facts: &Facts<T, N>) -> Option<Pass> {
-        let _ = facts;
+    fn following(&self) -> Option<Pass> {
         let place = |from: usize| {
             let mut rest = self.open().iter().enumerate().skip(from);
             rest.find(|(_, open)| open.known && open.crossing.is_none()).map(|(index, _)| Pass::Open(index))
@@ -161,9 +183,9 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
         match self.pass {
             None if seek => Some(Pass::Sample { second: false, place: 0 }),
             None => crossing,
-            Some(Pass::Sample { second, place }) if place < 2 => Some(Pass::Sample { second, place: place + 1 }),
+            Some(Pass::Sample { second, place }) if place + 1 < places(second) => Some(Pass::Sample { second, place: place + 1 }),
             Some(Pass::Sample { second: false, .. })
-                if self.free.len() > 1 && self.open().iter().any(|open| open.crossing.is_none() && !open.feasible) =>
+                if self.open().iter().any(|open| open.crossing.is_none() && !open.feasible && open.two()) =>
             {
                 Some(Pass::Sample { second: true, place: 0 })
             }
@@ -204,16 +226,14 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
                     self.seek(trail, solution, T::INFINITY);
                 } else if !trail.free.is_empty() && trail.loose().len() > 1 {
                     // Beside a free joint another one is free, or nearly so.
-                    self.remember(trail.free, solution, T::INFINITY, Some(trail.loose()));
+                    self.remember(trail, solution, T::INFINITY, Some(trail.loose()));
                 }
                 !trail.missed
             }
             Some(Pass::Sample { place, .. }) => {
                 for exact in [true, false] {
                     for open in self.passes().open_mut().iter_mut().filter(|open| same(open.branch, branch, exact)) {
-                        if let Some(level) = open.levels.get_mut(place).filter(|l| exact || !l.value.is_finite()) {
-                            *level = trail.level;
-                        }
+                        open.samples.keep(place, &trail.level, exact);
                     }
                 }
                 false
@@ -248,28 +268,17 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
     /// or the solution does not close there. `slack`: by how much a joint that is nearly free may move.
     pub(super) fn seek(&mut self, trail: &Trail<T>, solution: &Solution<T, N>, slack: T) {
         if self.at_home() {
-            self.remember(trail.loose(), solution, slack, None);
+            self.remember(trail, solution, slack, None);
         }
     }
 
-    fn remember(&mut self, free: JointMask, solution: &Solution<T, N>, slack: T, crossing: Option<JointMask>) {
-        let value = free.iter().next().and_then(|joint| solution.q.get(joint)).copied().unwrap_or(T::ZERO);
-        let passes = self.passes();
-        let empty = Open { branch: solution.branch, crossing, value, slack, ..Self::unmet() };
-        passes.remember(empty, free);
-    }
-
-    fn unmet() -> Open<T> {
-        Open {
-            branch: Branch::NONE,
-            crossing: None,
-            levels: [Level::NONE; 3],
-            steps: [T::ZERO; 2],
-            known: false,
-            feasible: false,
-            value: T::ZERO,
-            slack: T::INFINITY,
-        }
+    fn remember(&mut self, trail: &Trail<T>, solution: &Solution<T, N>, slack: T, crossing: Option<JointMask>) {
+        let (first, loose) = (trail.first.iter().next(), trail.loose());
+        let value = first.and_then(|joint| solution.q.get(joint)).copied().unwrap_or(T::ZERO);
+        let single = |joint: Option<usize>| joint.map_or(JointMask::NONE, JointMask::single);
+        let joints = [single(first), single(loose.iter().find(|joint| Some(*joint) != first))];
+        let open = Open { branch: solution.branch, crossing, joints, value, slack, ..Open::NONE };
+        self.passes().remember(open, loose);
     }
 
     /// Goes on to the next pass. False if there is none.
@@ -280,19 +289,19 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         let Some(passes) = &mut self.passes else { return false };
         match passes.pass {
             None => passes.at_home = listed,
-            Some(Pass::Sample { second, place: 2 }) => passes.locate(facts, second),
+            Some(Pass::Sample { second, place }) if place + 1 == places(second) => {
+                passes.locate(facts, second);
+            }
             _ => {}
         }
-        let Some(pass) = passes.following(facts) else { return false };
+        let Some(pass) = passes.following() else { return false };
         passes.pass = Some(pass);
         passes.steps = match pass {
-            Pass::Sample { second, place } => {
-                let third = T::from_f64([0.0, 1.0 / 3.0, -1.0 / 3.0].get(place).copied().unwrap_or(0.0));
-                let unit = if passes.slides(facts, second) { third * T::from_f64(3.0) } else { third };
+            Pass::Sample { second, .. } => {
                 // The second joint, with the first one where the first open branch has it.
-                let first =
-                    passes.open().iter().find(|open| open.known && !open.feasible).map_or(T::ZERO, |o| o.steps[0]);
-                if second { [first, unit] } else { [unit, T::ZERO] }
+                let open = passes.open().iter().find(|open| !open.feasible && open.crossing.is_none() && open.two());
+                let [first, _] = open.map_or([T::ZERO; 2], |open| open.steps);
+                if second { [first, T::NAN] } else { [T::NAN, T::ZERO] }
             }
             Pass::Open(index) => passes.open().get(index).map_or([T::ZERO; 2], |open| open.steps),
             Pass::Cross(k) => {
@@ -308,8 +317,8 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
     }
 }
 
-impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
-    fn slides(&self, facts: &Facts<T, N>, second: bool) -> bool {
-        self.free.iter().nth(usize::from(second)).is_some_and(|joint| facts.prismatic.contains(joint))
-    }
+/// The number of places at which a joint is sampled: the second one at three, so that all passes together keep to their
+/// bound.
+fn places(second: bool) -> usize {
+    if second { 3 } else { PLACES }
 }

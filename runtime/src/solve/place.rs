@@ -1,84 +1,220 @@
 //! Where a free joint has to be for a later stage to have roots.
 
 use super::Tolerances;
+use super::circle::{Circle, angles};
 use super::stage::Level;
-use crate::math::{atan2, wrap};
+use crate::math::{sin_cos, wrap};
+use core::cmp::Ordering;
 
-/// A place of a free joint, as a step from its home (in turns or in [`STROKE`]s), and whether the stage has roots there.
+/// Places at which the level of a stage is sampled, for a joint that turns.
+pub(super) const PLACES: usize = 5;
+/// How far inside the range of feasible places the joint goes, as a part of that range: at its ends two roots meet.
+const INSIDE: f64 = 0.25;
+
+/// A place of a free joint, as a step from its home (in turns or in strokes), and whether the stage has roots there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Place<T> {
     pub(super) step: T,
     pub(super) feasible: bool,
 }
 
-/// How far inside the range of feasible places the joint goes, as a part of that range: at its ends two roots meet.
-const INSIDE: f64 = 0.25;
-
-/// The place of a joint that turns, from the levels at home and a third of a turn either way:
-/// `level = a + b cos(x - phi)` is in its range for x in one interval on either side of phi. The place is the one
-/// next to `now` (rad from home), inside the interval by a quarter of it, or by `slack` if that is less. Without a
-/// feasible place it is the one where the level comes nearest to its range. `None` if the level does not depend on x.
-pub(super) fn turning<T: Tolerances>(levels: &[Level<T>; 3], now: T, slack: T) -> Option<Place<T>> {
-    let [Level { value: l0, low, high }, Level { value: l1, .. }, Level { value: l2, .. }] = *levels;
-    let third = T::from_f64(1.0 / 3.0);
-    let a = (l0 + l1 + l2) * third;
-    let c = (l0 + l0 - l1 - l2) * third;
-    // 1 / sqrt(3)
-    let s = (l1 - l2) * T::from_f64(0.577_350_269_189_625_8);
-    let b = (c * c + s * s).sqrt();
-    if !(b > T::ROUNDING) || !a.is_finite() {
-        return None;
-    }
-    let phase = atan2(s, c);
-    let from = wrap(now - phase);
-    let (least, most) = ((a - b).max(low), (a + b).min(high));
-    let acos = |x: T| {
-        let x = x.min(T::ONE).max(-T::ONE);
-        atan2(((T::ONE - x) * (T::ONE + x)).sqrt(), x)
-    };
-    let feasible = least <= most;
-    let x = if feasible {
-        let (near, far) = (acos((most - a) / b), acos((least - a) / b));
-        let inside = ((far - near) * T::from_f64(INSIDE)).min(slack);
-        from.abs().max(near + inside).min(far - inside)
-    } else if a > high {
-        T::PI
-    } else {
-        T::ZERO
-    };
-    let x = if from < T::ZERO { -x } else { x };
-    Some(Place { step: wrap(phase + x) / T::TAU, feasible: least < most + T::COINCIDENT })
+/// The levels of a stage at places of a free joint.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Samples<T> {
+    /// The level times the square of its pole, and that square.
+    values: [[T; 2]; PLACES],
+    /// The range of the level in which there are roots.
+    low: T,
+    high: T,
 }
 
-/// The same for a joint that slides, from the levels at home and one unit either way: `level = a + b u + c u^2`.
-pub(super) fn sliding<T: Tolerances>(levels: &[Level<T>; 3], now: T) -> Option<Place<T>> {
-    let [Level { value: l0, low, high }, Level { value: l1, .. }, Level { value: l2, .. }] = *levels;
-    let (a, b, c) = (l0, (l1 - l2) * T::HALF, (l1 + l2) * T::HALF - l0);
-    if !(b.abs().max(c.abs()) > T::ROUNDING * (T::ONE + a.abs())) {
-        return None;
+impl<T: Tolerances> Samples<T> {
+    /// Nothing is known.
+    pub(super) const NONE: Self = Self { values: [[T::NAN; 2]; PLACES], low: T::NAN, high: T::NAN };
+
+    /// Keeps the level at a place; `over` what has been kept there if it is set.
+    pub(super) fn keep(&mut self, place: usize, level: &Level<T>, over: bool) {
+        let square = level.pole * level.pole;
+        if let Some(slot) = self.values.get_mut(place).filter(|[value, _]| over || !value.is_finite()) {
+            *slot = [level.value * square, square];
+            (self.low, self.high) = (level.low, level.high);
+        }
     }
-    let curved = c.abs() > T::COINCIDENT * b.abs();
-    let vertex = -b / (c + c);
-    let extreme = a - b * b / (c * (T::TWO + T::TWO));
-    let (least, most) = match curved {
-        true if c > T::ZERO => (low.max(extreme), high),
-        true => (low, high.min(extreme)),
-        false => (low, high),
-    };
-    if !(least <= most) {
-        return Some(Place { step: vertex, feasible: least < most + T::COINCIDENT });
+
+    /// A sample of one of the first `count` as a trigonometric polynomial of the step, by its discrete Fourier transform:
+    /// of degree 2 through 5 places, of degree 1 through 3.
+    fn series(&self, count: usize, part: usize) -> Circle<T> {
+        let share = T::ONE / T::from_i32(count as i32);
+        let mut circle = Circle { k0: T::ZERO, k1: [T::ZERO; 2], k2: [T::ZERO; 2] };
+        for (place, values) in self.values.iter().enumerate().take(count) {
+            let value = values.get(part).copied().unwrap_or(T::NAN) * share;
+            let ((s, c), twice) = (sin_cos(turn(count, place)), value + value);
+            circle.k0 += value;
+            circle.k1 = add(circle.k1, [twice * c, twice * s]);
+            if count == PLACES {
+                circle.k2 = add(circle.k2, [twice * (c * c - s * s), twice * (s * c + s * c)]);
+            }
+        }
+        circle
     }
-    let at = a + now * (b + now * c);
-    let inside = ((most - least) * T::from_f64(INSIDE)).min(T::from_f64(INSIDE));
-    let level = at.min(most - inside).max(least + inside);
-    if level == at {
-        return Some(Place { step: now, feasible: true });
+
+    /// The place of a joint that turns, from levels at `count` places: five, or three where the level is of degree 1.
+    ///
+    /// The level is `g(x) / p(x)^2` with trigonometric polynomials of degree 2 and 1, where p is the coefficient of a
+    /// slide between the joint and the stage, else 1. So its range ends at roots of `g - low p^2` and `high p^2 - g`, two
+    /// quartics on the unit circle. The place lies in the feasible interval next to `now` (rad from home), inside it by a
+    /// quarter, or by `slack` if that is less. Without an interval it is the root at which the level misses its range by
+    /// least: the end of an interval that has shrunk to a point. `None` if the level does not depend on x.
+    pub(super) fn turning(&self, count: usize, now: T, slack: T) -> Option<Place<T>> {
+        let (g, square) = (self.series(count, 0), self.series(count, 1));
+        let bound = |end: T, sign: T| Circle {
+            k0: (g.k0 - end * square.k0) * sign,
+            k1: add(g.k1, square.k1.map(|k| -end * k)).map(|k| k * sign),
+            k2: add(g.k2, square.k2.map(|k| -end * k)).map(|k| k * sign),
+        };
+        let above = bound(self.low, T::ONE);
+        let below = if self.low < self.high && self.high < T::MAX { bound(self.high, -T::ONE) } else { above };
+        let moves = above.k1.iter().chain(&above.k2).any(|k| k.abs() > T::ROUNDING * (T::ONE + above.k0.abs()));
+        if !moves || !(above.largest() + below.largest()).is_finite() {
+            return None;
+        }
+        let range = Range::new([above, below], square, self.low == self.high);
+        let (x, feasible) = match range.interval(now, slack) {
+            Some(x) => (x, true),
+            None => range.touching(now)?,
+        };
+        Some(Place { step: wrap(x) / T::TAU, feasible })
     }
-    let step = if curved {
-        let off = ((level - extreme) / c).max(T::ZERO).sqrt();
-        if now < vertex { vertex - off } else { vertex + off }
-    } else {
-        (level - a) / b
-    };
-    Some(Place { step, feasible: true })
+
+    /// The same for a joint that slides, from the levels at home and one unit either way: `level = a + b u + c u^2`.
+    pub(super) fn sliding(&self, now: T) -> Option<Place<T>> {
+        let Self { values: [[l0, _], [l1, _], [l2, _], ..], low, high } = *self;
+        let (a, b, c) = (l0, (l1 - l2) * T::HALF, (l1 + l2) * T::HALF - l0);
+        if !(b.abs().max(c.abs()) > T::ROUNDING * (T::ONE + a.abs())) {
+            return None;
+        }
+        let curved = c.abs() > T::COINCIDENT * b.abs();
+        let vertex = -b / (c + c);
+        let extreme = a - b * b / (c * (T::TWO + T::TWO));
+        let (least, most) = match curved {
+            true if c > T::ZERO => (low.max(extreme), high),
+            true => (low, high.min(extreme)),
+            false => (low, high),
+        };
+        if !(least <= most) {
+            return Some(Place { step: vertex, feasible: least < most + T::COINCIDENT });
+        }
+        let at = a + now * (b + now * c);
+        let inside = ((most - least) * T::from_f64(INSIDE)).min(T::from_f64(INSIDE));
+        let level = at.min(most - inside).max(least + inside);
+        if level == at {
+            return Some(Place { step: now, feasible: true });
+        }
+        let step = if curved {
+            let off = ((level - extreme) / c).max(T::ZERO).sqrt();
+            if now < vertex { vertex - off } else { vertex + off }
+        } else {
+            (level - a) / b
+        };
+        Some(Place { step, feasible: true })
+    }
+}
+
+/// Where a joint that turns leaves a stage roots: where both polynomials are positive, or for an equation vanish.
+struct Range<T> {
+    bounds: [Circle<T>; 2],
+    /// The square of the pole. Where it vanishes both bounds touch zero, which says nothing.
+    square: Circle<T>,
+    /// Where either vanishes, the first `len`.
+    ends: [T; 8],
+    len: usize,
+    equation: bool,
+}
+
+impl<T: Tolerances> Range<T> {
+    fn new(bounds: [Circle<T>; 2], square: Circle<T>, equation: bool) -> Self {
+        let mut range = Self { bounds, square, ends: [T::ZERO; 8], len: 0, equation };
+        for bound in &bounds {
+            let (roots, found) = angles(bound);
+            for (slot, root) in range.ends.iter_mut().skip(range.len).zip(roots.iter().take(found)) {
+                *slot = root.value;
+            }
+            range.len += found;
+        }
+        range
+    }
+
+    fn ends(&self) -> impl Iterator<Item = T> {
+        self.ends.iter().copied().take(self.len)
+    }
+
+    /// By how much the stage has roots at x.
+    fn inside(&self, x: T) -> T {
+        let [above, below] = self.bounds.map(|bound| bound.at(x));
+        if self.equation { -above.abs() } else { above.min(below) }
+    }
+
+    /// The angle from x to the next end one way round; a whole turn without any.
+    fn next(&self, x: T, way: T) -> T {
+        let ahead = |end: T| {
+            let ahead = wrap(way * (end - x));
+            if ahead > T::ZERO { ahead } else { ahead + T::TAU }
+        };
+        self.ends().map(ahead).fold(T::TAU, |least, ahead| least.min(ahead))
+    }
+
+    /// The place next to `now` in an interval, inside it by a quarter or `slack`.
+    fn interval(&self, now: T, slack: T) -> Option<T> {
+        let quarter = T::from_f64(INSIDE);
+        let here = (self.inside(now) > T::ZERO).then(|| {
+            let (up, down) = (self.next(now, T::ONE), self.next(now, -T::ONE));
+            let margin = ((up + down) * quarter).min(slack);
+            now + (margin - down).max(T::ZERO) - (margin - up).max(T::ZERO)
+        });
+        let beside = self.ends().flat_map(|end| [(end, T::ONE), (end, -T::ONE)]).filter_map(|(end, way)| {
+            let width = self.next(end, way);
+            let within = self.inside(end + way * width * T::HALF) > T::ZERO;
+            within.then(|| end + way * (width * quarter).min(slack))
+        });
+        nearest(here.into_iter().chain(beside), now)
+    }
+
+    /// Without an interval, the end at which the stage misses by least, and whether by no more than the rounding of a
+    /// double root; of several such ends the nearest.
+    fn touching(&self, now: T) -> Option<(T, bool)> {
+        let [above, below] = self.bounds;
+        let scale = T::COINCIDENT * above.largest().max(below.largest());
+        let least = T::COINCIDENT * self.square.largest();
+        let ends = || self.ends().filter(|x| self.square.at(*x) > least);
+        if let Some(x) = nearest(ends().filter(|x| self.inside(*x) >= -scale), now) {
+            return Some((x, !self.equation));
+        }
+        let by_miss = |a: &T, b: &T| self.inside(*b).partial_cmp(&self.inside(*a)).unwrap_or(Ordering::Equal);
+        ends().min_by(by_miss).map(|x| (x, false))
+    }
+}
+
+/// The one of several places that is nearest to `now`.
+fn nearest<T: Tolerances>(places: impl Iterator<Item = T>, now: T) -> Option<T> {
+    let far = |x: &T| wrap(*x - now).abs();
+    places.min_by(|a, b| far(a).partial_cmp(&far(b)).unwrap_or(Ordering::Equal))
+}
+
+/// The step to a place where a joint that turns is sampled, rad. The first one is not home, and all are off the grids
+/// on which arms are singular.
+pub(super) fn turn<T: Tolerances>(count: usize, place: usize) -> T {
+    T::TAU * (T::from_f64(0.03) + T::from_i32(place as i32) / T::from_i32(count as i32))
+}
+
+/// The same for one that slides, in strokes; it needs three places.
+pub(super) fn stroke<T: Tolerances>(place: usize) -> T {
+    match place {
+        1 => T::ONE,
+        2 => -T::ONE,
+        _ => T::ZERO,
+    }
+}
+
+fn add<T: Tolerances>([a, b]: [T; 2], [c, d]: [T; 2]) -> [T; 2] {
+    [a + c, b + d]
 }

@@ -9,6 +9,9 @@ use crate::math::wrap;
 use crate::vector::norm;
 use crate::{Branch, Flags, JointMask, Residual, Solution, Solutions, Status};
 
+/// The place of a virtual joint in a mask, beyond the joints of any arm with an inverse.
+pub(super) const VIRTUAL: usize = 15;
+
 /// One run of the inverse kinematics.
 pub struct Search<'a, T: 'static, const N: usize, const M: usize> {
     pub(super) facts: &'a Facts<T, N>,
@@ -65,11 +68,11 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
         self.home_at(joint, self.homes.get(joint).copied().unwrap_or(T::ZERO))
     }
 
-    /// The same for a virtual joint: 0. The joint named is one of the arm's that moves with it.
+    /// The same for a virtual joint: 0.
     #[inline]
-    pub fn virtual_home(&self, joint: usize) -> Home<T> {
-        let value = self.passes.as_ref().map_or(T::ZERO, |passes| passes.away(self.facts, joint, T::ZERO));
-        self.home_at(joint, value)
+    pub fn virtual_home(&self) -> Home<T> {
+        let value = self.passes.as_ref().map_or(T::ZERO, |passes| passes.away(self.facts, VIRTUAL, T::ZERO));
+        self.home_at(VIRTUAL, value)
     }
 
     #[inline]
@@ -135,7 +138,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
             return *trail;
         }
         let free = first.joint | second.joint;
-        Trail { doubt: true, free: trail.free | free, flags: trail.flags | Flags::FREE, ..*trail }
+        Trail { doubt: true, free: trail.free | free, first: first.joint, flags: trail.flags | Flags::FREE, ..*trail }
     }
 
     /// Adds a solution. `q`: joint angles in (-pi, pi], rad; strokes in the length unit.

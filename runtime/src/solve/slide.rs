@@ -28,7 +28,8 @@ pub fn slide_to<T: Tolerances>(home: Home<T>, measure: Measure<T>, denominator: 
         stage.roots = [[Turn::position(home.value)]];
         return stage.at_level(Level::zero(numerator / measure.scale));
     }
-    Stage::solved([[Turn::position(numerator / denominator)]], measure).with_weak(home, denominator.abs())
+    let stage = Stage::solved([[Turn::position(numerator / denominator)]], measure);
+    stage.with_weak(home, denominator.abs()).at_level(Level::over(denominator))
 }
 
 /// Solves `a x^2 + b x + c = 0` (`a` dimensionless, `b` a length, `c` its square) without cancellation. Two roots; one

@@ -42,34 +42,42 @@ impl<T: Tolerances> Measure<T> {
 ///
 /// A stage with two roots a half difference h apart solves `cos(h) = value` between -1 and 1; one that a slide solves
 /// needs a square that is not negative; an equation without a joint of its own needs the value 0. The value is known
-/// outside its range too. A joint that turns points about an axis moves it as `a + b cos(x - phi)`.
+/// outside its range too. A joint that turns points about an axis moves it as `a + b cos(x - phi)`; with a slide between
+/// that follows, as a polynomial of degree 2 over the square of the slide's coefficient, the pole.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Level<T> {
     pub(super) value: T,
     pub(super) low: T,
     pub(super) high: T,
+    pub(super) pole: T,
 }
 
 impl<T: Tolerances> Level<T> {
     /// Nothing is known.
-    pub(super) const NONE: Self = Self { value: T::NAN, low: T::NAN, high: T::NAN };
+    pub(super) const NONE: Self = Self { value: T::NAN, low: T::NAN, high: T::NAN, pole: T::ONE };
+
+    /// Nothing but the coefficient of a slide.
+    #[inline]
+    pub(super) fn over(pole: T) -> Self {
+        Self { pole, ..Self::NONE }
+    }
 
     /// The cosine of half the difference of two angles.
     #[inline]
     pub(super) fn cosine(value: T) -> Self {
-        Self { value, low: -T::ONE, high: T::ONE }
+        Self { value, low: -T::ONE, high: T::ONE, ..Self::NONE }
     }
 
     /// A square.
     #[inline]
     pub(super) fn square(value: T) -> Self {
-        Self { value, low: T::ZERO, high: T::MAX }
+        Self { value, low: T::ZERO, high: T::MAX, ..Self::NONE }
     }
 
     /// What has to vanish.
     #[inline]
     pub(super) fn zero(value: T) -> Self {
-        Self { value, low: T::ZERO, high: T::ZERO }
+        Self { value, low: T::ZERO, high: T::ZERO, ..Self::NONE }
     }
 }
 
@@ -91,7 +99,9 @@ pub struct Trail<T> {
     pub(super) missed: bool,
     /// A stage is missed by more than rounding, and the joints before it are what they have to be.
     pub(super) clamped: bool,
-    /// The level of the first stage after a joint that is free or weak.
+    /// The first joint that is free or weak.
+    pub(super) first: JointMask,
+    /// The level of the first stage after it.
     pub(super) level: Level<T>,
 }
 
@@ -107,6 +117,7 @@ impl<T: Tolerances> Trail<T> {
         ended: false,
         missed: false,
         clamped: false,
+        first: JointMask::NONE,
         level: Level::NONE,
     };
 
@@ -117,8 +128,10 @@ impl<T: Tolerances> Trail<T> {
 
     /// Adds what a stage has met.
     pub(super) fn note(&mut self, Met { gap, angular, amplitude, weak, boundary, free, doubt, level }: Met<T>) {
-        if !self.loose().is_empty() && !(self.level.value.is_finite()) {
-            self.level = level;
+        // An equation that is met says nothing more.
+        let met = level.low == level.high && level.value.abs() <= T::COINCIDENT;
+        if !self.loose().is_empty() && !self.level.value.is_finite() && !met {
+            self.level = Level { pole: level.pole * self.level.pole, ..level };
         }
         if !doubt {
             return;
@@ -126,6 +139,9 @@ impl<T: Tolerances> Trail<T> {
         self.doubt = true;
         self.amplitude = self.amplitude.min(amplitude);
         self.weak |= weak;
+        if self.first.is_empty() {
+            self.first = free | weak;
+        }
         if angular {
             self.gap.orientation += gap;
         } else {

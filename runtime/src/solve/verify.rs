@@ -1,6 +1,7 @@
 //! Doubtful solutions: verified by forward kinematics, refined by a few damped steps, and merged where they coincide.
 
 use super::least_squares::{Iterate, refined};
+use super::search::VIRTUAL;
 use super::{Facts, Search, Tolerances, Trail};
 use crate::math::wrap;
 use crate::{Flags, Solution};
@@ -13,6 +14,9 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         if trail.doubt && !(self.takes(trail, &mut solution) && self.verified(trail, &mut solution)) {
             return;
         }
+        if solution.free.contains(VIRTUAL) {
+            solution.free = solution.free.without(VIRTUAL) | self.facts.stands_for;
+        }
         self.list(solution);
     }
 
@@ -21,8 +25,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
     fn verified(&mut self, trail: &Trail<T>, solution: &mut Solution<T, N>) -> bool {
         let facts = self.facts;
         let start = Iterate::at(facts, self.goal, self.arm, solution.q);
-        // Joints before a clamped stage are what they have to be: the branch is missed by what it is missed by.
-        let end = if trail.clamped { start } else { refined(facts, self.goal, self.arm, start) };
+        let end = refined(facts, self.goal, self.arm, start);
         (solution.q, solution.residual) = (end.q, end.residual);
         let exact = facts.relative(&solution.residual) <= T::EXACT;
         if !exact {

@@ -303,6 +303,20 @@ joints:
   - {type: prismatic, a: 0.05, alpha: 40, d: 0.1, theta: 0, limits: [0, 0.4]}
 tool: {xyz: [0.05, 0.02, 0.1], rpy: [20, 0, 40]}
 " };
+            slide_across_wrist SlideAcrossWrist 6 inverse { yaml = "
+# PRRRRR, axes 2, 3, 4 meet; axis 1 is at right angles to axis 6 at many poses, where the first equation has no q1
+name: slide_across_wrist
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose, require: true}
+joints:
+  - {type: prismatic, a: 0, alpha: 90, d: 0.182, theta: 0}
+  - {a: 0, alpha: -60, d: 0.5244, theta: 0}
+  - {a: 0, alpha: 90, d: 0, theta: 0}
+  - {a: 0.175, alpha: -90, d: 0.304, theta: 90}
+  - {a: 0.3283, alpha: -21.754, d: 0.141, theta: 180}
+  - {a: 0.294, alpha: -45, d: 0.183, theta: -90}
+" };
         }
     };
 }

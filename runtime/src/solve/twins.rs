@@ -1,0 +1,70 @@
+//! The roots of two equations in two joints made accurate, two that nearly meet included.
+
+use super::curve::{Across, Found, Moving, Place, beside, newton};
+use super::{Stage, Tolerances};
+
+/// Replaces every root of the rows by one that is accurate: two candidates for two close roots by one each. Returns
+/// whether all of them are roots beyond doubt.
+///
+/// The second row says that `across` is of equal length over either joint, and knows two close roots to the root of
+/// rounding where that vector nearly vanishes.
+pub(super) fn with_twins<T, X, Z>(stage: &mut Stage<T, 2, 4>, (p, q): (&[X; 2], &[Z; 2]), across: &Across<X, Z>) -> bool
+where
+    T: Tolerances,
+    X: Moving<T>,
+    Z: Moving<T>,
+{
+    let ([row_p, _], [row_q, _]) = (p, q);
+    let rows = (row_p, row_q);
+    let apart = |[x, z]: &Place<T>, [u, w]: &Place<T>| X::between(x, u).max(Z::between(z, w));
+    let mut found = stage.roots;
+    let mut done = 0;
+    let mut sure = true;
+    // Every pass is done with one root or two.
+    for _ in 0..4 {
+        let Some(&root) = found.get(done).filter(|_| done < stage.len) else { break };
+        let Found { place: itself, sure: known } = newton(p, q, root);
+        let size = across.relative(&root);
+        let near = if size < T::DOUBTFUL { beside(rows, across, root) } else { [None; 2] };
+        sure &= known && size >= T::DOUBTFUL;
+        // Two candidates for two roots that are closer than the quartic tells apart, which is the fourth root of
+        // rounding at worst: one each.
+        let close = |other: &Place<T>| apart(other, &root) < T::COINCIDENT.sqrt();
+        let twin = found.iter().take(stage.len).skip(done + 1).position(close);
+        if let Some(twin) = twin {
+            found.swap(done + 1, done + 1 + twin);
+        }
+        let pair = if let ([Some(first), Some(second)], Some(_)) = (near, twin) {
+            [Some(first), Some(second)]
+        } else {
+            let nearest = near
+                .into_iter()
+                .flatten()
+                .min_by(|a, b| apart(a, &root).partial_cmp(&apart(b, &root)).unwrap_or(core::cmp::Ordering::Equal));
+            // One that is farther away belongs to another candidate, unless this one is no root itself.
+            let close = size * T::HALF * T::HALF + T::COINCIDENT;
+            let taken = |other: &Place<T>| apart(other, &root) < close || across.gap(rows, &itself) > T::VANISHING;
+            [nearest.filter(taken).or(Some(itself)), None]
+        };
+        for value in pair.into_iter().flatten() {
+            if let Some(slot) = stage.roots.get_mut(done) {
+                *slot = value;
+            }
+            done += 1;
+        }
+    }
+    sure && distinct::<T, X, Z>(stage)
+}
+
+/// Whether no two candidates have become the same root.
+pub(super) fn distinct<T, X, Z>(stage: &Stage<T, 2, 4>) -> bool
+where
+    T: Tolerances,
+    X: Moving<T>,
+    Z: Moving<T>,
+{
+    let roots = stage.roots.iter().take(stage.len);
+    roots.clone().enumerate().all(|(i, [x, z])| {
+        roots.clone().skip(i + 1).all(|[u, w]| X::between(x, u).max(Z::between(z, w)) > T::COINCIDENT)
+    })
+}
