@@ -156,6 +156,22 @@ pub trait Arm<T, const N: usize> {
 
 /// Inverse kinematics in closed form of an arm with `N` joints in scalar `T`.
 ///
+/// # The longest call
+/// A call of [`inverse`](Self::inverse), [`inverse_near`](Self::inverse_near) or [`inverse_branch`](Self::inverse_branch)
+/// takes at most 12 cascades and 200 evaluations of [`forward_and_jacobian`](Arm::forward_and_jacobian). That holds for
+/// arguments of any bits. A cascade is one run of the closed form through all branches. An ordinary target takes one
+/// cascade and no evaluation. See [`effort`](crate::effort).
+///
+/// # Targets
+/// A target that is not finite gives [`Status::BadTarget`]. A rotation that is off by more than rounding and by at most
+/// 1e-3 is replaced by the nearest one: solutions, flags and residuals refer to that, and
+/// [`Solutions::deviation`](crate::Solutions::deviation) says how far off the target was. A rotation further off is a
+/// bad target; [`Pose::orthonormalized`] gives the nearest rotation for it too.
+///
+/// A target out of reach gives [`Status::Unreachable`] with the least gap of a stage. The distance, and where the arm
+/// comes closest, are found by [`numeric`](crate::numeric#targets-out-of-reach).
+///
+/// # Example
 /// ```
 /// use denhart::{InverseKinematics, Solution, Status};
 ///
@@ -197,8 +213,8 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
     #[must_use]
     fn inverse_near(&self, target: &Self::Target, q_ref: &[T; N]) -> Self::Solutions;
 
-    /// The solution of [`inverse`](Self::inverse) on one branch, without computing the others: for control loops that
-    /// stay on a branch. [`Solution::next_to`] puts it on the turn next to where the arm is.
+    /// The solution of [`inverse`](Self::inverse) on one branch, without computing the others, also at singular poses: for
+    /// control loops that stay on a branch. [`Solution::next_to`] puts it on the turn next to where the arm is.
     ///
     /// Where two branches meet they are one solution, flagged [`BOUNDARY`](crate::Flags::BOUNDARY): the answer to
     /// either. Parts that `branch` does not name may be any, and the first such solution is returned, an exact one if
@@ -206,8 +222,8 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
     /// ([`Branch::root`](crate::Branch::root)) means a branch at one target only: roots are numbered anew at the next.
     ///
     /// # Errors
-    /// [`Status::BadTarget`], or [`Status::Unreachable`] with the gap at which the branch ends, infinite where the
-    /// target has no such branch.
+    /// [`Status::BadTarget`], or [`Status::Unreachable`] with the gap at which the branch ends; the reach of the arm where
+    /// the target has no such branch.
     fn inverse_branch(&self, target: &Self::Target, branch: Branch) -> OneSolution<T, N>;
 
     /// By how much `q` misses the target, from the arm's own `forward`: only what the target asks for counts.

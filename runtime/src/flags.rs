@@ -10,14 +10,16 @@ pub struct Flags(u8);
 impl Flags {
     /// The empty set.
     pub const NONE: Self = Self(0);
-    /// The solution reaches the target up to rounding.
+    /// The solution reaches the target up to rounding; of a target whose rotation is slightly off, the pose with the
+    /// nearest rotation.
     pub const EXACT: Self = Self(1);
     /// Two branches meet here: the target lies on the edge of what this branch reaches.
     pub const BOUNDARY: Self = Self(1 << 1);
     /// A singular pose: the joints of [`Solution::free`](crate::Solution::free) could take other values, and the
     /// joints solved after them would move with them.
     pub const FREE: Self = Self(1 << 2);
-    /// The solution misses the target by its residual, which is more than rounding.
+    /// The solution misses the target by its residual, which is more than rounding and within the tolerance of the
+    /// arm's file.
     pub const APPROXIMATE: Self = Self(1 << 3);
     /// A joint value lies outside the arm's limits.
     pub const OUT_OF_LIMITS: Self = Self(1 << 4);

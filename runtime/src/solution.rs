@@ -42,7 +42,8 @@ pub struct Solution<T, const N: usize> {
     pub free: JointMask,
     /// The branch that the solution lies on.
     pub branch: Branch,
-    /// How far the tool is from the target by the gaps of the closed form: zero where none of its stages was clamped.
+    /// What the solution misses the target by: zero for an ordinary one, which the closed form gives to rounding; by
+    /// forward kinematics for one at a singular pose or at the boundary of reach, which is verified.
     pub residual: Residual<T>,
 }
 
@@ -174,12 +175,17 @@ pub enum Status<T> {
     /// No solution is exact. Those that come within the tolerance are still listed, as
     /// [`APPROXIMATE`](Flags::APPROXIMATE).
     Unreachable {
-        /// The least stage gap over all branches: how far the target is out of reach of the branch that comes closest,
-        /// in the length unit where a length stops it, in rad where an angle does.
+        /// The least gap over all branches: by how much the first equation of a branch without a root misses one. An
+        /// equation of lengths gives a length, one of directions an angle in rad. If a solution is listed that misses by
+        /// less, the larger part of its residual. The reach of the arm where no gap is known.
+        ///
+        /// This is not the distance to the workspace, as the equations after the one that is missed do not count.
+        /// [`numeric`](crate::numeric#targets-out-of-reach) finds that distance.
         residual: T,
     },
-    /// The target, or the reference joint vector, is not finite, or the rotation is none: its rows deviate from an
-    /// orthonormal frame by more than 1e-6 (1e-3 in single precision), or its determinant is -1.
+    /// The target, or the reference joint vector, is not finite, or the rotation is none: it is off by more than 1e-3, or
+    /// its determinant is -1. One that is off by less stands for the nearest rotation, see
+    /// [`Solutions::deviation`](crate::Solutions::deviation).
     BadTarget,
 }
 
@@ -196,7 +202,7 @@ impl<T: fmt::LowerExp> fmt::Display for Status<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Reachable => f.write_str("reachable"),
-            Self::Unreachable { residual } => write!(f, "unreachable: the closest branch misses by {residual:.1e}"),
+            Self::Unreachable { residual } => write!(f, "unreachable: the least gap of a branch is {residual:.1e}"),
             Self::BadTarget => f.write_str("bad target: not finite, or not a rotation"),
         }
     }
@@ -244,7 +250,7 @@ mod tests {
     fn status_and_residual_read_as_text() {
         let far = Status::Unreachable { residual: 0.0123 };
         assert!(Status::<f64>::Reachable.is_reachable() && !far.is_reachable());
-        assert_eq!(format!("{far}"), "unreachable: the closest branch misses by 1.2e-2");
+        assert_eq!(format!("{far}"), "unreachable: the least gap of a branch is 1.2e-2");
         assert_eq!(format!("{}", Status::<f32>::Reachable), "reachable");
         assert_eq!(
             format!("{}", Residual { position: 2e-16, orientation: 0.0 }),

@@ -78,6 +78,48 @@ pub fn compare(title: &str, mut cases: Vec<Case<'_>>, rounds: usize) -> Table {
     Table { title: title.to_owned(), lines: lines.collect() }
 }
 
+/// Time of one call for each input, ns: the least of several passes over all inputs, so that an interrupt of the machine
+/// does not count as a slow call.
+///
+/// A pass repeats each call until it has taken `steady`, far longer than reading the clock takes.
+pub fn least<I, O>(inputs: &[I], passes: usize, steady: Duration, function: impl Fn(&I) -> O) -> Vec<f64> {
+    let timed = |input: &I, calls: u32| {
+        let start = Instant::now();
+        for _ in 0..calls {
+            black_box(function(black_box(input)));
+        }
+        nanoseconds(start.elapsed()) / f64::from(calls)
+    };
+    let calls = |input: &I| (nanoseconds(steady) / timed(input, 2)).ceil().max(1.0) as u32;
+    let calls: Vec<u32> = inputs.iter().map(calls).collect();
+    let mut times = vec![f64::INFINITY; inputs.len()];
+    for _ in 0..passes {
+        for ((input, calls), time) in inputs.iter().zip(&calls).zip(&mut times) {
+            *time = time.min(timed(input, *calls));
+        }
+    }
+    times
+}
+
+/// Median, and what 1 %, 0.1 % and none of the values exceed.
+#[derive(Debug, Clone, Copy)]
+pub struct Tail {
+    pub median: f64,
+    pub hundredth: f64,
+    pub thousandth: f64,
+    pub worst: f64,
+}
+
+impl Tail {
+    /// Of one value or more.
+    pub fn of(values: impl IntoIterator<Item = f64>) -> Self {
+        let mut values: Vec<f64> = values.into_iter().collect();
+        values.sort_by(f64::total_cmp);
+        let at = |share: f64| values[((values.len() - 1) as f64 * share).ceil() as usize];
+        Self { median: at(0.5), hundredth: at(0.99), thousandth: at(0.999), worst: at(1.0) }
+    }
+}
+
 fn nanoseconds(duration: Duration) -> f64 {
     duration.as_secs_f64() * 1e9
 }
@@ -106,6 +148,17 @@ impl fmt::Display for Table {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_worst_call_is_the_one_of_most_work() {
+        let work = |n: &usize| (0..*n).fold(1.0_f64, |y, _| black_box(y).sin());
+        let times = least(&[20, 20, 400, 20], 5, Duration::from_micros(2), work);
+        let Tail { median, worst, .. } = Tail::of(times.iter().copied());
+        assert_eq!(worst, times[2], "{times:?}");
+        assert!(worst > 4.0 * median, "{times:?}");
+        let Tail { median, hundredth, thousandth, worst } = Tail::of((0..=1000).rev().map(f64::from));
+        assert_eq!([median, hundredth, thousandth, worst], [500.0, 990.0, 999.0, 1000.0]);
+    }
 
     #[test]
     fn a_case_of_twice_the_work_takes_longer() {

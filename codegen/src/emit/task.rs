@@ -125,8 +125,11 @@ pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>)
         },
         Task::Pose => TaskCode {
             target: quote!(#krate::Pose<#scalar>),
-            doc: format!("`target`: pose of the tool in the base frame, position in {unit}."),
-            bad: "is not finite or its rotation is not one",
+            doc: format!(
+                "`target`: pose of the tool in the base frame, position in {unit}. A rotation that is off by at most 1e-3 \
+                 stands for the nearest one; `deviation()` of the solutions says how far off it was."
+            ),
+            bad: "is not finite or its rotation is off by more",
             goal: quote! {
                 let nearest = #krate::solve::nearest_rotation(target, &mut solutions);
                 let goal = nearest.as_ref().unwrap_or(target);

@@ -26,6 +26,26 @@
 //! below 1e-8 of the largest (f32: 3e-4) count as zero. Damping never falls below rounding, so that no step divides by
 //! zero.
 //!
+//! # Targets out of reach
+//! The closed form says that a target is out of reach, and by how much one of its equations is missed at least. The
+//! distance, and where the arm comes closest, are found by iteration from the joint values where the arm is:
+//!
+//! ```
+//! use denhart::numeric::NumericInverse;
+//! use denhart::{Arm, Pose, Residual};
+//!
+//! /// Where the arm comes closest to a target out of reach, and what is left in position and orientation.
+//! fn closest<A: Arm<f64, N>, const N: usize>(arm: &A, target: &Pose<f64>, q: &[f64; N]) -> ([f64; N], Residual<f64>) {
+//!     let closest = NumericInverse::new().max_iterations(300).solve(arm, target, q);
+//!     (closest.q, closest.residual)
+//! }
+//! ```
+//!
+//! Closest is where lengths over the [`length`](NumericInverse::length) and angles together miss least, next to the start
+//! and within the limits. There the iteration ends as [`Stop::Stalled`]. After [`Stop::IterationBound`] more iterations
+//! may come closer. Other starts may lead to other such places. With [`NumericInverse::task`] only a position, or a
+//! position and one axis, counts.
+//!
 //! # Limits
 //! Joints stay within the arm's limits at every iterate. A joint at its limit that the error pushes outward is held for
 //! the step, and the others solve the rest (Bertsekas 1982, "Projected Newton methods", SIAM J. Control Optim. 20(2)). A
