@@ -20,14 +20,16 @@ pub fn align<T: Tolerances>(home: Home<T>, measure: Measure<T>, from: [T; 2], to
     Stage::solved([[Turn::of(cross * k, dot * k)]], measure)
 }
 
-/// The same where one of the vectors is short. Both vectors have one length; where only one of them vanishes, a stage
-/// before is at the edge of its range, and the direction of that vector is the limit on its branch.
+/// The same where one of the vectors is short. Both vectors have one length. Where a stage before is at the edge of its
+/// range, one of them has the sine of the edge root alone, and with it the direction of the limit on its branch.
 #[cold]
 #[inline(never)]
 fn short<T: Tolerances>(home: Home<T>, measure: Measure<T>, from: [T; 2], to: [T; 2]) -> Stage<T, 1, 1> {
     let [u, v] = [from, to].map(|[x, y]| x.abs().max(y.abs()));
     let vanishing = home.free_below * measure.scale;
-    if !(u.max(v) > vanishing) || !(u.min(v) > T::ZERO) {
+    // What a later stage sees of an edge root's sine; rounding leaves more of a vector that vanishes by itself.
+    let limit = u.min(v) > T::ZERO && u.min(v) <= T::LEAST_SINE * T::TWO * measure.scale;
+    if !(u.min(v) > vanishing || limit && u.max(v) > vanishing) {
         return Stage::free([Turn::ZERO], home, T::ZERO, measure);
     }
     // Scaled first, so that no square vanishes.

@@ -79,8 +79,8 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
     best
 }
 
-/// The step that minimizes `|J step - error|^2 + damping |step|^2`, with lengths over reach throughout: the rows of J are
-/// rotated (Givens 1958) into the triangle that starts as `sqrt(damping) I`. Unlike the normal equations this keeps
+/// The step that minimizes `|J step - error|^2 + damping |step|^2`, with lengths over reach throughout. The rows of J are
+/// reflected (Householder 1958) into the triangle that starts as `sqrt(damping) I`. Unlike the normal equations this keeps
 /// singular values down to the rounding of J itself, which is what the steps near a fold need.
 fn damped_step<T: Tolerances, const N: usize>(
     facts: &Facts<T, N>,
@@ -89,34 +89,49 @@ fn damped_step<T: Tolerances, const N: usize>(
     damping: T,
 ) -> Option<[T; N]> {
     let k = T::ONE / facts.reach;
-    let mut triangle = [[T::ZERO; N]; N];
-    let mut right = [T::ZERO; N];
-    for (i, line) in triangle.iter_mut().enumerate() {
-        *line.get_mut(i)? = damping.sqrt();
-    }
-    for (i, (row, e)) in jacobian.rows.iter().zip(error).enumerate() {
-        let (mut row, mut e) = (*row, *e);
+    let mut rows = jacobian.rows;
+    for (i, row) in rows.iter_mut().enumerate() {
         for (joint, entry) in row.iter_mut().enumerate() {
             *entry = *entry * facts.unit(joint) * if i < 3 { k } else { T::ONE };
         }
-        for (j, (line, value)) in triangle.iter_mut().zip(&mut right).enumerate() {
-            let (diagonal, below) = (*line.get(j)?, *row.get(j)?);
-            let length = (diagonal * diagonal + below * below).sqrt();
-            if !(length > T::ZERO) {
-                continue;
+    }
+    let mut error = *error;
+    let mut triangle = [[T::ZERO; N]; N];
+    let mut step = [T::ZERO; N];
+    let start = damping.sqrt();
+    for (j, (line, right)) in triangle.iter_mut().zip(&mut step).enumerate() {
+        let mut across = [T::ZERO; 6];
+        for (entry, row) in across.iter_mut().zip(&rows) {
+            *entry = *row.get(j)?;
+        }
+        let square = across.iter().fold(start * start, |sum, entry| sum + *entry * *entry);
+        let length = square.sqrt();
+        let first = start + length;
+        // The reflection that takes (start, across) to (-length, 0).
+        let share = T::ONE / (length * first);
+        *line.get_mut(j)? = -length;
+        for column in j + 1..N {
+            let mut sum = T::ZERO;
+            for (row, entry) in rows.iter().zip(&across) {
+                sum += *row.get(column)? * *entry;
             }
-            let inverse = T::ONE / length;
-            let (c, s) = (diagonal * inverse, below * inverse);
-            for (upper, lower) in line.iter_mut().zip(&mut row).skip(j) {
-                (*upper, *lower) = (c * *upper + s * *lower, c * *lower - s * *upper);
+            let sum = sum * share;
+            *line.get_mut(column)? = -(sum * first);
+            for (row, entry) in rows.iter_mut().zip(&across) {
+                let place = row.get_mut(column)?;
+                *place = *place - sum * *entry;
             }
-            (*value, e) = (c * *value + s * e, c * e - s * *value);
+        }
+        let sum = error.iter().zip(&across).fold(T::ZERO, |sum, (e, entry)| sum + *e * *entry) * share;
+        *right = -(sum * first);
+        for (e, entry) in error.iter_mut().zip(&across) {
+            *e = *e - sum * *entry;
         }
     }
-    let mut step = [T::ZERO; N];
     for (j, line) in triangle.iter().enumerate().rev() {
         let known = line.iter().zip(&step).skip(j + 1).fold(T::ZERO, |sum, (a, x)| sum + *a * *x);
-        *step.get_mut(j)? = (*right.get(j)? - known) / *line.get(j)?;
+        let value = step.get_mut(j)?;
+        *value = (*value - known) / *line.get(j)?;
     }
     for (joint, change) in step.iter_mut().enumerate() {
         *change *= facts.unit(joint);

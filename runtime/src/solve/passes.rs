@@ -1,6 +1,7 @@
 //! Following the branches again with a free joint elsewhere.
 
-use super::place::{PLACES, Samples, stroke, turn};
+use super::place::{NODES, PLACES, Roots, Samples, stroke, turn};
+use super::stage::Level;
 use super::{Facts, Search, Tolerances, Trail};
 use crate::math::wrap;
 use crate::{Branch, JointMask, Solution};
@@ -16,8 +17,10 @@ const CROSSINGS: [f64; 2] = [1.0 / 16.0, 9.0 / 16.0];
 enum Pass {
     /// The level at one of three places of the first or second free joint; nothing is listed.
     Sample { second: bool, place: usize },
-    /// The place of one open branch.
-    Open(usize),
+    /// The place of one open branch; again, with a stage after the one that misses.
+    Open { index: usize, again: bool },
+    /// The level of that stage at one of five nodes; nothing is listed.
+    Node { index: usize, node: usize },
     /// One more member of crossing families.
     Cross(usize),
 }
@@ -32,11 +35,16 @@ struct Open<T> {
     joints: [JointMask; 2],
     /// The levels of the stage that misses.
     samples: Samples<T>,
+    /// Those of the stage after that, and the interval in which the first one has roots.
+    roots: Roots<T>,
+    span: [T; 2],
     /// How far the free joints are from home at the branch's place, in turns or strokes.
     steps: [T; 2],
     /// Whether that place is known, and whether the stage has roots there.
     known: bool,
     feasible: bool,
+    /// Whether a solution has been found there.
+    met: bool,
     /// Where a joint that is nearly free has been, and how far it may move from there without moving the tool; infinite
     /// for a joint that is free.
     value: T,
@@ -44,6 +52,19 @@ struct Open<T> {
 }
 
 impl<T: Tolerances> Open<T> {
+    /// Goes to a place of the interval: its middle and a share of half its width.
+    fn go(&mut self, share: T) {
+        let [middle, half] = self.span;
+        let [first, _] = &mut self.steps;
+        *first = (middle + half * share) / T::TAU;
+    }
+
+    /// Whether the stage that misses has roots in an interval.
+    fn spans(&self) -> bool {
+        let [_, half] = self.span;
+        half > T::COINCIDENT
+    }
+
     /// Whether two joints may move.
     fn two(&self) -> bool {
         let [_, second] = self.joints;
@@ -55,9 +76,12 @@ impl<T: Tolerances> Open<T> {
         crossing: None,
         joints: [JointMask::NONE; 2],
         samples: Samples::NONE,
+        roots: Roots::NONE,
+        span: [T::ZERO; 2],
         steps: [T::ZERO; 2],
         known: false,
         feasible: false,
+        met: false,
         value: T::ZERO,
         slack: T::INFINITY,
     };
@@ -78,19 +102,33 @@ pub(super) struct Passes<T, const N: usize, const M: usize> {
     free: JointMask,
     /// Of these the first ones, and others: those that either step moves.
     moving: [JointMask; 2],
+    /// Whether every level that misses is of degree 1 in its joint: no slide follows the joint.
+    simple: bool,
     /// Open branches, the first `len`.
     open: [Open<T>; M],
     len: usize,
     /// Where joints stay with the free joints at home.
     homes: [T; N],
-    /// The number of solutions after the pass at home.
+    /// The number of solutions after the pass at home, and after the last one.
     at_home: usize,
+    listed: usize,
 }
 
 impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
     fn new(homes: [T; N]) -> Self {
         let (steps, free) = ([T::ZERO; 2], JointMask::NONE);
-        Self { pass: None, steps, free, moving: [free; 2], open: [Open::NONE; M], len: 0, homes, at_home: 0 }
+        Self {
+            pass: None,
+            steps,
+            free,
+            moving: [free; 2],
+            simple: true,
+            open: [Open::NONE; M],
+            len: 0,
+            homes,
+            at_home: 0,
+            listed: 0,
+        }
     }
 
     /// Whether this is not the first pass.
@@ -121,7 +159,11 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
         let step = moved.map_or(T::ZERO, |(_, step)| step);
         let step = match self.pass {
             Some(Pass::Sample { second, place }) if !step.is_finite() => {
-                if facts.prismatic.contains(joint) { stroke(place) } else { turn::<T>(places(second), place) / T::TAU }
+                if facts.prismatic.contains(joint) {
+                    stroke(place)
+                } else {
+                    turn::<T>(self.places(second), place) / T::TAU
+                }
             }
             _ => step,
         };
@@ -150,9 +192,15 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
         }
     }
 
+    /// The number of places at which a joint is sampled: three for levels of degree 1, and for the second joint, so that
+    /// all passes together keep to their bound.
+    fn places(&self, second: bool) -> usize {
+        if second || self.simple { 3 } else { PLACES }
+    }
+
     /// The place of every open branch from the levels at three places of a free joint.
     fn locate(&mut self, facts: &Facts<T, N>, second: bool) {
-        let (steps, homes) = (self.steps, self.homes);
+        let (steps, homes, count) = (self.steps, self.homes, self.places(second));
         for open in self.open_mut().iter_mut().filter(|open| !open.feasible && open.crossing.is_none()) {
             let [one, other] = open.joints;
             let Some(joint) = (if second { other } else { one }).iter().next() else { continue };
@@ -161,13 +209,15 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
             let place = if facts.prismatic.contains(joint) {
                 open.samples.sliding((now - home) / (facts.reach * T::from_f64(STROKE)))
             } else {
-                open.samples.turning(places(second), wrap(now - home), open.slack)
+                open.samples.turning(count, wrap(now - home), open.slack)
             };
-            open.samples = Samples::NONE;
+            if second || place.is_none() {
+                open.samples = Samples::NONE;
+            }
             let Some(place) = place else { continue };
             let [first, _] = steps;
             open.steps = if second { [first, place.step] } else { [place.step, T::ZERO] };
-            open.known = true;
+            (open.known, open.span) = (true, place.span);
             open.feasible = place.feasible;
         }
     }
@@ -176,21 +226,31 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
     fn following(&self) -> Option<Pass> {
         let place = |from: usize| {
             let mut rest = self.open().iter().enumerate().skip(from);
-            rest.find(|(_, open)| open.known && open.crossing.is_none()).map(|(index, _)| Pass::Open(index))
+            rest.find(|(_, open)| open.known && open.crossing.is_none())
+                .map(|(index, _)| Pass::Open { index, again: false })
+        };
+        let after = |from: usize| {
+            let mut rest = self.open().iter().enumerate().skip(from);
+            rest.find(|(_, open)| !open.met && open.spans()).map(|(index, _)| Pass::Node { index, node: 0 })
         };
         let crossing = self.open().iter().any(|open| open.crossing.is_some()).then_some(Pass::Cross(0));
         let seek = self.open().iter().any(|open| open.crossing.is_none());
         match self.pass {
             None if seek => Some(Pass::Sample { second: false, place: 0 }),
             None => crossing,
-            Some(Pass::Sample { second, place }) if place + 1 < places(second) => Some(Pass::Sample { second, place: place + 1 }),
+            Some(Pass::Sample { second, place }) if place + 1 < self.places(second) => {
+                Some(Pass::Sample { second, place: place + 1 })
+            }
             Some(Pass::Sample { second: false, .. })
                 if self.open().iter().any(|open| open.crossing.is_none() && !open.feasible && open.two()) =>
             {
                 Some(Pass::Sample { second: true, place: 0 })
             }
             Some(Pass::Sample { .. }) => place(0).or(crossing),
-            Some(Pass::Open(index)) => place(index + 1).or(crossing),
+            Some(Pass::Open { index, again: false }) => place(index + 1).or(after(0)).or(crossing),
+            Some(Pass::Node { index, node }) if node + 1 < NODES.len() => Some(Pass::Node { index, node: node + 1 }),
+            Some(Pass::Node { index, .. }) => Some(Pass::Open { index, again: true }),
+            Some(Pass::Open { index, again: true }) => after(index + 1).or(crossing),
             Some(Pass::Cross(k)) => (k + 1 < CROSSINGS.len()).then_some(Pass::Cross(k + 1)),
         }
     }
@@ -238,9 +298,16 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
                 }
                 false
             }
-            Some(Pass::Open(index)) => {
+            Some(Pass::Node { index, node }) => {
+                let open = self.passes().open_mut().get_mut(index);
+                if let Some(open) = open.filter(|open| open.joints.contains(&trail.first)) {
+                    open.roots.keep(node, &trail.then);
+                }
+                false
+            }
+            Some(Pass::Open { index, again }) => {
                 let Some(open) = self.passes().open().get(index).copied() else { return false };
-                if !same(open.branch, branch, false) {
+                if !(again && open.joints.contains(&trail.first)) && !same(open.branch, branch, false) {
                     return false;
                 }
                 if let Some(wrist) = open.branch.wrist() {
@@ -278,6 +345,9 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         let single = |joint: Option<usize>| joint.map_or(JointMask::NONE, JointMask::single);
         let joints = [single(first), single(loose.iter().find(|joint| Some(*joint) != first))];
         let open = Open { branch: solution.branch, crossing, joints, value, slack, ..Open::NONE };
+        let Level { low, high, pole, .. } = trail.level;
+        let simple = crossing.is_some() || low < T::ZERO && high < T::MAX && pole == T::ONE;
+        self.passes().simple &= simple;
         self.passes().remember(open, loose);
     }
 
@@ -287,10 +357,24 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
     pub(super) fn next_pass(&mut self) -> bool {
         let (facts, listed) = (self.facts, self.solutions.len());
         let Some(passes) = &mut self.passes else { return false };
+        let met = passes.listed < listed;
+        passes.listed = listed;
         match passes.pass {
             None => passes.at_home = listed,
-            Some(Pass::Sample { second, place }) if place + 1 == places(second) => {
+            Some(Pass::Open { index, .. }) => {
+                if let Some(open) = passes.open_mut().get_mut(index) {
+                    open.met |= met;
+                }
+            }
+            Some(Pass::Sample { second, place }) if place + 1 == passes.places(second) => {
                 passes.locate(facts, second);
+            }
+            Some(Pass::Node { index, node }) if node + 1 == NODES.len() => {
+                if let Some(open) = passes.open_mut().get_mut(index)
+                    && let Some(cosine) = open.roots.place(&open.samples, open.span)
+                {
+                    open.go(cosine);
+                }
             }
             _ => {}
         }
@@ -303,7 +387,14 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
                 let [first, _] = open.map_or([T::ZERO; 2], |open| open.steps);
                 if second { [first, T::NAN] } else { [T::NAN, T::ZERO] }
             }
-            Pass::Open(index) => passes.open().get(index).map_or([T::ZERO; 2], |open| open.steps),
+            Pass::Node { index, node } => {
+                let cosine = T::from_f64(NODES.get(node).copied().unwrap_or(0.0));
+                if let Some(open) = passes.open_mut().get_mut(index) {
+                    open.go(cosine);
+                }
+                passes.open().get(index).map_or([T::ZERO; 2], |open| open.steps)
+            }
+            Pass::Open { index, .. } => passes.open().get(index).map_or([T::ZERO; 2], |open| open.steps),
             Pass::Cross(k) => {
                 let step = T::from_f64(CROSSINGS.get(k).copied().unwrap_or(0.0));
                 [step, step * T::from_f64(3.0)]
@@ -315,10 +406,4 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         }
         true
     }
-}
-
-/// The number of places at which a joint is sampled: the second one at three, so that all passes together keep to their
-/// bound.
-fn places(second: bool) -> usize {
-    if second { 3 } else { PLACES }
 }

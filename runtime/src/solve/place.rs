@@ -16,6 +16,8 @@ const INSIDE: f64 = 0.25;
 pub(super) struct Place<T> {
     pub(super) step: T,
     pub(super) feasible: bool,
+    /// The middle of the feasible interval, rad from home, and half its width; 0 where there is none.
+    pub(super) span: [T; 2],
 }
 
 /// The levels of a stage at places of a free joint.
@@ -85,12 +87,15 @@ impl<T: Tolerances> Samples<T> {
             Some(x) => (x, true),
             None => range.touching(now)?,
         };
-        Some(Place { step: wrap(x) / T::TAU, feasible })
+        let (up, down) = if feasible { (range.next(x, T::ONE), range.next(x, -T::ONE)) } else { (T::ZERO, T::ZERO) };
+        let span = [x + (up - down) * T::HALF, ((up + down) * T::HALF).min(T::PI)];
+        Some(Place { step: wrap(x) / T::TAU, feasible, span })
     }
 
     /// The same for a joint that slides, from the levels at home and one unit either way: `level = a + b u + c u^2`.
     pub(super) fn sliding(&self, now: T) -> Option<Place<T>> {
         let Self { values: [[l0, _], [l1, _], [l2, _], ..], low, high } = *self;
+        let span = [T::ZERO; 2];
         let (a, b, c) = (l0, (l1 - l2) * T::HALF, (l1 + l2) * T::HALF - l0);
         if !(b.abs().max(c.abs()) > T::ROUNDING * (T::ONE + a.abs())) {
             return None;
@@ -104,13 +109,13 @@ impl<T: Tolerances> Samples<T> {
             false => (low, high),
         };
         if !(least <= most) {
-            return Some(Place { step: vertex, feasible: least < most + T::COINCIDENT });
+            return Some(Place { step: vertex, feasible: least < most + T::COINCIDENT, span });
         }
         let at = a + now * (b + now * c);
         let inside = ((most - least) * T::from_f64(INSIDE)).min(T::from_f64(INSIDE));
         let level = at.min(most - inside).max(least + inside);
         if level == at {
-            return Some(Place { step: now, feasible: true });
+            return Some(Place { step: now, feasible: true, span });
         }
         let step = if curved {
             let off = ((level - extreme) / c).max(T::ZERO).sqrt();
@@ -118,7 +123,84 @@ impl<T: Tolerances> Samples<T> {
         } else {
             (level - a) / b
         };
-        Some(Place { step, feasible: true })
+        Some(Place { step, feasible: true, span })
+    }
+}
+
+/// Nodes in an interval, as cosines: those of Chebyshev's polynomial of degree 5.
+pub(super) const NODES: [f64; 5] =
+    [0.951_056_516_295_153_5, 0.587_785_252_292_473_1, 0.0, -0.587_785_252_292_473_1, -0.951_056_516_295_153_5];
+/// Places round the two roots of a stage at which the next one is looked at, and steps that narrow the best one down.
+const ROUND: i32 = 64;
+const NARROW: usize = 36;
+
+/// The levels of the stage that follows on either root of a first one, at the nodes of the first one's interval.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Roots<T> {
+    /// On the first root and on the second.
+    values: [[T; 2]; NODES.len()],
+    low: T,
+    high: T,
+}
+
+impl<T: Tolerances> Roots<T> {
+    /// Nothing is known.
+    pub(super) const NONE: Self = Self { values: [[T::NAN; 2]; NODES.len()], low: T::NAN, high: T::NAN };
+
+    /// Keeps the level at a node: the first one that comes is on the first root, the next other one on the second.
+    pub(super) fn keep(&mut self, node: usize, level: &Level<T>) {
+        let Some([first, second]) = self.values.get_mut(node) else { return };
+        if !first.is_finite() {
+            (self.low, self.high) = (level.low, level.high);
+            (*first, *second) = (level.value, level.value);
+        } else if *second == *first {
+            *second = level.value;
+        }
+    }
+
+    /// The place in the interval, as a cosine, at which the level is farthest inside its range, on either root.
+    ///
+    /// With the roots of the first stage at `+-h`, `cos h` its own level, the levels are `u +- s sin(h)` with
+    /// trigonometric polynomials u and s of degree 2, which the nodes determine (Lagrange's form for half angles).
+    pub(super) fn place(&self, first: &Samples<T>, [middle, half]: [T; 2]) -> Option<T> {
+        let nodes = NODES.map(|node| middle + half * T::from_f64(node));
+        let series = [first.series(3, 0), first.series(3, 1)];
+        let sine = |x: T| {
+            let level = series[0].at(x) / series[1].at(x);
+            ((level - first.low) * (first.high - level)).max(T::ZERO).sqrt()
+        };
+        let mut sums = self.values;
+        for ([mean, share], node) in sums.iter_mut().zip(nodes) {
+            (*mean, *share) = ((*mean + *share) * T::HALF, (*mean - *share) * T::HALF / sine(node));
+        }
+        let inside = |turn: T| {
+            let (s, c) = sin_cos(turn);
+            let x = middle + half * c;
+            let (mut mean, mut share) = (T::ZERO, T::ZERO);
+            for (k, ([m, d], node)) in sums.iter().zip(nodes).enumerate() {
+                let others = nodes.iter().enumerate().filter(|(j, _)| *j != k);
+                let weight = others.fold(T::ONE, |product, (_, other)| {
+                    product * sin_cos((x - *other) * T::HALF).0 / sin_cos((node - *other) * T::HALF).0
+                });
+                mean += weight * *m;
+                share += weight * *d;
+            }
+            let level = mean + share * sine(x).copysign(s);
+            (level - self.low).min(self.high - level)
+        };
+        let step = T::TAU / T::from_i32(ROUND);
+        let places = (0..ROUND).map(|k| step * T::from_i32(k)).filter(|turn| inside(*turn).is_finite());
+        let mut best = places.max_by(|a, b| inside(*a).partial_cmp(&inside(*b)).unwrap_or(Ordering::Equal))?;
+        let mut step = step * T::HALF;
+        for _ in 0..NARROW {
+            for turn in [best - step, best + step] {
+                if inside(turn) > inside(best) {
+                    best = turn;
+                }
+            }
+            step *= T::HALF;
+        }
+        Some(sin_cos(best).1)
     }
 }
 

@@ -206,6 +206,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
         let listed = self.solutions.iter().map(|s| larger(&s.residual));
         let residual = listed.chain(self.least).fold(T::INFINITY, |least, gap| least.min(gap));
         // A quartic without real roots has no gap: all that is known is that the target is not near.
-        Status::Unreachable { residual: if residual.is_finite() { residual } else { self.facts.reach } }
+        let known = residual.is_finite() && residual > T::ZERO;
+        Status::Unreachable { residual: if known { residual } else { self.facts.reach } }
     }
 }

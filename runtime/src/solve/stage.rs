@@ -101,8 +101,9 @@ pub struct Trail<T> {
     pub(super) clamped: bool,
     /// The first joint that is free or weak.
     pub(super) first: JointMask,
-    /// The level of the first stage after it.
+    /// The level of the first stage after it that depends on it, and of the next one.
     pub(super) level: Level<T>,
+    pub(super) then: Level<T>,
 }
 
 impl<T: Tolerances> Trail<T> {
@@ -119,6 +120,7 @@ impl<T: Tolerances> Trail<T> {
         clamped: false,
         first: JointMask::NONE,
         level: Level::NONE,
+        then: Level::NONE,
     };
 
     /// The joints so far that may be elsewhere.
@@ -130,8 +132,12 @@ impl<T: Tolerances> Trail<T> {
     pub(super) fn note(&mut self, Met { gap, angular, amplitude, weak, boundary, free, doubt, level }: Met<T>) {
         // An equation that is met says nothing more.
         let met = level.low == level.high && level.value.abs() <= T::COINCIDENT;
-        if !self.loose().is_empty() && !self.level.value.is_finite() && !met {
-            self.level = Level { pole: level.pole * self.level.pole, ..level };
+        if !self.loose().is_empty() && !met {
+            if !self.level.value.is_finite() {
+                self.level = Level { pole: level.pole * self.level.pole, ..level };
+            } else if !self.then.value.is_finite() {
+                self.then = level;
+            }
         }
         if !doubt {
             return;

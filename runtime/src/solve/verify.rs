@@ -122,12 +122,17 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
             apart(a).partial_cmp(&apart(b)).unwrap_or(core::cmp::Ordering::Equal)
         };
         let same = self.solutions.as_mut_slice().iter_mut();
-        let same = same.filter(|other| coincident(facts, &other.q, &q)).min_by(nearer);
-        if let Some(same) = same {
+        if let Some(same) = same.filter(|other| coincident(facts, &other.q, &q)).min_by(nearer) {
             // The same place, but nearer to the reference: beside a limit a small step would be a whole turn.
             (same.q, same.residual) = (q, residual);
             same.flags.remove(Flags::APPROXIMATE);
             same.flags |= Flags::EXACT;
+            let mut first = true;
+            self.solutions.retain(|other| {
+                let keep = other.q == q && first || !coincident(facts, &other.q, &q);
+                first &= other.q != q;
+                keep
+            });
             return;
         }
         let nearest = self.solutions.as_mut_slice().iter_mut().min_by(nearer);
