@@ -107,8 +107,8 @@ fn outermost<const N: usize>(
 /// short of a solution, and lists the stretched arm as long as it comes within the tolerance.
 ///
 /// The residual of Unreachable is the least gap of a stage: at most twice the push where the first stage measures the
-/// distance that is too long. With a joint given, another stage may come first and magnify the push by its conditioning;
-/// there the bounds are those of [`check_folds`].
+/// distance that is too long. With a joint given, the stage that misses may come after one that bends the elbow, and
+/// measure the push over the sine of that joint, which is above 1e-3 at the joints drawn here.
 pub fn check_outermost<const N: usize>(
     subject: &Subject<N>,
     carried: &Carried,
@@ -136,7 +136,7 @@ pub fn check_outermost<const N: usize>(
             };
             // Up to ten times the bound of EXACT either status is right.
             let says_the_distance = |residual: f64| (0.5..=2.0).contains(&(residual / (push * subject.reach)));
-            let magnified = if subject.task.given.is_some() { 100.0 } else { 2.0 };
+            let magnified = if subject.task.given.is_some() { 1e3 } else { 2.0 };
             let is_a_gap = |residual: f64| residual > 0.0 && residual <= magnified * push * subject.reach;
             match answer.status {
                 Status::Unreachable { residual } if is_a_gap(residual) => {}

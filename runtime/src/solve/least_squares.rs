@@ -5,8 +5,10 @@ use super::{Facts, Goal, Tolerances};
 use crate::math::wrap;
 use crate::{Jacobian, Residual};
 
-/// Steps for a solution near a singularity: more have not closed what these leave.
+/// Steps for a solution near a singularity.
 const STEPS: usize = 6;
+/// Steps as long as each takes at least half of the error, as at a fold of several joints.
+const MOST_STEPS: usize = 24;
 /// Residuals up to so many roundings say nothing about where the solution is, and where the arm is nearly singular a step
 /// that chases them leads far away.
 const NOISE: f64 = 20.0;
@@ -36,7 +38,7 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
     }
 }
 
-/// At most six steps of damped least squares (Levenberg 1944, Marquardt 1963), damping in proportion to the squared
+/// Six steps, or up to 24 while each takes half of the error, of damped least squares (Levenberg 1944, Marquardt 1963), damping in proportion to the squared
 /// error, so that convergence is quadratic. Of two steps in a row one has to reduce the error, else neither is taken
 /// (the watchdog of Chamberlain, Powell, Lemarechal, Pedersen 1982).
 #[cold]
@@ -46,14 +48,17 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
     goal: &dyn Goal<T, N>,
     arm: &dyn Evaluate<T, N>,
     start: Iterate<T, N>,
+    left: &mut usize,
 ) -> Iterate<T, N> {
     let (mut best, mut place) = (start, start);
     let mut boost = T::ONE;
     let floor = T::from_f64(NOISE) * T::EPSILON;
-    for _ in 0..STEPS {
-        if !(place.size > floor * floor) {
+    let mut halved = true;
+    for taken in 0..MOST_STEPS {
+        if !(place.size > floor * floor) || *left == 0 || taken >= STEPS && !halved {
             break;
         }
+        *left -= 1;
         let damping = (place.size + T::EPSILON * T::EPSILON * T::from_f64(16.0)) * boost;
         let Some(step) = damped_step(facts, &place.jacobian, &place.error, damping) else { break };
         let mut q = place.q;
@@ -66,6 +71,7 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
         let next = Iterate::at(facts, goal, arm, q);
         // A step along a narrow curved valley leaves it, and the next one leads back: one step may make it worse.
         let second = place.size > best.size;
+        halved = next.size < best.size * T::HALF * T::HALF;
         if next.size < best.size {
             (best, place) = (next, next);
             boost = (boost * T::from_f64(0.1)).max(T::ONE);

@@ -146,15 +146,19 @@ fn eliminated<T: Tolerances>(
         }
         Stage { len, ..paired(places) }
     };
+    let vanishing = vanishing.max(home.free_below * det.abs());
     if circle.largest() <= vanishing || amplitude(q) < home.free_below {
         return Stage { free: home.joint, ..anywhere() };
     }
     let (roots, len) = angles(&circle);
+    let amplitude = circle.largest() / det.abs();
     // Of small coefficients without a root: a target that is missed by little, wherever z is.
-    if len == 0 && circle.largest() < T::WEAK * det.abs() {
+    if len == 0 && amplitude < T::WEAK {
         return Stage { weak: home.joint, ..anywhere() };
     }
-    Stage { len, ..paired(roots) }
+    let stage = Stage { len, ..paired(roots) };
+    // Of small coefficients with roots: these are known to the root of rounding over the coefficients.
+    if amplitude < T::WEAK { Stage { weak: home.joint, amplitude, ..stage } } else { stage }
 }
 
 /// The squared length of a vector of two rows, as a trigonometric polynomial, and the sum of all squared coefficients.

@@ -1,5 +1,6 @@
 //! Following the branches again with a free joint elsewhere.
 
+extern crate std; //DBG
 use super::place::{NODES, PLACES, Roots, Samples, stroke, turn};
 use super::stage::Level;
 use super::{Facts, Search, Tolerances, Trail};
@@ -102,6 +103,8 @@ pub(super) struct Passes<T, const N: usize, const M: usize> {
     free: JointMask,
     /// Of these the first ones, and others: those that either step moves.
     moving: [JointMask; 2],
+    /// The joints that are free on crossings.
+    crossed: JointMask,
     /// Whether every level that misses is of degree 1 in its joint: no slide follows the joint.
     simple: bool,
     /// Open branches, the first `len`.
@@ -122,6 +125,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
             steps,
             free,
             moving: [free; 2],
+            crossed: free,
             simple: true,
             open: [Open::NONE; M],
             len: 0,
@@ -155,6 +159,12 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
     #[cold]
     #[inline(never)]
     pub(super) fn away(&self, facts: &Facts<T, N>, joint: usize, home: T) -> T {
+        if let (Some(Pass::Cross(_)), [step, _]) = (self.pass, self.steps) {
+            // Each of the free joints at another place.
+            let before = self.crossed.iter().filter(|other| *other < joint).count();
+            let moves = self.crossed.contains(joint) && !facts.prismatic.contains(joint);
+            return if moves { wrap(home + T::TAU * step * T::from_i32(2 * before as i32 + 1)) } else { home };
+        }
         let moved = self.moving.iter().zip(self.steps).find(|(moving, _)| moving.contains(joint));
         let step = moved.map_or(T::ZERO, |(_, step)| step);
         let step = match self.pass {
@@ -175,7 +185,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
     }
 
     /// Remembers a branch that is missed at home, or on a crossing there.
-    fn remember(&mut self, open: Open<T>, free: JointMask) {
+    fn remember(&mut self, open: Open<T>, free: JointMask, crossed: JointMask) {
         let known = |other: &Open<T>| {
             other.crossing.is_some() == open.crossing.is_some() && same(other.branch, open.branch, true)
         };
@@ -185,6 +195,11 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
         if let Some(slot) = self.open.get_mut(self.len) {
             *slot = open;
             self.len += 1;
+            if open.crossing.is_some() {
+                self.free |= crossed;
+                self.crossed |= crossed;
+                return;
+            }
             self.free |= free;
             for (moving, joint) in self.moving.iter_mut().zip(open.joints) {
                 *moving |= joint;
@@ -277,6 +292,9 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
     /// the open branch that it stands for. A branch that is missed is remembered.
     pub(super) fn takes(&mut self, trail: &Trail<T>, solution: &mut Solution<T, N>) -> bool {
         let branch = solution.branch;
+        if std::env::var_os("DBG").is_some() {
+            std::eprintln!("take {:?} {branch:?} {:?} {trail:?}", self.pass(), solution.q);
+        } //DBG
         if trail.missed && !matches!(self.pass(), Some(Pass::Sample { .. })) {
             self.misses(trail.gap.position.max(trail.gap.orientation));
         }
@@ -348,7 +366,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         let Level { low, high, pole, .. } = trail.level;
         let simple = crossing.is_some() || low < T::ZERO && high < T::MAX && pole == T::ONE;
         self.passes().simple &= simple;
-        self.passes().remember(open, loose);
+        self.passes().remember(open, loose, trail.free);
     }
 
     /// Goes on to the next pass. False if there is none.
@@ -378,6 +396,12 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
             }
             _ => {}
         }
+        if std::env::var_os("DBG").is_some() {
+            std::eprintln!("-- after {:?} listed {listed} free {:?}", passes.pass, passes.free);
+            for o in passes.open() {
+                std::eprintln!("   {o:?}");
+            }
+        } //DBG
         let Some(pass) = passes.following() else { return false };
         passes.pass = Some(pass);
         passes.steps = match pass {
@@ -397,7 +421,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
             Pass::Open { index, .. } => passes.open().get(index).map_or([T::ZERO; 2], |open| open.steps),
             Pass::Cross(k) => {
                 let step = T::from_f64(CROSSINGS.get(k).copied().unwrap_or(0.0));
-                [step, step * T::from_f64(3.0)]
+                [step, T::ZERO]
             }
         };
         let passes = *passes;

@@ -4,6 +4,7 @@ use super::facts::Evaluate;
 use super::passes::Passes;
 use super::stage::Met;
 use super::{Facts, Goal, Home, Measure, Stage, Tolerances, Trail};
+use crate::effort::MOST_EVALUATIONS;
 use crate::limits::within;
 use crate::math::wrap;
 use crate::vector::norm;
@@ -22,6 +23,8 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize> {
     pub(super) homes: [T; N],
     /// The least gap of a stage at which a branch ended, or what a branch that went on misses by.
     pub(super) least: Option<T>,
+    /// How many evaluations of the arm are left.
+    pub(super) left: usize,
     /// What is remembered at a pose that needs further passes.
     pub(super) passes: Option<Passes<T, N, M>>,
 }
@@ -49,7 +52,16 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
             solutions.set_status(Status::Unreachable { residual: farthest });
             return None;
         }
-        Some(Self { facts, arm, goal, solutions, homes: facts.homes(near), least: None, passes: None })
+        Some(Self {
+            facts,
+            arm,
+            goal,
+            solutions,
+            homes: facts.homes(near),
+            least: None,
+            left: MOST_EVALUATIONS,
+            passes: None,
+        })
     }
 
     /// The start of every branch.

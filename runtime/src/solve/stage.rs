@@ -87,7 +87,7 @@ pub struct Trail<T> {
     pub(super) gap: Residual<T>,
     pub(super) flags: Flags,
     pub(super) free: JointMask,
-    /// The smallest relative amplitude of the stages so far.
+    /// The product of the relative amplitudes of the stages so far.
     pub(super) amplitude: T,
     /// Joints that an equation of very small amplitude gave: good only as far as the joints before are.
     pub(super) weak: JointMask,
@@ -99,8 +99,9 @@ pub struct Trail<T> {
     pub(super) missed: bool,
     /// A stage is missed by more than rounding, and the joints before it are what they have to be.
     pub(super) clamped: bool,
-    /// The first joint that is free or weak.
+    /// The first joint that is free or weak, and by how much it may move without moving the tool.
     pub(super) first: JointMask,
+    pub(super) slack: T,
     /// The level of the first stage after it that depends on it, and of the next one.
     pub(super) level: Level<T>,
     pub(super) then: Level<T>,
@@ -119,6 +120,7 @@ impl<T: Tolerances> Trail<T> {
         missed: false,
         clamped: false,
         first: JointMask::NONE,
+        slack: T::INFINITY,
         level: Level::NONE,
         then: Level::NONE,
     };
@@ -143,10 +145,14 @@ impl<T: Tolerances> Trail<T> {
             return;
         }
         self.doubt = true;
-        self.amplitude = self.amplitude.min(amplitude);
+        // What a stage leaves uncertain, the next one magnifies.
+        self.amplitude = (self.amplitude * amplitude).max(T::EPSILON * T::EPSILON);
         self.weak |= weak;
-        if self.first.is_empty() {
-            self.first = free | weak;
+        if self.first.is_empty() && !(free | weak).is_empty() {
+            (self.first, self.slack) = (free | weak, T::INFINITY);
+            if free.is_empty() {
+                self.slack = T::HALF * T::HALF * T::EXACT / amplitude;
+            }
         }
         if angular {
             self.gap.orientation += gap;

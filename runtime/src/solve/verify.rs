@@ -6,6 +6,9 @@ use super::{Facts, Search, Tolerances, Trail};
 use crate::math::wrap;
 use crate::{Flags, Solution};
 
+/// Evaluations kept for the reference of `inverse_near`.
+const RESERVED: usize = 25;
+
 impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
     /// The end of a branch at an awkward pose.
     #[cold]
@@ -24,8 +27,12 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
     /// counts as the gap of its branch.
     fn verified(&mut self, trail: &Trail<T>, solution: &mut Solution<T, N>) -> bool {
         let facts = self.facts;
+        // One evaluation more than this candidate needs is for the reference.
+        let Some(left) = self.left.checked_sub(RESERVED + 1) else { return false };
         let start = Iterate::at(facts, self.goal, self.arm, solution.q);
-        let end = refined(facts, self.goal, self.arm, start);
+        let mut rest = left;
+        let end = refined(facts, self.goal, self.arm, start, &mut rest);
+        self.left = rest + RESERVED;
         (solution.q, solution.residual) = (end.q, end.residual);
         let exact = facts.relative(&solution.residual) <= T::EXACT;
         if !exact {
@@ -111,7 +118,8 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         if !(facts.relative(&start.residual) <= T::DOUBTFUL) {
             return;
         }
-        let Iterate { q, residual, .. } = refined(facts, self.goal, self.arm, start);
+        let mut rest = self.left.saturating_sub(1);
+        let Iterate { q, residual, .. } = refined(facts, self.goal, self.arm, start, &mut rest);
         if !(facts.relative(&residual) <= T::EXACT) {
             return;
         }
