@@ -112,9 +112,9 @@ pub(super) struct Passes<T, const N: usize, const M: usize> {
     len: usize,
     /// Where joints stay with the free joints at home.
     homes: [T; N],
-    /// The number of solutions after the pass at home, and after the last one.
+    /// The number of solutions after the pass at home, and of exact ones after the last pass.
     at_home: usize,
-    listed: usize,
+    exact: usize,
 }
 
 impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
@@ -131,7 +131,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
             len: 0,
             homes,
             at_home: 0,
-            listed: 0,
+            exact: 0,
         }
     }
 
@@ -373,10 +373,10 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
     #[cold]
     #[inline(never)]
     pub(super) fn next_pass(&mut self) -> bool {
-        let (facts, listed) = (self.facts, self.solutions.len());
+        let (facts, listed, exact) = (self.facts, self.solutions.len(), self.solutions.exact().count());
         let Some(passes) = &mut self.passes else { return false };
-        let met = passes.listed < listed;
-        passes.listed = listed;
+        let met = passes.exact < exact;
+        passes.exact = exact;
         match passes.pass {
             None => passes.at_home = listed,
             Some(Pass::Open { index, .. }) => {
