@@ -186,8 +186,10 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
 
     /// Remembers a branch that is missed at home, or on a crossing there.
     fn remember(&mut self, open: Open<T>, free: JointMask, crossed: JointMask) {
-        let known = |other: &Open<T>| {
-            other.crossing.is_some() == open.crossing.is_some() && same(other.branch, open.branch, true)
+        let known = |other: &Open<T>| match (other.crossing, open.crossing) {
+            (None, None) => same(other.branch, open.branch, true),
+            (Some(_), Some(_)) => other.branch == open.branch,
+            _ => false,
         };
         if self.open().iter().any(known) {
             return;

@@ -232,9 +232,9 @@ impl<T: Tolerances> Range<T> {
         self.ends.iter().copied().take(self.len)
     }
 
-    /// Whether the pole says something at x.
+    /// Whether the pole says something at x: the slide is not itself nearly free there.
     fn sound(&self, x: T) -> bool {
-        self.square.at(x) > T::COINCIDENT * self.square.largest()
+        self.square.at(x) > T::WEAK * T::WEAK * self.square.largest()
     }
 
     /// By how much the stage has roots at x.
