@@ -7,7 +7,7 @@ use crate::{Jacobian, Residual};
 
 /// Steps for a solution near a singularity.
 const STEPS: usize = 6;
-/// Steps as long as each takes at least half of the error, as at a fold of several joints.
+/// Steps as long as one of two in a row takes something of the error, as where several singularities meet.
 const MOST_STEPS: usize = 24;
 /// Residuals up to so many roundings say nothing about where the solution is, and where the arm is nearly singular a step
 /// that chases them leads far away.
@@ -38,7 +38,7 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
     }
 }
 
-/// Six steps, or up to 24 while each takes half of the error, of damped least squares (Levenberg 1944, Marquardt 1963), damping in proportion to the squared
+/// Six steps, or up to 24 while one of two in a row takes something of the error, of damped least squares (Levenberg 1944, Marquardt 1963), damping in proportion to the squared
 /// error, so that convergence is quadratic. Of two steps in a row one has to reduce the error, else neither is taken
 /// (the watchdog of Chamberlain, Powell, Lemarechal, Pedersen 1982).
 #[cold]
@@ -51,11 +51,11 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
     left: &mut usize,
 ) -> Iterate<T, N> {
     let (mut best, mut place) = (start, start);
-    let mut boost = T::ONE;
+    let (mut boost, mut stretch) = (T::ONE, T::ONE);
     let floor = T::from_f64(NOISE) * T::EPSILON;
-    let mut halved = true;
+    let mut stalls = 0;
     for taken in 0..MOST_STEPS {
-        if !(place.size > floor * floor) || *left == 0 || taken >= STEPS && !halved {
+        if !(place.size > floor * floor) || *left == 0 || taken >= STEPS && stalls > 1 {
             break;
         }
         *left -= 1;
@@ -63,15 +63,20 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
         let Some(step) = damped_step(facts, &place.jacobian, &place.error, damping) else { break };
         let mut q = place.q;
         for ((value, change), joint) in q.iter_mut().zip(step).zip(0..) {
-            *value += change;
+            *value += change * stretch;
             if !facts.prismatic.contains(joint) && !goal.given().contains(joint) {
                 *value = wrap(*value);
             }
         }
         let next = Iterate::at(facts, goal, arm, q);
+        // At a fold a step goes half of the way and leaves a quarter of the error: the next one is taken twice (Decker,
+        // Keller, Kelley 1983).
+        let ratio = next.size / place.size * T::from_f64(16.0);
+        let fold = stretch == T::ONE && ratio > T::HALF * T::HALF && ratio < T::TWO * T::TWO;
+        stretch = if fold { T::TWO } else { T::ONE };
         // A step along a narrow curved valley leaves it, and the next one leads back: one step may make it worse.
         let second = place.size > best.size;
-        halved = next.size < best.size * T::HALF * T::HALF;
+        stalls = if next.size < best.size { 0 } else { stalls + 1 };
         if next.size < best.size {
             (best, place) = (next, next);
             boost = (boost * T::from_f64(0.1)).max(T::ONE);
