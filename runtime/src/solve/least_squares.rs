@@ -130,13 +130,13 @@ fn damped_step<T: Tolerances, const N: usize>(
             *line.get_mut(column)? = -(sum * first);
             for (row, entry) in rows.iter_mut().zip(&across) {
                 let place = row.get_mut(column)?;
-                *place = *place - sum * *entry;
+                *place -= sum * *entry;
             }
         }
         let sum = error.iter().zip(&across).fold(T::ZERO, |sum, (e, entry)| sum + *e * *entry) * share;
         *right = -(sum * first);
         for (e, entry) in error.iter_mut().zip(&across) {
-            *e = *e - sum * *entry;
+            *e -= sum * *entry;
         }
     }
     for (j, line) in triangle.iter().enumerate().rev() {

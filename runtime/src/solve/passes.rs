@@ -1,6 +1,5 @@
 //! Following the branches again with a free joint elsewhere.
 
-extern crate std; //DBG
 use super::place::{NODES, PLACES, Roots, Samples, stroke, turn};
 use super::stage::Level;
 use super::{Facts, Search, Tolerances, Trail};
@@ -294,9 +293,6 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
     /// the open branch that it stands for. A branch that is missed is remembered.
     pub(super) fn takes(&mut self, trail: &Trail<T>, solution: &mut Solution<T, N>) -> bool {
         let branch = solution.branch;
-        if std::env::var_os("DBG").is_some() {
-            std::eprintln!("take {:?} {branch:?} {:?} {trail:?}", self.pass(), solution.q);
-        } //DBG
         if trail.missed && !matches!(self.pass(), Some(Pass::Sample { .. })) {
             self.misses(trail.gap.position.max(trail.gap.orientation));
         }
@@ -327,7 +323,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
             }
             Some(Pass::Open { index, again }) => {
                 let Some(open) = self.passes().open().get(index).copied() else { return false };
-                if !(again && open.joints.contains(&trail.first)) && !same(open.branch, branch, false) {
+                if !(again && open.joints.contains(&trail.first) || same(open.branch, branch, false)) {
                     return false;
                 }
                 if let Some(wrist) = open.branch.wrist() {
@@ -398,12 +394,6 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
             }
             _ => {}
         }
-        if std::env::var_os("DBG").is_some() {
-            std::eprintln!("-- after {:?} listed {listed} free {:?}", passes.pass, passes.free);
-            for o in passes.open() {
-                std::eprintln!("   {o:?}");
-            }
-        } //DBG
         let Some(pass) = passes.following() else { return false };
         passes.pass = Some(pass);
         passes.steps = match pass {

@@ -6,6 +6,17 @@ use super::{Facts, Search, Tolerances, Trail};
 use crate::math::wrap;
 use crate::{Flags, Solution};
 
+/// What the verification of a candidate has found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Found {
+    /// No solution.
+    Nothing,
+    /// The solution of its branch.
+    Branch,
+    /// A solution that the candidate was not close to: the one of another root, unless that has none of its own.
+    Guess,
+}
+
 /// Evaluations kept for the reference of `inverse_near`.
 const RESERVED: usize = 25;
 
@@ -14,21 +25,28 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
     #[cold]
     #[inline(never)]
     pub(super) fn candidate(&mut self, trail: &Trail<T>, mut solution: Solution<T, N>) {
-        if trail.doubt && !(self.takes(trail, &mut solution) && self.verified(trail, &mut solution)) {
+        let mut found = Found::Branch;
+        if trail.doubt {
+            if !self.takes(trail, &mut solution) {
+                return;
+            }
+            found = self.verified(trail, &mut solution);
+        }
+        if found == Found::Nothing {
             return;
         }
         if solution.free.contains(VIRTUAL) {
             solution.free = solution.free.without(VIRTUAL) | self.facts.stands_for;
         }
-        self.list(solution);
+        self.list(solution, found);
     }
 
     /// Verifies a solution; refines it if that closes it. What stays beyond the tolerance is no solution; its residual
     /// counts as the gap of its branch.
-    fn verified(&mut self, trail: &Trail<T>, solution: &mut Solution<T, N>) -> bool {
+    fn verified(&mut self, trail: &Trail<T>, solution: &mut Solution<T, N>) -> Found {
         let facts = self.facts;
         // One evaluation more than this candidate needs is for the reference.
-        let Some(left) = self.left.checked_sub(RESERVED + 1) else { return false };
+        let Some(left) = self.left.checked_sub(RESERVED + 1) else { return Found::Nothing };
         let start = Iterate::at(facts, self.goal, self.arm, solution.q);
         let mut rest = left;
         let end = refined(facts, self.goal, self.arm, start, &mut rest);
@@ -52,11 +70,19 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         if !listed {
             self.misses(solution.residual.position.max(solution.residual.orientation));
         }
-        listed
+        match listed {
+            false => Found::Nothing,
+            true if exact && trail.loose().is_empty() && !facts.tolerates(&start.residual) => {
+                // Of a nearly real pair of roots.
+                solution.flags |= Flags::BOUNDARY;
+                Found::Guess
+            }
+            true => Found::Branch,
+        }
     }
 
     /// Lists a solution, or the better one of two that coincide.
-    fn list(&mut self, solution: Solution<T, N>) {
+    fn list(&mut self, solution: Solution<T, N>, found: Found) {
         let facts = self.facts;
         let again = self.passes.as_ref().is_some_and(|passes| passes.again());
         let twin = self.solutions.as_mut_slice().iter_mut().find(|other| {
@@ -68,11 +94,13 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
             self.solutions.push(solution);
             return;
         };
-        let met = Flags::BOUNDARY;
+        if found == Found::Guess && twin.is_exact() {
+            return;
+        }
         if facts.relative(&solution.residual) < facts.relative(&twin.residual) {
             *twin = solution;
         }
-        twin.flags |= met;
+        twin.flags |= Flags::BOUNDARY;
     }
 
     /// Unwinds the joints next to the reference (inside the limits where some turn is), keeps the reference's own place
