@@ -21,8 +21,8 @@ macro_rules! constants {
 }
 
 /// Every constant of the trait.
-const CONSTANTS: [Constant; 10] = constants!(
-    ROUNDING VANISHING WEAK DOUBTFUL EXACT CLOSE COINCIDENT MOST_WOUND LARGEST_REACH SMALLEST_REACH
+const CONSTANTS: [Constant; 12] = constants!(
+    ROUNDING VANISHING WEAK DOUBTFUL EXACT CLOSE COINCIDENT LEAST_SINE MINUS_ONE MOST_WOUND LARGEST_REACH SMALLEST_REACH
 );
 
 fn text(path: &str) -> String {

@@ -13,6 +13,7 @@ pub(super) struct Circle<T> {
 
 impl<T: Tolerances> Circle<T> {
     /// Its value.
+    #[inline(never)]
     pub(super) fn at(&self, t: T) -> T {
         let Circle { k0, k1: [k1c, k1s], k2: [k2c, k2s] } = *self;
         let (s, c) = sin_cos(t);

@@ -65,6 +65,10 @@ fn candidates<T: Tolerances>(
             k2: [(*a * *a - *b * *b) * T::HALF * square, *a * *b * square],
         };
         let (roots, len) = angles(&circle);
+        let size = (*a * *a + *b * *b + *c * *c) * square.abs() + (n.abs() + f.abs()) * s2 + (*c * ms).abs();
+        // Where z moves nothing, rounding is all that is left of the polynomial: every angle is as good.
+        let anywhere = len == 0 && circle.largest() <= T::VANISHING * size;
+        let (roots, len) = if anywhere { ([Turn::ZERO; 4], 1) } else { (roots, len) };
         let [line, _] = rows;
         (roots.map(|z| [Turn::position(line.at(&z) / scale), z]), len)
     } else {

@@ -215,6 +215,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
     }
 
     /// The place of every open branch from the levels at three places of a free joint.
+    #[inline(never)]
     fn locate(&mut self, facts: &Facts<T, N>, second: bool) {
         let (steps, homes, count) = (self.steps, self.homes, self.places(second));
         for open in self.open_mut().iter_mut().filter(|open| !open.feasible && open.crossing.is_none()) {
@@ -239,6 +240,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
     }
 
     /// The pass after this one.
+    #[inline(never)]
     fn following(&self) -> Option<Pass> {
         let place = |from: usize| {
             let mut rest = self.open().iter().enumerate().skip(from);

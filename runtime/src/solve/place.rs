@@ -47,6 +47,7 @@ impl<T: Tolerances> Samples<T> {
 
     /// A sample of one of the first `count` as a trigonometric polynomial of the step, by its discrete Fourier transform:
     /// of degree 2 through 5 places, of degree 1 through 3.
+    #[inline(never)]
     fn series(&self, count: usize, part: usize) -> Circle<T> {
         let share = T::ONE / T::from_i32(count as i32);
         let mut circle = Circle { k0: T::ZERO, k1: [T::ZERO; 2], k2: [T::ZERO; 2] };
@@ -69,6 +70,7 @@ impl<T: Tolerances> Samples<T> {
     /// quartics on the unit circle. The place lies in the feasible interval next to `now` (rad from home), inside it by a
     /// quarter, or by `slack` if that is less. Without an interval it is the root at which the level misses its range by
     /// least: the end of an interval that has shrunk to a point. `None` if the level does not depend on x.
+    #[inline(never)]
     pub(super) fn turning(&self, count: usize, now: T, slack: T) -> Option<Place<T>> {
         let (g, square) = (self.series(count, 0), self.series(count, 1));
         let bound = |end: T, sign: T| Circle {
@@ -93,6 +95,7 @@ impl<T: Tolerances> Samples<T> {
     }
 
     /// The same for a joint that slides, from the levels at home and one unit either way: `level = a + b u + c u^2`.
+    #[inline(never)]
     pub(super) fn sliding(&self, now: T) -> Option<Place<T>> {
         let Self { values: [[l0, _], [l1, _], [l2, _], ..], low, high } = *self;
         let span = [T::ZERO; 2];
@@ -162,6 +165,7 @@ impl<T: Tolerances> Roots<T> {
     ///
     /// With the roots of the first stage at `+-h`, `cos h` its own level, the levels are `u +- s sin(h)` with
     /// trigonometric polynomials u and s of degree 2, which the nodes determine (Lagrange's form for half angles).
+    #[inline(never)]
     pub(super) fn place(&self, first: &Samples<T>, [middle, half]: [T; 2]) -> Option<T> {
         let nodes = NODES.map(|node| middle + half * T::from_f64(node));
         let series = [first.series(3, 0), first.series(3, 1)];
@@ -216,6 +220,7 @@ struct Range<T> {
 }
 
 impl<T: Tolerances> Range<T> {
+    #[inline(never)]
     fn new(bounds: [Circle<T>; 2], square: Circle<T>, equation: bool) -> Self {
         let mut range = Self { bounds, square, ends: [T::ZERO; 8], len: 0, equation };
         for bound in &bounds {
@@ -238,12 +243,14 @@ impl<T: Tolerances> Range<T> {
     }
 
     /// By how much the stage has roots at x.
+    #[inline(never)]
     fn inside(&self, x: T) -> T {
         let [above, below] = self.bounds.map(|bound| bound.at(x));
         if self.equation { -above.abs() } else { above.min(below) }
     }
 
     /// The angle from x to the next end one way round; a whole turn without any.
+    #[inline(never)]
     fn next(&self, x: T, way: T) -> T {
         let ahead = |end: T| {
             let ahead = wrap(way * (end - x));
@@ -253,6 +260,7 @@ impl<T: Tolerances> Range<T> {
     }
 
     /// The place next to `now` in an interval, inside it by a quarter or `slack`.
+    #[inline(never)]
     fn interval(&self, now: T, slack: T) -> Option<T> {
         let quarter = T::from_f64(INSIDE);
         let here = (self.inside(now) > T::ZERO && self.sound(now)).then(|| {
@@ -271,6 +279,7 @@ impl<T: Tolerances> Range<T> {
 
     /// Without an interval, the end at which the stage misses by least, and whether by no more than the rounding of a
     /// double root; of several such ends the nearest.
+    #[inline(never)]
     fn touching(&self, now: T) -> Option<(T, bool)> {
         let [above, below] = self.bounds;
         let scale = T::COINCIDENT * above.largest().max(below.largest());

@@ -40,7 +40,7 @@ impl Tolerances for f64 {
     const EXACT: f64 = 8e-13;
     const COINCIDENT: f64 = 2.4e-7;
     const CLOSE: f64 = 1e-4;
-    const LEAST_SINE: f64 = f64::EPSILON * f64::EPSILON;
+    const LEAST_SINE: f64 = 5e-32;
     const MINUS_ONE: f64 = -1.0;
     const MOST_WOUND: f64 = 2048.0;
     const LARGEST_REACH: f64 = 1e60;
@@ -55,7 +55,7 @@ impl Tolerances for f32 {
     const EXACT: f32 = 2e-5;
     const COINCIDENT: f32 = 5.5e-3;
     const CLOSE: f32 = 1e-2;
-    const LEAST_SINE: f32 = f32::EPSILON * 0.01;
+    const LEAST_SINE: f32 = 1e-9;
     const MINUS_ONE: f32 = -1.0;
     const MOST_WOUND: f32 = 64.0;
     const LARGEST_REACH: f32 = 1e8;
