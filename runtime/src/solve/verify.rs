@@ -32,7 +32,10 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
             }
             found = self.verified(trail, &mut solution);
         }
-        if found == Found::Nothing {
+        // What a further pass does not close is no better than what is there.
+        let again = self.passes.as_ref().is_some_and(|passes| passes.again());
+        let worse = again && !solution.is_exact() && self.solutions.exact().next().is_some();
+        if found == Found::Nothing || worse {
             return;
         }
         if solution.free.contains(VIRTUAL) {
