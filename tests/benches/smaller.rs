@@ -12,7 +12,7 @@ use denhart_tests::random::Random;
 use denhart_tests::timing::{Case, compare};
 
 #[path = "../tests/parameters/arms.rs"]
-#[allow(dead_code, reason = "the traits are for the tests")]
+#[allow(dead_code, unused_macros, unused_imports, reason = "the traits and macros are for the tests")]
 mod arms;
 
 /// More than a branch predictor learns by heart.
