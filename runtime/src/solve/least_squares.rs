@@ -38,9 +38,10 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
     }
 }
 
-/// Six steps, or up to 24 while one of two in a row takes something of the error, of damped least squares (Levenberg 1944, Marquardt 1963), damping in proportion to the squared
-/// error, so that convergence is quadratic. Of two steps in a row one has to reduce the error, else neither is taken
-/// (the watchdog of Chamberlain, Powell, Lemarechal, Pedersen 1982).
+/// Damped least squares (Levenberg 1944, Marquardt 1963), damped in proportion to the squared error, so that convergence
+/// is quadratic. Six steps, or up to 24 while one of two in a row reduces the error. Of two steps in a row one has to
+/// reduce it, else neither is taken (the watchdog of Chamberlain, Powell, Lemarechal, Pedersen 1982). Each step takes one
+/// from `left`; without any left there is no step.
 #[cold]
 #[inline(never)]
 pub(super) fn refined<T: Tolerances, const N: usize>(

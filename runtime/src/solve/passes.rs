@@ -15,7 +15,7 @@ const CROSSINGS: [f64; 2] = [1.0 / 16.0, 9.0 / 16.0];
 /// What a further run of the nest is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Pass {
-    /// The level at one of three places of the first or second free joint; nothing is listed.
+    /// The level at one of three or five places of the first or second free joint; nothing is listed.
     Sample { second: bool, place: usize },
     /// The place of one open branch; again, with a stage after the one that misses.
     Open { index: usize, again: bool },
@@ -89,7 +89,9 @@ impl<T: Tolerances> Open<T> {
 
 /// The branches on which a joint is free or nearly so, and which are missed with that joint at home. Such a branch has
 /// roots for an interval of the joint, or at one place alone: a stretched elbow that every other place of the joint
-/// would have to stretch more. Five runs of the nest (three for a slide) tell the level of the stage that misses, and with that the place.
+/// would have to stretch more. Three runs of the nest tell the level of the stage that misses, and with that the place.
+/// Behind a slide the level is of degree 2, and five runs tell it. Five more tell the level of a second stage, where the
+/// first one alone does not lead to a solution.
 ///
 /// A branch may also be met at home just where another stage is singular: there families of solutions cross, and the one
 /// at home does not tell which joints move together on the other. A second member is looked for elsewhere.
@@ -214,7 +216,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Passes<T, N, M> {
         if second || self.simple { 3 } else { PLACES }
     }
 
-    /// The place of every open branch from the levels at three places of a free joint.
+    /// The place of every open branch from the levels at the sampled places of a free joint.
     #[inline(never)]
     fn locate(&mut self, facts: &Facts<T, N>, second: bool) {
         let (steps, homes, count) = (self.steps, self.homes, self.places(second));

@@ -99,9 +99,8 @@ pub struct Trail<T> {
     pub(super) missed: bool,
     /// A stage is missed by more than rounding, and the joints before it are what they have to be.
     pub(super) clamped: bool,
-    /// The first joint that is free or weak, and by how much it may move without moving the tool.
+    /// The first joint that is free or weak.
     pub(super) first: JointMask,
-    pub(super) slack: T,
     /// The level of the first stage after it that depends on it, and of the next one.
     pub(super) level: Level<T>,
     pub(super) then: Level<T>,
@@ -120,7 +119,6 @@ impl<T: Tolerances> Trail<T> {
         missed: false,
         clamped: false,
         first: JointMask::NONE,
-        slack: T::INFINITY,
         level: Level::NONE,
         then: Level::NONE,
     };
@@ -148,11 +146,8 @@ impl<T: Tolerances> Trail<T> {
         // What a stage leaves uncertain, the next one magnifies.
         self.amplitude = (self.amplitude * amplitude).max(T::EPSILON * T::EPSILON);
         self.weak |= weak;
-        if self.first.is_empty() && !(free | weak).is_empty() {
-            (self.first, self.slack) = (free | weak, T::INFINITY);
-            if free.is_empty() {
-                self.slack = T::HALF * T::HALF * T::EXACT / amplitude;
-            }
+        if self.first.is_empty() {
+            self.first = free | weak;
         }
         if angular {
             self.gap.orientation += gap;
