@@ -99,20 +99,29 @@ impl<T: Scalar> Pose<T> {
     /// the lengths of the columns x and y less 1, how much these lean, and the difference of z from their product.
     #[inline]
     pub(crate) fn deviation(&self) -> T {
+        self.squared_deviation().sqrt()
+    }
+
+    /// Its square.
+    #[inline]
+    pub(crate) fn squared_deviation(&self) -> T {
         let [[a, d, g], [b, e, h], [c, f, i]] = self.rotation;
         let unit_x = T::HALF * (a * a + b * b + c * c - T::ONE);
         let unit_y = T::HALF * (d * d + e * e + f * f - T::ONE);
         let right = a * d + b * e + c * f;
         let [u, v, w] = [b * f - c * e - g, c * d - a * f - h, a * e - b * d - i];
         let squares = unit_x * unit_x + unit_y * unit_y + right * right;
-        (squares + u * u + v * v + w * w).sqrt()
+        squares + u * u + v * v + w * w
     }
 
     /// Whether every entry is finite.
     #[inline]
     #[must_use]
     pub fn is_finite(&self) -> bool {
-        self.rotation.iter().flatten().chain(&self.translation).all(|value| value.is_finite())
+        let Self { rotation: [x, y, z], translation } = self;
+        // 0 for a finite number, else not a number; without a branch.
+        let nought = |row: &[T; 3]| row.iter().fold(T::ZERO, |sum, value| sum + *value * T::ZERO);
+        nought(x) + nought(y) + nought(z) + nought(translation) == T::ZERO
     }
 
     #[inline]

@@ -107,6 +107,16 @@ pub(super) fn function(
     } else {
         (quote!(&facts), parameters::sizes(model, target))
     };
+    let (passes, search) = match plan.is_decoupled() {
+        false => (
+            "Once; again with a free joint at another place, where a later stage has no root with that joint at home.",
+            "new",
+        ),
+        true => {
+            ("Once; again with two free joints at other places, where two families of solutions cross.", "decoupled")
+        }
+    };
+    let (passes, search) = (docs::lines(passes), ident(search));
     // Without a choice between roots there is nothing to select.
     let wanted = ident(if plan.max_solutions() > 1 { "wanted" } else { "_wanted" });
     quote! {
@@ -121,22 +131,20 @@ pub(super) fn function(
             let mut solutions = #krate::Solutions::new(#krate::Status::BadTarget);
             #sizes
             #goal
-            let ::core::option::Option::Some(mut search) =
-                #krate::solve::Search::new(#facts, arm, #sought, near, &mut solutions)
-            else {
-                return solutions;
-            };
-            #unpack
-            #given_symbols
-            /// Once; again with a free joint at another place, where a later stage has no root with that joint at home.
-            for _ in 0..#krate::solve::MOST_CASCADES {
-                let start = search.start();
-                #body
-                if search.complete() {
-                    break;
+            let mut search = #krate::solve::Search::#search(#facts, arm, #sought, near, &mut solutions);
+            if search.begins(near) {
+                #unpack
+                #given_symbols
+                #passes
+                for _ in 0..#krate::solve::MOST_CASCADES {
+                    let start = search.start();
+                    #body
+                    if search.complete() {
+                        break;
+                    }
                 }
+                search.finish(near);
             }
-            search.finish(near);
             solutions
         }
     }

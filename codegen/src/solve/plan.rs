@@ -61,6 +61,23 @@ impl Plan {
         self.stages().map(|stage| stage.kernel.most_roots()).product()
     }
 
+    /// Whether every stage after a free joint has its roots wherever that joint is.
+    ///
+    /// So it is where three equations of one joint each bring a point to its place, before a spherical wrist or nothing: a
+    /// joint is free if the point lies on its axis, and then its place moves nothing that a later equation sees. The
+    /// spherical wrist has roots for every rotation.
+    pub fn is_decoupled(&self) -> bool {
+        let kernels: Vec<&Kernel> = self.stages().map(|stage| &stage.kernel).collect();
+        let places = |kernel: &&Kernel| {
+            matches!(kernel, Kernel::Offset { .. } | Kernel::Distance { about: None, .. } | Kernel::Align { .. })
+        };
+        let (position, rest) = kernels.split_at(kernels.len().min(3));
+        self.stages().count() == self.steps.len()
+            && position.len() == 3
+            && position.iter().all(places)
+            && matches!(rest, [] | [Kernel::Wrist { .. }])
+    }
+
     /// A rough cost, to choose among several triples: general pairs are dear, arithmetic breaks ties.
     pub fn effort(&self) -> usize {
         let stages: usize = self.stages().map(|stage| if stage.kernel.roots() > 2 { 10_000 } else { 100 }).sum();

@@ -86,7 +86,7 @@ pub fn angle<T: Scalar>(sin: T, cos: T) -> T {
 /// let angles = denhart::math::angle_array([0.0_f64, 1.0], [-1.0, 0.0]);
 /// assert_eq!(angles, [core::f64::consts::PI, core::f64::consts::FRAC_PI_2]);
 /// ```
-#[inline]
+#[inline(always)]
 pub fn angle_array<T: Scalar, const N: usize>(sines: [T; N], cosines: [T; N]) -> [T; N] {
     T::angle_array(sines, cosines)
 }

@@ -208,7 +208,7 @@ macro_rules! scalar {
             fn angle(self, cos: Self) -> Self {
                 $kernels::angle::angle(self, cos)
             }
-            #[inline]
+            #[inline(always)]
             fn angle_array<const N: usize>(sines: [Self; N], cosines: [Self; N]) -> [Self; N] {
                 $kernels::angle::angle_array(sines, cosines)
             }

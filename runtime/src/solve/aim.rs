@@ -1,5 +1,6 @@
 //! One direction seen from two joints with a sliding joint between them.
 
+use super::stage::Level;
 use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn, offset};
 use crate::vector::{cross, dot, norm, scale};
@@ -60,8 +61,8 @@ pub fn aim<T: Tolerances>(homes: [Home<T>; 2], x: Sight<T>, z: Sight<T>) -> Stag
         let height = T::HALF * (inner * (apart + apart_least) * outer * (opposite + opposite_least)).sqrt();
         let c = height / square;
         let [first, second] = [c, -c].map(|c| angles(&x, &z, plus(middle, normal, c)));
-        let roots = Stage { len: 2, ..Stage::solved([first, second, second], measure) };
-        roots.with_weak(home_x, height.min(square))
+        let roots = [first, second, second];
+        Stage { len: 2, ..Stage::determined(roots, measure, Level::NONE, height.min(square), home_x.joint) }
     } else {
         let gap = (-inner).max(-outer).max(T::ZERO);
         Stage::edge(angles(&x, &z, unit(middle)), gap, measure)

@@ -1,5 +1,6 @@
 //! Turn one plane vector onto another.
 
+use super::stage::Level;
 use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
 
@@ -36,5 +37,5 @@ fn short<T: Tolerances>(home: Home<T>, measure: Measure<T>, from: [T; 2], to: [T
     let ([ux, uy], [vx, vy]) = (from.map(|e| e / u), to.map(|e| e / v));
     let turn = Turn::towards(ux * vy - uy * vx, ux * vx + uy * vy);
     let amplitude = (u.min(v) / measure.scale).max(T::VANISHING);
-    Stage::solved([[turn]], measure).with_weak(home, amplitude)
+    Stage::determined([[turn]], measure, Level::NONE, amplitude, home.joint)
 }

@@ -3,6 +3,7 @@
 use super::stage::Level;
 use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
+use crate::JointMask;
 
 /// The range of that component. The vector's length is fixed, so each end also has a component across.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,25 +33,16 @@ impl<T: Tolerances> Cone<T> {
 /// Two roots, positive first; one at the ends of the range or outside it, then with the gap to the range.
 #[inline]
 pub fn cone<T: Tolerances>(home: Home<T>, measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> Stage<T, 1, 2> {
-    let ([max, _], [min, _]) = (cone.max, cone.min);
-    if max - min < T::DOUBTFUL * measure.scale {
-        return narrow(home, measure, d, rho, cone);
-    }
-    within(measure, d, rho, cone)
-}
-
-/// The turn moves the component hardly or not at all: one of the two is along the turning axis, or nearly.
-#[cold]
-#[inline(never)]
-fn narrow<T: Tolerances>(home: Home<T>, measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> Stage<T, 1, 2> {
     let ([max, max_across], [min, _]) = (cone.max, cone.min);
     let range = max - min;
     if !(range > home.free_below * measure.scale) {
         return Stage::free([Turn::ZERO], home, gap(d, rho, max, max_across), measure);
     }
-    let stage = within(measure, d, rho, cone);
-    let amplitude = stage.amplitude * range / measure.scale;
-    stage.with_weak(home, amplitude)
+    let mut stage = within(measure, d, rho, cone);
+    if range < T::DOUBTFUL * measure.scale {
+        stage.narrowed(home, range / measure.scale);
+    }
+    stage
 }
 
 #[inline]
@@ -79,7 +71,7 @@ fn within<T: Tolerances>(measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> St
     let k = T::ONE / (top + bottom);
     let half_sine = (top * bottom).sqrt() * k;
     let turn = Turn::of(half_sine + half_sine, (bottom - top) * k);
-    Stage::solved([[turn], [turn.reversed()]], measure).with_amplitude(half_sine).at_level(level)
+    Stage::determined([[turn], [turn.reversed()]], measure, level, half_sine, JointMask::NONE)
 }
 
 /// The angle (times length, for points) between `(d, rho)` and an end of the range, zero within rounding.
@@ -92,7 +84,6 @@ fn gap<T: Tolerances>(d: T, rho: T, end: T, across: T) -> T {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::JointMask;
 
     /// A short vector across the turning axis, next to a long one along it: the angle is as accurate as the component.
     #[test]

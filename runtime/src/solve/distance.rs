@@ -3,6 +3,7 @@
 use super::stage::Level;
 use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
+use crate::JointMask;
 
 /// The range of the distance between a point on one link and a point on the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,15 +41,20 @@ impl<T: Tolerances> Elbow<T> {
 /// accurate where the links are stretched and where they are folded, also with links of equal length (`min = 0`).
 ///
 /// Two roots, positive first; one at the ends of the range or outside it, then with the gap to the range.
-#[inline]
+#[inline(always)]
 pub fn distance<T: Tolerances>(home: Home<T>, measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<T, 1, 2> {
-    if elbow.max - elbow.min < T::DOUBTFUL * measure.scale {
-        return narrow(home, measure, rho, elbow);
+    let range = elbow.max - elbow.min;
+    if !(range > home.free_below * measure.scale) {
+        return Stage::free([Turn::ZERO], home, (elbow.max - rho).abs(), measure);
     }
-    within(measure, rho, elbow)
+    let mut stage = within(measure, rho, elbow);
+    if range < T::DOUBTFUL * measure.scale {
+        stage.narrowed(home, range / measure.scale);
+    }
+    stage
 }
 
-#[inline]
+#[inline(always)]
 fn within<T: Tolerances>(measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<T, 1, 2> {
     let (outer, inner) = (elbow.max - rho, rho - elbow.min);
     // The rounding of the distance itself; roots farther apart are told apart.
@@ -63,9 +69,8 @@ fn within<T: Tolerances>(measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<
     let k = T::ONE / (top + bottom);
     let half_sine = (top * bottom).sqrt() * k;
     let turn = Turn::of((half_sine + half_sine) * elbow.side, (bottom - top) * (k * elbow.side));
-    Stage::solved([[turn], [turn.reversed()]], measure)
-        .with_amplitude(half_sine)
-        .at_level(Level::cosine((bottom - top) * k))
+    let level = Level::cosine((bottom - top) * k);
+    Stage::determined([[turn], [turn.reversed()]], measure, level, half_sine, JointMask::NONE)
 }
 
 /// At the ends of the range or outside it, by how much the distance is inside either end.
@@ -77,23 +82,9 @@ fn end<T: Tolerances>(measure: Measure<T>, outer: T, inner: T, side: T) -> Stage
     Stage::edge([turn], gap.max(T::ZERO), measure)
 }
 
-/// The turn moves the point hardly or not at all: one of the two is on the axis or close to it.
-#[cold]
-#[inline(never)]
-fn narrow<T: Tolerances>(home: Home<T>, measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<T, 1, 2> {
-    let range = elbow.max - elbow.min;
-    if !(range > home.free_below * measure.scale) {
-        return Stage::free([Turn::ZERO], home, (elbow.max - rho).abs(), measure);
-    }
-    let stage = within(measure, rho, elbow);
-    let amplitude = stage.amplitude * range / measure.scale;
-    stage.with_weak(home, amplitude)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::JointMask;
 
     /// A point close to the axis turns through any angle within a narrow range of distances: the joint is nearly free.
     #[test]

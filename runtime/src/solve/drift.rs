@@ -14,10 +14,11 @@ pub fn nearest_rotation<T: Tolerances, const N: usize, const M: usize>(
     target: &Pose<T>,
     solutions: &mut Solutions<T, N, M>,
 ) -> Option<Pose<T>> {
-    let deviation = target.deviation();
-    if deviation <= T::ROUNDING {
+    let square = target.squared_deviation();
+    if square <= T::ROUNDING * T::ROUNDING {
         return None;
     }
+    let deviation = square.sqrt();
     solutions.set_deviation(deviation);
     Some(drifted(target, deviation))
 }

@@ -14,7 +14,12 @@ pub trait Goal<T, const N: usize> {
     fn point(&self) -> [T; 3];
 
     /// By how much the tool's pose at `q` misses.
-    fn residual(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T>;
+    fn residual(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T>
+    where
+        Self: Sized;
+
+    /// The same for the search, whose residuals are small: of a rotation by an angle the chord, `2 sin(angle / 2)`.
+    fn misses(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T>;
 
     /// The error that a step has to undo: three lengths, three angles (small-angle vector).
     fn error(&self, q: &[T; N], pose: &Pose<T>) -> [T; 6];
@@ -57,6 +62,16 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for Pose<T> {
         Pose::residual(pose, self)
     }
 
+    fn misses(&self, _: &[T; N], pose: &Pose<T>) -> Residual<T> {
+        let position = norm(sub(self.translation, pose.translation));
+        let rows = self.rotation.iter().zip(&pose.rotation);
+        let square = rows.fold(T::ZERO, |sum, (a, b)| {
+            let miss = sub(*a, *b);
+            sum + dot(miss, miss)
+        });
+        Residual { position, orientation: (square * T::HALF).sqrt() }
+    }
+
     fn error(&self, _: &[T; N], pose: &Pose<T>) -> [T; 6] {
         let [x, y, z] = sub(self.translation, pose.translation);
         // The rotation's axis times the sine of its angle: half the sum over the axes of what each has to turn.
@@ -86,6 +101,10 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for [T; 3] {
 
     fn residual(&self, _: &[T; N], pose: &Pose<T>) -> Residual<T> {
         Residual { position: norm(sub(*self, pose.translation)), orientation: T::ZERO }
+    }
+
+    fn misses(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T> {
+        self.residual(q, pose)
     }
 
     fn error(&self, _: &[T; N], pose: &Pose<T>) -> [T; 6] {
@@ -152,6 +171,10 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for Pointing<T> {
         Residual { position: norm(sub(self.point, pose.translation)), orientation }
     }
 
+    fn misses(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T> {
+        self.residual(q, pose)
+    }
+
     fn error(&self, _: &[T; N], pose: &Pose<T>) -> [T; 6] {
         let [x, y, z] = sub(self.point, pose.translation);
         let [u, v, w] = cross(column(&pose.rotation, self.column), self.direction);
@@ -207,6 +230,10 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for InPlane<T, N> {
         Residual { position, orientation: self.missing(q).abs() }
     }
 
+    fn misses(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T> {
+        self.residual(q, pose)
+    }
+
     fn error(&self, q: &[T; N], pose: &Pose<T>) -> [T; 6] {
         let [x, y, z] = sub(self.target.point, pose.translation);
         [x, y, z, self.missing(q), T::ZERO, T::ZERO]
@@ -233,6 +260,10 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for PlanarPose<T> {
     fn residual(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T> {
         let [x, y, _, turn, ..] = self.error(q, pose);
         Residual { position: norm([x, y, T::ZERO]), orientation: turn.abs() }
+    }
+
+    fn misses(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T> {
+        self.residual(q, pose)
     }
 
     fn error(&self, _: &[T; N], pose: &Pose<T>) -> [T; 6] {
@@ -262,6 +293,10 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for [T; 2] {
     fn residual(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T> {
         let [x, y, ..] = Goal::<T, N>::error(self, q, pose);
         Residual { position: norm([x, y, T::ZERO]), orientation: T::ZERO }
+    }
+
+    fn misses(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T> {
+        self.residual(q, pose)
     }
 
     fn error(&self, _: &[T; N], pose: &Pose<T>) -> [T; 6] {
@@ -304,6 +339,10 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize> Goal<T, N> for Locked<'_, T, 
 
     fn residual(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T> {
         self.goal.residual(q, pose)
+    }
+
+    fn misses(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T> {
+        self.goal.misses(q, pose)
     }
 
     fn error(&self, q: &[T; N], pose: &Pose<T>) -> [T; 6] {

@@ -33,7 +33,7 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
         let [x, y, z, u, v, w] = goal.error(&q, &pose);
         let error = [x * k, y * k, z * k, u, v, w];
         let size = error.iter().fold(T::ZERO, |sum, e| sum + *e * *e);
-        let residual = goal.residual(&q, &pose);
+        let residual = goal.misses(&q, &pose);
         Self { q, residual, jacobian: goal.rows(&pose, &jacobian), error, size }
     }
 }
@@ -103,50 +103,72 @@ fn damped_step<T: Tolerances, const N: usize>(
     let k = T::ONE / facts.reach;
     let mut rows = jacobian.rows;
     for (i, row) in rows.iter_mut().enumerate() {
-        for (joint, entry) in row.iter_mut().enumerate() {
-            *entry = *entry * facts.unit(joint) * if i < 3 { k } else { T::ONE };
-        }
+        measured(facts, row, if i < 3 { k } else { T::ONE });
     }
     let mut error = *error;
     let mut triangle = [[T::ZERO; N]; N];
     let mut step = [T::ZERO; N];
     let start = damping.sqrt();
     for (j, (line, right)) in triangle.iter_mut().zip(&mut step).enumerate() {
-        let mut across = [T::ZERO; 6];
-        for (entry, row) in across.iter_mut().zip(&rows) {
-            *entry = *row.get(j)?;
-        }
-        let square = across.iter().fold(start * start, |sum, entry| sum + *entry * *entry);
-        let length = square.sqrt();
-        let first = start + length;
-        // The reflection that takes (start, across) to (-length, 0).
-        let share = T::ONE / (length * first);
-        *line.get_mut(j)? = -length;
-        for column in j + 1..N {
-            let mut sum = T::ZERO;
-            for (row, entry) in rows.iter().zip(&across) {
-                sum += *row.get(column)? * *entry;
-            }
-            let sum = sum * share;
-            *line.get_mut(column)? = -(sum * first);
-            for (row, entry) in rows.iter_mut().zip(&across) {
-                let place = row.get_mut(column)?;
-                *place -= sum * *entry;
-            }
-        }
-        let sum = error.iter().zip(&across).fold(T::ZERO, |sum, (e, entry)| sum + *e * *entry) * share;
-        *right = -(sum * first);
-        for (e, entry) in error.iter_mut().zip(&across) {
-            *e -= sum * *entry;
-        }
+        *right = reflect(&mut rows, &mut error, line, start, j)?;
     }
     for (j, line) in triangle.iter().enumerate().rev() {
-        let known = line.iter().zip(&step).skip(j + 1).fold(T::ZERO, |sum, (a, x)| sum + *a * *x);
-        let value = step.get_mut(j)?;
-        *value = (*value - known) / *line.get(j)?;
+        substitute(line, &mut step, j)?;
     }
-    for (joint, change) in step.iter_mut().enumerate() {
-        *change *= facts.unit(joint);
-    }
+    measured(facts, &mut step, T::ONE);
     step.iter().all(|x| x.is_finite()).then_some(step)
+}
+
+/// Reflects column j of the rows into `start` on the diagonal. Returns the right side of the new line of the triangle.
+#[inline(never)]
+fn reflect<T: Tolerances, const N: usize>(
+    rows: &mut [[T; N]; 6],
+    error: &mut [T; 6],
+    line: &mut [T; N],
+    start: T,
+    j: usize,
+) -> Option<T> {
+    let mut across = [T::ZERO; 6];
+    for (entry, row) in across.iter_mut().zip(rows.iter()) {
+        *entry = *row.get(j)?;
+    }
+    let square = across.iter().fold(start * start, |sum, entry| sum + *entry * *entry);
+    let length = square.sqrt();
+    let first = start + length;
+    // The reflection that takes (start, across) to (-length, 0).
+    let share = T::ONE / (length * first);
+    *line.get_mut(j)? = -length;
+    for column in j + 1..N {
+        let mut sum = T::ZERO;
+        for (row, entry) in rows.iter().zip(&across) {
+            sum += *row.get(column)? * *entry;
+        }
+        let sum = sum * share;
+        *line.get_mut(column)? = -(sum * first);
+        for (row, entry) in rows.iter_mut().zip(&across) {
+            *row.get_mut(column)? -= sum * *entry;
+        }
+    }
+    let sum = error.iter().zip(&across).fold(T::ZERO, |sum, (e, entry)| sum + *e * *entry) * share;
+    for (e, entry) in error.iter_mut().zip(&across) {
+        *e -= sum * *entry;
+    }
+    Some(-(sum * first))
+}
+
+/// The unknown on the diagonal of line j of the triangle, from those behind it; its right side is in its place.
+#[inline(never)]
+fn substitute<T: Tolerances, const N: usize>(line: &[T; N], step: &mut [T; N], j: usize) -> Option<()> {
+    let known = line.iter().zip(step.iter()).skip(j + 1).fold(T::ZERO, |sum, (a, x)| sum + *a * *x);
+    let value = step.get_mut(j)?;
+    *value = (*value - known) / *line.get(j)?;
+    Some(())
+}
+
+/// A row with an entry for each joint, times `k`, and for a slide times the reach, in which its strokes are measured.
+#[inline(never)]
+fn measured<T: Tolerances, const N: usize>(facts: &Facts<T, N>, row: &mut [T; N], k: T) {
+    for (joint, entry) in row.iter_mut().enumerate() {
+        *entry *= if facts.prismatic.contains(joint) { facts.reach * k } else { k };
+    }
 }

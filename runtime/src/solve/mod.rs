@@ -19,7 +19,7 @@
 //! | [`pair`], [`pair_turning`], [`pair_sliding`] | two equations in two joints that no other kernel separates (a quartic) |
 //!
 //! [`Search`] follows the branches, collects the solutions, and gives every doubtful one (near a singularity or at
-//! the edge of reach) a full check and, if needed, a few damped Newton steps.
+//! the edge of reach) an evaluation of the arm and, if needed, a few damped least-squares steps.
 
 #![allow(clippy::neg_cmp_op_on_partial_ord, reason = "a value that is not a number must take the safe branch")]
 
@@ -33,6 +33,7 @@ mod drift;
 mod facts;
 mod goal;
 mod least_squares;
+mod levels;
 mod offset;
 mod offset_of_two;
 mod pair;
@@ -61,10 +62,12 @@ pub(crate) use drift::as_rotation;
 pub use drift::nearest_rotation;
 pub use facts::{Evaluate, Facts};
 pub use goal::{Goal, InPlane, Locked, Pointing};
+pub use levels::Levels;
 pub use offset::offset;
 pub use offset_of_two::offset_of_two;
 pub use pair::{pair, pair_turning};
 pub use pair_sliding::pair_sliding;
+pub use passes::{Decoupled, Missed};
 pub use search::Search;
 pub use select::{Every, Select};
 pub use slide::{quadratic, slide, slide_to};

@@ -3,6 +3,7 @@
 use super::stage::Level;
 use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
+use crate::JointMask;
 
 /// Solves `a cos(t) + b sin(t) = d` for `t`: `t = atan2(b, a) +- atan2(sqrt(r^2 - d^2), d)`, `r = |(a, b)|`.
 ///
@@ -27,5 +28,6 @@ pub fn offset<T: Tolerances>(home: Home<T>, measure: Measure<T>, a: T, b: T, d: 
     let sines = [(b * d + a * h) * k, (b * d - a * h) * k];
     let cosines = [(a * d - b * h) * k, (a * d + b * h) * k];
     let roots = Turn::array(sines, cosines).map(|turn| [turn]);
-    Stage::solved(roots, measure).with_amplitude((h / r).min(r / measure.scale)).at_level(Level::cosine(d / r))
+    let amplitude = (h / r).min(r / measure.scale);
+    Stage::determined(roots, measure, Level::cosine(d / r), amplitude, JointMask::NONE)
 }

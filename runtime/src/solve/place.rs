@@ -130,9 +130,8 @@ impl<T: Tolerances> Samples<T> {
     }
 }
 
-/// Nodes in an interval, as cosines: those of Chebyshev's polynomial of degree 5.
-pub(super) const NODES: [f64; 5] =
-    [0.951_056_516_295_153_5, 0.587_785_252_292_473_1, 0.0, -0.587_785_252_292_473_1, -0.951_056_516_295_153_5];
+/// The number of nodes in an interval.
+pub(super) const NODES: usize = 5;
 /// Places round the two roots of a stage at which the next one is looked at, and steps that narrow the best one down.
 const ROUND: i32 = 64;
 const NARROW: usize = 36;
@@ -141,14 +140,14 @@ const NARROW: usize = 36;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Roots<T> {
     /// On the first root and on the second.
-    values: [[T; 2]; NODES.len()],
+    values: [[T; 2]; NODES],
     low: T,
     high: T,
 }
 
 impl<T: Tolerances> Roots<T> {
     /// Nothing is known.
-    pub(super) const NONE: Self = Self { values: [[T::NAN; 2]; NODES.len()], low: T::NAN, high: T::NAN };
+    pub(super) const NONE: Self = Self { values: [[T::NAN; 2]; NODES], low: T::NAN, high: T::NAN };
 
     /// Keeps the level at a node: the first one that comes is on the first root, the next other one on the second.
     pub(super) fn keep(&mut self, node: usize, level: &Level<T>) {
@@ -167,7 +166,7 @@ impl<T: Tolerances> Roots<T> {
     /// trigonometric polynomials u and s of degree 2, which the nodes determine (Lagrange's form for half angles).
     #[inline(never)]
     pub(super) fn place(&self, first: &Samples<T>, [middle, half]: [T; 2]) -> Option<T> {
-        let nodes = NODES.map(|node| middle + half * T::from_f64(node));
+        let nodes: [T; NODES] = core::array::from_fn(|k| middle + half * node(k));
         let series = [first.series(3, 0), first.series(3, 1)];
         let sine = |x: T| {
             let level = series[0].at(x) / series[1].at(x);
@@ -311,6 +310,12 @@ pub(super) fn stroke<T: Tolerances>(place: usize) -> T {
         2 => -T::ONE,
         _ => T::ZERO,
     }
+}
+
+/// A node as a share of half the interval from its middle: a root of Chebyshev's polynomial of degree 5.
+pub(super) fn node<T: Tolerances>(k: usize) -> T {
+    let (_, cos) = sin_cos(T::PI * T::from_f64(0.1) * T::from_i32(2 * k as i32 + 1));
+    cos
 }
 
 fn add<T: Tolerances>([a, b]: [T; 2], [c, d]: [T; 2]) -> [T; 2] {

@@ -1,8 +1,9 @@
 //! Following the branches of the cascade and collecting the solutions.
 
 use super::facts::Evaluate;
-use super::passes::Passes;
-use super::stage::Met;
+use super::levels::Levels;
+use super::passes::{Decoupled, Missed, Passes};
+use super::stage::{Met, State};
 use super::{Facts, Goal, Home, Measure, Stage, Tolerances, Trail};
 use crate::effort::MOST_EVALUATIONS;
 use crate::limits::within;
@@ -13,26 +14,35 @@ use crate::{Branch, Flags, JointMask, Residual, Solution, Solutions, Status};
 /// The place of a virtual joint in a mask, beyond the joints of any arm with an inverse.
 pub(super) const VIRTUAL: usize = 15;
 
+/// The most stages of a cascade that can be in doubt, one after the other: a cascade has no more stages.
+const MOST_STAGES: usize = 8;
+
 /// One run of the inverse kinematics.
-pub struct Search<'a, T: 'static, const N: usize, const M: usize> {
+pub struct Search<'a, T: 'static, const N: usize, const M: usize, P> {
     pub(super) facts: &'a Facts<T, N>,
     pub(super) arm: &'a dyn Evaluate<T, N>,
     pub(super) goal: &'a dyn Goal<T, N>,
     pub(super) solutions: &'a mut Solutions<T, N, M>,
-    /// Where each joint stays if it is free.
+    /// Where each joint stays if it is free, and where a virtual one does.
     pub(super) homes: [T; N],
+    pub(super) away: T,
     /// The least gap of a stage at which a branch ended, or what a branch that went on misses by.
     pub(super) least: Option<T>,
+    /// The joints that already an amplitude near zero leaves free: those on open branches, on the way there.
+    pub(super) nearly: JointMask,
     /// How many evaluations of the arm are left.
     pub(super) left: usize,
+    /// What the branch that is followed has met, one state for each stage in doubt. Branches are followed depth first, so
+    /// a state stays until the branches behind it have ended.
+    states: [Option<State<T>>; MOST_STAGES],
+    /// The target is so far away (a long slide may reach there) that its rounding alone can exceed what closes.
+    far: bool,
     /// What is remembered at a pose that needs further passes.
-    pub(super) passes: Option<Passes<T, N, M>>,
+    pub(super) passes: Option<Passes<T, N, M, P>>,
 }
 
-impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
-    /// Starts a search that fills `solutions`.
-    ///
-    /// `None`, with the status [`Status::BadTarget`], if the target or the reference is not finite.
+impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M, Levels<T, M>> {
+    /// A search that fills `solutions`.
     #[inline(always)]
     pub fn new(
         facts: &'a Facts<T, N>,
@@ -40,38 +50,73 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
         goal: &'a dyn Goal<T, N>,
         near: Option<&[T; N]>,
         solutions: &'a mut Solutions<T, N, M>,
-    ) -> Option<Self> {
-        let finite = goal.is_finite() && near.is_none_or(|q| facts.can_refer(q));
-        if !finite {
-            solutions.set_status(Status::BadTarget);
-            return None;
-        }
-        // So far away the squares of the coordinates overflow: no arm reaches there.
-        let farthest = goal.point().iter().fold(T::ZERO, |most, x| most.max(x.abs()));
-        if farthest > T::MAX.sqrt() * T::from_f64(1e-3) {
-            solutions.set_status(Status::Unreachable { residual: farthest });
-            return None;
-        }
-        Some(Self {
+    ) -> Self {
+        Self::filling(facts, arm, goal, near, solutions)
+    }
+}
+
+impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M, Decoupled> {
+    /// The same for an arm that is [`Decoupled`].
+    #[inline(always)]
+    pub fn decoupled(
+        facts: &'a Facts<T, N>,
+        arm: &'a dyn Evaluate<T, N>,
+        goal: &'a dyn Goal<T, N>,
+        near: Option<&[T; N]>,
+        solutions: &'a mut Solutions<T, N, M>,
+    ) -> Self {
+        Self::filling(facts, arm, goal, near, solutions)
+    }
+}
+
+impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'a, T, N, M, P> {
+    #[inline(always)]
+    fn filling(
+        facts: &'a Facts<T, N>,
+        arm: &'a dyn Evaluate<T, N>,
+        goal: &'a dyn Goal<T, N>,
+        near: Option<&[T; N]>,
+        solutions: &'a mut Solutions<T, N, M>,
+    ) -> Self {
+        Self {
             facts,
             arm,
             goal,
             solutions,
             homes: facts.homes(near),
+            away: T::ZERO,
             least: None,
+            nearly: JointMask::NONE,
             left: MOST_EVALUATIONS,
+            states: [None; MOST_STAGES],
+            far: false,
             passes: None,
-        })
+        }
+    }
+
+    /// Whether there is something to search. Otherwise the solutions get their status: [`Status::BadTarget`] if the
+    /// target or the reference is not finite; [`Status::Unreachable`] if the target is so far away that the squares of
+    /// its coordinates overflow.
+    #[inline]
+    #[must_use]
+    pub fn begins(&mut self, near: Option<&[T; N]>) -> bool {
+        let [x, y, z] = self.goal.point();
+        let size = x.abs() + y.abs() + z.abs();
+        self.far = size > self.facts.reach * T::from_f64(10.0);
+        let finite = self.goal.is_finite() && near.is_none_or(|q| self.facts.can_refer(q));
+        let begins = finite && size <= T::MAX.sqrt() * T::from_f64(1e-3);
+        if !begins {
+            let status = if finite { Status::Unreachable { residual: size.min(T::MAX) } } else { Status::BadTarget };
+            self.solutions.set_status(status);
+        }
+        begins
     }
 
     /// The start of every branch.
     #[inline]
-    pub fn start(&self) -> Trail<T> {
+    pub fn start(&self) -> Trail {
         crate::effort::cascade();
-        // Far away (a long slide may reach there) the rounding of the target alone can exceed what closes.
-        let limit = self.facts.reach * T::from_f64(10.0);
-        let far = self.goal.point().iter().any(|x| x.abs() > limit);
-        Trail { doubt: far || self.passes.is_some(), ..Trail::START }
+        Trail::start(self.far || self.passes.is_some())
     }
 
     /// Where a joint stays if it is free: its reference value; without one 0, or the limit nearest to 0.
@@ -83,43 +128,57 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
     /// The same for a virtual joint: 0.
     #[inline]
     pub fn virtual_home(&self) -> Home<T> {
-        let value = self.passes.as_ref().map_or(T::ZERO, |passes| passes.away(self.facts, VIRTUAL, T::ZERO));
-        self.home_at(VIRTUAL, value)
+        self.home_at(VIRTUAL, self.away)
     }
 
     #[inline]
     fn home_at(&self, joint: usize, value: T) -> Home<T> {
-        let free_below = self.passes.as_ref().map_or(T::VANISHING, |passes| passes.free_below(joint));
+        let free_below = if self.nearly.contains(joint) { T::WEAK } else { T::VANISHING };
         Home { value, joint: JointMask::single(joint), free_below }
+    }
+
+    /// What a branch has met.
+    pub(super) fn state(&self, trail: Trail) -> State<T> {
+        let last = trail.depth().checked_sub(1);
+        last.and_then(|last| self.states.get(last)).copied().flatten().unwrap_or(State::START)
+    }
+
+    /// The trail of a branch that has met something more.
+    fn with_state(&mut self, trail: Trail, state: State<T>, ended: bool) -> Trail {
+        let Some(slot) = self.states.get_mut(trail.depth()) else { return trail };
+        *slot = Some(state);
+        trail.deeper(ended)
     }
 
     /// The trail of a branch after a stage. A stage that misses by more than the tolerance ends the branch; its gap is
     /// remembered.
-    #[inline]
-    pub fn follow<const K: usize, const R: usize>(&mut self, trail: &Trail<T>, stage: &Stage<T, K, R>) -> Trail<T> {
-        if stage.doubt | trail.doubt { self.doubtful(trail, stage.met()) } else { *trail }
+    #[inline(always)]
+    pub fn follow<const K: usize, const R: usize>(&mut self, trail: &Trail, stage: &Stage<T, K, R>) -> Trail {
+        if stage.doubt | trail.doubt() { self.doubtful(*trail, stage.met()) } else { *trail }
     }
 
     #[cold]
     #[inline(never)]
-    fn doubtful(&mut self, trail: &Trail<T>, met: Met<T>) -> Trail<T> {
-        let mut next = *trail;
+    fn doubtful(&mut self, trail: Trail, met: Met<T>) -> Trail {
+        let before = self.state(trail);
+        let mut next = before;
         next.note(met);
+        let mut ended = false;
         let Met { gap, angular, .. } = met;
         let measure = if angular { Measure::DIRECTION } else { Measure::length(self.facts.reach) };
         let tolerance = if angular { self.facts.tolerance.orientation } else { self.facts.tolerance.position };
         // What an earlier stage of small amplitude leaves uncertain shows up here magnified.
-        let rounding = measure.rounding() / trail.amplitude;
-        next.clamped |= gap > rounding && trail.loose().is_empty();
+        let rounding = measure.rounding() / before.amplitude;
+        next.clamped |= gap > rounding && before.loose().is_empty();
         // With a joint earlier on the branch that is free, or nearly, the gap may close by moving that joint.
         if gap > tolerance.max(rounding) {
-            next.missed |= !trail.free.is_empty();
-            if trail.loose().is_empty() {
-                next.ended = true;
+            next.missed |= !before.free.is_empty();
+            if before.loose().is_empty() {
+                ended = true;
                 self.misses(gap);
             }
         }
-        next
+        self.with_state(trail, next, ended)
     }
 
     /// A branch misses by this.
@@ -131,9 +190,9 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
     /// The trail of a branch on which equations without a joint to meet them are missed by this much. Beyond rounding
     /// its end is verified: what is asked for may be beyond the arm.
     #[inline]
-    pub fn agree<const K: usize>(&self, trail: &Trail<T>, measure: Measure<T>, misses: [T; K]) -> Trail<T> {
+    pub fn agree<const K: usize>(&self, trail: &Trail, measure: Measure<T>, misses: [T; K]) -> Trail {
         let agreed = misses.iter().fold(true, |agreed, miss| agreed & (miss.abs() <= measure.rounding()));
-        Trail { doubt: trail.doubt | !agreed, ..*trail }
+        trail.doubted(!agreed)
     }
 
     /// The trail of a branch on which the direction of a vector tells where joints turn: one without length leaves the
@@ -141,26 +200,34 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
     #[inline]
     pub fn directed(
         &mut self,
-        trail: &Trail<T>,
+        trail: &Trail,
         measure: Measure<T>,
         vector: [T; 3],
         [first, second]: [Home<T>; 2],
-    ) -> Trail<T> {
+    ) -> Trail {
         if norm(vector) > measure.vanishing() {
             return *trail;
         }
-        let free = first.joint | second.joint;
-        Trail { doubt: true, free: trail.free | free, first: first.joint, flags: trail.flags | Flags::FREE, ..*trail }
+        let mut state = self.state(*trail);
+        state.free |= first.joint | second.joint;
+        state.first = first.joint;
+        state.flags |= Flags::FREE;
+        self.with_state(*trail, state, false)
     }
 
     /// Adds a solution. `q`: joint angles in (-pi, pi], rad; strokes in the length unit.
     #[inline]
-    pub fn push(&mut self, trail: &Trail<T>, q: [T; N], branch: Branch) {
-        let solution = Solution { q, flags: trail.flags | Flags::EXACT, free: trail.free, branch, residual: trail.gap };
-        if trail.doubt | self.solutions.is_awkward() {
-            self.candidate(trail, solution);
+    pub fn push(&mut self, trail: &Trail, q: [T; N], branch: Branch) {
+        if trail.doubt() | self.solutions.is_awkward() {
+            self.candidate(*trail, q, branch);
         } else {
-            self.solutions.push(solution);
+            self.solutions.push(Solution {
+                q,
+                flags: Flags::EXACT,
+                free: JointMask::NONE,
+                branch,
+                residual: Residual::ZERO,
+            });
         }
     }
 
@@ -214,11 +281,8 @@ impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M> {
     #[cold]
     #[inline(never)]
     fn unreachable(&self) -> Status<T> {
-        let larger = |residual: &Residual<T>| residual.position.max(residual.orientation);
-        let listed = self.solutions.iter().map(|s| larger(&s.residual));
-        let residual = listed.chain(self.least).fold(T::INFINITY, |least, gap| least.min(gap));
         // A quartic without real roots has no gap: all that is known is that the target is not near.
-        let known = residual.is_finite() && residual > T::ZERO;
-        Status::Unreachable { residual: if known { residual } else { self.facts.reach } }
+        let known = self.least.filter(|gap| *gap > T::ZERO);
+        Status::Unreachable { residual: known.unwrap_or(self.facts.reach) }
     }
 }

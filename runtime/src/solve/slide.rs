@@ -3,6 +3,7 @@
 use super::stage::Level;
 use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
+use crate::JointMask;
 
 /// Solves for the position `x` of a point on a line at which its distance from another point is `rho`; the line passes
 /// that point at distance `across` (not negative), at `middle`: `x = middle +- sqrt(rho^2 - across^2)`.
@@ -17,7 +18,7 @@ pub fn slide<T: Tolerances>(measure: Measure<T>, rho: T, across: T, middle: T) -
     }
     let half = (beyond * (rho + across)).sqrt();
     let roots = [[Turn::position(middle + half)], [Turn::position(middle - half)]];
-    Stage::solved(roots, measure).with_amplitude(half / measure.scale).at_level(level)
+    Stage::determined(roots, measure, level, half / measure.scale, JointMask::NONE)
 }
 
 /// Solves `denominator x = numerator`. One root. With the denominator (dimensionless) vanishing the joint is free.
@@ -28,8 +29,8 @@ pub fn slide_to<T: Tolerances>(home: Home<T>, measure: Measure<T>, denominator: 
         stage.roots = [[Turn::position(home.value)]];
         return stage.at_level(Level::zero(numerator / measure.scale));
     }
-    let stage = Stage::solved([[Turn::position(numerator / denominator)]], measure);
-    stage.with_weak(home, denominator.abs()).at_level(Level::over(denominator))
+    let root = [Turn::position(numerator / denominator)];
+    Stage::determined([root], measure, Level::over(denominator), denominator.abs(), home.joint)
 }
 
 /// Solves `a x^2 + b x + c = 0` (`a` dimensionless, `b` a length, `c` its square) without cancellation. Two roots; one
@@ -53,5 +54,5 @@ pub fn quadratic<T: Tolerances>(measure: Measure<T>, [a, b, c]: [T; 3]) -> Stage
     let root = discriminant.sqrt();
     let larger = if half < T::ZERO { root - half } else { -half - root };
     let roots = [[Turn::position(larger / a)], [Turn::position(c / larger)]];
-    Stage::solved(roots, measure).with_amplitude(root / measure.scale).at_level(level)
+    Stage::determined(roots, measure, level, root / measure.scale, JointMask::NONE)
 }

@@ -81,9 +81,55 @@ impl<T: Tolerances> Level<T> {
     }
 }
 
+/// Where a branch of the cascade is: what generated code hands from stage to stage. What the branch has met is kept in
+/// the search, one [`State`] for each stage on the way that is in doubt; a branch without doubts has none.
+///
+/// One number, 0 without doubts: the number of states that belong to the branch, and two marks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Trail(u32);
+
+impl Trail {
+    const DOUBT: u32 = 0x100;
+    const ENDED: u32 = 0x200;
+
+    /// The start of every branch.
+    #[inline]
+    pub(super) fn start(doubt: bool) -> Self {
+        Self(if doubt { Self::DOUBT } else { 0 })
+    }
+
+    /// The solution is to be verified.
+    #[inline]
+    pub(super) fn doubt(self) -> bool {
+        self.0 != 0
+    }
+
+    /// The branch leads nowhere: a stage has no root near it, and the joints before it are what they have to be.
+    #[inline]
+    pub(super) fn ended(self) -> bool {
+        self.0 & Self::ENDED != 0
+    }
+
+    /// The number of states that belong to the branch.
+    pub(super) fn depth(self) -> usize {
+        (self.0 & (Self::DOUBT - 1)) as usize
+    }
+
+    /// The same branch, to be verified if `doubt` is set.
+    #[inline]
+    pub(super) fn doubted(self, doubt: bool) -> Self {
+        Self(self.0 | Self::start(doubt).0)
+    }
+
+    /// The same branch with one more state.
+    pub(super) fn deeper(self, ended: bool) -> Self {
+        Self((self.0 + 1) | Self::DOUBT | if ended { Self::ENDED } else { 0 })
+    }
+}
+
 /// What a branch has met so far.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Trail<T> {
+pub(super) struct State<T> {
     pub(super) gap: Residual<T>,
     pub(super) flags: Flags,
     pub(super) free: JointMask,
@@ -91,10 +137,6 @@ pub struct Trail<T> {
     pub(super) amplitude: T,
     /// Joints that an equation of very small amplitude gave: good only as far as the joints before are.
     pub(super) weak: JointMask,
-    /// The solution is to be verified.
-    pub(super) doubt: bool,
-    /// The branch leads nowhere: a stage has no root near it, and the joints before it are what they have to be.
-    pub(super) ended: bool,
     /// A stage has no root near the branch, but a joint before it is free and may be elsewhere.
     pub(super) missed: bool,
     /// A stage is missed by more than rounding, and the joints before it are what they have to be.
@@ -106,7 +148,7 @@ pub struct Trail<T> {
     pub(super) then: Level<T>,
 }
 
-impl<T: Tolerances> Trail<T> {
+impl<T: Tolerances> State<T> {
     /// Nothing yet.
     pub(super) const START: Self = Self {
         gap: Residual::ZERO,
@@ -114,8 +156,6 @@ impl<T: Tolerances> Trail<T> {
         free: JointMask::NONE,
         amplitude: T::ONE,
         weak: JointMask::NONE,
-        doubt: false,
-        ended: false,
         missed: false,
         clamped: false,
         first: JointMask::NONE,
@@ -142,7 +182,6 @@ impl<T: Tolerances> Trail<T> {
         if !doubt {
             return;
         }
-        self.doubt = true;
         // What a stage leaves uncertain, the next one magnifies.
         self.amplitude = (self.amplitude * amplitude).max(T::EPSILON * T::EPSILON);
         self.weak |= weak;
@@ -214,6 +253,26 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         }
     }
 
+    /// The same with its level, and the relative amplitude of the equation: a small one makes the stage doubtful, and one
+    /// near zero leaves `weak` nearly free. In one go: this is where every ordinary target passes.
+    #[inline(always)]
+    pub(super) fn determined(
+        roots: [[Turn<T>; K]; R],
+        measure: Measure<T>,
+        level: Level<T>,
+        amplitude: T,
+        weak: JointMask,
+    ) -> Self {
+        let doubt = amplitude < T::DOUBTFUL;
+        Self {
+            amplitude: if doubt { amplitude } else { T::ONE },
+            weak: if amplitude < T::WEAK { weak } else { JointMask::NONE },
+            doubt,
+            level,
+            ..Self::solved(roots, measure)
+        }
+    }
+
     /// The same with its level.
     #[inline]
     pub(super) fn at_level(mut self, level: Level<T>) -> Self {
@@ -221,24 +280,16 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         self
     }
 
-    /// Marks the stage as doubtful if its relative amplitude is small.
-    #[inline]
-    pub(super) fn with_amplitude(mut self, amplitude: T) -> Self {
-        if amplitude < T::DOUBTFUL {
-            self.amplitude = amplitude;
-            self.doubt = true;
+    /// The same roots where the joint moves its point or direction by a small share of the scale only: the joint is
+    /// nearly free.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn narrowed(&mut self, home: Home<T>, share: T) {
+        self.amplitude *= share;
+        self.doubt = true;
+        if self.amplitude < T::WEAK {
+            self.weak = home.joint;
         }
-        self
-    }
-
-    /// The same for a stage whose joint an amplitude near zero leaves nearly free.
-    #[inline]
-    pub(super) fn with_weak(self, home: Home<T>, amplitude: T) -> Self {
-        let mut stage = self.with_amplitude(amplitude);
-        if amplitude < T::WEAK {
-            stage.weak = home.joint;
-        }
-        stage
     }
 
     /// A further joint that this amplitude leaves nearly free.
@@ -278,8 +329,8 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
     /// The roots to go on with, each with its index; none if the branch has ended. With `wanted` only the root of that
     /// index, which is the one root where two have met, or where a free joint leaves but one.
     #[inline]
-    pub fn each(&self, trail: &Trail<T>, wanted: Option<usize>) -> impl Iterator<Item = (usize, &[Turn<T>; K])> {
-        let len = if trail.ended { 0 } else { self.len };
+    pub fn each(&self, trail: &Trail, wanted: Option<usize>) -> impl Iterator<Item = (usize, &[Turn<T>; K])> {
+        let len = if trail.ended() { 0 } else { self.len };
         let (first, end, name) = match wanted {
             None => (0, len, 0),
             Some(index) if index >= len && (self.boundary || !self.free.is_empty()) => (0, len.min(1), index),

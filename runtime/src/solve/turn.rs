@@ -33,7 +33,7 @@ impl<T: Tolerances> Turn<T> {
     }
 
     /// From several sines and cosines at once.
-    #[inline]
+    #[inline(always)]
     pub fn array<const N: usize>(sines: [T; N], cosines: [T; N]) -> [Self; N] {
         let values = angle_array(sines, cosines);
         let mut turns = [Self::ZERO; N];
@@ -62,6 +62,7 @@ impl<T: Tolerances> Turn<T> {
     }
 
     /// From an angle.
+    #[inline(never)]
     pub fn at(value: T) -> Self {
         let (sin, cos) = sin_cos(value);
         Self { value, sin, cos }

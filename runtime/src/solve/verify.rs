@@ -1,10 +1,12 @@
 //! Doubtful solutions: verified by forward kinematics, refined by a few damped steps, and merged where they coincide.
 
 use super::least_squares::{Iterate, refined};
+use super::passes::Missed;
 use super::search::VIRTUAL;
+use super::stage::State;
 use super::{Facts, Search, Tolerances, Trail};
 use crate::math::wrap;
-use crate::{Flags, Solution};
+use crate::{Branch, Flags, Solution};
 
 /// What the verification of a candidate has found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,17 +22,20 @@ enum Found {
 /// Evaluations kept for the reference of `inverse_near`.
 const RESERVED: usize = 25;
 
-impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
+impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, T, N, M, P> {
     /// The end of a branch at an awkward pose.
     #[cold]
     #[inline(never)]
-    pub(super) fn candidate(&mut self, trail: &Trail<T>, mut solution: Solution<T, N>) {
+    pub(super) fn candidate(&mut self, trail: Trail, q: [T; N], branch: Branch) {
+        let state = self.state(trail);
+        let flags = state.flags | Flags::EXACT;
+        let mut solution = Solution { q, flags, free: state.free, branch, residual: state.gap };
         let mut found = Found::Branch;
-        if trail.doubt {
-            if !self.takes(trail, &mut solution) {
+        if trail.doubt() {
+            if !self.takes(&state, &mut solution) {
                 return;
             }
-            found = self.verified(trail, &mut solution);
+            found = self.verified(&state, &mut solution);
         }
         // What a further pass does not close is no better than what is there.
         let again = self.passes.as_ref().is_some_and(|passes| passes.again());
@@ -46,7 +51,7 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
 
     /// Verifies a solution; refines it if that closes it. What stays beyond the tolerance is no solution; its residual
     /// counts as the gap of its branch.
-    fn verified(&mut self, trail: &Trail<T>, solution: &mut Solution<T, N>) -> Found {
+    fn verified(&mut self, state: &State<T>, solution: &mut Solution<T, N>) -> Found {
         let facts = self.facts;
         // One evaluation more than this candidate needs is for the reference.
         let Some(left) = self.left.checked_sub(RESERVED + 1) else { return Found::Nothing };
@@ -59,23 +64,23 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
         if !exact {
             solution.flags.remove(Flags::EXACT);
             solution.flags |= Flags::APPROXIMATE;
-            if !trail.loose().is_empty() && !trail.clamped {
+            if !state.loose().is_empty() && !state.clamped {
                 let slack =
-                    if trail.free.is_empty() { T::HALF * T::HALF * T::EXACT / trail.amplitude } else { T::INFINITY };
-                self.seek(trail, solution, slack);
+                    if state.free.is_empty() { T::HALF * T::HALF * T::EXACT / state.amplitude } else { T::INFINITY };
+                self.seek(state, solution, slack);
             }
         }
-        if exact || !trail.loose().is_empty() {
+        if exact || !state.loose().is_empty() {
             self.solutions.mark_awkward();
         }
         // A guess that comes near by its steps alone, without closing, is no branch of this target.
         let listed = exact || facts.tolerates(&start.residual);
-        if !listed {
+        if !exact {
             self.misses(solution.residual.position.max(solution.residual.orientation));
         }
         match listed {
             false => Found::Nothing,
-            true if exact && trail.loose().is_empty() && !facts.tolerates(&start.residual) => {
+            true if exact && state.loose().is_empty() && !facts.tolerates(&start.residual) => {
                 // Of a nearly real pair of roots.
                 solution.flags |= Flags::BOUNDARY;
                 Found::Guess
@@ -187,9 +192,16 @@ impl<T: Tolerances, const N: usize, const M: usize> Search<'_, T, N, M> {
 }
 
 /// Whether two joint vectors are one solution.
+#[inline(never)]
 fn coincident<T: Tolerances, const N: usize>(facts: &Facts<T, N>, a: &[T; N], b: &[T; N]) -> bool {
-    a.iter().zip(b).enumerate().all(|(joint, (a, b))| {
-        let apart = if facts.prismatic.contains(joint) { (*a - *b) / facts.reach } else { wrap(*a - *b) };
-        apart.abs() <= T::COINCIDENT
-    })
+    a.iter()
+        .zip(b)
+        .zip(0..)
+        .all(|((a, b), joint)| apart(*a - *b, facts.prismatic.contains(joint), facts.reach) <= T::COINCIDENT)
+}
+
+/// How far apart two values of a joint are: a distance in reaches, or the angle, whichever way round is shorter.
+#[inline(never)]
+fn apart<T: Tolerances>(difference: T, slides: bool, reach: T) -> T {
+    if slides { (difference / reach).abs() } else { wrap(difference).abs() }
 }

@@ -1,5 +1,6 @@
 //! Orthogonal axes: two roots that differ by half a turn about the outer axes.
 
+use super::stage::Level;
 use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
 
@@ -21,7 +22,8 @@ pub fn flip<T: Tolerances>(home: Home<T>, m: [T; 3]) -> Stage<T, 2, 2> {
     }
     let k = T::ONE / rho;
     let [b, a] = Turn::array([rho, my * k], [mz, mx * k]);
-    Stage::solved([[b, a], [b.reversed(), a.opposite()]], Measure::DIRECTION).with_weak(home, rho)
+    let roots = [[b, a], [b.reversed(), a.opposite()]];
+    Stage::determined(roots, Measure::DIRECTION, Level::NONE, rho, home.joint)
 }
 
 /// Solves `R_z(a) R_y(b) R_z(c) = m` for `(a, b, c)`: `b = +-atan2(|(m13, m23)|, m33)`, `a = atan2(m23, m13)`, and
@@ -41,7 +43,7 @@ pub fn wrist<T: Tolerances>(home: Home<T>, m: [[T; 3]; 3]) -> Stage<T, 3, 2> {
     // The last one only fills the vector unit's lanes.
     let [a, b, c, _] = Turn::array([m23 * k, rho, sin_c * k, T::ZERO], [m13 * k, m33, cos_c * k, T::ONE]);
     let roots = [[a, b, c], [a.opposite(), b.reversed(), c.opposite()]];
-    Stage::solved(roots, Measure::DIRECTION).with_weak(home, rho)
+    Stage::determined(roots, Measure::DIRECTION, Level::NONE, rho, home.joint)
 }
 
 #[cold]
