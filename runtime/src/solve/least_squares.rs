@@ -5,10 +5,12 @@ use super::{Facts, Goal, Tolerances};
 use crate::math::wrap;
 use crate::{Jacobian, Residual};
 
-/// Steps for a solution near a singularity.
-const STEPS: usize = 6;
-/// Steps as long as one of two in a row takes something of the error, as where several singularities meet.
+/// The most steps for one solution.
 const MOST_STEPS: usize = 24;
+/// So many steps in a row that take less than a fortieth of the error are the last ones; one, once the solution is exact.
+const MOST_STALLS: usize = 3;
+/// The squared error that a step has to leave less than, as a part of what it was.
+const PROGRESS: f64 = 0.95;
 /// Residuals up to so many roundings say nothing about where the solution is, and where the arm is nearly singular a step
 /// that chases them leads far away.
 const NOISE: f64 = 20.0;
@@ -39,9 +41,9 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
 }
 
 /// Damped least squares (Levenberg 1944, Marquardt 1963), damped in proportion to the squared error, so that convergence
-/// is quadratic. Six steps, or up to 24 while one of two in a row reduces the error. Of two steps in a row one has to
-/// reduce it, else neither is taken (the watchdog of Chamberlain, Powell, Lemarechal, Pedersen 1982). Each step takes one
-/// from `left`; without any left there is no step.
+/// is quadratic. Up to 24 steps, and no more after three in a row that reduce the error by less than a fortieth; after one, if
+/// the solution is exact. Of two steps in a row one has to reduce the error, else neither is taken (the watchdog of
+/// Chamberlain, Powell, Lemarechal, Pedersen 1982). Each step takes one from `left`; without any left there is no step.
 #[cold]
 #[inline(never)]
 pub(super) fn refined<T: Tolerances, const N: usize>(
@@ -54,9 +56,11 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
     let (mut best, mut place) = (start, start);
     let (mut boost, mut stretch) = (T::ONE, T::ONE);
     let floor = T::from_f64(NOISE) * T::EPSILON;
-    let mut stalls = 0;
-    for taken in 0..MOST_STEPS {
-        if !(place.size > floor * floor) || *left == 0 || taken >= STEPS && stalls > 1 {
+    let (mut stalls, mut folds) = (0, true);
+    for _ in 0..MOST_STEPS {
+        let exact = facts.relative(&best.residual) <= T::EXACT;
+        let done = if exact { stalls > 0 } else { stalls >= MOST_STALLS };
+        if !(place.size > floor * floor) || *left == 0 || done {
             break;
         }
         *left -= 1;
@@ -73,14 +77,18 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
         // At a fold a step goes half of the way and leaves a quarter of the error: the next one is taken twice (Decker,
         // Keller, Kelley 1983).
         let ratio = next.size / place.size * T::from_f64(16.0);
-        let fold = stretch == T::ONE && ratio > T::HALF * T::HALF && ratio < T::TWO * T::TWO;
+        let twice = stretch == T::TWO;
+        let fold = folds && !twice && ratio > T::HALF * T::HALF && ratio < T::TWO * T::TWO;
         stretch = if fold { T::TWO } else { T::ONE };
         // A step along a narrow curved valley leaves it, and the next one leads back: one step may make it worse.
         let second = place.size > best.size;
-        stalls = if next.size < best.size { 0 } else { stalls + 1 };
+        stalls = if next.size < best.size * T::from_f64(PROGRESS) { 0 } else { stalls + 1 };
         if next.size < best.size {
             (best, place) = (next, next);
             boost = (boost * T::from_f64(0.1)).max(T::ONE);
+        } else if twice {
+            // No fold: where three roots meet, a step leaves 8/27 of the error.
+            (place, folds) = (best, false);
         } else if second || !next.size.is_finite() {
             place = best;
             boost *= T::from_f64(100.0);
