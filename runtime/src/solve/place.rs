@@ -133,8 +133,8 @@ impl<T: Tolerances> Samples<T> {
 /// The number of nodes in an interval.
 pub(super) const NODES: usize = 5;
 /// Places round the two roots of a stage at which the next one is looked at, and steps that narrow the best one down.
-const ROUND: i32 = 64;
-const NARROW: usize = 36;
+const ROUND: i32 = 32;
+const NARROW: usize = 24;
 
 /// The levels of the stage that follows on either root of a first one, at the nodes of the first one's interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -163,48 +163,63 @@ impl<T: Tolerances> Roots<T> {
     /// The place in the interval, as a cosine, at which the level is farthest inside its range, on either root.
     ///
     /// With the roots of the first stage at `+-h`, `cos h` its own level, the levels are `u +- s sin(h)` with
-    /// trigonometric polynomials u and s of degree 2, which the nodes determine (Lagrange's form for half angles).
+    /// trigonometric polynomials u and s of degree 2, which the nodes determine: Lagrange's form
+    /// `sum_k f_k prod_{j != k} sin((x - x_j) / 2) / sin((x_k - x_j) / 2)`.
     #[inline(never)]
     pub(super) fn place(&self, first: &Samples<T>, [middle, half]: [T; 2]) -> Option<T> {
-        let nodes: [T; NODES] = core::array::from_fn(|k| middle + half * node(k));
         let series = [first.series(3, 0), first.series(3, 1)];
+        // The sine of h, up to a factor.
         let sine = |x: T| {
-            let level = series[0].at(x) / series[1].at(x);
+            let [level, square] = series.each_ref().map(|circle| circle.at(x));
+            let level = level / square;
             ((level - first.low) * (first.high - level)).max(T::ZERO).sqrt()
         };
+        // Half angles from the middle, so that a narrow interval loses no digits.
+        let halves: [(T, T); NODES] = core::array::from_fn(|k| sin_cos(half * node(k) * T::HALF));
+        let others = |k: usize, (sin, cos): (T, T)| {
+            let factors = halves.iter().enumerate().filter(|(j, _)| *j != k);
+            factors.fold(T::ONE, |product, (_, (s, c))| product * (sin * *c - cos * *s))
+        };
         let mut sums = self.values;
-        for ([mean, share], node) in sums.iter_mut().zip(nodes) {
-            (*mean, *share) = ((*mean + *share) * T::HALF, (*mean - *share) * T::HALF / sine(node));
+        for (k, (([mean, share], at), values)) in sums.iter_mut().zip(halves).zip(&self.values).enumerate() {
+            let [one, other] = *values;
+            let weight = T::HALF / others(k, at);
+            *mean = (one + other) * weight;
+            *share = (one - other) * weight / sine(middle + half * node(k));
         }
         let inside = |turn: T| {
             let (s, c) = sin_cos(turn);
-            let x = middle + half * c;
+            let at = sin_cos(half * c * T::HALF);
             let (mut mean, mut share) = (T::ZERO, T::ZERO);
-            for (k, ([m, d], node)) in sums.iter().zip(nodes).enumerate() {
-                let others = nodes.iter().enumerate().filter(|(j, _)| *j != k);
-                let weight = others.fold(T::ONE, |product, (_, other)| {
-                    product * sin_cos((x - *other) * T::HALF).0 / sin_cos((node - *other) * T::HALF).0
-                });
+            for (k, [m, d]) in sums.iter().enumerate() {
+                let weight = others(k, at);
                 mean += weight * *m;
                 share += weight * *d;
             }
-            let level = mean + share * sine(x).copysign(s);
+            let level = mean + share * sine(middle + half * c).copysign(s);
             (level - self.low).min(self.high - level)
         };
         let step = T::TAU / T::from_i32(ROUND);
-        let places = (0..ROUND).map(|k| step * T::from_i32(k)).filter(|turn| inside(*turn).is_finite());
-        let mut best = places.max_by(|a, b| inside(*a).partial_cmp(&inside(*b)).unwrap_or(Ordering::Equal))?;
+        let mut best = None;
+        for turn in (0..ROUND).map(|k| step * T::from_i32(k)) {
+            best = better(best, turn, inside(turn));
+        }
         let mut step = step * T::HALF;
         for _ in 0..NARROW {
-            for turn in [best - step, best + step] {
-                if inside(turn) > inside(best) {
-                    best = turn;
-                }
+            let (middle, _) = best?;
+            for turn in [middle - step, middle + step] {
+                best = better(best, turn, inside(turn));
             }
             step *= T::HALF;
         }
-        Some(sin_cos(best).1)
+        best.map(|(turn, _)| sin_cos(turn).1)
     }
+}
+
+/// The better one of two turns: where a stage has its roots by more. One that says nothing does not count.
+fn better<T: Tolerances>(best: Option<(T, T)>, turn: T, inside: T) -> Option<(T, T)> {
+    let better = inside.is_finite() && best.is_none_or(|(_, most)| inside > most);
+    if better { Some((turn, inside)) } else { best }
 }
 
 /// Where a joint that turns leaves a stage roots: where both polynomials are positive, or for an equation vanish.
