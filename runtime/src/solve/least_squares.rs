@@ -7,7 +7,8 @@ use crate::{Jacobian, Residual};
 
 /// The most steps for one solution.
 const MOST_STEPS: usize = 24;
-/// So many steps in a row that take less than a fortieth of the error are the last ones; one, once the solution is exact.
+/// So many steps in a row that take less than a twentieth of the squared error are the last ones; one, once the solution is
+/// exact.
 const MOST_STALLS: usize = 3;
 /// The squared error that a step has to leave less than, as a part of what it was.
 const PROGRESS: f64 = 0.95;
@@ -41,8 +42,8 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
 }
 
 /// Damped least squares (Levenberg 1944, Marquardt 1963), damped in proportion to the squared error, so that convergence
-/// is quadratic. Up to 24 steps, and no more after three in a row that reduce the error by less than a fortieth; after one, if
-/// the solution is exact. Of two steps in a row one has to reduce the error, else neither is taken (the watchdog of
+/// is quadratic. Up to 24 steps, and no more after three in a row that take less than a twentieth of the squared error;
+/// after one, if the solution is exact. Of two steps in a row one has to reduce the error, else neither is taken (the watchdog of
 /// Chamberlain, Powell, Lemarechal, Pedersen 1982). Each step takes one from `left`; without any left there is no step.
 #[cold]
 #[inline(never)]
