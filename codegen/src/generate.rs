@@ -2,7 +2,8 @@
 
 use crate::emit::{self, Arm, Target};
 use crate::error::{Diagnostic, Errors};
-use crate::kinematics::{Wanted, kinematics};
+use crate::kinematics::{Wanted, kinematics, link_poses};
+use crate::lower::{self, Function, Inverse, Linked, Margins};
 use crate::model::chain::Chain;
 use crate::model::geometry::{Geometry, geometry};
 use crate::model::{self, Bound, Model, Parameter, Sizes};
@@ -130,6 +131,55 @@ pub fn generate(text: &str, file: &str, options: &Options) -> Result<Generated, 
         item: emit::item(&arm, &target),
         warnings: analyzed.warnings.clone(),
         report: analyzed.report(),
+    })
+}
+
+/// What code is made from, as data: for evaluating it without a compiler. The parameters have the values of the file.
+#[derive(Debug, Clone)]
+pub struct Program {
+    /// The checked arm.
+    pub model: Model,
+    /// Pose of the tool: rotation by rows, position.
+    pub forward: Function,
+    /// The geometric Jacobian, by rows.
+    pub jacobian: Function,
+    /// Both, in this order.
+    pub both: Function,
+    /// The pose of every link.
+    pub links: Function,
+    /// The inverse, or why there is none.
+    pub inverse: Result<Inverse, String>,
+    /// The factors of the Jacobian's determinant, where the task has them.
+    pub margins: Option<Margins>,
+    /// Motor values, where motors move more than their own joint.
+    pub linked: Option<Linked>,
+    /// Advice.
+    pub warnings: Vec<Diagnostic>,
+}
+
+/// The programs of an arm. `file` is the name used in messages.
+///
+/// # Errors
+/// Every mistake in the file, with its place; an arm without an inverse whose file requires one.
+pub fn program(text: &str, file: &str) -> Result<Program, Errors> {
+    let analyzed = analyze(text, file, &Bound::None, ScalarKind::F64)?;
+    if let Some(mistake) = analyzed.lacking() {
+        return Err(Errors::from(mistake));
+    }
+    let Analyzed { model, chain, inverse, warnings, .. } = analyzed;
+    let joints = model.joints.len();
+    let function = |wanted| lower::function(&kinematics(&chain, wanted), wanted, joints);
+    let plan = inverse.as_ref();
+    Ok(Program {
+        forward: function(Wanted::Forward),
+        jacobian: function(Wanted::Jacobian),
+        both: function(Wanted::Both),
+        links: lower::link_function(&link_poses(&chain), joints),
+        margins: plan.ok().and_then(lower::margins),
+        inverse: plan.map(|plan| lower::inverse(&model, plan)).map_err(|refusal| refusal.reason.clone()),
+        linked: lower::linked(&model),
+        warnings,
+        model,
     })
 }
 

@@ -3,7 +3,7 @@
 //! The pipeline, one direction only:
 //!
 //! ```text
-//! spec (YAML text) -> model (checked chain) -> symbolic (expressions) -> kinematics, solve -> emit (Rust tokens)
+//! spec (YAML text) -> model (checked chain) -> symbolic (expressions) -> kinematics, solve -> lower (programs) -> emit (Rust tokens)
 //! ```
 //!
 //! [`generate`] is what the derive macro, the [`Builder`] of a build script and the command `denhart expand` all call.
@@ -14,6 +14,7 @@ mod emit;
 pub mod error;
 mod generate;
 mod kinematics;
+pub mod lower;
 pub mod model;
 mod report;
 mod settings;
@@ -28,6 +29,6 @@ pub use emit::Scalar as ScalarKind;
 pub use error::{Diagnostic, Errors, Location, Severity};
 #[doc(hidden)]
 pub use generate::stages_text;
-pub use generate::{Generated, Options, check, generate};
+pub use generate::{Generated, Options, Program, check, generate, program};
 pub use model::Bound;
 pub use report::Report;

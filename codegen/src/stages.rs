@@ -1,6 +1,7 @@
 //! What each stage hands to the next, as text: for snapshots, so that a wrong stage shows where.
 
-use crate::emit::{Block, Writer};
+use crate::emit::Writer;
+use crate::lower::Block;
 use crate::model::chain::{Chain, Step};
 use crate::model::geometry::Geometry;
 use crate::model::{Angle, Length, Model};
@@ -67,10 +68,10 @@ fn solution(out: &mut String, plan: &Plan) {
     let shared = block.bind(&inputs);
     let krate = proc_macro2::TokenStream::new();
     out.push_str("shared terms\n");
-    for e in shared {
-        line(out, block.statement(e, &krate).to_string());
-    }
     let writer = Writer { graph: &plan.graph, bound: &block.bound, krate: &krate };
+    for e in shared {
+        line(out, writer.statement(e).to_string());
+    }
     let list = |inputs: &[Expr]| inputs.iter().map(|e| writer.write(*e).to_string()).collect::<Vec<_>>().join(", ");
     out.push_str("plan\n");
     for step in &plan.steps {

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 /// The stages in the order of the data.
-const STAGES: [&str; 6] = ["spec", "model", "symbolic", "kinematics", "solve", "emit"];
+const STAGES: [&str; 7] = ["spec", "model", "symbolic", "kinematics", "solve", "lower", "emit"];
 
 /// Notes every line under `folder` that names one of the `later` stages, as `file:line: text`.
 fn later_imports(folder: &Path, later: &[&str], found: &mut Vec<String>) {

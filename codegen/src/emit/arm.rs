@@ -49,12 +49,12 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     let functions = kinematics::functions(model, arm.chain, target);
     let mut dimensions = Dimensions::default();
     let linked = coupling::linked(model, target);
-    for (graph, roots) in functions.used.iter().chain(&linked.used) {
-        dimensions.collect(graph, roots);
+    for straight in functions.used.iter().chain(&linked.used) {
+        dimensions.collect(straight);
     }
     let inverse_code = match arm.inverse {
         Ok(plan) => {
-            dimensions.collect(&plan.graph, &plan.inputs());
+            dimensions.collect_from(&plan.graph, &plan.inputs());
             let margins = margins(model, plan, target, &mut dimensions);
             let mut code = inverse(model, plan, target);
             code.methods.extend(margins);

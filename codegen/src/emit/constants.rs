@@ -3,6 +3,7 @@
 use super::Target;
 use super::docs;
 use super::tokens::{ident, number};
+use crate::lower::Straight;
 use crate::model::{Convention, Model};
 use crate::symbolic::{Expr, Graph, Node};
 use indexmap::IndexMap;
@@ -16,8 +17,13 @@ pub struct Dimensions {
 }
 
 impl Dimensions {
+    /// Adds those that a program uses.
+    pub fn collect(&mut self, straight: &Straight) {
+        self.collect_from(&straight.graph, &straight.roots);
+    }
+
     /// Adds those the roots of a graph use.
-    pub fn collect(&mut self, graph: &Graph, roots: &[Expr]) {
+    pub fn collect_from(&mut self, graph: &Graph, roots: &[Expr]) {
         for e in graph.reachable(roots) {
             if let Node::Symbol(symbol) = graph.node(e)
                 && let Some(bits) = symbol.value

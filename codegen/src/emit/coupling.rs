@@ -1,11 +1,10 @@
 //! Linked joints: motor values from joint values and back, and the Jacobian of the motor rates.
 
 use super::Target;
-use super::block::Block;
 use super::docs;
 use super::tokens::{Writer, ident, integer};
+use crate::lower::{self, Linear, Straight};
 use crate::model::{Coupling, JointKind, Model};
-use crate::symbolic::{Expr, Graph};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -13,44 +12,25 @@ use quote::quote;
 pub struct Linked {
     /// The methods.
     pub methods: TokenStream,
-    /// The graphs with their roots.
-    pub used: Vec<(Graph, Vec<Expr>)>,
+    /// The expressions.
+    pub used: Vec<Straight>,
 }
 
 /// Nothing for an arm whose motors are its joints.
 pub fn linked(model: &Model, target: &Target) -> Linked {
-    let Some(coupling) = &model.coupling else { return Linked { methods: TokenStream::new(), used: Vec::new() } };
-    let mut graph = Graph::default();
-    let n = model.joints.len();
-    let numbered = |graph: &mut Graph, letter: &str| {
-        (1..=n).map(|number| graph.symbol(format!("{letter}{number}"))).collect::<Vec<Expr>>()
-    };
-    let [q, m, j] = ["q", "m", "j"].map(|letter| numbered(&mut graph, letter));
-    let offsets: Vec<Expr> = (1..)
-        .zip(&coupling.offset)
-        .map(|(number, offset)| graph.dimension(format!("OFFSET{number}"), *offset))
-        .collect();
-    let rows = products(&mut graph, &coupling.matrix, &q);
-    let to_motor: Vec<Expr> = rows.iter().zip(&offsets).map(|(row, offset)| graph.add(*row, *offset)).collect();
-    let turned: Vec<Expr> = m.iter().zip(&offsets).map(|(motor, offset)| graph.sub(*motor, *offset)).collect();
-    for (number, turned) in (1..).zip(&turned) {
-        graph.name(*turned, format!("moved{number}"));
+    match (&model.coupling, lower::linked(model)) {
+        (Some(coupling), Some(linked)) => {
+            let methods = methods(model, coupling, target, &linked);
+            Linked { methods, used: vec![linked.to_motor.straight, linked.from_motor.straight] }
+        }
+        _ => Linked { methods: TokenStream::new(), used: Vec::new() },
     }
-    let from_motor = products(&mut graph, &coupling.inverse, &turned);
-    let columns = products(&mut graph, &transposed(&coupling.inverse), &j);
-    let methods = methods(model, coupling, target, &graph, [&to_motor, &from_motor, &columns]);
-    Linked { methods, used: vec![(graph, [to_motor, from_motor].concat())] }
 }
 
-fn methods(
-    model: &Model,
-    coupling: &Coupling,
-    target: &Target,
-    graph: &Graph,
-    [to_motor, from_motor, columns]: [&[Expr]; 3],
-) -> TokenStream {
+fn methods(model: &Model, coupling: &Coupling, target: &Target, linked: &lower::Linked) -> TokenStream {
     let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
-    let [to_body, from_body, columns] = [to_motor, from_motor, columns].map(|roots| body(graph, roots, target));
+    let [to_body, from_body, columns] =
+        [&linked.to_motor, &linked.from_motor, &linked.row].map(|linear| body(linear, target));
     let pattern = |letter: &str| {
         let names = (1..=model.joints.len()).map(|number| ident(&format!("{letter}{number}")));
         quote!([#(#names),*])
@@ -104,29 +84,12 @@ fn methods(
     }
 }
 
-/// Each row of the matrix times the vector.
-fn products(graph: &mut Graph, matrix: &[Vec<f64>], vector: &[Expr]) -> Vec<Expr> {
-    let row = |row: &Vec<f64>| {
-        row.iter().zip(vector).fold(Expr::ZERO, |sum, (factor, value)| {
-            let factor = graph.number(*factor);
-            let term = graph.mul(factor, *value);
-            graph.add(sum, term)
-        })
-    };
-    matrix.iter().map(row).collect()
-}
-
-fn transposed(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
-    (0..matrix.len()).map(|column| matrix.iter().filter_map(|row| row.get(column).copied()).collect()).collect()
-}
-
 /// The statements that the roots share, and the array of the roots.
-fn body(graph: &Graph, roots: &[Expr], target: &Target) -> TokenStream {
-    let mut block = Block::new(graph, roots, ["q".to_owned(), "motor".to_owned()]);
-    let statements: Vec<TokenStream> =
-        block.bind(roots).into_iter().map(|shared| block.statement(shared, &target.krate)).collect();
-    let writer = Writer { graph, bound: &block.bound, krate: &target.krate };
-    let values = roots.iter().map(|root| writer.write(*root));
+fn body(linear: &Linear, target: &Target) -> TokenStream {
+    let straight = &linear.straight;
+    let writer = Writer { graph: &straight.graph, bound: &straight.names, krate: &target.krate };
+    let statements = straight.shared.iter().map(|shared| writer.statement(*shared));
+    let values = straight.roots.iter().map(|root| writer.write(*root));
     quote! {
         #(#statements)*
         [#(#values),*]

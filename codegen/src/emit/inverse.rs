@@ -1,17 +1,16 @@
-//! The inverse: the plan as nested loops over the roots of its stages.
+//! The inverse: its program as nested loops over the roots of its stages.
 
-use super::block::Block;
-use super::inverse_frame::{function, given, inverse_trait, items, methods};
-use super::kernel::Calls;
+use super::inverse_frame::{function, inverse_trait, items, methods};
+use super::kernel;
 use super::task::task;
 use super::tokens::{Writer, ident};
 use super::{Target, angle, docs};
-use crate::model::Model;
-use crate::solve::{Branching, Kernel, Plan, PlanStep, Stage, Unit};
-use crate::symbolic::{Expr, Node};
-use proc_macro2::TokenStream;
+use crate::lower::{self, Branching, Call, Each, Given, Input, Kernel, Part, Root, Slot, Statement, Trail};
+use crate::model::{Angle, Model};
+use crate::solve::{Plan, Stage};
+use crate::symbolic::Expr;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
-use std::collections::{HashMap, HashSet};
 
 /// The code of an inverse.
 pub struct Inverse {
@@ -25,309 +24,238 @@ pub struct Inverse {
     pub trait_impl: TokenStream,
 }
 
-/// Statements before the next loop, and the loop's head.
-#[derive(Default)]
-struct Level {
-    head: TokenStream,
-    body: TokenStream,
-}
-
-struct Nest<'a> {
-    plan: &'a Plan,
-    target: &'a Target,
-    block: Block<'a>,
-    levels: Vec<Level>,
-    /// The level at which a symbol is known.
-    known: HashMap<String, usize>,
-    used: HashSet<String>,
-    trail: TokenStream,
-    branch: TokenStream,
-}
-
 /// Emits the plan.
 pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
-    let inputs = plan.inputs();
-    let wanted = plan.values.iter().zip(&plan.slots).filter(|(_, slot)| slot.joint.is_some());
-    let mut used: HashSet<String> = wanted.flat_map(|(v, _)| v.terms.iter().map(|(t, _)| t.clone())).collect();
-    for e in plan.graph.reachable(&inputs) {
-        if let Node::Symbol(symbol) = plan.graph.node(e) {
-            used.insert(symbol.name);
-        }
-    }
-    let labels = (1..=plan.joints()).map(|i| i.to_string()).chain(plan.slots.iter().map(|slot| slot.label.clone()));
-    let prefixes = ["q", "index", "roots", "trail", "elbow", "cone", "phase"];
-    let reserved = labels.flat_map(|label| prefixes.map(|prefix| format!("{prefix}{label}")));
-    let names = [
-        "agreed",
-        "locked",
-        "nearest",
-        "search",
-        "solutions",
-        "start",
-        "target",
-        "near",
-        "arm",
-        "goal",
-        "frame",
-        "swing",
-        "wanted",
-    ];
-    // The size of an arm with run-time parameters.
-    let sizes: &[&str] = if model.parameters.is_empty() { &[] } else { &["reach", "facts", "length"] };
-    let reserved = reserved.chain(names.iter().chain(sizes).map(|name| name.to_string()));
-    let krate = &target.krate;
-    let mut nest = Nest {
-        plan,
-        target,
-        block: Block::new(&plan.graph, &inputs, reserved),
-        levels: vec![Level::default()],
-        known: HashMap::new(),
-        used: used.clone(),
-        trail: quote!(start),
-        branch: quote!(#krate::Branch::NONE),
-    };
-    let mut calls = Calls::new(model, plan, target);
-    for step in &plan.steps {
-        match step {
-            PlanStep::Stage(stage) => nest.stage(stage, &mut calls),
-            PlanStep::Angle { name, meaning, y, x } => nest.angle(name, meaning, *y, *x),
-            PlanStep::Agreement { meaning, unit, misses } => nest.agreement(meaning, calls.measure(*unit), misses),
-            PlanStep::Swivel { names, meaning, .. } => {
-                nest.swivel(names, meaning, &step.inputs(), calls.measure(Unit::Length));
-            }
-        }
-    }
-    nest.values();
-    let body = nest.finish();
-    let task = task(model, plan, target, &used);
+    let program = lower::inverse(model, plan);
+    let nest = Nest { plan, target, program: &program, bound: !model.parameters.is_empty() };
+    let body = nest.levels();
+    let task = task(model, &program, target);
     Inverse {
-        items: items(model, plan, target, calls.items),
-        function: function(model, plan, target, &task, &given_symbols(plan, target, &used), &body),
+        items: items(model, &program, target, nest.ranges()),
+        function: function(model, plan, &program, target, &task, &given_symbols(&program, target), &body),
         methods: methods(model, plan, target, &task),
         trait_impl: inverse_trait(plan, target, &task),
     }
 }
 
 /// Sine and cosine of a joint whose value is given.
-fn given_symbols(plan: &Plan, target: &Target, used: &HashSet<String>) -> TokenStream {
+fn given_symbols(program: &lower::Inverse, target: &Target) -> TokenStream {
     let krate = &target.krate;
-    if plan.task.swivel.is_some() {
-        return quote!(let swing = #krate::math::sin_cos(arm_angle););
-    }
-    let (Some(locked), Some(q)) = (&plan.task.locked, given(plan)) else { return TokenStream::new() };
-    let name = |letter: &str| {
-        let name = format!("{letter}{}", locked.joint + 1);
-        if used.contains(&name) { ident(&name) } else { ident(&format!("_{name}")) }
+    let name = |input: Input| {
+        let name = input.name();
+        if program.reads(input) { ident(&name) } else { ident(&format!("_{name}")) }
     };
-    let (s, c) = (name("s"), name("c"));
-    if locked.turns { quote!(let (#s, #c) = #krate::math::sin_cos(#q);) } else { TokenStream::new() }
+    match program.given {
+        Some(Given::ArmAngle) => quote!(let swing = #krate::math::sin_cos(arm_angle);),
+        Some(Given::Joint { joint, turns: true }) => {
+            let (s, c, q) = (name(Input::SinGiven(joint)), name(Input::CosGiven(joint)), name(Input::Given(joint)));
+            quote!(let (#s, #c) = #krate::math::sin_cos(#q);)
+        }
+        Some(Given::Joint { turns: false, .. }) | None => TokenStream::new(),
+    }
+}
+
+/// What the statements are written with.
+pub(super) struct Nest<'a> {
+    pub(super) plan: &'a Plan,
+    pub(super) target: &'a Target,
+    pub(super) program: &'a lower::Inverse,
+    /// Whether lengths are compared to a reach that is known at run time only.
+    pub(super) bound: bool,
 }
 
 impl Nest<'_> {
-    fn deepest(&self) -> usize {
-        self.levels.len().saturating_sub(1)
+    pub(super) fn writer(&self) -> Writer<'_> {
+        Writer { graph: &self.program.graph, bound: &self.program.names, krate: &self.target.krate }
     }
 
-    fn at(&mut self, level: usize, tokens: TokenStream) {
-        if let Some(level) = self.levels.get_mut(level) {
-            level.body.extend(tokens);
+    fn leaf(&self, slot: Slot) -> Ident {
+        ident(&self.program.graph.leaf_name(slot).unwrap_or_default())
+    }
+
+    /// What a stage is called: its joints.
+    pub(super) fn number(&self, stage: usize) -> String {
+        self.plan.stages().nth(stage).iter().flat_map(|stage| &stage.joints).map(|j| self.plan.label(*j)).collect()
+    }
+
+    fn trail(&self, trail: Trail) -> Ident {
+        match trail {
+            Trail::Start => ident("start"),
+            Trail::Stage(stage) => ident(&format!("trail{}", self.number(stage))),
+            Trail::Agreed(_) => ident("agreed"),
+            Trail::Swung => ident("swung"),
         }
     }
 
-    /// The level from which on an expression can be evaluated.
-    fn level(&self, e: Expr) -> usize {
-        let graph = &self.plan.graph;
-        graph
-            .reachable(&[e])
-            .into_iter()
-            .filter_map(|x| match graph.node(x) {
-                Node::Symbol(symbol) => self.known.get(&symbol.name).copied(),
+    /// The constant ranges of the stages.
+    fn ranges(&self) -> TokenStream {
+        let statements = self.program.levels.iter().flat_map(|level| &level.body);
+        let mut calls: Vec<&Call> = statements
+            .filter_map(|statement| match statement {
+                Statement::Solve(call) => Some(call),
                 _ => None,
             })
-            .max()
-            .unwrap_or(0)
+            .collect();
+        calls.sort_by_key(|call| call.stage);
+        calls.into_iter().map(|call| kernel::range_item(self, call)).collect()
     }
 
-    /// Binds what the inputs share, each at its level. Returns the level of the inputs together.
-    fn bind(&mut self, inputs: &[Expr]) -> usize {
-        for e in self.block.bind(inputs) {
-            let statement = self.block.statement(e, &self.target.krate);
-            let level = self.level(e);
-            self.at(level, statement);
+    fn levels(&self) -> TokenStream {
+        let mut inner = TokenStream::new();
+        for level in self.program.levels.iter().rev() {
+            let body = level.body.iter().map(|statement| self.statement(statement));
+            inner = match &level.each {
+                None => quote!(#(#body)* #inner),
+                Some(each) => {
+                    let head = self.head(each);
+                    quote!(#head { #(#body)* #inner })
+                }
+            };
         }
-        inputs.iter().map(|e| self.level(*e)).max().unwrap_or(0)
+        inner
     }
 
-    fn stage(&mut self, stage: &Stage, calls: &mut Calls) {
-        let level = self.bind(&stage.kernel.inputs());
-        let call = calls.call(stage, &self.block);
-        for (inputs, statement) in calls.before.drain(..) {
-            let level = inputs.iter().map(|e| self.level(*e)).max().unwrap_or(0);
-            self.at(level, statement);
-        }
-        let number: String = stage.joints.iter().map(|j| self.plan.label(*j)).collect();
-        let roots = ident(&format!("roots{number}"));
-        let meaning = docs::lines(&self.meaning(stage));
-        let (before, trail) = (self.trail.clone(), ident(&format!("trail{number}")));
-        self.at(level, quote!(#meaning let #roots = #call;));
-        let follow = quote!(let #trail = search.follow(&#before, &#roots););
-        let deepest = self.deepest();
-        self.at(deepest, follow);
-        if stage.kernel.roots() == 1 {
-            let pattern = self.pattern(stage);
-            self.at(deepest, quote!(let #pattern = #roots.only();));
-        } else {
-            self.levels.push(Level::default());
-            let pattern = self.pattern(stage);
-            let index = ident(&format!("index{number}"));
-            if let Some(level) = self.levels.last_mut() {
-                let part = match stage.branching {
-                    Branching::None => quote!(::core::option::Option::None),
-                    Branching::Shoulder => quote!(wanted.shoulder()),
-                    Branching::Elbow => quote!(wanted.elbow()),
-                    Branching::Wrist => quote!(wanted.wrist()),
-                    Branching::Root => quote!(wanted.root()),
-                };
-                level.head = quote!(for (#index, &#pattern) in #roots.each(&#trail, #part));
-            }
-            self.name_branch(stage, &index);
-        }
-        self.trail = quote!(#trail);
+    fn head(&self, each: &Each) -> TokenStream {
+        let number = self.number(each.stage);
+        let (roots, index, trail) =
+            (ident(&format!("roots{number}")), ident(&format!("index{number}")), self.trail(each.trail));
+        let pattern = self.pattern(&each.roots);
+        let part = match each.branching {
+            Branching::None => quote!(::core::option::Option::None),
+            Branching::Shoulder => quote!(wanted.shoulder()),
+            Branching::Elbow => quote!(wanted.elbow()),
+            Branching::Wrist => quote!(wanted.wrist()),
+            Branching::Root => quote!(wanted.root()),
+        };
+        quote!(for (#index, &#pattern) in #roots.each(&#trail, #part))
     }
 
-    fn name_branch(&mut self, stage: &Stage, index: &proc_macro2::Ident) {
+    /// The name of a branch, from the roots that it follows.
+    fn branch(&self) -> TokenStream {
         let krate = &self.target.krate;
-        self.branch.extend(match stage.branching {
-            Branching::None => TokenStream::new(),
-            Branching::Shoulder => quote!(.with_shoulder(#krate::Shoulder::of_root(#index))),
-            Branching::Elbow => quote!(.with_elbow(#krate::Elbow::of_root(#index))),
-            Branching::Wrist => quote!(.with_wrist(#krate::Wrist::of_root(#index))),
-            Branching::Root => quote!(.with_root_index(#index)),
-        });
+        let mut branch = quote!(#krate::Branch::NONE);
+        for each in self.program.levels.iter().filter_map(|level| level.each.as_ref()) {
+            let index = ident(&format!("index{}", self.number(each.stage)));
+            branch.extend(match each.branching {
+                Branching::None => TokenStream::new(),
+                Branching::Shoulder => quote!(.with_shoulder(#krate::Shoulder::of_root(#index))),
+                Branching::Elbow => quote!(.with_elbow(#krate::Elbow::of_root(#index))),
+                Branching::Wrist => quote!(.with_wrist(#krate::Wrist::of_root(#index))),
+                Branching::Root => quote!(.with_root_index(#index)),
+            });
+        }
+        branch
     }
 
     /// `[Turn { value: q1, sin: s1, cos: c1 }]` with the fields in use.
-    fn pattern(&mut self, stage: &Stage) -> TokenStream {
-        let level = self.deepest();
+    fn pattern(&self, roots: &[Root]) -> TokenStream {
         let krate = &self.target.krate;
-        let mut patterns = Vec::new();
-        for joint in &stage.joints {
-            let number = self.plan.label(*joint);
-            let mut fields = Vec::new();
-            for (field, names) in [
-                ("value", [format!("q{number}"), format!("t{number}")]),
-                ("sin", [format!("s{number}"), format!("sin_t{number}")]),
-                ("cos", [format!("c{number}"), format!("cos_t{number}")]),
-            ] {
-                for name in names {
-                    if self.used.contains(&name) {
-                        let (field, symbol) = (ident(field), ident(&name));
-                        fields.push(quote!(#field: #symbol));
-                        self.known.insert(name, level);
-                    }
-                }
-            }
-            patterns.push(match fields.len() {
+        let patterns = roots.iter().map(|Root(parts)| {
+            let fields = parts.iter().map(|(part, symbol)| {
+                let field = match part {
+                    Part::Value => quote!(value),
+                    Part::Sin => quote!(sin),
+                    Part::Cos => quote!(cos),
+                };
+                let symbol = self.leaf(*symbol);
+                quote!(#field: #symbol)
+            });
+            match parts.len() {
                 0 => quote!(_),
                 3 => quote!(#krate::solve::Turn { #(#fields),* }),
                 _ => quote!(#krate::solve::Turn { #(#fields,)* .. }),
-            });
-        }
+            }
+        });
         quote!([#(#patterns),*])
     }
 
-    fn angle(&mut self, name: &str, meaning: &str, y: Expr, x: Expr) {
-        let level = self.bind(&[y, x]);
+    fn statement(&self, statement: &Statement) -> TokenStream {
         let krate = &self.target.krate;
-        let writer = Writer { graph: &self.plan.graph, bound: &self.block.bound, krate };
-        let (symbol, doc) = (ident(name), docs::lines(meaning));
-        let (y, x) = (writer.write(y), writer.write(x));
-        self.at(level, quote!(#doc let #symbol = #krate::math::atan2(#y, #x);));
-        self.known.insert(name.to_string(), level);
-    }
-
-    fn agreement(&mut self, meaning: &str, measure: TokenStream, misses: &[Expr]) {
-        self.bind(misses);
-        let krate = &self.target.krate;
-        let writer = Writer { graph: &self.plan.graph, bound: &self.block.bound, krate };
-        let entries = misses.iter().map(|e| writer.write(*e));
-        let (before, doc) = (&self.trail, docs::lines(meaning));
-        let statement = quote!(#doc let agreed = search.agree(&#before, #measure, [#(#entries),*]););
-        let deepest = self.deepest();
-        self.at(deepest, statement);
-        self.trail = quote!(agreed);
-    }
-
-    fn swivel(&mut self, names: &[[String; 3]; 3], meaning: &str, inputs: &[Expr], length: TokenStream) {
-        let level = self.bind(inputs);
-        let krate = &self.target.krate;
-        let writer = Writer { graph: &self.plan.graph, bound: &self.block.bound, krate };
-        let vectors = inputs.chunks(3).map(|vector| {
-            let entries = vector.iter().map(|e| writer.write(*e));
-            quote!([#(#entries),*])
-        });
-        let rows = names.iter().map(|row| {
-            let row = row.iter().map(|name| ident(name));
-            quote!([#(#row),*])
-        });
-        let doc = docs::lines(meaning);
-        let vectors: Vec<TokenStream> = vectors.collect();
-        let statement = quote!(#doc let [#(#rows),*] = #krate::solve::swivel(#(#vectors),*, swing););
-        self.at(level, statement);
-        let (before, wrist) = (&self.trail, vectors.first());
-        let homes = quote!([search.home(0), search.home(1)]);
-        let doc = docs::lines("A wrist in the shoulder leaves joints 1 and 2 free.");
-        self.at(level, quote!(#doc let swung = search.directed(&#before, #length, #wrist, #homes);));
-        self.trail = quote!(swung);
-        for name in names.iter().flatten() {
-            self.known.insert(name.clone(), level);
-        }
-    }
-
-    /// Joint values that are not a kernel's value as it is.
-    fn values(&mut self) {
-        for (slot, value) in self.plan.slots.iter().zip(&self.plan.values) {
-            let name = format!("q{}", slot.label);
-            if slot.joint.is_none() || value.terms.iter().any(|(term, _)| *term == name) {
-                continue;
+        let writer = self.writer();
+        let w = |e: &Expr| writer.write(*e);
+        match statement {
+            Statement::Let(e) => writer.statement(*e),
+            Statement::Phase { .. } | Statement::Elbow { .. } | Statement::Cone { .. } => {
+                kernel::preparation(self, statement)
             }
-            let level = value.terms.iter().filter_map(|(term, _)| self.known.get(term)).max().copied().unwrap_or(0);
-            let mut sum = TokenStream::new();
-            for (position, (term, negative)) in value.terms.iter().enumerate() {
-                let term = ident(term);
-                sum.extend(match (position, negative) {
-                    (0, false) => quote!(#term),
-                    (_, false) => quote!(+ #term),
-                    (_, true) => quote!(- #term),
+            Statement::Solve(call) => {
+                let roots = ident(&format!("roots{}", self.number(call.stage)));
+                let stage = self.plan.stages().nth(call.stage);
+                let meaning = stage.map(|stage| docs::lines(&self.meaning(stage)));
+                let call = kernel::call(self, call);
+                quote!(#meaning let #roots = #call;)
+            }
+            Statement::Follow { stage, before } => {
+                let (trail, before) = (self.trail(Trail::Stage(*stage)), self.trail(*before));
+                let roots = ident(&format!("roots{}", self.number(*stage)));
+                quote!(let #trail = search.follow(&#before, &#roots);)
+            }
+            Statement::Only { stage, roots } => {
+                let (pattern, roots) = (self.pattern(roots), ident(&format!("roots{}", self.number(*stage))));
+                quote!(let #pattern = #roots.only();)
+            }
+            Statement::Angle { symbol, y, x, meaning } => {
+                let (symbol, doc, y, x) = (self.leaf(*symbol), docs::lines(meaning), w(y), w(x));
+                quote!(#doc let #symbol = #krate::math::atan2(#y, #x);)
+            }
+            Statement::Agree { index, before, unit, misses, meaning } => {
+                let (before, agreed) = (self.trail(*before), self.trail(Trail::Agreed(*index)));
+                let (measure, doc) = (kernel::measure(self, *unit), docs::lines(meaning));
+                let entries = misses.iter().map(w);
+                quote!(#doc let #agreed = search.agree(&#before, #measure, [#(#entries),*]);)
+            }
+            Statement::Swivel { symbols, vectors, before, meaning } => {
+                let vectors = vectors.each_ref().map(|vector| {
+                    let entries = vector.iter().map(w);
+                    quote!([#(#entries),*])
                 });
+                let rows = symbols.iter().map(|row| {
+                    let row = row.iter().map(|symbol| self.leaf(*symbol));
+                    quote!([#(#row),*])
+                });
+                let (doc, wrist, before) = (docs::lines(meaning), vectors.first(), self.trail(*before));
+                let swung = self.trail(Trail::Swung);
+                let length = kernel::measure(self, lower::Unit::Length);
+                let free = docs::lines("A wrist in the shoulder leaves joints 1 and 2 free.");
+                quote! {
+                    #doc let [#(#rows),*] = #krate::solve::swivel(#(#vectors),*, swing);
+                    #free let #swung = search.directed(&#before, #length, #wrist, [search.home(0), search.home(1)]);
+                }
             }
-            if !value.constant.is_zero() {
-                let negative = value.constant.rad() < 0.0;
-                let size = angle::tokens(if negative { value.constant.neg() } else { value.constant }, self.target);
-                sum.extend(if negative { quote!(- #size) } else { quote!(+ #size) });
+            Statement::Value { symbol, terms, constant } => {
+                let (name, sum) = (self.leaf(*symbol), self.sum(terms, *constant));
+                quote!(let #name = #krate::solve::wrap(#sum);)
             }
-            let (name, krate) = (ident(&name), &self.target.krate);
-            self.at(level, quote!(let #name = #krate::solve::wrap(#sum);));
+            Statement::Push { trail, q } => {
+                let (trail, branch) = (self.trail(*trail), self.branch());
+                let q = q.iter().map(|slot| self.leaf(*slot));
+                quote!(let branch = #branch; search.push(&#trail, [#(#q),*], branch);)
+            }
         }
     }
 
-    fn finish(mut self) -> TokenStream {
-        let q = (1..=self.plan.joints()).map(|i| ident(&format!("q{i}")));
-        let (trail, branch) = (&self.trail, &self.branch);
-        let push = quote!(let branch = #branch; search.push(&#trail, [#(#q),*], branch););
-        let deepest = self.deepest();
-        self.at(deepest, push);
-        let mut inner = TokenStream::new();
-        for Level { head, body } in self.levels.into_iter().rev() {
-            inner = if head.is_empty() { quote!(#body #inner) } else { quote!(#head { #body #inner }) };
+    fn sum(&self, terms: &[(Slot, bool)], constant: Angle) -> TokenStream {
+        let mut sum = TokenStream::new();
+        for (position, (term, negative)) in terms.iter().enumerate() {
+            let term = self.leaf(*term);
+            sum.extend(match (position, negative) {
+                (0, false) => quote!(#term),
+                (_, false) => quote!(+ #term),
+                (_, true) => quote!(- #term),
+            });
         }
-        inner
+        if !constant.is_zero() {
+            let negative = constant.rad() < 0.0;
+            let size = angle::tokens(if negative { constant.neg() } else { constant }, self.target);
+            sum.extend(if negative { quote!(- #size) } else { quote!(+ #size) });
+        }
+        sum
     }
 
     /// The stage's explanation with its quantities filled in.
     fn meaning(&self, stage: &Stage) -> String {
         let krate = &self.target.krate;
-        let writer = Writer { graph: &self.plan.graph, bound: &self.block.bound, krate };
+        let writer = self.writer();
         let text = |e: Expr| {
             let tokens = writer.write(e).to_string();
             let path = format!("{krate} :: math :: sqrt ");

@@ -3,37 +3,32 @@
 use super::task::TaskCode;
 use super::tokens::{ident, integer, number};
 use super::{Target, combined_limits, docs, parameters};
+use crate::lower::Inverse;
 use crate::model::{JointKind, Model};
 use crate::solve::Plan;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 /// Reach, tolerances and limits as constants.
-pub(super) fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStream) -> TokenStream {
+pub(super) fn items(model: &Model, program: &Inverse, target: &Target, ranges: TokenStream) -> TokenStream {
     let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
-    let reach = number(plan.reach);
-    let limited = model.joints.iter().any(|joint| joint.limits.is_some());
-    let sliding = model
-        .joints
+    let facts = &program.facts;
+    let reach = number(facts.reach);
+    let limited = facts.limited;
+    let sliding = facts
+        .prismatic
         .iter()
-        .enumerate()
-        .filter(|(_, joint)| joint.kind == JointKind::Prismatic)
-        .map(|(index, _)| integer(index))
+        .map(|joint| integer(*joint))
         .map(|index| quote!(.union(#krate::JointMask::single(#index))));
-    let weights = model.inverse.weights.clone().unwrap_or_else(|| vec![1.0; model.joints.len()]);
-    let weights = weights.into_iter().map(number);
-    let length = number(model.inverse.tolerance_length.unwrap_or(1e-6 * plan.reach));
-    let angle = number(model.inverse.tolerance_angle.unwrap_or(1e-6));
+    let weights = facts.weights.iter().copied().map(number);
+    let (length, angle) = (number(facts.length), number(facts.angle));
     let unit = model.length_unit.symbol();
     let reach_doc = format!(" Reach of the arm, {unit}: the scale of every length comparison.");
     let type_name = &target.type_name;
     let combined = combined_limits::reference(model, target);
-    let is_virtual = plan.stages().flat_map(|stage| &stage.joints).any(|slot| plan.joint(*slot).is_none());
-    let stands_for = if is_virtual {
-        let last = integer(plan.last_solved());
-        quote!(#krate::JointMask::single(#last))
-    } else {
-        quote!(#krate::JointMask::NONE)
+    let stands_for = match facts.stands_for.map(integer) {
+        Some(last) => quote!(#krate::JointMask::single(#last)),
+        None => quote!(#krate::JointMask::NONE),
     };
     let (measure, facts_doc) = if model.parameters.is_empty() {
         let measure = quote! {
@@ -61,7 +56,7 @@ pub(super) fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStr
             tolerance: #krate::Residual { position: #length, orientation: #angle },
         };
         const ALL: #krate::solve::Every = #krate::solve::Every;
-        #calls
+        #ranges
     }
 }
 
@@ -83,6 +78,7 @@ pub(super) fn given(plan: &Plan) -> Option<Ident> {
 pub(super) fn function(
     model: &Model,
     plan: &Plan,
+    program: &Inverse,
     target: &Target,
     task: &TaskCode,
     given_symbols: &TokenStream,
@@ -107,7 +103,7 @@ pub(super) fn function(
     } else {
         (quote!(&facts), parameters::sizes(model, target))
     };
-    let (passes, search) = match plan.is_decoupled() {
+    let (passes, search) = match program.decoupled {
         false => (
             "Once; again with a free joint at another place, where a later stage has no root with that joint at home.",
             "new",
@@ -118,7 +114,7 @@ pub(super) fn function(
     };
     let (passes, search) = (docs::lines(passes), ident(search));
     // Without a choice between roots there is nothing to select.
-    let wanted = ident(if plan.max_solutions() > 1 { "wanted" } else { "_wanted" });
+    let wanted = ident(if program.capacity > 1 { "wanted" } else { "_wanted" });
     quote! {
         #doc
         fn branches(

@@ -1,43 +1,54 @@
 //! forward, link_poses, jacobian and both together.
 
-use super::block::Block;
 use super::docs;
 use super::tokens::{Writer, ident, integer};
 use super::{Target, angle};
-use crate::kinematics::{Column, Kinematics, LinkPoses, Wanted, kinematics, link_poses};
+use crate::kinematics::{Wanted, kinematics, link_poses};
+use crate::lower::{Function, Slot, Straight, Turned, function, link_function};
 use crate::model::Model;
 use crate::model::chain::Chain;
-use crate::symbolic::{AngleSum, Angles, BoundAngle, Expr, Graph, Rigid};
-use proc_macro2::{Literal, TokenStream};
+use crate::symbolic::AngleSum;
+use proc_macro2::TokenStream;
 use quote::quote;
+
+/// How many numbers a pose has: rotation and position.
+const POSE: usize = 12;
 
 /// The four kinematic functions as methods, and the expressions they use (for the dimensions to declare).
 pub struct Functions {
     /// The methods.
     pub tokens: TokenStream,
-    /// The graphs with their roots.
-    pub used: Vec<(Graph, Vec<Expr>)>,
+    /// The expressions.
+    pub used: Vec<Straight>,
 }
 
 /// Emits them.
 pub fn functions(model: &Model, chain: &Chain, target: &Target) -> Functions {
     let joints = model.joints.len();
     let n = integer(joints);
-    let [forward, jacobian, both] =
-        [Wanted::Forward, Wanted::Jacobian, Wanted::Both].map(|wanted| kinematics(chain, wanted));
-    let poses = link_poses(chain);
     let mut tokens = TokenStream::new();
     let mut used = Vec::new();
     let krate = &target.krate;
     let scalar = target.scalar.tokens();
-    for (name, function, wanted) in [
-        ("forward", &forward, Wanted::Forward),
-        ("jacobian", &jacobian, Wanted::Jacobian),
-        ("forward_and_jacobian", &both, Wanted::Both),
-    ] {
-        let doc = docs::lines(&docs::kinematics(model, wanted, &function.cost));
-        let (returns, roots, result) = outputs(function, wanted, target, &n);
-        let body = body(&function.graph, &function.angles, &roots, target, joints, result);
+    let (pose_type, jacobian_type) = (quote!(#krate::Pose<#scalar>), quote!(#krate::Jacobian<#scalar, #n>));
+    for (name, wanted) in
+        [("forward", Wanted::Forward), ("jacobian", Wanted::Jacobian), ("forward_and_jacobian", Wanted::Both)]
+    {
+        let expressions = kinematics(chain, wanted);
+        let function = function(&expressions, wanted, joints);
+        let doc = docs::lines(&docs::kinematics(model, wanted, &expressions.cost));
+        let (returns, body) = match wanted {
+            Wanted::Forward => (pose_type.clone(), body(&function, target, pose)),
+            Wanted::Jacobian => (jacobian_type.clone(), body(&function, target, |w, roots| jacobian(w, roots, joints))),
+            Wanted::Both => {
+                let both = |w: &Writer, roots: &[Slot]| {
+                    let (first, rest) = roots.split_at_checked(POSE).unwrap_or((roots, &[]));
+                    let (pose, jacobian) = (pose(w, first), jacobian(w, rest, joints));
+                    quote!((#pose, #jacobian))
+                };
+                (quote!((#pose_type, #jacobian_type)), body(&function, target, both))
+            }
+        };
         let name = ident(name);
         tokens.extend(quote! {
             #doc
@@ -47,15 +58,15 @@ pub fn functions(model: &Model, chain: &Chain, target: &Target) -> Functions {
                 #body
             }
         });
-        used.push((function.graph.clone(), roots));
+        used.push(function.straight);
     }
+    let poses = link_poses(chain);
     let doc = docs::lines(&docs::link_poses(model, &poses.cost));
-    let roots = pose_roots(&poses);
-    let result = |writer: &Writer| {
-        let poses = poses.poses.iter().map(|pose| self::pose(writer, pose));
+    let function = link_function(&poses, joints);
+    let body = body(&function, target, |writer, roots| {
+        let poses = roots.chunks(POSE).map(|roots| pose(writer, roots));
         quote!([#(#poses),*])
-    };
-    let body = body(&poses.graph, &poses.angles, &roots, target, joints, result);
+    });
     tokens.extend(quote! {
         #doc
         #[must_use]
@@ -63,99 +74,40 @@ pub fn functions(model: &Model, chain: &Chain, target: &Target) -> Functions {
             #body
         }
     });
-    used.push((poses.graph.clone(), roots));
+    used.push(function.straight);
     Functions { tokens, used }
 }
 
-type Result<'a> = Box<dyn Fn(&Writer) -> TokenStream + 'a>;
-
-fn outputs<'a>(
-    function: &'a Kinematics,
-    wanted: Wanted,
-    target: &Target,
-    n: &Literal,
-) -> (TokenStream, Vec<Expr>, Result<'a>) {
-    let (krate, scalar) = (&target.krate, target.scalar.tokens());
-    let pose_type = quote!(#krate::Pose<#scalar>);
-    let jacobian_type = quote!(#krate::Jacobian<#scalar, #n>);
-    let tool = Rigid { r: function.rotation, p: function.translation };
-    let pose_roots: Vec<Expr> = tool.r.iter().flatten().chain(&tool.p).copied().collect();
-    let jacobian_roots: Vec<Expr> = rows(&function.columns).concat();
-    match wanted {
-        Wanted::Forward => (pose_type, pose_roots, Box::new(move |w| pose(w, &tool))),
-        Wanted::Jacobian => (jacobian_type, jacobian_roots, Box::new(|w| jacobian(w, &function.columns))),
-        Wanted::Both => {
-            let roots = [pose_roots, jacobian_roots].concat();
-            let result = move |w: &Writer| {
-                let (pose, jacobian) = (pose(w, &tool), jacobian(w, &function.columns));
-                quote!((#pose, #jacobian))
-            };
-            (quote!((#pose_type, #jacobian_type)), roots, Box::new(result))
-        }
-    }
-}
-
-fn pose_roots(poses: &LinkPoses) -> Vec<Expr> {
-    poses.poses.iter().flat_map(|pose| pose.r.iter().flatten().chain(&pose.p)).copied().collect()
-}
-
-fn rows(columns: &[Column]) -> Vec<Vec<Expr>> {
-    let of = |pick: fn(&Column) -> [Expr; 3]| {
-        (0..3).map(move |i| columns.iter().filter_map(|c| pick(c).get(i).copied()).collect::<Vec<_>>())
-    };
-    of(|c| c.v).chain(of(|c| c.w)).collect()
-}
-
-fn pose(writer: &Writer, pose: &Rigid) -> TokenStream {
+fn pose(writer: &Writer, roots: &[Slot]) -> TokenStream {
     let krate = writer.krate;
-    let rows = pose.r.iter().map(|row| {
+    let mut rows = roots.chunks(3).map(|row| {
         let row = row.iter().map(|e| writer.write(*e));
         quote!([#(#row),*])
     });
-    let translation = pose.p.iter().map(|e| writer.write(*e));
-    quote!(#krate::Pose { rotation: [#(#rows),*], translation: [#(#translation),*] })
+    let rotation: Vec<TokenStream> = rows.by_ref().take(3).collect();
+    let translation = rows.next();
+    quote!(#krate::Pose { rotation: [#(#rotation),*], translation: #translation })
 }
 
-fn jacobian(writer: &Writer, columns: &[Column]) -> TokenStream {
+fn jacobian(writer: &Writer, roots: &[Slot], joints: usize) -> TokenStream {
     let krate = writer.krate;
-    let rows = rows(columns).into_iter().map(|row| {
-        let row = row.into_iter().map(|e| writer.write(e));
+    let rows = roots.chunks(joints.max(1)).map(|row| {
+        let row = row.iter().map(|e| writer.write(*e));
         quote!([#(#row),*])
     });
     quote!(#krate::Jacobian { rows: [#(#rows),*] })
 }
 
-fn body(
-    graph: &Graph,
-    angles: &Angles,
-    roots: &[Expr],
-    target: &Target,
-    joints: usize,
-    result: impl Fn(&Writer) -> TokenStream,
-) -> TokenStream {
-    let used = graph.reachable(roots);
-    let mut ordered: Vec<&BoundAngle> = angles.bound.iter().collect();
-    ordered.sort_by_key(|bound| bound.sum.terms.clone());
-    let mut symbols: Vec<String> =
-        ordered.iter().flat_map(|bound| &bound.sum.terms).map(|(joint, _)| format!("q{}", joint + 1)).collect();
-    let sines = sin_cos(&ordered, &used, target);
-    for e in &used {
-        if let crate::symbolic::Node::Symbol(symbol) = graph.node(*e)
-            && symbol.name.starts_with('q')
-        {
-            symbols.push(symbol.name);
-        }
-    }
-    let pattern = (1..=joints).map(|i| {
-        let name = format!("q{i}");
-        if symbols.contains(&name) { ident(&name) } else { ident(&format!("_{name}")) }
+fn body(function: &Function, target: &Target, result: impl Fn(&Writer, &[Slot]) -> TokenStream) -> TokenStream {
+    let straight = &function.straight;
+    let writer = Writer { graph: &straight.graph, bound: &straight.names, krate: &target.krate };
+    let pattern = (0..function.joints.len()).map(|joint| {
+        let name = format!("q{}", joint + 1);
+        if function.reads(joint) { ident(&name) } else { ident(&format!("_{name}")) }
     });
-    let reserved = (1..=joints).map(|i| format!("q{i}")).chain(["q".to_string()]);
-    let mut block = Block::new(graph, roots, reserved);
-    let fresh = block.bind(roots);
-    let statements = fresh.iter().map(|e| block.statement(*e, &target.krate));
-    let writer = Writer { graph, bound: &block.bound, krate: &target.krate };
-    let result = result(&writer);
+    let sines = sin_cos(function, target);
+    let statements = straight.shared.iter().map(|e| writer.statement(*e));
+    let result = result(&writer, &straight.roots);
     quote! {
         let [#(#pattern),*] = *q;
         #sines
@@ -165,15 +117,20 @@ fn body(
 }
 
 /// All sines and cosines at once: the kernel works on several angles in parallel.
-fn sin_cos(bound: &[&BoundAngle], used: &[Expr], target: &Target) -> TokenStream {
+fn sin_cos(function: &Function, target: &Target) -> TokenStream {
     let krate = &target.krate;
-    let name = |e: Expr, name: &str| if used.contains(&e) { ident(name) } else { ident(&format!("_{name}")) };
-    let sines = bound.iter().map(|b| name(b.pair.sin, b.names.first().map_or("", String::as_str)));
-    let cosines = bound.iter().map(|b| name(b.pair.cos, b.names.last().map_or("", String::as_str)));
-    let sums = bound.iter().map(|b| sum(&b.sum, target));
-    match bound {
+    let straight = &function.straight;
+    let name = |slot: Slot| {
+        let name = straight.graph.leaf_name(slot).unwrap_or_default();
+        if straight.reads(slot) { ident(&name) } else { ident(&format!("_{name}")) }
+    };
+    let turned = &function.turned;
+    let sines = turned.iter().map(|turned| name(turned.sin));
+    let cosines = turned.iter().map(|turned| name(turned.cos));
+    let sums = turned.iter().map(|turned| sum(&turned.sum, target));
+    match turned.as_slice() {
         [] => TokenStream::new(),
-        [_] => quote!(let (#(#sines),*, #(#cosines),*) = #krate::math::sin_cos(#(#sums),*);),
+        [Turned { .. }] => quote!(let (#(#sines),*, #(#cosines),*) = #krate::math::sin_cos(#(#sums),*);),
         _ => quote!(let ([#(#sines),*], [#(#cosines),*]) = #krate::math::sin_cos_array([#(#sums),*]);),
     }
 }

@@ -1,78 +1,50 @@
 //! The method `margins`: the factors of the Jacobian's determinant.
 
-use super::block::Block;
 use super::constants::Dimensions;
 use super::tokens::{Writer, ident, integer};
 use super::{Target, angle, docs};
-use crate::model::{Angle, Model, Task};
-use crate::solve::{Factor, Plan, margins as factors};
+use crate::lower::{self, Factor, Input, Margins, Slot};
+use crate::model::{Model, Task};
+use crate::solve::Plan;
 use crate::symbolic::{Expr, Graph, Node};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use std::collections::HashSet;
 
-/// Sine and cosine of the angle that `position_angle` asks for.
-const ANGLE: [&str; 2] = ["sin_angle", "cos_angle"];
-
 /// The method, and the dimensions it uses; nothing for a task that has none.
 pub fn margins(model: &Model, plan: &Plan, target: &Target, dimensions: &mut Dimensions) -> TokenStream {
-    let (graph, factors) = factors(plan);
-    let roots: Vec<Expr> = factors.iter().map(|factor| factor.value).collect();
-    if factors.is_empty() || !known(&graph, &roots, plan) {
-        return TokenStream::new();
-    }
-    dimensions.collect(&graph, &roots);
-    let used = symbols(&graph, &roots);
+    let Some(margins) = lower::margins(plan) else { return TokenStream::new() };
+    let (straight, factors) = (&margins.straight, &margins.factors);
+    dimensions.collect(straight);
     let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
     let count = integer(factors.len());
-    let reserved = used.iter().cloned().chain(["target", "q", "arm", "reach"].map(String::from));
-    let mut block = Block::new(&graph, &roots, reserved);
-    let fresh = block.bind(&roots);
-    let statements = fresh.iter().map(|e| block.statement(*e, krate));
-    let writer = Writer { graph: &graph, bound: &block.bound, krate };
+    let writer = Writer { graph: &straight.graph, bound: &straight.names, krate };
+    let statements = straight.shared.iter().map(|e| writer.statement(*e));
     let bound = !model.parameters.is_empty();
     let reach = ident(if bound { "reach" } else { "REACH" });
     let entries = factors.iter().map(|factor| {
         let (name, value) = (&factor.name, scaled(&writer, factor, &reach));
         quote!(#krate::Margin::new(#name, #value))
     });
-    let target_parts = target_parts(&used);
+    let pose = pose(&margins);
     // The expressions are those of the inverse, in which run-time parameters are fields of `arm`.
-    let fields = used.iter().any(|name| name.starts_with("arm.")).then(|| quote!(let arm = self;));
+    let reads_field = straight.graph.reachable(&straight.roots).into_iter().any(|e| straight.graph.is_field(e));
+    let fields = reads_field.then(|| quote!(let arm = self;));
     let size = (bound && factors.iter().any(|factor| factor.power > 0)).then(|| quote!(let reach = reach(self);));
-    let angles = angles(plan, &used, target);
-    let doc = docs::lines(&doc(plan, &writer, &factors, &reach));
+    let angles = angles(&margins, target);
+    let doc = docs::lines(&doc(plan, &writer, factors, &reach));
     quote! {
         #doc
         #[must_use]
         pub fn margins(&self, q: &[#scalar; #n]) -> [#krate::Margin<#scalar>; #count] {
             #fields
             #size
-            #target_parts
+            #pose
             #angles
             #(#statements)*
             [#(#entries),*]
         }
     }
-}
-
-/// Whether everything the factors read is a dimension, an entry of the tool's pose, or of a joint.
-fn known(graph: &Graph, roots: &[Expr], plan: &Plan) -> bool {
-    let entry = |name: &str| name.len() <= 3 && name.starts_with(['r', 'p']);
-    let of_joint = |name: &str| {
-        let part = name.trim_end_matches(|c: char| c.is_ascii_digit());
-        let number = name.get(part.len()..).and_then(|digits| digits.parse::<usize>().ok());
-        let own = number.is_some_and(|number| (1..=plan.joints()).contains(&number));
-        own && ["q", "s", "c", "sin_t", "cos_t"].contains(&part)
-    };
-    let of_plane = |name: &str| plan.task.angle.is_some() && ANGLE.contains(&name);
-    graph.reachable(roots).into_iter().all(|e| match graph.node(e) {
-        Node::Symbol(symbol) => {
-            let name = symbol.name.as_str();
-            of_plane(name) || symbol.value.is_some() || name.starts_with("arm.") || entry(name) || of_joint(name)
-        }
-        _ => true,
-    })
 }
 
 fn symbols(graph: &Graph, roots: &[Expr]) -> HashSet<String> {
@@ -98,19 +70,22 @@ fn scaled(writer: &Writer, factor: &Factor, reach: &Ident) -> TokenStream {
 }
 
 /// What the pivots read of the tool's pose.
-fn target_parts(used: &HashSet<String>) -> TokenStream {
-    let pattern = |name: String| if used.contains(&name) { ident(&name) } else { ident(&format!("_{name}")) };
-    let any = |names: &[String]| names.iter().any(|name| used.contains(name));
-    let rows: Vec<Vec<String>> = (1..=3).map(|i| (1..=3).map(|j| format!("r{i}{j}")).collect()).collect();
-    let position = ["px", "py", "pz"].map(String::from);
-    let rotation = any(&rows.concat()).then(|| {
-        let rows = rows.iter().map(|row| {
-            let entries = row.iter().cloned().map(pattern);
+fn pose(margins: &Margins) -> TokenStream {
+    let reads = |input: Input| margins.pose.iter().any(|(_, read)| *read == input);
+    let pattern = |input: Input| {
+        let name = input.name();
+        if reads(input) { ident(&name) } else { ident(&format!("_{name}")) }
+    };
+    let rows = [0, 1, 2].map(|row| [0, 1, 2].map(|column| Input::Rotation(row, column)));
+    let position = [0, 1, 2].map(Input::Position);
+    let rotation = rows.iter().flatten().any(|input| reads(*input)).then(|| {
+        let rows = rows.map(|row| {
+            let entries = row.map(pattern);
             quote!([#(#entries),*])
         });
         quote!(let [#(#rows),*] = target.rotation;)
     });
-    let translation = any(&position).then(|| {
+    let translation = position.iter().any(|input| reads(*input)).then(|| {
         let entries = position.map(pattern);
         quote!(let [#(#entries),*] = target.translation;)
     });
@@ -121,57 +96,50 @@ fn target_parts(used: &HashSet<String>) -> TokenStream {
 }
 
 /// Sines and cosines of the kernels' variables, and strokes.
-fn angles(plan: &Plan, used: &HashSet<String>, target: &Target) -> TokenStream {
+fn angles(margins: &Margins, target: &Target) -> TokenStream {
     let krate = &target.krate;
-    let (mut sines, mut cosines, mut arguments) = (Vec::new(), Vec::new(), Vec::new());
-    let mut joints = Vec::new();
-    let plane = plan.task.angle.as_ref().filter(|_| ANGLE.iter().any(|name| used.contains(*name)));
-    let pitches = |index: usize| plane.is_some_and(|(signs, _)| signs.get(index).is_some_and(|sign| *sign != 0.0));
-    for index in 0..plan.joints() {
-        let number = index + 1;
-        let constant = constant(plan, index);
-        let name = format!("q{number}");
-        let find = |names: [String; 2]| names.into_iter().find(|name| used.contains(name));
-        let sin = find([format!("s{number}"), format!("sin_t{number}")]);
-        let cos = find([format!("c{number}"), format!("cos_t{number}")]);
-        let turns = sin.is_some() || cos.is_some();
-        let joint = ident(&name);
-        let unused = ident(&format!("_{name}"));
-        joints.push(if turns || used.contains(&name) || pitches(index) { quote!(#joint) } else { quote!(#unused) });
-        if !turns {
-            continue;
+    let graph = &margins.straight.graph;
+    let name = |slot: Slot| graph.leaf_name(slot).unwrap_or_default();
+    let joints = (0..margins.joints.len()).map(|joint| {
+        let name = format!("q{}", joint + 1);
+        if margins.reads(joint) { ident(&name) } else { ident(&format!("_{name}")) }
+    });
+    let part = |slot: Option<Slot>| {
+        slot.map_or_else(
+            || quote!(_),
+            |slot| {
+                let name = ident(&name(slot));
+                quote!(#name)
+            },
+        )
+    };
+    let variables = &margins.variables;
+    let sines = variables.iter().map(|variable| part(variable.sin));
+    let cosines = variables.iter().map(|variable| part(variable.cos));
+    let arguments = variables.iter().map(|variable| {
+        let (joint, constant) = (ident(&format!("q{}", variable.joint + 1)), variable.constant);
+        if constant.is_zero() {
+            return quote!(#joint);
         }
-        let part = |name: Option<String>| {
-            name.map_or_else(
-                || quote!(_),
-                |name| {
-                    let name = ident(&name);
-                    quote!(#name)
-                },
-            )
-        };
-        sines.push(part(sin));
-        cosines.push(part(cos));
-        arguments.push(if constant.is_zero() {
-            quote!(#joint)
-        } else {
-            let negative = constant.rad() > 0.0;
-            let size = angle::tokens(if negative { constant } else { constant.neg() }, target);
-            if negative { quote!(#joint - #size) } else { quote!(#joint + #size) }
-        });
-    }
-    let trigonometry = match arguments.as_slice() {
-        [] => TokenStream::new(),
-        [_] => quote!(let (#(#sines),*, #(#cosines),*) = #krate::math::sin_cos(#(#arguments),*);),
+        let negative = constant.rad() > 0.0;
+        let size = angle::tokens(if negative { constant } else { constant.neg() }, target);
+        if negative { quote!(#joint - #size) } else { quote!(#joint + #size) }
+    });
+    let trigonometry = match variables.len() {
+        0 => TokenStream::new(),
+        1 => quote!(let (#(#sines),*, #(#cosines),*) = #krate::math::sin_cos(#(#arguments),*);),
         _ => quote!(let ([#(#sines),*], [#(#cosines),*]) = #krate::math::sin_cos_array([#(#arguments),*]);),
     };
-    let plane = plane.map(|(signs, offset)| {
-        let terms = signs.iter().zip(1..).filter(|(sign, _)| **sign != 0.0).map(|(sign, number)| {
+    let plane = margins.plane.as_ref().map(|plane| {
+        let terms = plane.signs.iter().zip(1..).filter(|(sign, _)| **sign != 0.0).map(|(sign, number)| {
             let joint = ident(&format!("q{number}"));
             if *sign < 0.0 { quote!(- #joint) } else { quote!(+ #joint) }
         });
-        let offset = angle::tokens(*offset, target);
-        let [sin, cos] = ANGLE.map(|name| if used.contains(name) { ident(name) } else { ident(&format!("_{name}")) });
+        let offset = angle::tokens(plane.offset, target);
+        let [sin, cos] = [plane.sin, plane.cos].map(|slot| {
+            let name = name(slot);
+            if margins.straight.reads(slot) { ident(&name) } else { ident(&format!("_{name}")) }
+        });
         quote!(let (#sin, #cos) = #krate::math::sin_cos(#offset #(#terms)*);)
     });
     quote!(let [#(#joints),*] = *q; #trigonometry #plane)
@@ -198,7 +166,7 @@ fn doc(plan: &Plan, writer: &Writer, factors: &[Factor], reach: &Ident) -> Strin
 /// What a kernel's variable is that is not the joint value itself: "; `t3 = q3 +87.3 deg`".
 fn shifts(plan: &Plan, used: &HashSet<String>) -> String {
     let shift = |joint: usize| {
-        let (number, constant) = (joint + 1, constant(plan, joint));
+        let (number, constant) = (joint + 1, lower::constant(plan, joint));
         let [sin, cos] = ["sin_t", "cos_t"].map(|part| used.contains(&format!("{part}{number}")));
         let plain = ["s", "c"].iter().any(|part| used.contains(&format!("{part}{number}")));
         let variable = match (sin || cos, plain) {
@@ -210,10 +178,4 @@ fn shifts(plan: &Plan, used: &HashSet<String>) -> String {
         (!constant.is_zero()).then(|| format!("; {variable} `q{number}` {degrees:+.6} deg"))
     };
     (0..plan.joints()).filter_map(shift).collect()
-}
-
-/// What a kernel's variable is less than the joint value.
-fn constant(plan: &Plan, joint: usize) -> Angle {
-    let slot = plan.slots.iter().position(|slot| slot.joint == Some(joint));
-    slot.and_then(|slot| plan.values.get(slot)).map_or(Angle::ZERO, |value| value.constant)
 }

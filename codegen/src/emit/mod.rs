@@ -3,7 +3,6 @@
 mod actuator;
 mod angle;
 mod arm;
-mod block;
 mod combined_limits;
 mod constants;
 mod coupling;
@@ -20,7 +19,6 @@ mod task;
 mod tokens;
 
 pub use arm::{Arm, impls, item};
-pub(crate) use block::Block;
 pub(crate) use tokens::Writer;
 
 use proc_macro2::TokenStream;

@@ -2,11 +2,10 @@
 
 use super::tokens::{ident, integer, number};
 use super::{Target, angle};
-use crate::model::{Angle, Axis, Model, Task};
-use crate::solve::Plan;
+use crate::lower::{Goal, Input, Inverse};
+use crate::model::Model;
 use proc_macro2::TokenStream;
 use quote::quote;
-use std::collections::HashSet;
 
 /// The target of a plan's task.
 pub struct TaskCode {
@@ -24,18 +23,21 @@ pub struct TaskCode {
     pub unpack: TokenStream,
 }
 
-/// The code of a plan's task; `used` are the symbols that the plan reads.
-pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>) -> TaskCode {
+/// The code of what a program is asked for.
+pub fn task(model: &Model, program: &Inverse, target: &Target) -> TaskCode {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
     let unit = model.length_unit.symbol();
-    let field = |name: &str| {
-        let (field, unused) = (ident(name), ident(&format!("_{name}")));
-        if used.contains(name) { quote!(#field) } else { quote!(#field: #unused) }
+    let field = |input: Input| {
+        let (field, unused) = (ident(&input.name()), ident(&format!("_{}", input.name())));
+        if program.reads(input) { quote!(#field) } else { quote!(#field: #unused) }
     };
-    let pattern = |name: &str| if used.contains(name) { ident(name) } else { ident(&format!("_{name}")) };
-    let position = ["px", "py", "pz"].map(&pattern);
-    let rows = (1..=3).map(|i| {
-        let entries = (1..=3).map(|j| pattern(&format!("r{i}{j}")));
+    let pattern = |input: Input| {
+        let name = input.name();
+        if program.reads(input) { ident(&name) } else { ident(&format!("_{name}")) }
+    };
+    let position = [0, 1, 2].map(|component| pattern(Input::Position(component)));
+    let rows = (0..3).map(|row| {
+        let entries = (0..3).map(|column| pattern(Input::Rotation(row, column)));
         quote!([#(#entries),*])
     });
     let frame = |from: TokenStream| {
@@ -44,8 +46,8 @@ pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>)
             let [#(#position),*] = #from.translation;
         }
     };
-    match plan.task.task {
-        Task::Position => TaskCode {
+    match &program.goal {
+        Goal::Position => TaskCode {
             target: quote!([#scalar; 3]),
             doc: format!("`target`: where the tool point is to be, base frame, {unit}, `[3]`."),
             bad: "is not finite",
@@ -53,13 +55,9 @@ pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>)
             check: quote!(target),
             unpack: quote!(let [#(#position),*] = *target;),
         },
-        Task::PositionAxis => {
-            let (column, letter) = match plan.task.axis {
-                Axis::X => (0, "x"),
-                Axis::Y => (1, "y"),
-                Axis::Z => (2, "z"),
-            };
-            let column = integer(column);
+        Goal::PositionAxis { column } => {
+            let letter = ["x", "y", "z"].get(*column).copied().unwrap_or_default();
+            let column = integer(*column);
             let unpack = frame(quote!(frame));
             TaskCode {
                 target: quote!(#krate::PointAxis<#scalar>),
@@ -73,9 +71,8 @@ pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>)
                 unpack: quote!(let frame = goal.frame(); #unpack),
             }
         }
-        Task::PositionAngle => {
-            let (signs, offset) = plan.task.angle.clone().unwrap_or((Vec::new(), Angle::ZERO));
-            let (signs, offset) = (signs.into_iter().map(number), angle::tokens(offset, target));
+        Goal::PositionAngle { signs, offset } => {
+            let (signs, offset) = (signs.iter().copied().map(number), angle::tokens(*offset, target));
             let goal = quote!(#krate::solve::InPlane::new(target, [#(#signs),*], #offset));
             TaskCode {
                 target: quote!(#krate::PointAngle<#scalar>),
@@ -87,7 +84,7 @@ pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>)
                 goal: quote!(let goal = &#goal;),
                 check: quote!(&#goal),
                 unpack: {
-                    let (angle, sin, cos) = (field("angle"), pattern("sin_angle"), pattern("cos_angle"));
+                    let (angle, sin, cos) = (field(Input::Angle), pattern(Input::SinAngle), pattern(Input::CosAngle));
                     quote! {
                         let #krate::PointAngle { point: [#(#position),*], #angle } = *target;
                         let (#sin, #cos) = #krate::math::sin_cos(target.angle);
@@ -95,7 +92,7 @@ pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>)
                 },
             }
         }
-        Task::PlanarPose => TaskCode {
+        Goal::PlanarPose => TaskCode {
             target: quote!(#krate::PlanarPose<#scalar>),
             doc: format!(
                 "`target`: position of the tool in the base frame's xy plane ({unit}) and direction of its x axis there (rad)."
@@ -104,15 +101,15 @@ pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>)
             goal: quote!(let goal = target;),
             check: quote!(target),
             unpack: {
-                let ([px, py, _], phi) = (&position, field("phi"));
-                let (sin, cos) = (pattern("sin_phi"), pattern("cos_phi"));
+                let ([px, py, _], phi) = (&position, field(Input::Phi));
+                let (sin, cos) = (pattern(Input::SinPhi), pattern(Input::CosPhi));
                 quote! {
                     let #krate::PlanarPose { x: #px, y: #py, #phi } = *target;
                     let (#sin, #cos) = #krate::math::sin_cos(target.phi);
                 }
             },
         },
-        Task::PlanarPosition => TaskCode {
+        Goal::PlanarPosition => TaskCode {
             target: quote!([#scalar; 2]),
             doc: format!("`target`: where the tool point is to be in the base frame's xy plane, {unit}, `[2]`."),
             bad: "is not finite",
@@ -123,7 +120,7 @@ pub fn task(model: &Model, plan: &Plan, target: &Target, used: &HashSet<String>)
                 quote!(let [#px, #py] = *target;)
             },
         },
-        Task::Pose => TaskCode {
+        Goal::Pose => TaskCode {
             target: quote!(#krate::Pose<#scalar>),
             doc: format!(
                 "`target`: pose of the tool in the base frame, position in {unit}. A rotation that is off by at most 1e-3 \

@@ -1,9 +1,9 @@
 //! Expressions as tokens, with only the parentheses they need.
 
+use crate::lower::Names;
 use crate::symbolic::{Expr, Graph, Node};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
-use std::collections::HashMap;
 
 /// Identifier at the call site.
 pub fn ident(name: &str) -> Ident {
@@ -28,9 +28,6 @@ pub fn integer(value: usize) -> Literal {
     Literal::usize_unsuffixed(value)
 }
 
-/// The names under which expressions are bound.
-pub type Bound = HashMap<Expr, String>;
-
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 enum Level {
     Sum,
@@ -44,7 +41,7 @@ pub struct Writer<'a> {
     /// The arena.
     pub graph: &'a Graph,
     /// The bound ones.
-    pub bound: &'a Bound,
+    pub bound: &'a Names,
     /// Path of the runtime crate.
     pub krate: &'a TokenStream,
 }
@@ -58,6 +55,18 @@ impl Writer<'_> {
     /// An expression that is to be bound: written out even if it has a name.
     pub fn definition(&self, e: Expr) -> TokenStream {
         self.node(e, Level::Sum)
+    }
+
+    /// `let name = definition;`
+    pub fn statement(&self, e: Expr) -> TokenStream {
+        let definition = self.definition(e);
+        match self.bound.get(&e) {
+            Some(name) => {
+                let name = ident(name);
+                quote!(let #name = #definition;)
+            }
+            None => TokenStream::new(),
+        }
     }
 
     fn at(&self, e: Expr, level: Level) -> TokenStream {
@@ -135,7 +144,7 @@ mod tests {
         let difference = g.sub(a, sum);
         let negative = g.neg(product);
         let krate = quote!(::denhart);
-        let bound = Bound::new();
+        let bound = Names::new();
         let writer = Writer { graph: &g, bound: &bound, krate: &krate };
         assert_eq!(writer.write(product).to_string(), quote!(c * (a + b)).to_string());
         assert_eq!(writer.write(difference).to_string(), quote!(a - (a + b)).to_string());

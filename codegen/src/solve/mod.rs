@@ -28,7 +28,7 @@ mod triple;
 mod two_slides;
 mod words;
 
-pub use asked::PlanTask;
+pub use asked::{PlanTask, SwivelFacts};
 pub use margins::{Factor, margins};
 pub use plan::{Branching, ElbowRange, Kernel, Phase, Plan, PlanStep, Range, Stage, Unit};
 pub use refusal::Refusal;

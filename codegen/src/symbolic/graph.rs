@@ -14,7 +14,8 @@ impl Expr {
     /// One, the second node of every graph.
     pub const ONE: Expr = Expr(1);
 
-    fn at(self) -> usize {
+    /// Its place in the arena: below [`Graph::size`].
+    pub fn at(self) -> usize {
         self.0 as usize
     }
 }
@@ -91,6 +92,11 @@ impl Graph {
         Expr(u32::try_from(index).unwrap_or(u32::MAX))
     }
 
+    /// The number of expressions.
+    pub fn size(&self) -> usize {
+        self.nodes.len()
+    }
+
     /// The node of an expression.
     pub fn node(&self, e: Expr) -> Node {
         self.nodes.get_index(e.at()).cloned().unwrap_or(Node::Number(0))
@@ -150,6 +156,20 @@ impl Graph {
     /// The symbol of a run-time parameter: a field of the arm, so that its name is in nobody's way.
     pub fn field(&self, parameter: &str) -> String {
         format!("{}.{parameter}", self.owner)
+    }
+
+    /// Whether an expression is a run-time parameter.
+    pub fn is_field(&self, e: Expr) -> bool {
+        let prefix = self.field("");
+        matches!(self.node(e), Node::Symbol(symbol) if symbol.name.starts_with(&prefix))
+    }
+
+    /// The name of a leaf.
+    pub fn leaf_name(&self, e: Expr) -> Option<String> {
+        match self.node(e) {
+            Node::Symbol(symbol) => Some(symbol.name),
+            _ => None,
+        }
     }
 
     /// A length of the arm: a dimension, or a multiple of a run-time parameter, which is never taken for zero.
@@ -307,17 +327,26 @@ impl Graph {
 
     /// Everything the roots are made of, each once, in evaluation order.
     pub fn reachable(&self, roots: &[Expr]) -> Vec<Expr> {
-        let mut seen = vec![false; self.nodes.len()];
+        // Operands stand before what is made of them.
+        let end = roots.iter().map(|root| root.at() + 1).max().unwrap_or(0).min(self.nodes.len());
+        let mut seen = vec![false; end];
+        let mut found = Vec::new();
         let mut stack = roots.to_vec();
         while let Some(e) = stack.pop() {
             if let Some(mark) = seen.get_mut(e.at())
                 && !*mark
             {
                 *mark = true;
-                stack.extend(self.operands(e));
+                found.push(e);
+                match self.nodes.get_index(e.at()) {
+                    Some(Node::Neg(a) | Node::Sqrt(a)) => stack.push(*a),
+                    Some(Node::Add(a, b) | Node::Sub(a, b) | Node::Mul(a, b)) => stack.extend([*a, *b]),
+                    Some(Node::Number(_) | Node::Symbol(_)) | None => {}
+                }
             }
         }
-        (0u32..).map(Expr).zip(seen).filter_map(|(e, mark)| mark.then_some(e)).collect()
+        found.sort_unstable();
+        found
     }
 
     /// The value under an assignment of the run-time symbols, by name. A symbol without a value counts as zero.

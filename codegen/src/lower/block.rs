@@ -1,10 +1,10 @@
 //! Which expressions become `let` statements, under which names.
 
-use super::tokens::{Bound, Writer, ident};
 use crate::symbolic::{Expr, Graph, Node};
-use proc_macro2::TokenStream;
-use quote::quote;
 use std::collections::{HashMap, HashSet};
+
+/// The names under which expressions are bound.
+pub type Names = HashMap<Expr, String>;
 
 /// Plans the bindings of a set of roots: what is used twice, or has a name and is more than a sign.
 pub struct Block<'a> {
@@ -12,7 +12,7 @@ pub struct Block<'a> {
     uses: HashMap<Expr, usize>,
     taken: HashSet<String>,
     /// What is bound so far.
-    pub bound: Bound,
+    pub bound: Names,
 }
 
 impl<'a> Block<'a> {
@@ -39,7 +39,7 @@ impl<'a> Block<'a> {
                 taken.insert(symbol.name);
             }
         }
-        Block { graph, uses, taken, bound: Bound::new() }
+        Block { graph, uses, taken, bound: Names::new() }
     }
 
     /// Whether an expression is to be bound.
@@ -65,19 +65,6 @@ impl<'a> Block<'a> {
             }
         }
         fresh
-    }
-
-    /// `let name = definition;`
-    pub fn statement(&self, e: Expr, krate: &TokenStream) -> TokenStream {
-        let writer = Writer { graph: self.graph, bound: &self.bound, krate };
-        let definition = writer.definition(e);
-        match self.bound.get(&e) {
-            Some(name) => {
-                let name = ident(name);
-                quote!(let #name = #definition;)
-            }
-            None => TokenStream::new(),
-        }
     }
 
     fn fresh_name(&mut self, e: Expr) -> String {

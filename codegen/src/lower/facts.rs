@@ -1,0 +1,55 @@
+//! What the search needs to know about an arm.
+
+use crate::model::{JointKind, Model};
+use crate::solve::Plan;
+
+/// The numbers of the runtime's `Facts`, of the arm with the lengths of its file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Facts {
+    /// Lower and upper limit of every joint, infinite where there is none.
+    pub limits: Vec<[f64; 2]>,
+    /// Whether any joint has limits.
+    pub limited: bool,
+    /// Limits of sums of joint values: factors, and the range.
+    pub combined: Vec<(Vec<f64>, [f64; 2])>,
+    /// How much each joint counts in the distance from a reference.
+    pub weights: Vec<f64>,
+    /// The sliding joints.
+    pub prismatic: Vec<usize>,
+    /// The joint that is named where a virtual one is free.
+    pub stands_for: Option<usize>,
+    /// Reach, length unit.
+    pub reach: f64,
+    /// Position residual up to which a solution is listed, length unit.
+    pub length: f64,
+    /// Orientation residual up to which a solution is listed, rad.
+    pub angle: f64,
+}
+
+impl Facts {
+    /// Those of an arm and its plan.
+    pub fn of(model: &Model, plan: &Plan) -> Facts {
+        let joints = || model.joints.iter();
+        let is_virtual = plan.stages().flat_map(|stage| &stage.joints).any(|slot| plan.joint(*slot).is_none());
+        Facts {
+            limits: limits(model),
+            limited: joints().any(|joint| joint.limits.is_some()),
+            combined: model.combined_limits.iter().map(|limit| (limit.factors.clone(), limit.limits)).collect(),
+            weights: model.inverse.weights.clone().unwrap_or_else(|| vec![1.0; model.joints.len()]),
+            prismatic: (0..)
+                .zip(joints())
+                .filter(|(_, joint)| joint.kind == JointKind::Prismatic)
+                .map(|(i, _)| i)
+                .collect(),
+            stands_for: is_virtual.then(|| plan.last_solved()),
+            reach: plan.reach,
+            length: model.inverse.tolerance_length.unwrap_or(1e-6 * plan.reach),
+            angle: model.inverse.tolerance_angle.unwrap_or(1e-6),
+        }
+    }
+}
+
+/// Lower and upper limit of every joint, infinite where there is none.
+pub fn limits(model: &Model) -> Vec<[f64; 2]> {
+    model.joints.iter().map(|joint| joint.limits.unwrap_or([f64::NEG_INFINITY, f64::INFINITY])).collect()
+}

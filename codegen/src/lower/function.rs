@@ -1,0 +1,75 @@
+//! Pose, Jacobian and link poses as functions of the joint vector.
+
+use super::{Slot, Straight};
+use crate::kinematics::{Column, Kinematics, LinkPoses, Wanted};
+use crate::symbolic::{AngleSum, Angles, BoundAngle, Graph, Rigid};
+
+/// Sine and cosine of a sum of joint angles.
+#[derive(Debug, Clone)]
+pub struct Turned {
+    /// The sum.
+    pub sum: AngleSum,
+    /// Where its sine goes.
+    pub sin: Slot,
+    /// Where its cosine goes.
+    pub cos: Slot,
+}
+
+/// A function of the joint vector. First all sines and cosines, in one call, then the arithmetic.
+#[derive(Debug, Clone)]
+pub struct Function {
+    /// Where the joint values go, by joint.
+    pub joints: Vec<Slot>,
+    /// The sines and cosines.
+    pub turned: Vec<Turned>,
+    /// The arithmetic. Its results are of a pose the rotation by rows, then the position; of a Jacobian the rows.
+    pub straight: Straight,
+}
+
+impl Function {
+    fn new(mut graph: Graph, angles: &Angles, roots: Vec<Slot>, joints: usize) -> Self {
+        let mut ordered: Vec<&BoundAngle> = angles.bound.iter().collect();
+        ordered.sort_by_key(|bound| bound.sum.terms.clone());
+        let turned = ordered
+            .into_iter()
+            .map(|bound| Turned { sum: bound.sum.clone(), sin: bound.pair.sin, cos: bound.pair.cos })
+            .collect();
+        let joints: Vec<Slot> = (1..=joints).map(|number| graph.symbol(format!("q{number}"))).collect();
+        let reserved = (1..=joints.len()).map(|i| format!("q{i}")).chain(["q".to_string()]);
+        Function { straight: Straight::new(graph, roots, reserved), joints, turned }
+    }
+
+    /// Whether the value of a joint is read, in an angle or as a stroke.
+    pub fn reads(&self, joint: usize) -> bool {
+        let in_angle = self.turned.iter().flat_map(|turned| &turned.sum.terms).any(|(term, _)| *term == joint);
+        in_angle || self.joints.get(joint).is_some_and(|slot| self.straight.reads(*slot))
+    }
+}
+
+/// Pose, Jacobian, or both in this order.
+pub fn function(kinematics: &Kinematics, wanted: Wanted, joints: usize) -> Function {
+    let tool = Rigid { r: kinematics.rotation, p: kinematics.translation };
+    let roots = match wanted {
+        Wanted::Forward => pose(&tool),
+        Wanted::Jacobian => jacobian(&kinematics.columns),
+        Wanted::Both => [pose(&tool), jacobian(&kinematics.columns)].concat(),
+    };
+    Function::new(kinematics.graph.clone(), &kinematics.angles, roots, joints)
+}
+
+/// The pose of every link.
+pub fn link_function(poses: &LinkPoses, joints: usize) -> Function {
+    let roots = poses.poses.iter().flat_map(pose).collect();
+    Function::new(poses.graph.clone(), &poses.angles, roots, joints)
+}
+
+fn pose(pose: &Rigid) -> Vec<Slot> {
+    pose.r.iter().flatten().chain(&pose.p).copied().collect()
+}
+
+fn jacobian(columns: &[Column]) -> Vec<Slot> {
+    let of = |pick: fn(&Column) -> [Slot; 3]| {
+        (0..3).flat_map(move |i| columns.iter().filter_map(move |c| pick(c).get(i).copied()))
+    };
+    of(|c| c.v).chain(of(|c| c.w)).collect()
+}

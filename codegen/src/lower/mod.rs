@@ -1,0 +1,38 @@
+//! What is computed in which order, as data: the programs that code is emitted from and that can be run as they are.
+//!
+//! A program is a list of typed statements over slots. A slot is an expression of the program's [`Graph`]: a leaf that a
+//! statement gives a value, or what is computed from other slots. Names are for the emitted code alone; nothing here is
+//! looked up by name.
+//!
+//! Two visitors exist: `emit` writes a program as Rust, the crate `denhart-dynamic` evaluates it. Both follow the same
+//! statements, so equal programs give equal results.
+
+mod block;
+mod coupling;
+mod facts;
+mod function;
+mod goal;
+mod margins;
+mod nest;
+mod program;
+mod stage;
+mod straight;
+#[cfg(test)]
+mod tests;
+
+pub use block::{Block, Names};
+pub use coupling::{Linear, Linked, linked};
+pub use facts::{Facts, limits};
+pub use function::{Function, Turned, function, link_function};
+pub use goal::{Given, Goal, Input};
+pub use margins::{Margins, Plane, Variable, constant, margins};
+pub use nest::inverse;
+pub use program::{Each, Inverse, Level, Part, Root, Statement, Trail};
+pub use stage::{Call, Counted, Home, RootRange};
+pub use straight::Straight;
+
+pub use crate::solve::{Branching, Factor, Kernel, SwivelFacts, Unit};
+pub use crate::symbolic::{AngleSum, Expr, Graph, Node};
+
+/// A value of a program: a leaf or an expression of its graph.
+pub type Slot = Expr;

@@ -1,0 +1,248 @@
+//! The inverse: the plan as nested loops over the roots of its stages.
+
+use super::stage::call;
+use super::{Block, Each, Facts, Given, Goal, Input, Inverse, Level, Part, Root, Slot, Statement, Trail};
+use crate::model::Model;
+use crate::solve::{Plan, PlanStep, Stage, Unit};
+use crate::symbolic::{Graph, Node};
+use std::collections::{HashMap, HashSet};
+
+struct Nest<'a> {
+    plan: &'a Plan,
+    graph: Graph,
+    block: Block<'a>,
+    levels: Vec<Level>,
+    /// The level at which a leaf is known.
+    known: HashMap<Slot, usize>,
+    used: HashSet<Slot>,
+    trail: Trail,
+    agreements: usize,
+}
+
+/// The program of a plan.
+pub fn inverse(model: &Model, plan: &Plan) -> Inverse {
+    let inputs = plan.inputs();
+    // Leaves that only a joint value is made from are not in the plan's graph.
+    let mut graph = plan.graph.clone();
+    let wanted = plan.values.iter().zip(&plan.slots).filter(|(_, slot)| slot.joint.is_some());
+    let mut used: HashSet<Slot> =
+        wanted.flat_map(|(value, _)| &value.terms).map(|(term, _)| graph.symbol(term.clone())).collect();
+    used.extend(plan.graph.reachable(&inputs).into_iter().filter(|e| matches!(plan.graph.node(*e), Node::Symbol(_))));
+    let mut nest = Nest {
+        plan,
+        block: Block::new(&plan.graph, &inputs, reserved(model, plan)),
+        levels: vec![Level::default()],
+        known: HashMap::new(),
+        used,
+        trail: Trail::Start,
+        agreements: 0,
+        graph,
+    };
+    let mut stages = 0;
+    for step in &plan.steps {
+        match step {
+            PlanStep::Stage(stage) => {
+                nest.stage(stages, stage);
+                stages += 1;
+            }
+            PlanStep::Angle { name, meaning, y, x } => nest.angle(name, meaning, *y, *x),
+            PlanStep::Agreement { meaning, unit, misses } => nest.agreement(meaning, *unit, misses),
+            PlanStep::Swivel { names, meaning, wrist, moved, axis, elbow } => {
+                nest.swivel(names, meaning, [*wrist, *moved, *axis, *elbow]);
+            }
+        }
+    }
+    nest.values();
+    nest.push();
+    let (goal, given) = (Goal::of(plan), Given::of(plan));
+    let Nest { mut graph, block, levels, used, agreements, .. } = nest;
+    // The value of a given joint goes into every solution.
+    let always = |input: &Input| matches!(input, Input::Given(_));
+    let inputs = Input::all(&goal, given)
+        .into_iter()
+        .map(|input| (graph.symbol(input.name()), input))
+        .filter(|(slot, input)| used.contains(slot) || always(input))
+        .collect();
+    Inverse {
+        graph,
+        names: block.bound,
+        facts: Facts::of(model, plan),
+        goal,
+        given,
+        swivel: plan.task.swivel.clone(),
+        inputs,
+        levels,
+        stages,
+        agreements,
+        joints: plan.joints(),
+        capacity: plan.max_solutions(),
+        decoupled: plan.is_decoupled(),
+    }
+}
+
+/// Names that the code around the expressions uses, before the label of a joint.
+const PREFIXES: [&str; 7] = ["q", "index", "roots", "trail", "elbow", "cone", "phase"];
+
+/// Names that it uses as they are.
+const NAMES: [&str; 13] = [
+    "agreed",
+    "locked",
+    "nearest",
+    "search",
+    "solutions",
+    "start",
+    "target",
+    "near",
+    "arm",
+    "goal",
+    "frame",
+    "swing",
+    "wanted",
+];
+
+/// The size of an arm with run-time parameters.
+const SIZES: [&str; 3] = ["reach", "facts", "length"];
+
+fn reserved(model: &Model, plan: &Plan) -> Vec<String> {
+    let labels = (1..=plan.joints()).map(|i| i.to_string()).chain(plan.slots.iter().map(|slot| slot.label.clone()));
+    let of_joints = labels.flat_map(|label| PREFIXES.map(|prefix| format!("{prefix}{label}")));
+    let sizes: &[&str] = if model.parameters.is_empty() { &[] } else { &SIZES };
+    of_joints.chain(NAMES.iter().chain(sizes).map(|name| name.to_string())).collect()
+}
+
+impl Nest<'_> {
+    fn deepest(&self) -> usize {
+        self.levels.len().saturating_sub(1)
+    }
+
+    fn at(&mut self, level: usize, statement: Statement) {
+        if let Some(level) = self.levels.get_mut(level) {
+            level.body.push(statement);
+        }
+    }
+
+    /// The level from which on an expression can be evaluated.
+    fn level(&self, e: Slot) -> usize {
+        let reachable = self.graph.reachable(&[e]);
+        reachable.iter().filter_map(|x| self.known.get(x)).max().copied().unwrap_or(0)
+    }
+
+    /// Binds what the inputs share, each at its level. Returns the level of the inputs together.
+    fn bind(&mut self, inputs: &[Slot]) -> usize {
+        for e in self.block.bind(inputs) {
+            let level = self.level(e);
+            self.at(level, Statement::Let(e));
+        }
+        self.level_of(inputs)
+    }
+
+    fn level_of(&self, inputs: &[Slot]) -> usize {
+        inputs.iter().map(|e| self.level(*e)).max().unwrap_or(0)
+    }
+
+    fn stage(&mut self, index: usize, stage: &Stage) {
+        let level = self.bind(&stage.kernel.inputs());
+        let (before, call) = call(self.plan, &self.graph, index, stage);
+        for statement in before {
+            let level = self.level_of(&reads(&statement));
+            self.at(level, statement);
+        }
+        self.at(level, Statement::Solve(call));
+        let deepest = self.deepest();
+        self.at(deepest, Statement::Follow { stage: index, before: self.trail });
+        self.trail = Trail::Stage(index);
+        if stage.kernel.roots() == 1 {
+            let roots = self.roots(stage);
+            self.at(deepest, Statement::Only { stage: index, roots });
+        } else {
+            self.levels.push(Level::default());
+            let roots = self.roots(stage);
+            let each = Each { stage: index, trail: self.trail, roots, branching: stage.branching };
+            if let Some(level) = self.levels.last_mut() {
+                level.each = Some(each);
+            }
+        }
+    }
+
+    /// What is taken of a stage's roots: the parts in use.
+    fn roots(&mut self, stage: &Stage) -> Vec<Root> {
+        let level = self.deepest();
+        let mut roots = Vec::new();
+        for joint in &stage.joints {
+            let number = self.plan.label(*joint);
+            let mut root = Root::default();
+            for (part, names) in [
+                (Part::Value, [format!("q{number}"), format!("t{number}")]),
+                (Part::Sin, [format!("s{number}"), format!("sin_t{number}")]),
+                (Part::Cos, [format!("c{number}"), format!("cos_t{number}")]),
+            ] {
+                for name in names {
+                    let symbol = self.graph.symbol(name);
+                    if self.used.contains(&symbol) {
+                        self.known.insert(symbol, level);
+                        root.0.push((part, symbol));
+                    }
+                }
+            }
+            roots.push(root);
+        }
+        roots
+    }
+
+    fn angle(&mut self, name: &str, meaning: &str, y: Slot, x: Slot) {
+        let level = self.bind(&[y, x]);
+        let symbol = self.graph.symbol(name);
+        self.at(level, Statement::Angle { symbol, y, x, meaning: meaning.to_string() });
+        self.known.insert(symbol, level);
+    }
+
+    fn agreement(&mut self, meaning: &str, unit: Unit, misses: &[Slot]) {
+        self.bind(misses);
+        let (index, before, deepest) = (self.agreements, self.trail, self.deepest());
+        let (misses, meaning) = (misses.to_vec(), meaning.to_string());
+        self.at(deepest, Statement::Agree { index, before, unit, misses, meaning });
+        self.agreements += 1;
+        self.trail = Trail::Agreed(index);
+    }
+
+    fn swivel(&mut self, names: &[[String; 3]; 3], meaning: &str, vectors: [[Slot; 3]; 4]) {
+        let level = self.bind(&vectors.concat());
+        let symbols = names.each_ref().map(|row| row.each_ref().map(|name| self.graph.symbol(name.clone())));
+        let (before, meaning) = (self.trail, meaning.to_string());
+        self.at(level, Statement::Swivel { symbols, vectors, before, meaning });
+        self.trail = Trail::Swung;
+        for symbol in symbols.into_iter().flatten() {
+            self.known.insert(symbol, level);
+        }
+    }
+
+    /// Joint values that are not a kernel's value as it is.
+    fn values(&mut self) {
+        for (slot, value) in self.plan.slots.iter().zip(&self.plan.values) {
+            let symbol = self.graph.symbol(format!("q{}", slot.label));
+            let terms: Vec<(Slot, bool)> =
+                value.terms.iter().map(|(term, negative)| (self.graph.symbol(term.clone()), *negative)).collect();
+            if slot.joint.is_none() || terms.iter().any(|(term, _)| *term == symbol) {
+                continue;
+            }
+            let level = terms.iter().filter_map(|(term, _)| self.known.get(term)).max().copied().unwrap_or(0);
+            self.at(level, Statement::Value { symbol, terms, constant: value.constant });
+        }
+    }
+
+    fn push(&mut self) {
+        let q = (1..=self.plan.joints()).map(|i| self.graph.symbol(format!("q{i}"))).collect();
+        let (trail, deepest) = (self.trail, self.deepest());
+        self.at(deepest, Statement::Push { trail, q });
+    }
+}
+
+/// The expressions that a preparing statement reads.
+fn reads(statement: &Statement) -> Vec<Slot> {
+    match statement {
+        Statement::Phase { y, x, .. } => vec![*y, *x],
+        Statement::Elbow { a, b, height, line, .. } => [*a, *b, *height].into_iter().chain(*line).collect(),
+        Statement::Cone { along, across, cos, sin, .. } => vec![*along, *across, *cos, *sin],
+        _ => Vec::new(),
+    }
+}

@@ -1,0 +1,205 @@
+//! The inverse as a program: its statements and loops.
+
+use super::{Call, Facts, Given, Goal, Input, Names, Slot};
+use crate::model::Angle;
+use crate::solve::{Branching, SwivelFacts, Unit};
+use crate::symbolic::Graph;
+
+/// The inverse as a program.
+#[derive(Debug, Clone)]
+pub struct Inverse {
+    /// The arena.
+    pub graph: Graph,
+    /// The names of the shared expressions.
+    pub names: Names,
+    /// What the search needs to know about the arm.
+    pub facts: Facts,
+    /// What is asked for.
+    pub goal: Goal,
+    /// What is given beside it.
+    pub given: Option<Given>,
+    /// What the arm angle of a joint vector is read from, where that is given.
+    pub swivel: Option<SwivelFacts>,
+    /// What is read of both.
+    pub inputs: Vec<(Slot, Input)>,
+    /// Statements and loops: the first level stands before every loop, each other one is the body of a loop in the level
+    /// before.
+    pub levels: Vec<Level>,
+    /// The number of stages.
+    pub stages: usize,
+    /// The number of comparisons.
+    pub agreements: usize,
+    /// The number of the arm's joints.
+    pub joints: usize,
+    /// The largest number of solutions.
+    pub capacity: usize,
+    /// Whether every stage after a free joint has its roots wherever that joint is: the search then looks for other
+    /// places of two free joints only.
+    pub decoupled: bool,
+}
+
+impl Inverse {
+    /// Whether a number of the target is read.
+    pub fn reads(&self, input: Input) -> bool {
+        self.inputs.iter().any(|(_, read)| *read == input)
+    }
+}
+
+/// The body of a loop.
+#[derive(Debug, Clone, Default)]
+pub struct Level {
+    /// The loop; none around the first level.
+    pub each: Option<Each>,
+    /// Its statements; the next level's loop follows them.
+    pub body: Vec<Statement>,
+}
+
+/// A loop over the roots of a stage.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Each {
+    /// The stage.
+    pub stage: usize,
+    /// The trail that says whether the branch goes on.
+    pub trail: Trail,
+    /// What is taken of each root, by the stage's joints.
+    pub roots: Vec<Root>,
+    /// What the roots are called.
+    pub branching: Branching,
+}
+
+/// What is taken of a joint of a root.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Root(pub Vec<(Part, Slot)>);
+
+/// A part of a turn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// The angle, or the position of a sliding joint.
+    Value,
+    /// The sine.
+    Sin,
+    /// The cosine.
+    Cos,
+}
+
+/// What a branch has met, by the step that it has passed last.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Trail {
+    /// None.
+    Start,
+    /// A stage.
+    Stage(usize),
+    /// Equations that have to agree, counted from 0.
+    Agreed(usize),
+    /// The swing of the upper arm.
+    Swung,
+}
+
+/// A statement.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Statement {
+    /// Works out a shared expression.
+    Let(Slot),
+    /// The direction of (`x`, `y`), from which the angle of a stage is counted.
+    Phase {
+        /// The stage.
+        stage: usize,
+        /// Sine times a positive factor.
+        y: Slot,
+        /// Cosine times the same factor.
+        x: Slot,
+    },
+    /// The range of a stage's distance.
+    Elbow {
+        /// The stage.
+        stage: usize,
+        /// One link.
+        a: Slot,
+        /// The other.
+        b: Slot,
+        /// How far apart they are along the axis.
+        height: Slot,
+        /// For links along one line the product whose sign tells stretched from folded.
+        line: Option<Slot>,
+    },
+    /// The range of a stage's component.
+    Cone {
+        /// The stage.
+        stage: usize,
+        /// Component of the vector along the turning axis.
+        along: Slot,
+        /// Component across it.
+        across: Slot,
+        /// Cosine of the other axis to the turning axis.
+        cos: Slot,
+        /// Sine of it.
+        sin: Slot,
+    },
+    /// Solves a stage.
+    Solve(Call),
+    /// The trail after a stage.
+    Follow {
+        /// The stage.
+        stage: usize,
+        /// The trail before.
+        before: Trail,
+    },
+    /// Takes the root of a stage that has just one.
+    Only {
+        /// The stage.
+        stage: usize,
+        /// What is taken.
+        roots: Vec<Root>,
+    },
+    /// `symbol = atan2(y, x)`
+    Angle {
+        /// Where it goes.
+        symbol: Slot,
+        /// Sine times a positive factor.
+        y: Slot,
+        /// Cosine times the same factor.
+        x: Slot,
+        /// What it is.
+        meaning: String,
+    },
+    /// Compares equations that no joint can meet.
+    Agree {
+        /// The place of this comparison among them.
+        index: usize,
+        /// The trail before.
+        before: Trail,
+        /// What is compared.
+        unit: Unit,
+        /// By how much each is missed.
+        misses: Vec<Slot>,
+        /// What has to agree.
+        meaning: String,
+    },
+    /// The rotation of the upper arm from the arm angle, then the trail after it.
+    Swivel {
+        /// Where the rotation goes, by rows.
+        symbols: [[Slot; 3]; 3],
+        /// Wrist where it has to be, wrist, elbow's axis and elbow in the frame of the upper arm.
+        vectors: [[Slot; 3]; 4],
+        /// The trail before.
+        before: Trail,
+        /// What it is.
+        meaning: String,
+    },
+    /// A joint value from what the stages give: a signed sum and a constant, brought into (-pi, pi].
+    Value {
+        /// Where it goes.
+        symbol: Slot,
+        /// `(term, negative)`
+        terms: Vec<(Slot, bool)>,
+        /// The constant.
+        constant: Angle,
+    },
+    /// Adds a solution.
+    Push {
+        /// The trail of its branch.
+        trail: Trail,
+        /// The joint values.
+        q: Vec<Slot>,
+    },
+}

@@ -1,0 +1,143 @@
+//! A stage of the plan as a call of its kernel.
+
+use super::{Slot, Statement};
+use crate::model::Angle;
+use crate::solve::{ElbowRange, Kernel, Phase, Plan, Range, Stage, Unit};
+use crate::symbolic::{Expr, Graph};
+
+/// A call of a kernel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Call {
+    /// The stage, by its place among the plan's stages.
+    pub stage: usize,
+    /// The equation.
+    pub kernel: Kernel,
+    /// What its numbers measure.
+    pub unit: Unit,
+    /// Where the joints that it may leave free stay.
+    pub homes: [Home; 2],
+    /// The range of a distance or a component.
+    pub range: RootRange,
+    /// Where the angle is counted from.
+    pub counted: Counted,
+}
+
+/// Where a joint stays if it is free.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Home {
+    /// The arm's joint, from 0; `None` for a virtual one.
+    pub joint: Option<usize>,
+    /// What is added to its value to give the kernel's variable.
+    pub shift: Angle,
+}
+
+/// The range of a distance or a component.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RootRange {
+    /// The kernel has none.
+    None,
+    /// Of a distance, constant.
+    Elbow {
+        /// The links' lengths.
+        links: [f64; 2],
+        /// Largest distance.
+        max: f64,
+        /// Smallest distance.
+        min: f64,
+    },
+    /// Of a component, constant: each end with the component across.
+    Cone {
+        /// Largest component.
+        max: [f64; 2],
+        /// Smallest component.
+        min: [f64; 2],
+    },
+    /// What a statement before has worked out.
+    Prepared,
+}
+
+/// Where an angle is counted from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Counted {
+    /// From 0.
+    FromZero,
+    /// From half a turn where this is negative.
+    TurnedBack(Slot),
+    /// From the direction that a statement before has worked out.
+    FromPhase,
+}
+
+/// The call of a stage, and the statements that it needs before it: what is the same for every root of the stages before
+/// is worked out once.
+pub fn call(plan: &Plan, graph: &Graph, index: usize, stage: &Stage) -> (Vec<Statement>, Call) {
+    let mut before = Vec::new();
+    let (range, counted) = match &stage.kernel {
+        Kernel::Distance { range, about, .. } => {
+            // Links along one line are stretched or folded: that needs no angle.
+            let (line, about) = match about {
+                Some(Phase { y, x }) if *y == Expr::ZERO => (Some(*x), None),
+                about => (None, about.as_ref()),
+            };
+            let range = elbow(graph, index, range, line, &mut before);
+            (range, about.map_or(Counted::FromZero, |about| phase(index, about, &mut before)))
+        }
+        Kernel::Cone { range, about, .. } => {
+            let range = cone(graph, index, range, &mut before);
+            (range, about.as_ref().map_or(Counted::FromZero, |about| phase(index, about, &mut before)))
+        }
+        _ => (RootRange::None, Counted::FromZero),
+    };
+    // The outer joint of a flip is the one that can be free.
+    let first = usize::from(matches!(stage.kernel, Kernel::Flip { .. }));
+    let homes = [home(plan, stage, first), home(plan, stage, 1)];
+    let call = Call { stage: index, kernel: stage.kernel.clone(), unit: stage.unit, homes, range, counted };
+    (before, call)
+}
+
+fn home(plan: &Plan, stage: &Stage, place: usize) -> Home {
+    let slot = stage.joints.get(place).copied().unwrap_or(0);
+    let shift = if place == 0 || matches!(stage.kernel, Kernel::Flip { .. }) {
+        stage.home
+    } else {
+        plan.values.get(slot).map_or(stage.home, |value| value.constant.neg())
+    };
+    Home { joint: plan.joint(slot), shift }
+}
+
+fn phase(stage: usize, phase: &Phase, before: &mut Vec<Statement>) -> Counted {
+    if phase.y == Expr::ZERO {
+        return Counted::TurnedBack(phase.x);
+    }
+    before.push(Statement::Phase { stage, y: phase.y, x: phase.x });
+    Counted::FromPhase
+}
+
+fn elbow(
+    graph: &Graph,
+    stage: usize,
+    range: &ElbowRange,
+    line: Option<Slot>,
+    before: &mut Vec<Statement>,
+) -> RootRange {
+    let ElbowRange { a, b, height } = *range;
+    if let [Some(a), Some(b), Some(height)] = [a, b, height].map(|e| graph.constant(e)) {
+        return RootRange::Elbow { links: [a, b], max: (a + b).hypot(height), min: (a - b).hypot(height) };
+    }
+    before.push(Statement::Elbow { stage, a, b, height, line });
+    RootRange::Prepared
+}
+
+fn cone(graph: &Graph, stage: usize, range: &Range, before: &mut Vec<Statement>) -> RootRange {
+    let Range { along, across, cos, sin } = *range;
+    if let [Some(along), Some(across), Some(cos), Some(sin)] = [along, across, cos, sin].map(|e| graph.constant(e)) {
+        // Rounding of a product of exact angles must not look like an angle of 1e-17.
+        let size = along.hypot(across);
+        let clean = |x: f64| if x.abs() <= 1e-15 * size { 0.0 } else { x };
+        return RootRange::Cone {
+            max: [along * cos + across * sin, across * cos - along * sin].map(clean),
+            min: [along * cos - across * sin, across * cos + along * sin].map(clean),
+        };
+    }
+    before.push(Statement::Cone { stage, along, across, cos, sin });
+    RootRange::Prepared
+}
