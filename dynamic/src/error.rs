@@ -1,0 +1,55 @@
+//! Why there is no arm, or no answer.
+
+use denhart_codegen::{Errors, ReadError};
+
+/// Why there is no arm, or no answer.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DynamicError {
+    /// The file cannot be read.
+    #[error("{0}")]
+    Read(ReadError),
+    /// Mistakes in the file, each with its place.
+    #[error("{0}")]
+    Mistakes(Errors),
+    /// The arm has no inverse in closed form.
+    #[error("no inverse kinematics: {0}")]
+    NoInverse(String),
+    /// A joint vector of another length.
+    #[error("{found} joint values, but the arm has {expected} joints")]
+    Joints {
+        /// The arm's joints.
+        expected: usize,
+        /// The values.
+        found: usize,
+    },
+    /// A target of another task.
+    #[error("the task of the arm's inverse is `{expected}`, not `{found}`")]
+    Target {
+        /// The task of the arm.
+        expected: &'static str,
+        /// The task that the target belongs to.
+        found: &'static str,
+    },
+    /// The inverse takes a value beside the target.
+    #[error("the inverse takes {0} beside the target")]
+    Given(String),
+    /// The inverse takes no value beside the target.
+    #[error("the inverse takes no value beside the target")]
+    NothingGiven,
+    /// What this crate cannot evaluate although generated code can.
+    #[error("not supported at run time: {0}; the generated code (`denhart expand`, `#[derive(Arm)]`) has it")]
+    Unsupported(String),
+}
+
+impl From<ReadError> for DynamicError {
+    fn from(error: ReadError) -> Self {
+        DynamicError::Read(error)
+    }
+}
+
+impl From<Errors> for DynamicError {
+    fn from(errors: Errors) -> Self {
+        DynamicError::Mistakes(errors)
+    }
+}

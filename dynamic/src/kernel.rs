@@ -1,0 +1,156 @@
+//! A call of a kernel of the runtime, with its numbers taken from registers.
+
+use denhart::solve::{self, Cone, Elbow, Home, Measure, Missed, Search, Sight, Stage, Trail, Turn};
+use denhart_codegen::lower::{Call, Counted, Kernel, Slot, Unit};
+
+use crate::tape::{Places, Registers};
+
+/// The roots of a stage: so many joints, at most so many roots.
+#[derive(Debug, Clone, Copy)]
+pub enum Roots {
+    OneOfOne(Stage<f64, 1, 1>),
+    TwoOfOne(Stage<f64, 1, 2>),
+    TwoOfTwo(Stage<f64, 2, 2>),
+    TwoOfThree(Stage<f64, 3, 2>),
+    ThreeOfTwo(Stage<f64, 2, 3>),
+    FourOfTwo(Stage<f64, 2, 4>),
+}
+
+/// Does the same with the roots of every kind.
+macro_rules! with_roots {
+    ($roots:expr, $stage:ident => $action:expr) => {
+        match $roots {
+            $crate::kernel::Roots::OneOfOne($stage) => $action,
+            $crate::kernel::Roots::TwoOfOne($stage) => $action,
+            $crate::kernel::Roots::TwoOfTwo($stage) => $action,
+            $crate::kernel::Roots::TwoOfThree($stage) => $action,
+            $crate::kernel::Roots::ThreeOfTwo($stage) => $action,
+            $crate::kernel::Roots::FourOfTwo($stage) => $action,
+        }
+    };
+}
+pub(crate) use with_roots;
+
+/// What is known of a stage while it is solved: what was worked out before, and its roots.
+#[derive(Debug, Clone, Copy)]
+pub struct Known {
+    pub phase: Turn<f64>,
+    pub elbow: Elbow<f64>,
+    pub cone: Cone<f64>,
+    pub roots: Option<Roots>,
+}
+
+impl Known {
+    /// Nothing yet.
+    pub const NOTHING: Self = Known {
+        phase: Turn::ZERO,
+        elbow: Elbow { max: f64::NAN, min: f64::NAN, side: 1.0 },
+        cone: Cone { max: [f64::NAN; 2], min: [f64::NAN; 2] },
+        roots: None,
+    };
+}
+
+/// The values of expressions.
+#[derive(Clone, Copy)]
+pub struct Values<'a> {
+    pub places: &'a Places,
+    pub registers: &'a Registers,
+}
+
+impl Values<'_> {
+    /// The value of an expression.
+    #[inline]
+    pub fn of(self, slot: Slot) -> f64 {
+        self.registers.get(self.places.of(slot))
+    }
+
+    /// The values of several.
+    #[inline]
+    pub fn all<const K: usize>(self, slots: &[Slot; K]) -> [f64; K] {
+        slots.map(|slot| self.of(slot))
+    }
+
+    /// The values of rows.
+    #[inline]
+    pub fn rows<const K: usize, const R: usize>(self, rows: &[[Slot; K]; R]) -> [[f64; K]; R] {
+        rows.each_ref().map(|row| self.all(row))
+    }
+}
+
+/// What the numbers of an equation measure.
+pub fn measure(unit: Unit, reach: f64) -> Measure<f64> {
+    match unit {
+        Unit::Length => Measure::length(reach),
+        Unit::Direction => Measure::DIRECTION,
+    }
+}
+
+/// Solves a stage.
+pub fn solve(call: &Call, homes: [Home<f64>; 2], known: &Known, reach: f64, values: Values) -> Roots {
+    let measure = measure(call.unit, reach);
+    let [home, _] = homes;
+    let v = |slot: &Slot| values.of(*slot);
+    match &call.kernel {
+        Kernel::Offset { a, b, d } => Roots::TwoOfOne(solve::offset(home, measure, v(a), v(b), v(d))),
+        Kernel::OffsetOfTwo { length, direction } => {
+            let (length, direction) = (values.all(length), values.all(direction));
+            Roots::TwoOfOne(solve::offset_of_two(home, Measure::length(reach), length, direction))
+        }
+        Kernel::Distance { rho, .. } => {
+            let stage = solve::distance(home, measure, v(rho), known.elbow);
+            Roots::TwoOfOne(counted(stage, call.counted, known, values))
+        }
+        Kernel::Cone { d, rho, .. } => {
+            let stage = solve::cone(home, measure, v(d), v(rho), known.cone);
+            Roots::TwoOfOne(counted(stage, call.counted, known, values))
+        }
+        Kernel::Align { from, to } => Roots::OneOfOne(solve::align(home, measure, values.all(from), values.all(to))),
+        Kernel::Flip { m } => Roots::TwoOfTwo(solve::flip(home, values.all(m))),
+        Kernel::Wrist { m } => Roots::TwoOfThree(solve::wrist(home, values.rows(m))),
+        Kernel::Slide { rho, across, middle } => Roots::TwoOfOne(solve::slide(measure, v(rho), v(across), v(middle))),
+        Kernel::SlideTo { denominator, numerator } => {
+            Roots::OneOfOne(solve::slide_to(home, measure, v(denominator), v(numerator)))
+        }
+        Kernel::SlideTurning { stroke, rows } => {
+            Roots::TwoOfTwo(solve::slide_turning(homes, measure, values.all(stroke), values.rows(rows)))
+        }
+        Kernel::Aim { moved: [x, z], frames: [frame_x, frame_z] } => {
+            let sight = |moved, frame| Sight { moved: values.all(moved), frame: values.rows(frame) };
+            Roots::ThreeOfTwo(solve::aim(homes, sight(x, frame_x), sight(z, frame_z)))
+        }
+        Kernel::Pair { p, q, across } => {
+            let (p, q) = (values.rows(p), values.rows(q));
+            Roots::FourOfTwo(match across {
+                None => solve::pair(homes, measure, p, q),
+                Some([[a, b], [c, d]]) => solve::pair_turning(homes, measure, p, q, values.rows(&[*a, *b, *c, *d])),
+            })
+        }
+        Kernel::PairSliding { line, scale, square, q, sliding, turning } => {
+            let across = (values.rows(sliding), values.rows(turning));
+            let (line, square, q) = (values.all(line), values.all(square), values.all(q));
+            Roots::FourOfTwo(solve::pair_sliding(measure, line, v(scale), square, q, across))
+        }
+        Kernel::Quadratic { coefficients } => Roots::TwoOfOne(solve::quadratic(measure, values.all(coefficients))),
+    }
+}
+
+/// The roots with the angle counted from where it is.
+fn counted(stage: Stage<f64, 1, 2>, from: Counted, known: &Known, values: Values) -> Stage<f64, 1, 2> {
+    match from {
+        Counted::FromZero => stage,
+        Counted::TurnedBack(slot) => stage.turned_back(values.of(slot) < 0.0),
+        Counted::FromPhase => stage.about(known.phase),
+    }
+}
+
+/// The trail after a stage; the one before where the stage has no roots yet.
+pub fn follow<const N: usize, const M: usize, P: Missed<f64, M>>(
+    search: &mut Search<'_, f64, N, M, P>,
+    before: &Trail,
+    roots: &Option<Roots>,
+) -> Trail {
+    match roots {
+        None => *before,
+        Some(roots) => with_roots!(roots, stage => search.follow(before, stage)),
+    }
+}

@@ -1,0 +1,132 @@
+//! The nest of loops over the roots of a plan's stages, ready to run.
+
+use std::ops::Range;
+
+use denhart_codegen::lower::{Each, Given, Inverse, Level, Part, Root, RootRange, Slot, Statement, Trail};
+
+use crate::kernel::Known;
+use crate::tape::{Compiler, Places, Tape};
+
+/// The nest: the statements of the program, each after the operations that it needs.
+#[derive(Debug, Clone)]
+pub struct Nest {
+    pub tape: Tape,
+    pub places: Places,
+    pub levels: Vec<Body>,
+    /// What is known of the stages before the first statement: constant ranges.
+    pub known: Vec<Known>,
+    pub program: Inverse,
+}
+
+/// The body of a loop.
+#[derive(Debug, Clone)]
+pub struct Body {
+    pub each: Option<Each>,
+    pub steps: Vec<(Range<usize>, Statement)>,
+}
+
+impl Nest {
+    /// That of a program.
+    pub fn new(program: &Inverse) -> Self {
+        let mut compiler = Compiler::new(&program.graph);
+        for (slot, _) in &program.inputs {
+            compiler.leaf(*slot);
+        }
+        let mut known = vec![Known::NOTHING; program.stages];
+        let mut levels = Vec::new();
+        for Level { each, body } in &program.levels {
+            if let Some(each) = each {
+                leaves(&mut compiler, &each.roots);
+            }
+            let mut steps = Vec::new();
+            for statement in body {
+                let start = compiler.len();
+                compiler.work_out(&read(statement));
+                define(&mut compiler, statement);
+                if let Statement::Solve(call) = statement
+                    && let Some(known) = known.get_mut(call.stage)
+                {
+                    match call.range {
+                        RootRange::Elbow { max, min, .. } => (known.elbow.max, known.elbow.min) = (max, min),
+                        RootRange::Cone { max, min } => (known.cone.max, known.cone.min) = (max, min),
+                        RootRange::None | RootRange::Prepared => {}
+                    }
+                }
+                steps.push((start..compiler.len(), statement.clone()));
+            }
+            levels.push(Body { each: each.clone(), steps });
+        }
+        let (tape, places) = compiler.finish();
+        Nest { tape, places, levels, known, program: program.clone() }
+    }
+
+    /// The place of a trail among all trails.
+    pub fn trail(&self, trail: Trail) -> usize {
+        match trail {
+            Trail::Start => 0,
+            Trail::Swung => 1,
+            Trail::Stage(stage) => 2 + stage,
+            Trail::Agreed(index) => 2 + self.program.stages + index,
+        }
+    }
+
+    /// How many trails there are.
+    pub fn trails(&self) -> usize {
+        2 + self.program.stages + self.program.agreements
+    }
+
+    /// The joint whose value is given, counted from 0: for the arm angle, which is none's, the number after the last.
+    pub fn held(&self) -> Option<usize> {
+        self.program.given.map(|given| match given {
+            Given::Joint { joint, .. } => joint,
+            Given::ArmAngle => self.program.joints,
+        })
+    }
+}
+
+/// What a statement reads.
+fn read(statement: &Statement) -> Vec<Slot> {
+    match statement {
+        Statement::Let(slot) => vec![*slot],
+        Statement::Phase { y, x, .. } | Statement::Angle { y, x, .. } => vec![*y, *x],
+        Statement::Elbow { a, b, height, line, .. } => [*a, *b, *height].into_iter().chain(*line).collect(),
+        Statement::Cone { along, across, cos, sin, .. } => vec![*along, *across, *cos, *sin],
+        Statement::Solve(call) => call.kernel.inputs(),
+        Statement::Agree { misses, .. } => misses.clone(),
+        Statement::Swivel { vectors, .. } => vectors.concat(),
+        Statement::Value { terms, .. } => terms.iter().map(|(term, _)| *term).collect(),
+        Statement::Push { q, .. } => q.clone(),
+        Statement::Follow { .. } | Statement::Only { .. } => Vec::new(),
+    }
+}
+
+/// Gives registers to what a statement defines.
+fn define(compiler: &mut Compiler, statement: &Statement) {
+    match statement {
+        Statement::Only { roots, .. } => leaves(compiler, roots),
+        Statement::Angle { symbol, .. } | Statement::Value { symbol, .. } => {
+            compiler.leaf(*symbol);
+        }
+        Statement::Swivel { symbols, .. } => {
+            for symbol in symbols.iter().flatten() {
+                compiler.leaf(*symbol);
+            }
+        }
+        _ => {}
+    }
+}
+
+fn leaves(compiler: &mut Compiler, roots: &[Root]) {
+    for (_, symbol) in roots.iter().flat_map(|Root(parts)| parts) {
+        compiler.leaf(*symbol);
+    }
+}
+
+/// What is taken of a turn.
+pub fn part(turn: &denhart::solve::Turn<f64>, part: Part) -> f64 {
+    match part {
+        Part::Value => turn.value,
+        Part::Sin => turn.sin,
+        Part::Cos => turn.cos,
+    }
+}

@@ -1,0 +1,239 @@
+//! One run of the inverse: the nest of a program, with the runtime's search.
+
+use denhart::math;
+use denhart::solve::{self, Cone, Elbow, Home, MOST_CASCADES, Missed, Search, Select, Trail, Turn};
+use denhart::{Branch, Elbow as ElbowSide, Shoulder, Wrist};
+use denhart_codegen::lower::{self, Branching, Call, Each, Root, Slot, Statement, Unit};
+
+use crate::kernel::{Known, Values, follow, measure, solve, with_roots};
+use crate::nest::{Nest, part};
+use crate::tape::Registers;
+
+/// The state of a run.
+pub struct Run<'a> {
+    nest: &'a Nest,
+    registers: Registers,
+    known: Vec<Known>,
+    trails: Vec<Trail>,
+    /// Sine and cosine of the arm angle, where that is given.
+    swing: (f64, f64),
+    /// The branch to follow; none for all of them.
+    wanted: Option<Branch>,
+}
+
+impl<'a> Run<'a> {
+    /// Before the first statement, with the target's numbers in their registers.
+    pub fn new(nest: &'a Nest, registers: Registers, swing: (f64, f64), wanted: Option<Branch>) -> Self {
+        Run { nest, registers, known: nest.known.clone(), trails: Vec::new(), swing, wanted }
+    }
+
+    /// Once; again with a free joint at another place, where a later stage has no root with that joint at home.
+    pub fn search<const N: usize, const M: usize, P: Missed<f64, M>>(
+        mut self,
+        mut search: Search<'_, f64, N, M, P>,
+        near: Option<&[f64; N]>,
+    ) {
+        for _ in 0..MOST_CASCADES {
+            self.trails.clear();
+            self.trails.resize(self.nest.trails(), search.start());
+            self.level(0, Branch::NONE, &mut search);
+            if search.complete() {
+                break;
+            }
+        }
+        search.finish(near);
+    }
+
+    fn level<const N: usize, const M: usize, P: Missed<f64, M>>(
+        &mut self,
+        depth: usize,
+        branch: Branch,
+        search: &mut Search<'_, f64, N, M, P>,
+    ) {
+        let nest = self.nest;
+        let Some(body) = nest.levels.get(depth) else { return };
+        for (operations, statement) in &body.steps {
+            nest.tape.run(operations.clone(), &mut self.registers);
+            self.statement(statement, branch, search);
+        }
+        let Some(each) = nest.levels.get(depth + 1).and_then(|next| next.each.as_ref()) else { return };
+        let Some(roots) = self.known.get(each.stage).and_then(|known| known.roots) else { return };
+        let (trail, wanted) = (self.trail(each.trail, search), self.root_wanted(each.branching));
+        with_roots!(&roots, stage => {
+            for (index, root) in stage.each(&trail, wanted) {
+                self.take(&each.roots, root);
+                self.level(depth + 1, named(branch, each, index), search);
+            }
+        });
+    }
+
+    fn statement<const N: usize, const M: usize, P: Missed<f64, M>>(
+        &mut self,
+        statement: &Statement,
+        branch: Branch,
+        search: &mut Search<'_, f64, N, M, P>,
+    ) {
+        match statement {
+            // The operations before it are all there is to do.
+            Statement::Let(_) => {}
+            Statement::Phase { stage, y, x } => {
+                let phase = Turn::direction(self.value(*y), self.value(*x));
+                self.prepare(*stage, |known| known.phase = phase);
+            }
+            Statement::Elbow { stage, a, b, height, line } => {
+                let elbow = Elbow::new(self.value(*a), self.value(*b), self.value(*height));
+                let elbow = line.map_or(elbow, |line| elbow.signed(self.value(line)));
+                self.prepare(*stage, |known| known.elbow = elbow);
+            }
+            Statement::Cone { stage, along, across, cos, sin } => {
+                let [along, across, cos, sin] = [along, across, cos, sin].map(|slot| self.value(*slot));
+                let cone = Cone::new(along, across, cos, sin);
+                self.prepare(*stage, |known| known.cone = cone);
+            }
+            Statement::Solve(call) => self.solve(call, search),
+            Statement::Follow { stage, before } => {
+                let before = self.trail(*before, search);
+                let roots = self.known.get(*stage).and_then(|known| known.roots);
+                self.set_trail(lower::Trail::Stage(*stage), follow(search, &before, &roots));
+            }
+            Statement::Only { stage, roots } => {
+                let Some(solved) = self.known.get(*stage).and_then(|known| known.roots) else { return };
+                if let crate::kernel::Roots::OneOfOne(solved) = &solved {
+                    self.take(roots, &solved.only());
+                }
+            }
+            Statement::Angle { symbol, y, x, .. } => {
+                let angle = math::atan2(self.value(*y), self.value(*x));
+                self.set(*symbol, angle);
+            }
+            Statement::Agree { index, before, unit, misses, .. } => {
+                let measure = measure(*unit, self.nest.program.facts.reach);
+                let mut trail = self.trail(*before, search);
+                for miss in misses {
+                    trail = search.agree(&trail, measure, [self.value(*miss)]);
+                }
+                self.set_trail(lower::Trail::Agreed(*index), trail);
+            }
+            Statement::Swivel { symbols, vectors, before, .. } => {
+                let [wrist, moved, axis, elbow] = self.values().rows(vectors);
+                let rotation = solve::swivel(wrist, moved, axis, elbow, self.swing);
+                for (symbol, value) in symbols.iter().flatten().zip(rotation.iter().flatten()) {
+                    self.set(*symbol, *value);
+                }
+                let length = measure(Unit::Length, self.nest.program.facts.reach);
+                let homes = [search.home(0), search.home(1)];
+                let trail = search.directed(&self.trail(*before, search), length, wrist, homes);
+                self.set_trail(lower::Trail::Swung, trail);
+            }
+            Statement::Value { symbol, terms, constant } => {
+                let add = |sum: Option<f64>, (term, negative): &(Slot, bool)| {
+                    let value = self.value(*term);
+                    Some(match (sum, negative) {
+                        (None, false) => value,
+                        (None, true) => -value,
+                        (Some(sum), false) => sum + value,
+                        (Some(sum), true) => sum - value,
+                    })
+                };
+                let sum = terms.iter().fold(None, add).unwrap_or(0.0);
+                let sum = if constant.is_zero() { sum } else { sum + constant.rad() };
+                self.set(*symbol, solve::wrap(sum));
+            }
+            Statement::Push { trail, q } => {
+                let trail = self.trail(*trail, search);
+                let mut values = [f64::NAN; N];
+                for (value, slot) in values.iter_mut().zip(q) {
+                    *value = self.value(*slot);
+                }
+                search.push(&trail, values, branch);
+            }
+        }
+    }
+
+    fn solve<const N: usize, const M: usize, P: Missed<f64, M>>(
+        &mut self,
+        call: &Call,
+        search: &Search<'_, f64, N, M, P>,
+    ) {
+        let homes = call.homes.map(|home| self.home(home, search));
+        let reach = self.nest.program.facts.reach;
+        let Some(known) = self.known.get(call.stage) else { return };
+        let roots = solve(call, homes, known, reach, self.values());
+        self.prepare(call.stage, |known| known.roots = Some(roots));
+    }
+
+    fn home<const N: usize, const M: usize, P: Missed<f64, M>>(
+        &self,
+        home: lower::Home,
+        search: &Search<'_, f64, N, M, P>,
+    ) -> Home<f64> {
+        let at = match home.joint {
+            Some(joint) => search.home(joint),
+            None => search.virtual_home(),
+        };
+        if home.shift.is_zero() { at } else { at.shifted(home.shift.rad()) }
+    }
+
+    fn values(&self) -> Values<'_> {
+        Values { places: &self.nest.places, registers: &self.registers }
+    }
+
+    fn value(&self, slot: Slot) -> f64 {
+        self.values().of(slot)
+    }
+
+    fn set(&mut self, slot: Slot, value: f64) {
+        self.registers.set(self.nest.places.of(slot), value);
+    }
+
+    fn prepare(&mut self, stage: usize, set: impl FnOnce(&mut Known)) {
+        if let Some(known) = self.known.get_mut(stage) {
+            set(known);
+        }
+    }
+
+    fn take<const K: usize>(&mut self, roots: &[Root], turns: &[Turn<f64>; K]) {
+        for (Root(parts), turn) in roots.iter().zip(turns) {
+            for (which, symbol) in parts {
+                self.set(*symbol, part(turn, *which));
+            }
+        }
+    }
+
+    fn trail<const N: usize, const M: usize, P: Missed<f64, M>>(
+        &self,
+        trail: lower::Trail,
+        search: &Search<'_, f64, N, M, P>,
+    ) -> Trail {
+        self.trails.get(self.nest.trail(trail)).copied().unwrap_or_else(|| search.start())
+    }
+
+    fn set_trail(&mut self, trail: lower::Trail, value: Trail) {
+        if let Some(place) = self.trails.get_mut(self.nest.trail(trail)) {
+            *place = value;
+        }
+    }
+
+    /// The root to follow; none for all of them.
+    fn root_wanted(&self, branching: Branching) -> Option<usize> {
+        let wanted = self.wanted?;
+        match branching {
+            Branching::None => None,
+            Branching::Shoulder => Select::shoulder(wanted),
+            Branching::Elbow => Select::elbow(wanted),
+            Branching::Wrist => Select::wrist(wanted),
+            Branching::Root => Select::root(wanted),
+        }
+    }
+}
+
+/// The branch with the name of a root.
+fn named(branch: Branch, each: &Each, index: usize) -> Branch {
+    match each.branching {
+        Branching::None => branch,
+        Branching::Shoulder => branch.with_shoulder(Shoulder::of_root(index)),
+        Branching::Elbow => branch.with_elbow(ElbowSide::of_root(index)),
+        Branching::Wrist => branch.with_wrist(Wrist::of_root(index)),
+        Branching::Root => branch.with_root_index(index),
+    }
+}

@@ -1,0 +1,88 @@
+//! All branches of one inverse, of an arm known at run time.
+
+use std::ops::Deref;
+
+use denhart::{Branch, Flags, JointMask, Residual, Solution, Solutions, Status};
+
+use crate::Joints;
+
+/// One joint vector that answers a target: [`Solution`] without the number of joints in its type.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DynamicSolution {
+    /// Joint values: rad for revolute joints, the length unit for prismatic ones.
+    pub q: Joints,
+    /// What is known about the solution.
+    pub flags: Flags,
+    /// The joints whose value the solver chose because the target does not determine it.
+    pub free: JointMask,
+    /// The branch that the solution lies on.
+    pub branch: Branch,
+    /// What the solution misses the target by: zero for an ordinary one.
+    pub residual: Residual<f64>,
+}
+
+impl DynamicSolution {
+    /// Whether the solution reaches the target up to rounding.
+    #[must_use]
+    pub const fn is_exact(&self) -> bool {
+        self.flags.contains(Flags::EXACT)
+    }
+
+    /// Whether every joint is within the arm's limits.
+    #[must_use]
+    pub const fn is_within_limits(&self) -> bool {
+        !self.flags.contains(Flags::OUT_OF_LIMITS)
+    }
+}
+
+impl<const N: usize> From<&Solution<f64, N>> for DynamicSolution {
+    fn from(solution: &Solution<f64, N>) -> Self {
+        let Solution { q, flags, free, branch, residual } = *solution;
+        DynamicSolution { q: Joints::new(q), flags, free, branch, residual }
+    }
+}
+
+/// The solutions of one call and its status; derefs to a slice. The order is that of [`Solutions`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct DynamicSolutions {
+    solutions: Vec<DynamicSolution>,
+    status: Status<f64>,
+    deviation: f64,
+}
+
+impl DynamicSolutions {
+    /// Outcome of the call.
+    #[must_use]
+    pub const fn status(&self) -> Status<f64> {
+        self.status
+    }
+
+    /// By how much the target's rotation was off: see [`Solutions::deviation`].
+    #[must_use]
+    pub const fn deviation(&self) -> f64 {
+        self.deviation
+    }
+
+    /// The solutions with every joint within the arm's limits.
+    pub fn within_limits(&self) -> impl Iterator<Item = &DynamicSolution> {
+        self.solutions.iter().filter(|solution| solution.is_within_limits())
+    }
+}
+
+impl<const N: usize, const M: usize> From<&Solutions<f64, N, M>> for DynamicSolutions {
+    fn from(solutions: &Solutions<f64, N, M>) -> Self {
+        DynamicSolutions {
+            solutions: solutions.iter().map(DynamicSolution::from).collect(),
+            status: solutions.status(),
+            deviation: solutions.deviation(),
+        }
+    }
+}
+
+impl Deref for DynamicSolutions {
+    type Target = [DynamicSolution];
+
+    fn deref(&self) -> &[DynamicSolution] {
+        &self.solutions
+    }
+}

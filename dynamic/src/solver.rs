@@ -1,0 +1,289 @@
+//! The inverse of an arm with `N` joints and at most `M` solutions.
+
+use std::marker::PhantomData;
+
+use denhart::math;
+use denhart::solve::{
+    Decoupled, Evaluate, Facts, Goal, InPlane, Levels, Locked, Missed, Pointing, Search, nearest_rotation,
+};
+use denhart::{Branch, Jacobian, Pose, Residual, Solutions, Status};
+use denhart_codegen::lower::{self, Given, Input, Inverse};
+
+use crate::function::Straight;
+use crate::nest::Nest;
+use crate::run::Run;
+use crate::{DynamicError, DynamicSolution, DynamicSolutions, DynamicTarget};
+
+/// What is asked of an inverse.
+pub struct Asked<'a> {
+    pub target: &'a DynamicTarget,
+    /// The value of the redundant joint, or the arm angle, where the inverse takes one.
+    pub given: f64,
+    /// The reference, with as many values as the arm has joints.
+    pub near: Option<&'a [f64]>,
+    /// The branch; none for all of them.
+    pub branch: Option<Branch>,
+}
+
+/// An inverse without the number of joints in its type.
+pub trait Solve: std::fmt::Debug + Send + Sync {
+    /// Every branch, or the one asked for.
+    fn solve(&self, asked: &Asked) -> DynamicSolutions;
+    /// The solution of [`solve`](Self::solve), or its status.
+    fn one(&self, asked: &Asked) -> Result<DynamicSolution, Status<f64>>;
+    /// By how much a joint vector, at which the tool has this pose, misses the target.
+    fn residual(&self, q: &[f64], target: &DynamicTarget, pose: &Pose<f64>) -> Residual<f64>;
+}
+
+/// The solver of a program, by its numbers of joints and solutions.
+pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, DynamicError> {
+    let unsupported = || {
+        let Inverse { joints, capacity, .. } = program;
+        DynamicError::Unsupported(format!("an inverse of {joints} joints with up to {capacity} solutions"))
+    };
+    macro_rules! sizes {
+        ($Passes:ident $($joints:literal: $($capacity:literal)*;)*) => {
+            match (program.joints, program.capacity) {
+                $($(($joints, $capacity) => {
+                    Solver::<$joints, $capacity, $Passes>::boxed(program, both)
+                })*)*
+                _ => None,
+            }
+        };
+    }
+    let solver = match program.decoupled {
+        true => sizes! { Crossings
+            3: 1 2 4;
+            4: 2 4;
+            6: 4 8;
+            7: 8;
+        },
+        false => sizes! { Places
+            2: 1 2;
+            3: 1 2 4;
+            4: 1 2 4 8;
+            5: 1 2 3 4 6 8;
+            6: 1 2 3 4 6 8 16;
+            7: 1 2 3 4 6 8 16;
+        },
+    };
+    solver.ok_or_else(unsupported)
+}
+
+/// How a search begins: which further passes it has is in its type.
+trait Begin<const N: usize, const M: usize>: std::fmt::Debug + Send + Sync + 'static {
+    type Passes: Missed<f64, M>;
+
+    fn begin<'a>(
+        facts: &'a Facts<f64, N>,
+        arm: &'a dyn Evaluate<f64, N>,
+        goal: &'a dyn Goal<f64, N>,
+        near: Option<&[f64; N]>,
+        solutions: &'a mut Solutions<f64, N, M>,
+    ) -> Search<'a, f64, N, M, Self::Passes>;
+}
+
+/// With passes at other places of a free joint.
+#[derive(Debug)]
+struct Places;
+
+impl<const N: usize, const M: usize> Begin<N, M> for Places {
+    type Passes = Levels<f64, M>;
+
+    fn begin<'a>(
+        facts: &'a Facts<f64, N>,
+        arm: &'a dyn Evaluate<f64, N>,
+        goal: &'a dyn Goal<f64, N>,
+        near: Option<&[f64; N]>,
+        solutions: &'a mut Solutions<f64, N, M>,
+    ) -> Search<'a, f64, N, M, Self::Passes> {
+        Search::new(facts, arm, goal, near, solutions)
+    }
+}
+
+/// For a decoupled arm.
+#[derive(Debug)]
+struct Crossings;
+
+impl<const N: usize, const M: usize> Begin<N, M> for Crossings {
+    type Passes = Decoupled;
+
+    fn begin<'a>(
+        facts: &'a Facts<f64, N>,
+        arm: &'a dyn Evaluate<f64, N>,
+        goal: &'a dyn Goal<f64, N>,
+        near: Option<&[f64; N]>,
+        solutions: &'a mut Solutions<f64, N, M>,
+    ) -> Search<'a, f64, N, M, Self::Passes> {
+        Search::decoupled(facts, arm, goal, near, solutions)
+    }
+}
+
+#[derive(Debug)]
+struct Solver<const N: usize, const M: usize, B> {
+    nest: Nest,
+    facts: Facts<f64, N>,
+    both: Evaluator<N>,
+    begin: PhantomData<B>,
+}
+
+/// Pose and Jacobian for the verification of solutions.
+#[derive(Debug)]
+struct Evaluator<const N: usize>(Straight);
+
+impl<const N: usize> Evaluate<f64, N> for Evaluator<N> {
+    fn evaluate(&self, q: &[f64; N]) -> (Pose<f64>, Jacobian<f64, N>) {
+        let (mut pose, mut jacobian) = (Pose::identity(), Jacobian::zero());
+        let places = pose.rotation.iter_mut().flatten().chain(&mut pose.translation);
+        let mut places = places.chain(jacobian.rows.iter_mut().flatten());
+        self.0.run(q, |value| {
+            if let Some(place) = places.next() {
+                *place = value;
+            }
+        });
+        (pose, jacobian)
+    }
+}
+
+impl<const N: usize, const M: usize, B: Begin<N, M>> Solver<N, M, B> {
+    fn boxed(program: &Inverse, both: &Straight) -> Option<Box<dyn Solve>> {
+        let facts = crate::facts::facts(&program.facts)?;
+        Some(Box::new(Self { nest: Nest::new(program), facts, both: Evaluator(both.clone()), begin: PhantomData::<B> }))
+    }
+
+    fn solutions(&self, asked: &Asked) -> Solutions<f64, N, M> {
+        let mut solutions = Solutions::new(Status::BadTarget);
+        match (&self.nest.program.goal, asked.target) {
+            (lower::Goal::Pose, DynamicTarget::Pose(target)) => {
+                let nearest = nearest_rotation(target, &mut solutions);
+                let goal = nearest.as_ref().unwrap_or(target);
+                self.search(goal, asked, |input| entry(goal, input), &mut solutions);
+            }
+            (lower::Goal::Position, DynamicTarget::Position(target)) => {
+                self.search(target, asked, |input| component(target, input), &mut solutions);
+            }
+            (lower::Goal::PositionAxis { column }, DynamicTarget::PositionAxis(target)) => {
+                let goal = Pointing::new(target, *column);
+                let frame = goal.frame();
+                self.search(&goal, asked, |input| entry(&frame, input), &mut solutions);
+            }
+            (lower::Goal::PositionAngle { .. }, DynamicTarget::PositionAngle(target)) => {
+                let goal = self.in_plane(target);
+                let (sin, cos) = math::sin_cos(target.angle);
+                let number = |input| match input {
+                    Input::Angle => target.angle,
+                    Input::SinAngle => sin,
+                    Input::CosAngle => cos,
+                    other => component(&target.point, other),
+                };
+                self.search(&goal, asked, number, &mut solutions);
+            }
+            (lower::Goal::PlanarPose, DynamicTarget::PlanarPose(target)) => {
+                let (sin, cos) = math::sin_cos(target.phi);
+                let number = |input| match input {
+                    Input::Phi => target.phi,
+                    Input::SinPhi => sin,
+                    Input::CosPhi => cos,
+                    other => component(&[target.x, target.y], other),
+                };
+                self.search(target, asked, number, &mut solutions);
+            }
+            (lower::Goal::PlanarPosition, DynamicTarget::PlanarPosition(target)) => {
+                self.search(target, asked, |input| component(target, input), &mut solutions);
+            }
+            // The arm has compared the tasks.
+            _ => {}
+        }
+        solutions
+    }
+
+    fn in_plane(&self, target: &denhart::PointAngle<f64>) -> InPlane<f64, N> {
+        let mut all = [0.0; N];
+        let mut at_zero = 0.0;
+        if let lower::Goal::PositionAngle { signs, offset } = &self.nest.program.goal {
+            at_zero = offset.rad();
+            for (place, sign) in all.iter_mut().zip(signs) {
+                *place = *sign;
+            }
+        }
+        InPlane::new(target, all, at_zero)
+    }
+
+    /// Searches for a goal whose numbers `number` gives.
+    fn search<G: Goal<f64, N>>(
+        &self,
+        goal: &G,
+        asked: &Asked,
+        number: impl Fn(Input) -> f64,
+        solutions: &mut Solutions<f64, N, M>,
+    ) {
+        let Ok(near) = asked.near.map(<&[f64; N]>::try_from).transpose() else { return };
+        let locked = self.nest.held().map(|joint| Locked::new(goal, joint, asked.given));
+        let sought: &dyn Goal<f64, N> = match &locked {
+            Some(locked) => locked,
+            None => goal,
+        };
+        let mut search = B::begin(&self.facts, &self.both, sought, near, solutions);
+        if !search.begins(near) {
+            return;
+        }
+        let program = &self.nest.program;
+        let turns = matches!(program.given, Some(Given::ArmAngle | Given::Joint { turns: true, .. }));
+        let (sin, cos) = if turns { math::sin_cos(asked.given) } else { (f64::NAN, f64::NAN) };
+        let mut registers = self.nest.tape.registers();
+        for (slot, input) in &program.inputs {
+            let value = match input {
+                Input::Given(_) => asked.given,
+                Input::SinGiven(_) => sin,
+                Input::CosGiven(_) => cos,
+                other => number(*other),
+            };
+            registers.set(self.nest.places.of(*slot), value);
+        }
+        Run::new(&self.nest, registers, (sin, cos), asked.branch).search(search, near);
+    }
+}
+
+impl<const N: usize, const M: usize, B: Begin<N, M>> Solve for Solver<N, M, B> {
+    fn solve(&self, asked: &Asked) -> DynamicSolutions {
+        DynamicSolutions::from(&self.solutions(asked))
+    }
+
+    fn one(&self, asked: &Asked) -> Result<DynamicSolution, Status<f64>> {
+        self.solutions(asked).first_or_status().as_ref().map(DynamicSolution::from).map_err(|status| *status)
+    }
+
+    fn residual(&self, q: &[f64], target: &DynamicTarget, pose: &Pose<f64>) -> Residual<f64> {
+        let missed = Residual { position: f64::NAN, orientation: f64::NAN };
+        let Ok(q) = <&[f64; N]>::try_from(q) else { return missed };
+        match (&self.nest.program.goal, target) {
+            (_, DynamicTarget::Pose(target)) => Goal::residual(target, q, pose),
+            (_, DynamicTarget::Position(target)) => Goal::residual(target, q, pose),
+            (lower::Goal::PositionAxis { column }, DynamicTarget::PositionAxis(target)) => {
+                Goal::residual(&Pointing::new(target, *column), q, pose)
+            }
+            (_, DynamicTarget::PositionAngle(target)) => Goal::residual(&self.in_plane(target), q, pose),
+            (_, DynamicTarget::PlanarPose(target)) => Goal::residual(target, q, pose),
+            (_, DynamicTarget::PlanarPosition(target)) => Goal::residual(target, q, pose),
+            _ => missed,
+        }
+    }
+}
+
+/// A number of a pose.
+fn entry(pose: &Pose<f64>, input: Input) -> f64 {
+    match input {
+        Input::Rotation(row, column) => {
+            pose.rotation.get(row).and_then(|row| row.get(column)).copied().unwrap_or(f64::NAN)
+        }
+        other => component(&pose.translation, other),
+    }
+}
+
+/// A component of a point.
+fn component(point: &[f64], input: Input) -> f64 {
+    match input {
+        Input::Position(index) => point.get(index).copied().unwrap_or(f64::NAN),
+        _ => f64::NAN,
+    }
+}
