@@ -1,6 +1,11 @@
 //! The command `denhart` as a function: `denhart expand FILE` prints the generated code of an arm, `denhart check FILE`
-//! what the generator found in it, `denhart trace FILE` the motion of its tool under a motion law.
+//! what the generator found in it, `denhart trace FILE` the motion of its tool under a motion law, `denhart forward FILE`
+//! where the tool is, and `denhart inverse FILE` the joint vectors that bring it somewhere.
 
+mod closest;
+mod forward;
+mod inverse;
+mod numbers;
 mod trace;
 
 use std::env;
@@ -17,11 +22,15 @@ const SUCCESS: u8 = 0;
 const FAILURE: u8 = 1;
 /// Arguments that make no sense.
 const USAGE: u8 = 2;
+/// A target without an exact solution.
+const NO_SOLUTION: u8 = 3;
 
 /// Kinematics of robot arms, generated from their Denavit-Hartenberg table.
 #[derive(Parser)]
 #[command(name = "denhart", version, arg_required_else_help = true)]
-#[command(after_help = "Exit status: 0 done, 1 mistakes in the file, 2 wrong arguments.")]
+#[command(
+    after_help = "Exit status: 0 done, 1 mistakes in the file, 2 wrong arguments, 3 (of inverse) no exact solution."
+)]
 struct Command {
     #[command(subcommand)]
     action: Action,
@@ -46,6 +55,16 @@ enum Action {
     /// Lengths are in the unit of the arm file, angles as --units says, times in s. Rates are exact derivatives of the
     /// laws.
     Trace(trace::Options),
+    /// Print the pose of the tool at joint values
+    ///
+    /// As a matrix, as roll, pitch, yaw (R = Rz(yaw) Ry(pitch) Rx(roll)) and as a unit quaternion, scalar part first.
+    /// Lengths are in the unit of the arm file. Joints outside their limits are named.
+    Forward(forward::Options),
+    /// Print every joint vector that brings the tool to a target
+    ///
+    /// For each solution: joint values, branch, flags, broken limits, and what forward kinematics misses the target by.
+    /// Without an exact solution it says whether distance or direction is missed, and the exit status is 3.
+    Inverse(inverse::Options),
 }
 
 #[derive(Args)]
@@ -101,6 +120,13 @@ where
                 Err(trace::Failure::Other(mistake)) => say(err, &format!("error: {mistake}"), FAILURE),
             };
         }
+        Ok(Command { action: Action::Forward(options) }) => {
+            return said(forward::run(&options, out).map(|()| SUCCESS), err);
+        }
+        Ok(Command { action: Action::Inverse(options) }) => {
+            let status = |found| if found { SUCCESS } else { NO_SOLUTION };
+            return said(inverse::run(&options, out).map(status), err);
+        }
         Err(shown) if shown.use_stderr() => return say(err, &shown.render().to_string(), USAGE),
         Err(help) => Ok(help.render().to_string()),
     };
@@ -134,6 +160,16 @@ fn check(file: &Path) -> Result<String, String> {
     match &report.lacking {
         Some(mistake) => Err(format!("{}\n\n{mistake}", shown.trim_end())),
         None => Ok(shown),
+    }
+}
+
+/// The exit status, after saying why there is no answer.
+fn said(result: Result<u8, numbers::Failure>, err: &mut dyn Write) -> u8 {
+    match result {
+        Ok(status) => status,
+        Err(numbers::Failure::NoReader) => SUCCESS,
+        Err(numbers::Failure::Usage(mistake)) => say(err, &format!("error: {mistake}"), USAGE),
+        Err(numbers::Failure::Other(mistake)) => say(err, &format!("error: {mistake}"), FAILURE),
     }
 }
 

@@ -17,7 +17,8 @@ pub fn read(file: &Path) -> Result<(Chain, Vec<String>), String> {
     Ok((chain(&model), names))
 }
 
-fn chain(model: &Model) -> Chain {
+/// The chain of a checked arm.
+pub fn chain(model: &Model) -> Chain {
     let convention = match model.convention {
         model::Convention::Standard => Convention::Standard,
         model::Convention::Modified => Convention::Modified,

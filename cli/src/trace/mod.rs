@@ -1,6 +1,6 @@
 //! `denhart trace`: a motion law for every joint, sampled to the pose, velocity and acceleration of the tool, as CSV.
 
-mod arm;
+pub mod arm;
 mod jet;
 mod law;
 mod times;

@@ -1,0 +1,196 @@
+//! `denhart forward` and `denhart inverse` as they are run from a shell.
+#![allow(clippy::unwrap_used)]
+
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use serde_json::Value;
+
+fn command(arguments: &[&str]) -> Command {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_denhart"));
+    command.args(arguments).current_dir(root);
+    command
+}
+
+fn denhart(arguments: &[&str]) -> Output {
+    command(arguments).output().unwrap()
+}
+
+fn said(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+fn shown(arguments: &[&str]) -> String {
+    let output = denhart(arguments);
+    assert!(output.status.success(), "{output:?}");
+    said(&output.stdout)
+}
+
+fn json(arguments: &[&str]) -> Value {
+    serde_json::from_str(&said(&denhart(arguments).stdout)).unwrap()
+}
+
+fn close(value: &Value, expected: &[f64]) {
+    let values: Vec<f64> = value.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+    assert_eq!(values.len(), expected.len());
+    assert!(values.iter().zip(expected).all(|(x, y)| (x - y).abs() < 1e-9), "{values:?}, not {expected:?}");
+}
+
+#[test]
+fn forward_prints_the_pose() {
+    let text = shown(&["forward", "specs/ur5.yaml", "--q", "0, -90, 90, 0, 0, 0", "--links"]);
+    for part in [
+        "position    -0.39225  -0.19145  0.419509  m",
+        "roll pitch yaw  90  0  0  deg",
+        "quaternion  0.707106781  0.707106781  0  0",
+        "  q2                    0  0  0.514159",
+    ] {
+        assert!(text.contains(part), "{text}");
+    }
+}
+
+#[test]
+fn forward_in_json_and_in_rad() {
+    let pose = json(&["forward", "specs/ur5.yaml", "--q", "0 -90 90 0 0 0", "--json", "--links"]);
+    close(&pose["pose"]["position"], &[-0.39225, -0.19145, 0.419509]);
+    close(&pose["pose"]["matrix"][1], &[0.0, 0.0, -1.0, -0.19145]);
+    close(&pose["links"][1]["origin"], &[0.0, 0.0, 0.514159]);
+    let q = "0, -1.5707963267948966, 1.5707963267948966, 0, 0, 0";
+    let rad = json(&["forward", "specs/ur5.yaml", "--q", q, "--units", "rad", "--json"]);
+    assert_eq!(rad["pose"]["matrix"], pose["pose"]["matrix"]);
+    close(&rad["pose"]["rpy"], &[std::f64::consts::FRAC_PI_2, 0.0, 0.0]);
+    assert!(rad["links"].is_null());
+}
+
+#[test]
+fn a_file_comes_from_the_standard_input() {
+    let mut child =
+        command(&["forward", "-", "--q", "30 -30"]).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+    let rows = "joints:\n  - {a: 1, alpha: 0, d: 0, theta: 0}\n  - {a: 1, alpha: 0, d: 0, theta: 0}\n";
+    let text = format!("name: bent\nconvention: standard\nunits: {{length: m, angle: deg}}\n{rows}");
+    child.stdin.take().unwrap().write_all(text.as_bytes()).unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert!(said(&output.stdout).contains("position    1.866025404  0.5  0  m"), "{output:?}");
+}
+
+#[test]
+fn joints_outside_their_limits_are_named() {
+    let text = shown(&["forward", "specs/scara_rrrp_325_275.yaml", "--q", "0, 0, 0, -500"]);
+    assert!(text.contains("outside the limits: q4 = -500 is below "), "{text}");
+}
+
+#[test]
+fn inverse_lists_every_branch() {
+    let q = [0.0, -90.0, 90.0, 0.0, 30.0, 0.0];
+    let answer = json(&["inverse", "specs/ur5.yaml", "--q", "0, -90, 90, 0, 30, 0", "--json"]);
+    let solutions = answer["solutions"].as_array().unwrap();
+    assert_eq!((answer["status"].as_str(), solutions.len()), (Some("reachable"), 8));
+    let own = |solution: &&Value| {
+        let values = solution["q"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap());
+        values.zip(q).all(|(x, y)| (x - y).abs() < 1e-9)
+    };
+    let own = solutions.iter().find(own).unwrap();
+    assert_eq!(own["branch"], "shoulder right, elbow up, wrist no-flip");
+    assert_eq!(own["flags"], serde_json::json!(["EXACT"]));
+    assert!(own["residual"]["position"].as_f64().unwrap() < 1e-12);
+    let table = shown(&["inverse", "specs/ur5.yaml", "--q", "0, -90, 90, 0, 30, 0"]);
+    assert!(table.starts_with("8 solutions of ur5, task pose"), "{table}");
+    assert_eq!(table.lines().filter(|line| line.contains("EXACT")).count(), 8, "{table}");
+}
+
+#[test]
+fn inverse_of_a_pose_that_forward_printed() {
+    let pose = json(&["forward", "specs/puma560.yaml", "--q", "10 20 30 40 50 60", "--json"]);
+    let numbers =
+        |key: &str| -> Vec<String> { pose["pose"][key].as_array().unwrap().iter().map(|x| x.to_string()).collect() };
+    let asked = [numbers("position"), numbers("rpy")].concat().join(" ");
+    let answer = json(&["inverse", "specs/puma560.yaml", "--pose", &asked, "--near", "11 20 30 40 50 60", "--json"]);
+    close(&answer["solutions"][0]["q"], &[10.0, 20.0, 30.0, 40.0, 50.0, 60.0]);
+}
+
+#[test]
+fn broken_limits_are_said() {
+    let text = shown(&["inverse", "specs/puma560.yaml", "--q", "10 20 30 40 50 60"]);
+    assert!(text.contains("broken") && text.contains(" is below ") | text.contains(" is above "), "{text}");
+}
+
+#[test]
+fn what_is_missed_is_said_with_its_unit() {
+    let far = denhart(&["inverse", "specs/ur5.yaml", "--pose", "2 0 0 0 0 0"]);
+    assert_eq!(far.status.code(), Some(3));
+    let text = said(&far.stdout);
+    assert!(text.contains("Missed is the distance") && text.contains(" m\n"), "{text}");
+    // A SCARA cannot turn its tool upward.
+    let target = ["inverse", "specs/scara_rrrp_325_275.yaml", "--pose", "400 100 0 90 0 0"];
+    let upward = denhart(&target);
+    assert_eq!(upward.status.code(), Some(3));
+    let text = said(&upward.stdout);
+    assert!(text.contains("Missed is the direction") && text.contains(" deg off"), "{text}");
+    let answer = json(&[&target[..], &["--json"]].concat());
+    assert_eq!(
+        (answer["status"].as_str(), answer["missed"]["what"].as_str()),
+        (Some("unreachable"), Some("direction"))
+    );
+    assert!((answer["missed"]["orientation"].as_f64().unwrap() - 90.0).abs() < 1.0, "{answer}");
+}
+
+#[test]
+fn smaller_tasks_take_fewer_numbers() {
+    let text = shown(&["inverse", "specs/planar2r.yaml", "--q", "20 30"]);
+    assert!(text.starts_with("2 solutions of planar2r, task planar_position"), "{text}");
+    for (arm, q) in [("anthro3r", "10 20 30"), ("planar3r", "10 20 30"), ("planar2r", "10 20")] {
+        let file = format!("specs/{arm}.yaml");
+        let pose = json(&["forward", &file, "--q", q, "--json"]);
+        let of = |key: &str, index: usize| pose["pose"][key][index].to_string();
+        let (x, y, z, yaw) = (of("position", 0), of("position", 1), of("position", 2), of("rpy", 2));
+        let asked = match arm {
+            "anthro3r" => [x, y, z].join(" "),
+            "planar3r" => [x, y, yaw].join(" "),
+            _ => [x, y].join(" "),
+        };
+        let answer = json(&["inverse", &file, "--pose", &asked, "--near", q, "--json"]);
+        assert_eq!(answer["target"]["position"].as_array().unwrap().len(), if arm == "anthro3r" { 3 } else { 2 });
+        let q: Vec<f64> = q.split(' ').map(|x| x.parse().unwrap()).collect();
+        close(&answer["solutions"][0]["q"], &q);
+    }
+}
+
+#[test]
+fn what_is_given_beside_the_target() {
+    let arm = "specs/kuka_iiwa7_r800.yaml";
+    let [q, pose] = ["10 20 30 40 50 60 70", "400 100 500 180 0 0"];
+    assert!(shown(&["inverse", arm, "--q", q]).starts_with("8 solutions"));
+    let none = denhart(&["inverse", arm, "--pose", pose]);
+    assert_eq!(none.status.code(), Some(2));
+    assert!(said(&none.stderr).contains("add --given or --near"), "{none:?}");
+    let given = json(&["inverse", arm, "--pose", pose, "--given", "30", "--json"]);
+    assert!(
+        given["solutions"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .all(|solution| { (solution["q"][2].as_f64().unwrap() - 30.0).abs() < 1e-9 })
+    );
+    let surplus = denhart(&["inverse", "specs/ur5.yaml", "--pose", "0.3 0.1 0.4 180 0 0", "--given", "30"]);
+    assert_eq!(surplus.status.code(), Some(2));
+}
+
+#[test]
+fn wrong_arguments_have_status_2_and_wrong_files_status_1() {
+    for (arguments, status, part) in [
+        (&["forward", "specs/ur5.yaml", "--q", "0, 0"][..], 2, "2 values, one for each joint is needed: q1, "),
+        (&["forward", "specs/ur5.yaml", "--q", "0 0 0 0 0 x"], 2, "`x` is not a number"),
+        (&["forward", "specs/ur5.yaml"], 2, "--q"),
+        (&["inverse", "specs/ur5.yaml"], 2, "--pose"),
+        (&["inverse", "specs/ur5.yaml", "--pose", "1 2"], 2, "needs \"x y z roll pitch yaw\""),
+        (&["inverse", "specs/ur5.yaml", "--pose", "1 2 3 4 5 6", "--q", "0"], 2, "cannot be used with"),
+        (&["inverse", "specs/gen6r_a.yaml", "--q", "0 0 0 0 0 0"], 1, "no inverse kinematics: "),
+        (&["forward", "specs/no_such.yaml", "--q", "0"], 1, "no arm file at"),
+    ] {
+        let output = denhart(arguments);
+        assert_eq!(output.status.code(), Some(status), "{output:?}");
+        assert!(said(&output.stderr).contains(part), "{output:?}");
+    }
+}
