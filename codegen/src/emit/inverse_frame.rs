@@ -2,7 +2,7 @@
 
 use super::task::TaskCode;
 use super::tokens::{ident, integer, number};
-use super::{Target, combined_limits, docs, parameters};
+use super::{Target, combined_limits, docs, parameters, worked_out};
 use crate::model::{JointKind, Model};
 use crate::solve::Plan;
 use proc_macro2::{Ident, TokenStream};
@@ -11,7 +11,7 @@ use quote::quote;
 /// Reach, tolerances and limits as constants.
 pub(super) fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStream) -> TokenStream {
     let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
-    let reach = number(plan.reach);
+    let reach = worked_out::reach(plan.reach, model, target);
     let limited = model.joints.iter().any(|joint| joint.limits.is_some());
     let sliding = model
         .joints
@@ -22,7 +22,7 @@ pub(super) fn items(model: &Model, plan: &Plan, target: &Target, calls: TokenStr
         .map(|index| quote!(.union(#krate::JointMask::single(#index))));
     let weights = model.inverse.weights.clone().unwrap_or_else(|| vec![1.0; model.joints.len()]);
     let weights = weights.into_iter().map(number);
-    let length = number(model.inverse.tolerance_length.unwrap_or(1e-6 * plan.reach));
+    let length = worked_out::position_tolerance(plan.reach, model, target);
     let angle = number(model.inverse.tolerance_angle.unwrap_or(1e-6));
     let unit = model.length_unit.symbol();
     let reach_doc = format!(" Reach of the arm, {unit}: the scale of every length comparison.");

@@ -2,7 +2,7 @@
 
 use super::block::Block;
 use super::tokens::{Writer, ident, integer, number};
-use super::{Target, angle};
+use super::{Target, angle, worked_out};
 use crate::model::Model;
 use crate::solve::{ElbowRange, Kernel, Phase, Plan, Range, Stage, Unit};
 use crate::symbolic::Expr;
@@ -200,7 +200,7 @@ impl<'a> Calls<'a> {
         let name = ident(&format!("ELBOW{}", joint.to_uppercase()));
         let scalar = self.target.scalar.tokens();
         let doc = format!(" Largest and smallest distance for joint {joint}: links of {a} and {b}.");
-        let (max, min) = (number((a + b).hypot(height)), number((a - b).hypot(height)));
+        let [max, min] = worked_out::distances(a, b, height, self.target);
         self.items.extend(quote! {
             #[doc = #doc]
             const #name: #krate::solve::Elbow<#scalar> = #krate::solve::Elbow {

@@ -63,6 +63,7 @@ pub struct Graph {
     nodes: IndexSet<Node>,
     constant: Vec<Option<f64>>,
     names: HashMap<Expr, String>,
+    suggested: HashMap<Expr, String>,
     products: Products,
     owner: &'static str,
 }
@@ -76,8 +77,14 @@ impl Default for Graph {
 impl Graph {
     /// A graph that holds zero and one.
     pub fn new(products: Products) -> Self {
-        let (nodes, constant, names) = (IndexSet::new(), Vec::new(), HashMap::new());
-        let mut graph = Graph { nodes, constant, names, products, owner: "self" };
+        let mut graph = Graph {
+            nodes: IndexSet::new(),
+            constant: Vec::new(),
+            names: HashMap::new(),
+            suggested: HashMap::new(),
+            products,
+            owner: "self",
+        };
         graph.intern(Node::Number(0.0f64.to_bits()), Some(0.0));
         graph.intern(Node::Number(1.0f64.to_bits()), Some(1.0));
         graph
@@ -117,9 +124,24 @@ impl Graph {
         self.name(bare, name);
     }
 
-    /// The name an expression was given.
+    /// The name of an expression that is given none: for a partial sum, the vector that it belongs to. The first stays.
+    pub fn suggest(&mut self, e: Expr, name: impl Into<String>) {
+        let bare = self.strip(e).0;
+        if matches!(self.node(bare), Node::Add(..) | Node::Sub(..)) {
+            self.suggested.entry(bare).or_insert_with(|| name.into());
+        }
+    }
+
+    /// The name an expression was given, else the one that was suggested.
     pub fn given_name(&self, e: Expr) -> Option<&str> {
-        self.names.get(&e).map(String::as_str)
+        self.names.get(&e).or_else(|| self.suggested.get(&e)).map(String::as_str)
+    }
+
+    /// Of `a - b` the expression `b - a`, if it is in the graph.
+    pub fn reversed(&self, e: Expr) -> Option<Expr> {
+        let Node::Sub(a, b) = self.node(e) else { return None };
+        let index = self.nodes.get_index_of(&Node::Sub(b, a))?;
+        u32::try_from(index).ok().map(Expr)
     }
 
     /// A number.

@@ -48,7 +48,7 @@ fn every_function_of_a_kernel_is_called_with_bound_lengths() {
     let mut called = BTreeSet::new();
     for (name, yaml) in arms!(texts) {
         let options = Options { bound: Bound::All, ..Options::new("Robot") };
-        called.extend(names_after(&generate(yaml, name, &options).unwrap().to_file().unwrap(), "::denhart::solve::"));
+        called.extend(names_after(&generate(yaml, name, &options).unwrap().to_file().unwrap(), "solve::"));
     }
     let missing: Vec<&String> = functions.difference(&called).collect();
     assert!(missing.is_empty(), "no arm calls {missing:?}");
