@@ -226,6 +226,10 @@ impl Graph {
             ((_, false), (b, true)) => self.sub(a, b),
             ((a, true), (_, false)) => self.sub(b, a),
             _ => {
+                let known = [(a, b), (b, a)].map(|(a, b)| self.known(a, b, Node::Sub));
+                if let Some(known) = known.into_iter().flatten().next() {
+                    return known;
+                }
                 let (a, b) = (a.min(b), a.max(b));
                 let value = self.both(a, b, |x, y| x + y);
                 self.intern(Node::Add(a, b), value)
@@ -250,9 +254,17 @@ impl Graph {
                 if value.is_some_and(|v| v.abs() <= 1e-14 * self.both(a, b, |x, y| x.abs() + y.abs()).unwrap_or(0.0)) {
                     return Expr::ZERO;
                 }
-                self.intern(Node::Sub(a, b), value)
+                let known = self.known(a, b, |a, b| Node::Add(a.min(b), a.max(b)));
+                known.unwrap_or_else(|| self.intern(Node::Sub(a, b), value))
             }
         }
+    }
+
+    /// `k + (x - y)` is `k - (y - x)` to the bit where `k` is a constant other than zero: the one that is in the graph.
+    fn known(&self, constant: Expr, b: Expr, node: impl Fn(Expr, Expr) -> Node) -> Option<Expr> {
+        self.constant(constant).filter(|value| *value != 0.0)?;
+        let index = self.nodes.get_index_of(&node(constant, self.reversed(b)?))?;
+        u32::try_from(index).ok().map(Expr)
     }
 
     /// `a * b`
@@ -384,6 +396,8 @@ mod tests {
         assert_eq!(g.add(x, ny), g.sub(x, y));
         let d = g.sub(x, y);
         assert_eq!(g.neg(d), g.sub(y, x));
+        let (k, e) = (g.dimension("K", 2.0), g.sub(y, x));
+        assert_eq!(g.sub(k, d), g.add(k, e));
     }
 
     #[test]
