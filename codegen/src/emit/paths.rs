@@ -15,7 +15,8 @@ const VARIANTS: [&str; 4] = ["Some", "None", "Ok", "Err"];
 pub fn shortened(code: TokenStream, krate: &TokenStream, type_name: &Ident) -> (TokenStream, TokenStream) {
     let mut roots = vec![vec!["core".to_string()]];
     roots.extend(absolute(&krate.clone().into_iter().collect::<Vec<_>>(), 0).map(|path| path.names()));
-    let mut paths = Paths { roots, taken: type_name.to_string(), owners: BTreeMap::new(), imports: BTreeSet::new() };
+    let taken = type_name.to_string().trim_start_matches("r#").to_string();
+    let mut paths = Paths { roots, taken, owners: BTreeMap::new(), imports: BTreeSet::new() };
     paths.collect(&code);
     let code = paths.rewrite(code);
     (paths.items(), code)
