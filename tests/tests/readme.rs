@@ -6,7 +6,9 @@
 //! - A `yaml` fence without a name is a section of an arm file, tried with the arm of the README.
 //! - A `rust` fence `generated from FILE` is an excerpt of the code of an arm file.
 //! - A `text` fence is what the crate before it prints, or what the command prints that it is `from`.
-//! - Every line of an `sh` fence is run (`denhart`) or names what exists (`cargo`).
+//! - Every line of an `sh` fence is run (`denhart`), has the options of its help (`denhart` where it writes files), or names
+//!   what exists (`cargo`, a script of this repository).
+//! - A `json` fence is JSON; a `toml` fence without a name has features that the crate has.
 //! - There is no other fence.
 #![allow(clippy::unwrap_used)]
 
@@ -135,6 +137,13 @@ fn every_other_example_is_as_it_is_shown() {
                     assert_eq!(fence.content.trim_end(), printed.trim_end(), "{place}");
                 }
                 ("text", None, None) => {}
+                ("json", None, _) => drop(serde_json::from_str::<serde_json::Value>(&fence.content).unwrap()),
+                ("toml", None, _) => {
+                    let manifest = fs::read_to_string(root().join("runtime/Cargo.toml")).unwrap();
+                    for feature in features(&fence.content) {
+                        assert!(manifest.contains(&format!("\n{feature} = [")), "{place}: no feature {feature}");
+                    }
+                }
                 ("sh", None, None) => fence.content.lines().for_each(|line| run(&pages, page, &words(line), &place)),
                 _ => panic!("{place}: nothing checks a fence `{}`", fence.info),
             }
@@ -160,6 +169,23 @@ fn denhart(pages: &[Page], page: &Page, words: &[String], place: &str) -> String
     String::from_utf8(out).unwrap()
 }
 
+/// The features that a manifest asks for.
+fn features(manifest: &str) -> Vec<&str> {
+    let lists = manifest.split("features = [").skip(1).filter_map(|rest| rest.split(']').next());
+    lists.flat_map(|list| list.split('"').skip(1).step_by(2)).collect()
+}
+
+/// A command that writes files is not run: its subcommand and its options are those of its help.
+fn has_its_options(words: &[String], place: &str) {
+    let (mut out, mut errors) = (Vec::new(), Vec::new());
+    let status = denhart_cli::run([words[0].as_str(), words[1].as_str(), "--help"], &mut out, &mut errors);
+    assert_eq!(status, 0, "{place}: {words:?}: {}", String::from_utf8_lossy(&errors));
+    let help = String::from_utf8(out).unwrap();
+    for option in words[2..].iter().filter(|word| word.starts_with('-') && word.len() > 1) {
+        assert!(help.contains(option.as_str()), "{place}: {words:?}: no {option} in the help:\n{help}");
+    }
+}
+
 /// A line of a shell: `denhart` is run, what `cargo` is told to run exists.
 fn run(pages: &[Page], page: &Page, words: &[String], place: &str) {
     let Some(program) = words.first() else { return };
@@ -168,6 +194,9 @@ fn run(pages: &[Page], page: &Page, words: &[String], place: &str) {
         return run(pages, page, &words[1..], place);
     }
     match program.as_str() {
+        "denhart" if words.iter().any(|word| word == "new" || word == "-o" || word == ">" || word.contains('*')) => {
+            has_its_options(words, place);
+        }
         "denhart" => assert!(!denhart(pages, page, words, place).is_empty(), "{place}"),
         "cargo" => {
             for pair in words.windows(2) {
@@ -175,7 +204,6 @@ fn run(pages: &[Page], page: &Page, words: &[String], place: &str) {
                     "--example" => ["runtime/examples", "runtime/examples"],
                     "--test" => ["tests/tests", "cli/tests"],
                     "--bench" => ["tests/benches", "tests/benches"],
-                    "--path" | "-p" => continue,
                     _ => continue,
                 };
                 let exists = folders.iter().any(|folder| {
@@ -187,7 +215,7 @@ fn run(pages: &[Page], page: &Page, words: &[String], place: &str) {
             let known = ["run", "test", "bench", "install", "new", "insta", "build", "clippy", "fmt", "doc"];
             assert!(words.get(1).is_some_and(|word| known.contains(&word.as_str())), "{place}: {words:?}");
         }
-        _ => panic!("{place}: {program} is no command of these pages"),
+        _ => assert!(root().join(program).is_file(), "{place}: {program} is no command of these pages"),
     }
 }
 

@@ -200,7 +200,8 @@ impl<'a> Calls<'a> {
         let name = ident(&format!("ELBOW{}", joint.to_uppercase()));
         let scalar = self.target.scalar.tokens();
         let doc = format!(" Largest and smallest distance for joint {joint}: links of {a} and {b}.");
-        let [max, min] = worked_out::distances(a, b, height, self.target);
+        let range = [(a + b).hypot(height), (a - b).hypot(height)];
+        let [max, min] = worked_out::distances([a, b], range, self.target);
         self.items.extend(quote! {
             #[doc = #doc]
             const #name: #krate::solve::Elbow<#scalar> = #krate::solve::Elbow {

@@ -23,9 +23,8 @@ fn is_short(value: f64) -> bool {
     format!("{value:e}").chars().take_while(|c| *c != 'e').filter(char::is_ascii_digit).count() <= WRITTEN
 }
 
-/// Largest and smallest distance of two links at right angles to the axis between them, `height` along it.
-pub fn distances(a: f64, b: f64, height: f64, target: &Target) -> [TokenStream; 2] {
-    let values = [(a + b).hypot(height), (a - b).hypot(height)];
+/// Largest and smallest distance of the ends of two links.
+pub fn distances([a, b]: [f64; 2], values: [f64; 2], target: &Target) -> [TokenStream; 2] {
     if !is_short(a) || !is_short(b) {
         return values.map(number);
     }
@@ -79,17 +78,17 @@ mod tests {
 
     #[test]
     fn sums_stand_for_their_own_bits_only() {
-        let target = |scalar| Target { scalar, krate: quote!(::denhart), type_name: ident("Arm1") };
-        let text = |[max, min]: [TokenStream; 2]| [max.to_string(), min.to_string()];
-        assert_eq!(text(distances(-0.425, -0.3922, 0.0, &target(Scalar::F64))), ["0.425 + 0.3922", "0.425 - 0.3922"]);
-        assert_eq!(
-            text(distances(0.425, -0.3922, 0.0, &target(Scalar::F64))),
-            ["0.032799999999999996", "0.8171999999999999"]
-        );
-        assert_eq!(text(distances(0.5, 0.25, 0.0, &target(Scalar::F64))), ["0.75", "0.25"]);
-        assert_eq!(
-            text(distances(0.425, 0.3922, 0.0, &target(Scalar::F32))),
-            ["0.8171999999999999", "0.032799999999999996"]
-        );
+        let text = |links: [f64; 2], height: f64, scalar| {
+            let [a, b] = links;
+            let target = Target { scalar, krate: quote!(::denhart), type_name: ident("Arm1") };
+            let values = [(a + b).hypot(height), (a - b).hypot(height)];
+            distances(links, values, &target).map(|tokens| tokens.to_string())
+        };
+        let sum = ["0.8171999999999999", "0.032799999999999996"];
+        assert_eq!(text([-0.425, -0.3922], 0.0, Scalar::F64), ["0.425 + 0.3922", "0.425 - 0.3922"]);
+        assert_eq!(text([-0.425, -0.3922], 0.0, Scalar::F32), sum);
+        assert_eq!(text([0.425, -0.3922], 0.0, Scalar::F64), [sum[1], sum[0]]);
+        assert_eq!(text([0.5, 0.25], 0.0, Scalar::F64), ["0.75", "0.25"]);
+        assert!(text([0.425, 0.3922], 0.1, Scalar::F64).iter().all(|text| !text.contains(' ')));
     }
 }
