@@ -264,7 +264,7 @@ mod tests {
             .unwrap();
         assert!(code.contains("pub struct Left;"), "{code}");
         // The DH table is f64 whatever the scalar: it is the input of `Chain`.
-        assert!(code.contains("q: &[f32; 6]") && !code.replace("::core::f64::consts::", "").contains("f64"), "{code}");
+        assert!(code.contains("q: &[f32; 6]") && !code.replace("::core::f64::consts", "").contains("f64"), "{code}");
         assert!(code.contains("crate::arm::Pose") && !code.contains("::denhart"), "{code}");
         assert_eq!(
             Builder::new(specs("ur5.yaml")).scalar(ScalarKind::F32).generate().unwrap(),

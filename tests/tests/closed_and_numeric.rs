@@ -128,7 +128,7 @@ fn in_plane(pose: &denhart::Pose<f64>) -> PlanarPose<f64> {
 }
 
 macro_rules! six_joints {
-    ($($name:ident $Type:ident $dof:tt $kind:ident $attribute:tt;)*) => {
+    ($($name:ident $Type:ident $dof:tt $kind:ident $file:literal;)*) => {
         $(six_joints! { @$kind $name $Type })*
     };
     (@inverse $name:ident $Type:ident) => {

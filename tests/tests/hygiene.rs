@@ -88,6 +88,26 @@ pub mod taken {
     }
 }
 
+/// Arms with the names of what their code uses.
+#[allow(non_camel_case_types, missing_docs)]
+pub mod namesakes {
+    #[derive(denhart::Arm)]
+    #[arm(spec = "../specs/ur5.yaml")]
+    pub struct Pose;
+
+    #[derive(denhart::Arm)]
+    #[arm(spec = "../specs/ur5.yaml")]
+    pub struct r#Turn;
+
+    #[derive(denhart::Arm)]
+    #[arm(spec = "../specs/ur5.yaml")]
+    pub struct Some;
+
+    #[derive(denhart::Arm)]
+    #[arm(spec = "../specs/ur5.yaml")]
+    pub struct math;
+}
+
 /// `denhart` under another name and deeper in.
 mod vendor {
     pub mod kinematics {
@@ -122,6 +142,10 @@ fn arms_work_in_hard_surroundings() {
     assert_eq!(taken::Stanford::DOF, 6);
     assert_eq!(taken::Tx40.jacobian(&[0.0; 6]).rows.len(), 6);
     assert_eq!(Elsewhere::DOF, 6);
+    let q = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6];
+    let pose = taken::Ur5.forward(&q);
+    assert_eq!([namesakes::Pose.forward(&q), namesakes::Turn.forward(&q), namesakes::math.forward(&q)], [pose; 3]);
+    assert_eq!(namesakes::Some.inverse(&pose).len(), namesakes::Pose.inverse(&pose).len());
     let named = taken::Named { q: 1.0, arm: 0.5, length: -1.0 };
     let tip = named.forward(&[0.0; 3]).translation;
     assert_eq!(tip.map(f64::to_bits), [1.5, 0.0, 2.0].map(f64::to_bits));

@@ -66,7 +66,7 @@ fn vanishes<const K: usize>(
 }
 
 macro_rules! margin_tests {
-    ($($name:ident $Type:ident $dof:tt $kind:ident $attribute:tt;)*) => {
+    ($($name:ident $Type:ident $dof:tt $kind:ident $file:literal;)*) => {
         $(margin_tests! { @$kind $name $Type $dof })*
     };
     (@inverse $name:ident $Type:ident 6) => {
@@ -85,11 +85,7 @@ mod published {
 }
 mod made_up {
     use super::proportional;
-    denhart_tests::mounted_arms!(margin_tests);
-    denhart_tests::meeting_arms!(margin_tests);
-    denhart_tests::parallel_arms!(margin_tests);
-    denhart_tests::sliding_arms!(margin_tests);
-    denhart_tests::sliding_parallel_arms!(margin_tests);
+    denhart_tests::made_up_arms!(margin_tests);
 }
 
 fn named<const K: usize>(margins: [Margin<f64>; K], name: &str) -> f64 {

@@ -236,7 +236,7 @@ fn task_rows(name: &str) -> &'static [usize] {
 }
 
 macro_rules! motion_tests {
-    ($($name:ident $Type:ident $dof:tt $kind:ident $attribute:tt;)*) => {$(
+    ($($name:ident $Type:ident $dof:tt $kind:ident $file:literal;)*) => {$(
         #[test]
         fn $name() {
             use denhart_tests::arms::$Type as Robot;
@@ -259,7 +259,7 @@ mod arms {
 }
 
 macro_rules! single_tests {
-    ($($name:ident $Single:ident $Double:ident $attribute:tt;)*) => {$(
+    ($($name:ident $Single:ident $Double:ident $file:literal;)*) => {$(
         #[test]
         fn $name() {
             super::check_single::<denhart_tests::arms::$Single, denhart_tests::arms::$Double, 6>();

@@ -93,7 +93,7 @@ fn check_beside_reference<A: Specified<N>, const N: usize>() {
 }
 
 macro_rules! beside_chain {
-    ($($name:ident $Type:ident $dof:tt $kind:ident $attribute:tt;)*) => {$(
+    ($($name:ident $Type:ident $dof:tt $kind:ident $file:literal;)*) => {$(
         #[test]
         fn $name() {
             super::check_beside_chain::<denhart_tests::arms::$Type, $dof>();
@@ -102,7 +102,7 @@ macro_rules! beside_chain {
 }
 
 macro_rules! beside_reference {
-    ($($name:ident $Type:ident $dof:tt $kind:ident $attribute:tt;)*) => {$(
+    ($($name:ident $Type:ident $dof:tt $kind:ident $file:literal;)*) => {$(
         #[test]
         fn $name() {
             super::check_beside_reference::<denhart_tests::arms::$Type, $dof>();
@@ -111,16 +111,8 @@ macro_rules! beside_reference {
 }
 
 mod chain {
-    use denhart_tests::{
-        meeting_arms, mounted_arms, parallel_arms, published_arms, sliding_arms, sliding_parallel_arms,
-    };
-
-    published_arms!(beside_chain);
-    mounted_arms!(beside_chain);
-    meeting_arms!(beside_chain);
-    parallel_arms!(beside_chain);
-    sliding_arms!(beside_chain);
-    sliding_parallel_arms!(beside_chain);
+    denhart_tests::published_arms!(beside_chain);
+    denhart_tests::made_up_arms!(beside_chain);
 }
 
 mod data {

@@ -1,57 +1,263 @@
-//! The code in README.md works as it stands: every crate it shows, with the one arm file it shows, is built and run.
+//! What README.md and the pages of `docs/` show works as it stands.
+//!
+//! - A fence under a line with the name of a file in backticks is a file of a crate, which ends with its `src/main.rs` or
+//!   `src/lib.rs`. The crate is built and run. `Cargo.toml` and `arm.yaml` are those of the README where it has none.
+//! - Under the name of a file of this repository, it is an excerpt of that file.
+//! - A `yaml` fence without a name is a section of an arm file, tried with the arm of the README.
+//! - A `rust` fence `generated from FILE` is an excerpt of the code of an arm file.
+//! - A `text` fence is what the crate before it prints, or what the command prints that it is `from`.
+//! - Every line of an `sh` fence is run (`denhart`), has the options of its help (`denhart` where it writes files), or names
+//!   what exists (`cargo`, a script of this repository).
+//! - A `json` fence is JSON; a `toml` fence without a name has features that the crate has.
+//! - There is no other fence.
 #![allow(clippy::unwrap_used)]
 
+mod pages;
 mod user_crate;
 
 use std::fs;
 
+use denhart_codegen::Options;
+use pages::{Fence, Page, in_order, is_excerpt, pages, with_sections, words};
 use user_crate::{UserCrate, root};
 
-/// The files shown in README.md: a line with the file's name in backticks, then its content between fences.
-fn files(readme: &str) -> Vec<(&str, String)> {
-    let mut files = Vec::new();
-    let mut lines = readme.lines().peekable();
-    while let Some(line) = lines.next() {
-        let name = line.strip_prefix('`').and_then(|rest| rest.strip_suffix('`')).filter(|name| !name.contains('`'));
-        if let Some(name) = name
-            && lines.next_if(|next| next.starts_with("```")).is_some()
-        {
-            let content: Vec<&str> = lines.by_ref().take_while(|line| *line != "```").collect();
-            files.push((name, content.join("\n") + "\n"));
-        }
+/// README.md is for someone who has never heard of denhart.
+const MOST_LINES: usize = 150;
+/// What README.md and `docs/` show at least. Fewer: the fences are not found.
+const LEAST_CRATES: usize = 8;
+
+/// The content of a file that the README shows.
+fn of_readme(pages: &[Page], name: &str) -> String {
+    let fence = pages[0].fences.iter().find(|fence| fence.file.as_deref() == Some(name));
+    fence.unwrap_or_else(|| panic!("README.md has no {name}")).content.clone()
+}
+
+/// Whether a fence shows a file of a crate, not one of this repository.
+fn in_a_crate(fence: &Fence) -> bool {
+    fence.file.as_ref().is_some_and(|name| !root().join(name).exists() || name == "Cargo.toml")
+}
+
+/// The text of an arm file by the name that a page gives it.
+fn arm_file(pages: &[Page], page: &Page, name: &str) -> String {
+    let shown = page.fences.iter().find(|fence| fence.file.as_deref() == Some(name));
+    match shown {
+        Some(fence) => fence.content.clone(),
+        None if name == "arm.yaml" => of_readme(pages, name),
+        None => fs::read_to_string(root().join(name)).unwrap_or_else(|error| panic!("{}: {name}: {error}", page.path)),
     }
-    files
 }
 
 #[test]
 fn every_crate_of_the_readme_works() {
-    let readme = fs::read_to_string(root().join("README.md")).unwrap();
-    let files = files(&readme);
-    let (_, arm) = files.iter().find(|(name, _)| *name == "arm.yaml").unwrap();
-    let (_, manifest) = files.iter().find(|(name, _)| *name == "Cargo.toml").unwrap();
-    // A crate shown without its manifest has that of the first one.
-    let begins = |name: &str, before: &str| name == "Cargo.toml" || name == "planar.yaml" || name == before;
-    let crates: Vec<_> = files.chunk_by(|(before, _), (name, _)| !begins(name, before)).collect();
-    assert_eq!(crates.len(), 5, "a derive, a build script, a microcontroller, parameters, iteration");
-    for (number, files) in crates.into_iter().enumerate() {
-        let user = UserCrate::new(&format!("readme_{number}"), "");
-        user.write("arm.yaml", arm);
-        for (name, content) in [&("Cargo.toml", manifest.clone())].into_iter().chain(files) {
-            let here = content.replace("../denhart", &root().display().to_string());
-            user.write(name, &if *name == "Cargo.toml" { here + "\n[workspace]\n" } else { here });
+    let pages = pages(&root());
+    let [arm, manifest] = ["arm.yaml", "Cargo.toml"].map(|name| of_readme(&pages, name));
+    let mut crates = 0;
+    for page in &pages {
+        let mut files: Vec<&Fence> = Vec::new();
+        let mut printed = String::new();
+        for fence in &page.fences {
+            if fence.info == "text" {
+                assert!(in_order(&fence.content, &printed), "{}:{}:\n{printed}", page.path, fence.line);
+                continue;
+            }
+            let Some(name) = fence.file.as_ref().filter(|_| in_a_crate(fence)) else { continue };
+            files.push(fence);
+            if name.starts_with("src/") {
+                crates += 1;
+                printed = build(&files, &format!("readme_{crates}"), &arm, &manifest);
+                files.clear();
+            }
         }
-        if files.iter().any(|(name, _)| *name == "src/main.rs") {
-            assert!(!user.succeeds(&["run"]).is_empty());
-        } else {
-            user.succeeds(&["check"]);
-        }
-        // As the README says of a mistake in the file.
-        if files.iter().any(|(_, content)| content.contains("\"arm.yaml\"")) {
-            user.write("arm.yaml", &arm.replace("alpha: -90, ", ""));
-            let errors = user.fails(&["check"]);
-            assert!(errors.contains("arm.yaml:9:") && errors.contains("has no `alpha`"), "{errors}");
+        let alone = |fence: &Fence| fence.language() == "yaml";
+        assert!(files.iter().all(|fence| alone(fence)), "{}: a crate without src/main.rs", page.path);
+    }
+    assert!(crates >= LEAST_CRATES, "{crates} crates are found");
+}
+
+/// Builds and runs a crate; what it prints. A mistake in its arm file is an error at the place.
+fn build(files: &[&Fence], name: &str, arm: &str, manifest: &str) -> String {
+    let user = UserCrate::new(name, "");
+    let own = manifest.replace("../denhart", &root().display().to_string()) + "\n[workspace]\n";
+    user.write("Cargo.toml", &own);
+    user.write("arm.yaml", arm);
+    for fence in files {
+        let name = fence.file.as_deref().unwrap();
+        let here = fence.content.replace("../denhart", &root().display().to_string());
+        user.write(name, &if name == "Cargo.toml" { here + "\n[workspace]\n" } else { here });
+    }
+    let printed = if files.iter().any(|fence| fence.file.as_deref() == Some("src/main.rs")) {
+        let printed = user.succeeds(&["run"]);
+        assert!(!printed.is_empty());
+        printed
+    } else {
+        user.succeeds(&["check"]);
+        String::new()
+    };
+    // As the README says of a mistake in the file.
+    if files.iter().any(|fence| fence.content.contains("\"arm.yaml\"")) {
+        user.write("arm.yaml", &arm.replace("alpha: -90, ", ""));
+        let errors = user.fails(&["check"]);
+        assert!(errors.contains("arm.yaml:9:") && errors.contains("has no `alpha`"), "{errors}");
+    }
+    printed
+}
+
+/// Arm files, sections of them, generated code and excerpts; and no fence that nothing checks.
+#[test]
+fn every_other_example_is_as_it_is_shown() {
+    let pages = pages(&root());
+    let arm = of_readme(&pages, "arm.yaml");
+    for page in &pages {
+        for fence in &page.fences {
+            let place = format!("{}:{}", page.path, fence.line);
+            let checked = |text: &str| {
+                let report = denhart_codegen::check(text, &place).unwrap_or_else(|errors| panic!("{errors}"));
+                assert!(report.lacking.is_none(), "{report}");
+            };
+            match (fence.language(), fence.file.as_deref(), fence.origin()) {
+                (language, Some(_), _) if in_a_crate(fence) => {
+                    assert!(["yaml", "toml", "rust"].contains(&language), "{place}: a file in `{language}`");
+                    if language == "yaml" {
+                        checked(&fence.content);
+                    }
+                }
+                (_, Some(name), _) => {
+                    let whole = fs::read_to_string(root().join(name)).unwrap();
+                    assert!(is_excerpt(&fence.content, &whole), "{place}: {name} has other lines");
+                }
+                ("yaml", None, _) => checked(&with_sections(&arm, &fence.content)),
+                ("rust", None, Some(origin)) => {
+                    let text = arm_file(&pages, page, origin);
+                    let code =
+                        denhart_codegen::generate(&text, &place, &Options::new("Arm1")).unwrap().to_file().unwrap();
+                    assert!(is_excerpt(&fence.content, &code), "{place}: other code is generated:\n{code}");
+                }
+                ("text", None, Some(command)) => {
+                    let printed = denhart(&pages, page, &words(command), &place);
+                    assert_eq!(fence.content.trim_end(), printed.trim_end(), "{place}");
+                }
+                ("text", None, None) => {}
+                ("json", None, _) => drop(serde_json::from_str::<serde_json::Value>(&fence.content).unwrap()),
+                ("toml", None, _) => {
+                    let manifest = fs::read_to_string(root().join("runtime/Cargo.toml")).unwrap();
+                    for feature in features(&fence.content) {
+                        assert!(manifest.contains(&format!("\n{feature} = [")), "{place}: no feature {feature}");
+                    }
+                }
+                ("sh", None, None) => fence.content.lines().for_each(|line| run(&pages, page, &words(line), &place)),
+                _ => panic!("{place}: nothing checks a fence `{}`", fence.info),
+            }
         }
     }
+}
+
+/// Runs the command `denhart`, which must succeed; what it prints.
+fn denhart(pages: &[Page], page: &Page, words: &[String], place: &str) -> String {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages");
+    fs::create_dir_all(&folder).unwrap();
+    let arguments = words.iter().map(|word| {
+        if !word.ends_with(".yaml") {
+            return word.clone();
+        }
+        let path = folder.join(word.replace('/', "_"));
+        fs::write(&path, arm_file(pages, page, word)).unwrap();
+        path.display().to_string()
+    });
+    let (mut out, mut errors) = (Vec::new(), Vec::new());
+    let status = denhart_cli::run(arguments, &mut out, &mut errors);
+    assert_eq!(status, 0, "{place}: {words:?}: {}", String::from_utf8_lossy(&errors));
+    String::from_utf8(out).unwrap()
+}
+
+/// The features that a manifest asks for.
+fn features(manifest: &str) -> Vec<&str> {
+    let lists = manifest.split("features = [").skip(1).filter_map(|rest| rest.split(']').next());
+    lists.flat_map(|list| list.split('"').skip(1).step_by(2)).collect()
+}
+
+/// A command that writes files is not run: its subcommand and its options are those of its help.
+fn has_its_options(words: &[String], place: &str) {
+    let (mut out, mut errors) = (Vec::new(), Vec::new());
+    let status = denhart_cli::run([words[0].as_str(), words[1].as_str(), "--help"], &mut out, &mut errors);
+    assert_eq!(status, 0, "{place}: {words:?}: {}", String::from_utf8_lossy(&errors));
+    let help = String::from_utf8(out).unwrap();
+    for option in words[2..].iter().filter(|word| word.starts_with('-') && word.len() > 1) {
+        assert!(help.contains(option.as_str()), "{place}: {words:?}: no {option} in the help:\n{help}");
+    }
+}
+
+/// A line of a shell: `denhart` is run, what `cargo` is told to run exists.
+fn run(pages: &[Page], page: &Page, words: &[String], place: &str) {
+    let Some(program) = words.first() else { return };
+    // Variables of the environment come first.
+    if program.contains('=') {
+        return run(pages, page, &words[1..], place);
+    }
+    match program.as_str() {
+        "denhart" if words.iter().any(|word| word == "new" || word == "-o" || word == ">" || word.contains('*')) => {
+            has_its_options(words, place);
+        }
+        "denhart" => assert!(!denhart(pages, page, words, place).is_empty(), "{place}"),
+        "cargo" => {
+            for pair in words.windows(2) {
+                let folders = match pair[0].as_str() {
+                    "--example" => ["runtime/examples", "runtime/examples"],
+                    "--test" => ["tests/tests", "cli/tests"],
+                    "--bench" => ["tests/benches", "tests/benches"],
+                    _ => continue,
+                };
+                let exists = folders.iter().any(|folder| {
+                    let folder = root().join(folder);
+                    folder.join(format!("{}.rs", pair[1])).exists() || folder.join(&pair[1]).join("main.rs").exists()
+                });
+                assert!(exists, "{place}: there is no {} {}", pair[0], pair[1]);
+            }
+            let known = ["run", "test", "bench", "install", "new", "insta", "build", "clippy", "fmt", "doc"];
+            assert!(words.get(1).is_some_and(|word| known.contains(&word.as_str())), "{place}: {words:?}");
+        }
+        _ => assert!(root().join(program).is_file(), "{place}: {program} is no command of these pages"),
+    }
+}
+
+#[test]
+fn the_readme_is_short() {
+    let pages = pages(&root());
+    let lines = pages[0].text.lines().count();
+    assert!(lines <= MOST_LINES, "{lines} lines");
+}
+
+/// Links to files and to headings of this repository lead somewhere.
+#[test]
+fn every_link_leads_somewhere() {
+    let mut pages = pages(&root());
+    for path in ["CONTRIBUTING.md", "tests/README.md", "ARCHITECTURE.md"] {
+        let text = fs::read_to_string(root().join(path)).unwrap();
+        pages.push(Page { path: path.to_owned(), text, fences: Vec::new() });
+    }
+    let heading = |line: &str| {
+        let kept = |c: &char| c.is_alphanumeric() || *c == ' ' || *c == '-' || *c == '_';
+        line.trim_start_matches('#').trim().to_lowercase().chars().filter(kept).collect::<String>().replace(' ', "-")
+    };
+    let mut links = 0;
+    for page in &pages {
+        let folder = root().join(&page.path).parent().unwrap().to_owned();
+        for (at, _) in page.text.match_indices("](") {
+            let link = page.text[at + 2..].split(')').next().unwrap();
+            if link.starts_with("http") {
+                continue;
+            }
+            links += 1;
+            let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
+            let path = if file.is_empty() { root().join(&page.path) } else { folder.join(file) };
+            assert!(path.exists(), "{}: {link}", page.path);
+            if !anchor.is_empty() {
+                let text = fs::read_to_string(path).unwrap();
+                let found = text.lines().filter(|line| line.starts_with('#')).any(|line| heading(line) == anchor);
+                assert!(found, "{}: no heading {link}", page.path);
+            }
+        }
+    }
+    assert!(links > 20, "{links} links are found");
 }
 
 /// The commands of the README for the test and the main example are those that the repository is checked with.

@@ -90,7 +90,7 @@ where
 }
 
 macro_rules! single_tests {
-    ($($name:ident $Single:ident $Double:ident $attribute:tt;)*) => {$(
+    ($($name:ident $Single:ident $Double:ident $file:literal;)*) => {$(
         mod $name {
             use denhart_tests::arms::{$Double, $Single};
 

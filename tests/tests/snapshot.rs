@@ -107,7 +107,7 @@ fn operation_counts_are_printed() {
 }
 
 macro_rules! snapshot_tests {
-    ($($name:ident $Type:ident $dof:tt $kind:ident $attribute:tt;)*) => {
+    ($($name:ident $Type:ident $dof:tt $kind:ident $file:literal;)*) => {
         mod code {
             $(#[test]
             fn $name() {

@@ -4,7 +4,7 @@ use super::constants::Dimensions;
 use super::inverse::{Inverse as InverseCode, inverse};
 use super::margins::margins;
 use super::tokens::integer;
-use super::{Target, actuator, combined_limits, coupling, docs, kinematics, motion, parameters, tables};
+use super::{Target, actuator, combined_limits, coupling, docs, kinematics, motion, parameters, paths, tables};
 use crate::model::chain::Chain;
 use crate::model::{Model, Task};
 use crate::solve::{Plan, Refusal};
@@ -75,6 +75,26 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
         Ok(_) => TokenStream::new(),
         Err(refusal) => docs::lines(&format!("No inverse kinematics: {}.", refusal.reason)),
     };
+    let body = quote! {
+        #dimensions
+        #items
+
+        #doc
+        impl #name {
+            #associated
+            #bound
+            #functions
+            #motion
+            #methods
+            #(#motors)*
+        }
+
+        #function
+
+        #arm_trait
+        #trait_impl
+    };
+    let (imports, body) = paths::shortened(body, &target.krate, name);
     quote! {
         // Numbers are written as the arm file has them or in full precision; names follow the field's notation. No
         // program uses every constant of its arm.
@@ -87,23 +107,8 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
             reason = "generated code"
         )]
         const _: () = {
-            #dimensions
-            #items
-
-            #doc
-            impl #name {
-                #associated
-                #bound
-                #functions
-                #motion
-                #methods
-                #(#motors)*
-            }
-
-            #function
-
-            #arm_trait
-            #trait_impl
+            #imports
+            #body
         };
     }
 }

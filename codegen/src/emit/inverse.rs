@@ -261,13 +261,16 @@ impl Nest<'_> {
             let path = format!("{krate} :: math :: sqrt ");
             tokens.replace(&path, "sqrt").replace("(- ", "(-").replace(", - ", ", -").replace("arm . ", "arm.")
         };
-        let text = |e: Expr| text(e).strip_prefix("- ").map_or_else(|| text(e), |rest| format!("-{rest}"));
+        let text = |e: Expr| match text(e) {
+            zero if zero == "0.0" => "0".to_string(),
+            text => text.strip_prefix("- ").map_or_else(|| text.clone(), |rest| format!("-{rest}")),
+        };
         let list = |items: &[Expr]| items.iter().map(|e| text(*e)).collect::<Vec<_>>().join(", ");
         let mut out = stage.meaning.clone();
         // What is too long for a sentence can be read in the call below it.
-        let mut fill = |key: &str, value: String| {
+        let fill = |out: &mut String, key: &str, value: String| {
             let value = if value.len() > 70 { "...".to_string() } else { value };
-            out = out.replace(&format!("{{{key}}}"), &value);
+            *out = out.replace(&format!("{{{key}}}"), &value);
         };
         match &stage.kernel {
             Kernel::Offset { a, b, d } => {
@@ -275,31 +278,36 @@ impl Nest<'_> {
                     let text = text(e);
                     if text.trim_start_matches('-').contains([' ']) { format!("({text})") } else { text }
                 };
-                fill("a", factor(*a));
-                fill("b", factor(*b));
-                fill("d", text(*d));
+                fill(&mut out, "a", factor(*a));
+                fill(&mut out, "b", factor(*b));
+                fill(&mut out, "d", text(*d));
+                out = out.replace(" cos + -", " cos - ");
             }
             Kernel::Distance { rho, range, .. } => {
-                fill("rho", text(*rho));
-                fill("a", text(range.a));
-                fill("b", text(range.b));
-                fill("h", text(range.height));
+                if range.height == Expr::ZERO {
+                    out = out.replace(" + h^2", "").replace(", `h = {h}`", "");
+                }
+                fill(&mut out, "rho", text(*rho));
+                fill(&mut out, "a", text(range.a));
+                fill(&mut out, "b", text(range.b));
+                fill(&mut out, "h", text(range.height));
             }
-            Kernel::Cone { d, .. } => fill("d", text(*d)),
+            Kernel::Cone { d, .. } => fill(&mut out, "d", text(*d)),
             Kernel::Align { from, to } => {
-                fill("from", list(from));
-                fill("to", list(to));
+                fill(&mut out, "from", list(from));
+                fill(&mut out, "to", list(to));
             }
-            Kernel::Flip { m } => fill("m", list(m)),
-            Kernel::Slide { rho, .. } => fill("rho", text(*rho)),
+            Kernel::Flip { m } => fill(&mut out, "m", list(m)),
+            Kernel::Slide { rho, .. } => fill(&mut out, "rho", text(*rho)),
             _ => {}
         }
         let shift = stage.joints.first().and_then(|joint| {
             let value = self.plan.values.get(*joint)?;
-            let degrees = value.constant.rad().to_degrees();
-            (!value.constant.is_zero()).then(|| format!("; `q{} = t{0}` {degrees:+.6} deg", self.plan.label(*joint)))
+            let degrees = (value.constant.rad().to_degrees() * 1e6).round() / 1e6;
+            let (label, sign) = (self.plan.label(*joint), if degrees < 0.0 { '-' } else { '+' });
+            (!value.constant.is_zero()).then(|| format!("; `q{label} = t{label} {sign} {} deg`", degrees.abs()))
         });
-        fill("shift", shift.unwrap_or_default());
+        fill(&mut out, "shift", shift.unwrap_or_default());
         out
     }
 }

@@ -2,7 +2,7 @@
 
 use super::task::TaskCode;
 use super::tokens::{ident, integer, number};
-use super::{Target, combined_limits, docs, parameters};
+use super::{Target, combined_limits, docs, parameters, worked_out};
 use crate::lower::Inverse;
 use crate::model::{JointKind, Model};
 use crate::solve::Plan;
@@ -13,7 +13,7 @@ use quote::quote;
 pub(super) fn items(model: &Model, program: &Inverse, target: &Target, ranges: TokenStream) -> TokenStream {
     let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
     let facts = &program.facts;
-    let reach = number(facts.reach);
+    let reach = worked_out::reach(facts.reach, model, target);
     let limited = facts.limited;
     let sliding = facts
         .prismatic
@@ -21,7 +21,8 @@ pub(super) fn items(model: &Model, program: &Inverse, target: &Target, ranges: T
         .map(|joint| integer(*joint))
         .map(|index| quote!(.union(#krate::JointMask::single(#index))));
     let weights = facts.weights.iter().copied().map(number);
-    let (length, angle) = (number(facts.length), number(facts.angle));
+    let length = worked_out::position_tolerance(facts.reach, model, target);
+    let angle = number(facts.angle);
     let unit = model.length_unit.symbol();
     let reach_doc = format!(" Reach of the arm, {unit}: the scale of every length comparison.");
     let type_name = &target.type_name;

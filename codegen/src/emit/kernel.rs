@@ -1,8 +1,8 @@
 //! A stage as a call of its kernel.
 
-use super::angle;
 use super::inverse::Nest;
 use super::tokens::{ident, integer, number};
+use super::{angle, worked_out};
 use crate::lower::{Call, Counted, Home, Kernel, RootRange, Statement, Unit};
 use crate::symbolic::Expr;
 use proc_macro2::{Ident, TokenStream};
@@ -162,7 +162,7 @@ pub fn range_item(nest: &Nest, call: &Call) -> TokenStream {
         RootRange::None | RootRange::Prepared => TokenStream::new(),
         RootRange::Elbow { links: [a, b], max, min } => {
             let doc = format!(" Largest and smallest distance for joint {joint}: links of {a} and {b}.");
-            let (max, min) = (number(max), number(min));
+            let [max, min] = worked_out::distances([a, b], [max, min], nest.target);
             quote! {
                 #[doc = #doc]
                 const #name: #krate::solve::Elbow<#scalar> = #krate::solve::Elbow {

@@ -11,14 +11,18 @@ mod inverse;
 mod inverse_frame;
 mod kernel;
 mod kinematics;
+mod legend;
 mod margins;
 mod motion;
 mod parameters;
+mod paths;
 mod tables;
 mod task;
 mod tokens;
+mod worked_out;
 
 pub use arm::{Arm, impls, item};
+pub use legend::legend;
 pub(crate) use tokens::Writer;
 
 use proc_macro2::TokenStream;

@@ -74,6 +74,13 @@ pub(super) fn name(g: &mut Graph, v: Vec3, what: &str, frame: usize) -> Vec3 {
     v
 }
 
+/// Suggests names for the components of a vector on its way from one frame to the next.
+pub(super) fn suggest(g: &mut Graph, v: Vec3, what: &str, frame: usize) {
+    for (e, axis) in v.into_iter().zip(["x", "y", "z"]) {
+        g.suggest(e, format!("{what}_{frame}{axis}"));
+    }
+}
+
 /// The joint symbol of a prismatic joint.
 pub(super) fn stroke(g: &mut Graph, joint: usize) -> Expr {
     g.symbol(format!("q{}", joint + 1))

@@ -28,8 +28,14 @@ pub fn link_poses(chain: &Chain) -> LinkPoses {
     let (mut start, mut sum, mut reversed) = (current.r, AngleSum::zero(), false);
     let mut ends = chain.link_ends.iter().peekable();
     for index in 0..=chain.steps.len() {
+        // On the way to the pose of a link: a point, and its axes behind the twist.
+        link::suggest(&mut g, current.p, "w", poses.len() + 1);
+        for (column, what) in transpose(&current.r).into_iter().zip(["tx", "ty", "tz"]) {
+            link::suggest(&mut g, column, what, poses.len() + 1);
+        }
         while ends.next_if(|end| **end == index).is_some() {
             poses.push(current);
+            link::name(&mut g, current.p, "p", poses.len());
         }
         let Some(step) = chain.steps.get(index) else { break };
         let turn = match step {

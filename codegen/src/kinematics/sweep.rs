@@ -70,6 +70,8 @@ struct Sweep {
     /// Length still to be added along a carried direction.
     late: Option<(Expr, Vec3)>,
     columns: Vec<(usize, Column)>,
+    /// The joint that is passed next, from 1; 0 before the base.
+    next: usize,
 }
 
 impl Sweep {
@@ -81,6 +83,7 @@ impl Sweep {
             p: [Expr::ZERO; 3],
             late: None,
             columns: Vec::new(),
+            next: 0,
         };
         let mut end = chain.steps.len();
         let mut defer = late;
@@ -90,6 +93,8 @@ impl Sweep {
                 defer = false;
             }
             let start = run_start(chain, end);
+            let passed = chain.steps.get(..end).unwrap_or_default();
+            sweep.next = passed.iter().rev().find_map(Step::joint).map_or(0, |joint| joint + 1);
             match (step, chain.steps.get(start..end)) {
                 (Step::Revolute { .. }, Some(run)) => {
                     sweep.planar_run(run);
@@ -138,7 +143,9 @@ impl Sweep {
             _ => {
                 let factor = link::step(&mut self.g, step);
                 self.vectors(|g, v| g.apply3(&factor.r, v));
+                self.suggest("t", self.next);
                 self.p = self.g.add3(self.p, factor.p);
+                link::suggest(&mut self.g, self.p, &format!("r{}", self.next), self.next);
             }
         }
     }
@@ -166,11 +173,14 @@ impl Sweep {
         });
         let frame = run.first().and_then(Step::joint).unwrap_or(0);
         self.name_vectors(frame);
+        let last = run.last().and_then(Step::joint).map_or(frame, |joint| joint + 1);
+        link::suggest(&mut self.g, self.p, &format!("r{last}"), frame);
         for (step, (sum, reversed)) in run.iter().zip(partial).rev() {
             let g = &mut self.g;
             let signed = |g: &mut Graph, e: Expr| if reversed { g.neg(e) } else { e };
             match step {
                 Step::Revolute { joint, .. } => {
+                    link::suggest(g, self.p, &format!("r{}", joint + 1), frame);
                     let [x, y, _] = self.p;
                     let back = g.neg(y);
                     let v = [signed(g, back), signed(g, x), Expr::ZERO];
@@ -199,6 +209,18 @@ impl Sweep {
             }
         }
         link::name(&mut self.g, self.p, "p", frame);
+    }
+
+    /// Suggests the names of [`Sweep::name_vectors`] with a letter before.
+    fn suggest(&mut self, before: &str, frame: usize) {
+        let g = &mut self.g;
+        for (vector, what) in self.axes.iter().chain([&self.p]).zip(["n", "o", "a", "p"]) {
+            link::suggest(g, *vector, &format!("{before}{what}"), frame);
+        }
+        for (joint, column) in &self.columns {
+            link::suggest(g, column.v, &format!("{before}v{}", joint + 1), frame);
+            link::suggest(g, column.w, &format!("{before}z{}", joint + 1), frame);
+        }
     }
 
     fn name_vectors(&mut self, frame: usize) {

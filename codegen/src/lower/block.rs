@@ -6,11 +6,15 @@ use std::collections::{HashMap, HashSet};
 /// The names under which expressions are bound.
 pub type Names = HashMap<Expr, String>;
 
+/// Longest name that is spelled out of the parts of an expression.
+const LONGEST: usize = 36;
+
 /// Plans the bindings of a set of roots: what is used twice, or has a name and is more than a sign.
 pub struct Block<'a> {
     graph: &'a Graph,
     uses: HashMap<Expr, usize>,
     taken: HashSet<String>,
+    partial_sums: HashMap<Expr, String>,
     /// What is bound so far.
     pub bound: Names,
 }
@@ -39,7 +43,7 @@ impl<'a> Block<'a> {
                 taken.insert(symbol.name);
             }
         }
-        Block { graph, uses, taken, bound: Names::new() }
+        Block { graph, uses, taken, partial_sums: partial_sums(graph, roots), bound: Names::new() }
     }
 
     /// Whether an expression is to be bound.
@@ -68,10 +72,10 @@ impl<'a> Block<'a> {
     }
 
     fn fresh_name(&mut self, e: Expr) -> String {
-        let base = match self.graph.given_name(e) {
-            Some(name) => name.to_string(),
-            None => self.structural_name(e),
-        };
+        let given = |e: Expr| self.graph.given_name(e).map(str::to_string);
+        let reversed = || self.graph.reversed(e).and_then(given).map(|name| format!("minus_{name}"));
+        let owned = || self.partial_sums.get(&e).cloned();
+        let base = given(e).or_else(reversed).or_else(owned).unwrap_or_else(|| self.structural_name(e));
         let mut name = base.clone();
         let mut count = 2;
         while !self.taken.insert(name.clone()) {
@@ -81,29 +85,63 @@ impl<'a> Block<'a> {
         name
     }
 
-    /// A product of short names is called after its factors; a sum after its larger parts.
+    /// What has no name is called after its parts; where that is long, by a word.
     fn structural_name(&self, e: Expr) -> String {
+        let word = match self.graph.node(e) {
+            Node::Sqrt(_) => "length",
+            _ => "term",
+        };
+        self.spelled(e).filter(|name| name.len() <= LONGEST).unwrap_or_else(|| word.into())
+    }
+
+    /// An expression spelled out: `a_b`, `a_plus_b`, `a_minus_b`.
+    fn spelled(&self, e: Expr) -> Option<String> {
         let part = |x: Expr| {
             let x = self.graph.strip(x).0;
-            match (self.graph.node(x), self.bound.get(&x)) {
-                (_, Some(name)) => Some(name.clone()),
-                (Node::Symbol(symbol), _) => {
-                    let name = symbol.name.rsplit('.').next().unwrap_or_default();
-                    Some(name.to_lowercase())
-                }
-                _ => None,
+            match (self.bound.get(&x), self.graph.node(x)) {
+                (Some(name), _) => Some(name.clone()),
+                (None, Node::Symbol(symbol)) => symbol.name.rsplit('.').next().map(str::to_lowercase),
+                (None, Node::Number(bits)) if f64::from_bits(bits) == 0.5 => Some("half".into()),
+                (None, Node::Number(bits)) if f64::from_bits(bits) == 2.0 => Some("twice".into()),
+                (None, Node::Number(_)) => None,
+                (None, _) => self.spelled(x),
             }
         };
         match self.graph.node(e) {
-            Node::Mul(a, b) => match (part(a), part(b)) {
-                (Some(a), Some(b)) if a == b => format!("{a}_squared"),
-                (Some(a), Some(b)) if a.len() + b.len() <= 16 => format!("{a}_{b}"),
-                _ => "product".into(),
+            Node::Mul(a, b) => match (part(a)?, part(b)?) {
+                (a, b) if a == b => Some(format!("{a}_squared")),
+                (a, b) => Some(format!("{a}_{b}")),
             },
-            Node::Add(..) => "sum".into(),
-            Node::Sub(..) => "difference".into(),
-            Node::Sqrt(_) => "length".into(),
-            _ => "value".into(),
+            Node::Add(a, b) => Some(format!("{}_plus_{}", part(a)?, part(b)?)),
+            Node::Sub(a, b) => Some(format!("{}_minus_{}", part(a)?, part(b)?)),
+            Node::Sqrt(a) => Some(format!("root_{}", part(a)?)),
+            _ => None,
         }
     }
+}
+
+/// The partial sums of named expressions, and the names that these give them: of `p_1x` the part `p_1x_part`, of a length
+/// `rho3` its square `rho3_squared`.
+fn partial_sums(graph: &Graph, roots: &[Expr]) -> HashMap<Expr, String> {
+    let mut owned = HashMap::new();
+    let is_sum = |e: Expr| matches!(graph.node(e), Node::Add(..) | Node::Sub(..));
+    for owner in graph.reachable(roots) {
+        let Some(name) = graph.given_name(owner) else { continue };
+        let mut stack = match graph.node(owner) {
+            Node::Sqrt(a) => {
+                owned.entry(a).or_insert_with(|| format!("{name}_squared"));
+                Vec::new()
+            }
+            Node::Add(a, b) | Node::Sub(a, b) => vec![a, b],
+            _ => Vec::new(),
+        };
+        while let Some(part) = stack.pop() {
+            let part = graph.strip(part).0;
+            if is_sum(part) && graph.given_name(part).is_none() {
+                owned.entry(part).or_insert_with(|| format!("{name}_part"));
+                stack.extend(graph.operands(part));
+            }
+        }
+    }
+    owned
 }

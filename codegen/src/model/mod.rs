@@ -22,7 +22,7 @@ pub use check::check;
 pub use combined_limits::CombinedLimit;
 pub use coupling::Coupling;
 pub use parameter::{Bound, Parameter};
-pub use reach::{Sizes, strokes};
+pub use reach::{Sizes, beside_rows, strokes};
 
 use crate::error::Location;
 pub use crate::spec::{Axis, Convention, Length, LengthUnit, RowKind, Task};

@@ -52,9 +52,14 @@ impl Sizes {
 /// at their defaults); 1 if that is zero.
 pub fn reach(model: &Model, values: &HashMap<String, f64>) -> f64 {
     let rows: f64 = model.rows.iter().map(|row| row.a.at(values).abs() + row.d.at(values).abs()).sum();
-    let frame = |xyz: &[Length; 3]| length(xyz.each_ref().map(|x| x.at(values)));
-    let total = rows + strokes(model) + frame(&model.base.xyz) + frame(&model.tool.xyz);
+    let total = beside_rows(model, values).into_iter().fold(rows, |sum, term| sum + term);
     if total > 0.0 { total } else { 1.0 }
+}
+
+/// What a reach has beside the lengths of the rows: strokes, base and tool.
+pub fn beside_rows(model: &Model, values: &HashMap<String, f64>) -> [f64; 3] {
+    let frame = |xyz: &[Length; 3]| length(xyz.each_ref().map(|x| x.at(values)));
+    [strokes(model), frame(&model.base.xyz), frame(&model.tool.xyz)]
 }
 
 /// The longest strokes of the sliding joints together.

@@ -113,6 +113,7 @@ impl Side {
             sin: c.g.norm(&axis),
         };
         let (shift, about) = if self.undone { c.between(axis, moved) } else { c.between(moved, axis) };
+        c.g.name(range.across, format!("radius{}", c.label(self.joint)));
         let kernel = Kernel::Cone { d, rho, range, about };
         c.stage(&[(self.joint, shift)], self.joint, unit, branching, meaning, kernel);
     }

@@ -177,12 +177,16 @@ fn outward(c: &mut Closure, parts: &[Part], target: usize) -> Rigid {
             origin = format!("o{joint}");
             name(c, &product, &axes, &origin, "");
         }
+        suggest(c, &product, &axes, &origin, "");
     }
+    let mut frame = String::new();
     for part in parts.iter().take(target).rev() {
         product = part.rigid.then(&mut c.g, &product);
         if let Some(joint) = part.joint {
-            name(c, &product, &axes, &origin, &c.label(joint));
+            frame = c.label(joint);
+            name(c, &product, &axes, &origin, &frame);
         }
+        suggest(c, &product, &axes, &origin, &frame);
     }
     product
 }
@@ -196,6 +200,17 @@ fn name(c: &mut Closure, rigid: &Rigid, axes: &[String; 3], origin: &str, frame:
     }
     for (e, component) in rigid.p.iter().zip(["x", "y", "z"]) {
         c.g.name(*e, format!("{origin}_{frame}{component}"));
+    }
+}
+
+/// `tn_1x`: the same behind the twist of link 1.
+fn suggest(c: &mut Closure, rigid: &Rigid, axes: &[String; 3], origin: &str, frame: &str) {
+    for (column, axis) in
+        transpose(&rigid.r).iter().chain([&rigid.p]).zip(axes.iter().map(String::as_str).chain([origin]))
+    {
+        for (e, component) in column.iter().zip(["x", "y", "z"]) {
+            c.g.suggest(*e, format!("t{axis}_{frame}{component}"));
+        }
     }
 }
 

@@ -64,6 +64,7 @@ pub struct Graph {
     nodes: IndexSet<Node>,
     constant: Vec<Option<f64>>,
     names: HashMap<Expr, String>,
+    suggested: HashMap<Expr, String>,
     products: Products,
     owner: &'static str,
 }
@@ -77,8 +78,14 @@ impl Default for Graph {
 impl Graph {
     /// A graph that holds zero and one.
     pub fn new(products: Products) -> Self {
-        let (nodes, constant, names) = (IndexSet::new(), Vec::new(), HashMap::new());
-        let mut graph = Graph { nodes, constant, names, products, owner: "self" };
+        let mut graph = Graph {
+            nodes: IndexSet::new(),
+            constant: Vec::new(),
+            names: HashMap::new(),
+            suggested: HashMap::new(),
+            products,
+            owner: "self",
+        };
         graph.intern(Node::Number(0.0f64.to_bits()), Some(0.0));
         graph.intern(Node::Number(1.0f64.to_bits()), Some(1.0));
         graph
@@ -123,9 +130,24 @@ impl Graph {
         self.name(bare, name);
     }
 
-    /// The name an expression was given.
+    /// The name of an expression that is given none: for a partial sum, the vector that it belongs to. The first stays.
+    pub fn suggest(&mut self, e: Expr, name: impl Into<String>) {
+        let bare = self.strip(e).0;
+        if matches!(self.node(bare), Node::Add(..) | Node::Sub(..)) {
+            self.suggested.entry(bare).or_insert_with(|| name.into());
+        }
+    }
+
+    /// The name an expression was given, else the one that was suggested.
     pub fn given_name(&self, e: Expr) -> Option<&str> {
-        self.names.get(&e).map(String::as_str)
+        self.names.get(&e).or_else(|| self.suggested.get(&e)).map(String::as_str)
+    }
+
+    /// Of `a - b` the expression `b - a`, if it is in the graph.
+    pub fn reversed(&self, e: Expr) -> Option<Expr> {
+        let Node::Sub(a, b) = self.node(e) else { return None };
+        let index = self.nodes.get_index_of(&Node::Sub(b, a))?;
+        u32::try_from(index).ok().map(Expr)
     }
 
     /// A number.
@@ -224,6 +246,10 @@ impl Graph {
             ((_, false), (b, true)) => self.sub(a, b),
             ((a, true), (_, false)) => self.sub(b, a),
             _ => {
+                let known = [(a, b), (b, a)].map(|(a, b)| self.known(a, b, Node::Sub));
+                if let Some(known) = known.into_iter().flatten().next() {
+                    return known;
+                }
                 let (a, b) = (a.min(b), a.max(b));
                 let value = self.both(a, b, |x, y| x + y);
                 self.intern(Node::Add(a, b), value)
@@ -248,9 +274,17 @@ impl Graph {
                 if value.is_some_and(|v| v.abs() <= 1e-14 * self.both(a, b, |x, y| x.abs() + y.abs()).unwrap_or(0.0)) {
                     return Expr::ZERO;
                 }
-                self.intern(Node::Sub(a, b), value)
+                let known = self.known(a, b, |a, b| Node::Add(a.min(b), a.max(b)));
+                known.unwrap_or_else(|| self.intern(Node::Sub(a, b), value))
             }
         }
+    }
+
+    /// `k + (x - y)` is `k - (y - x)` to the bit where `k` is a constant other than zero: the one that is in the graph.
+    fn known(&self, constant: Expr, b: Expr, node: impl Fn(Expr, Expr) -> Node) -> Option<Expr> {
+        self.constant(constant).filter(|value| *value != 0.0)?;
+        let index = self.nodes.get_index_of(&node(constant, self.reversed(b)?))?;
+        u32::try_from(index).ok().map(Expr)
     }
 
     /// `a * b`
@@ -391,6 +425,8 @@ mod tests {
         assert_eq!(g.add(x, ny), g.sub(x, y));
         let d = g.sub(x, y);
         assert_eq!(g.neg(d), g.sub(y, x));
+        let (k, e) = (g.dimension("K", 2.0), g.sub(y, x));
+        assert_eq!(g.sub(k, d), g.add(k, e));
     }
 
     #[test]

@@ -1,32 +1,22 @@
 //! The arms of the lists, derived.
 
-macro_rules! declare {
-    ($($name:ident $Type:ident $dof:tt $kind:ident { $($attribute:tt)* };)*) => {$(
-        #[doc = concat!("The arm `", stringify!($name), "`.")]
-        #[derive(Debug, Clone, Copy, Default, denhart::Arm)]
-        #[arm($($attribute)*)]
-        pub struct $Type;
+use crate::task::{Kind, Task};
 
-        impl crate::subject::Specified<$dof> for $Type {
-            const NAME: &'static str = stringify!($name);
-            const TABLE: denhart::DhTable = <$Type>::DH;
-        }
-    )*};
+macro_rules! declare {
+    ($($name:ident $Type:ident $dof:tt $kind:ident $file:literal;)*) => {
+        $(crate::arm!($name $Type $dof $file Task::new(Kind::Pose));)*
+    };
 }
 
 macro_rules! declare_single {
-    ($($name:ident $Single:ident $Double:ident { $($attribute:tt)* };)*) => {$(
+    ($($name:ident $Single:ident $Double:ident $file:literal;)*) => {$(
         #[doc = concat!("The arm `", stringify!($name), "` in single precision.")]
         #[derive(Debug, Clone, Copy, Default, denhart::Arm)]
-        #[arm($($attribute)*, scalar = "f32")]
+        #[arm(spec = $file, scalar = "f32")]
         pub struct $Single;
     )*};
 }
 
 crate::published_arms!(declare);
-crate::mounted_arms!(declare);
-crate::meeting_arms!(declare);
-crate::parallel_arms!(declare);
-crate::sliding_arms!(declare);
-crate::sliding_parallel_arms!(declare);
+crate::made_up_arms!(declare);
 crate::single_arms!(declare_single);

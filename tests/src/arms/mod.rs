@@ -2,15 +2,29 @@
 //!
 //! Some hundred arms take a while to compile. The benchmarks do without them, see the feature `arms`.
 
-mod meeting;
-mod mounted;
-mod parallel;
+mod made_up;
 mod published;
 mod single;
-mod sliding;
-mod sliding_parallel;
 
 #[cfg(feature = "arms")]
 mod derived;
 #[cfg(feature = "arms")]
 pub use derived::*;
+
+/// Derives an arm from its file and makes it one that the suites can test: test name, type, number of joints, file from
+/// the folder of this package, [`Task`](crate::task::Task).
+#[macro_export]
+macro_rules! arm {
+    ($name:ident $Type:ident $dof:tt $file:literal $task:expr) => {
+        #[doc = concat!("The arm `", stringify!($name), "`.")]
+        #[derive(Debug, Clone, Copy, Default, ::denhart::Arm)]
+        #[arm(spec = $file)]
+        pub struct $Type;
+
+        impl $crate::subject::Specified<$dof> for $Type {
+            const NAME: &'static str = stringify!($name);
+            const TABLE: ::denhart::DhTable = $Type::DH;
+            const TASK: $crate::task::Task = $task;
+        }
+    };
+}

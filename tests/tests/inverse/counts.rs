@@ -34,7 +34,7 @@ fn check_truths(subject: &Subject<6>) -> usize {
 }
 
 macro_rules! count_tests {
-    ($($name:ident $Type:ident $dof:tt $kind:ident $attribute:tt;)*) => {
+    ($($name:ident $Type:ident $dof:tt $kind:ident $file:literal;)*) => {
         $(count_tests! { @$kind $name $Type })*
 
         /// Every arm of `inverse_truth.json` with an inverse is met.

@@ -14,7 +14,7 @@ const COMPLETE: Grids = Grids { complete: 262_144, samples: 20_000 };
 const SAMPLED: Grids = Grids { complete: 4096, samples: 20_000 };
 
 macro_rules! inverse_tests {
-    ($($name:ident $Type:ident $dof:tt $kind:ident $attribute:tt;)*) => {
+    ($($name:ident $Type:ident $dof:tt $kind:ident $file:literal;)*) => {
         $(inverse_tests! { @$kind $name $Type COMPLETE })*
     };
     (@forward $name:ident $Type:ident $grids:ident) => {};
@@ -59,14 +59,10 @@ macro_rules! inverse_tests {
 }
 
 macro_rules! made_up_inverse_tests {
-    ($($name:ident $Type:ident $dof:tt $kind:ident $attribute:tt;)*) => {
+    ($($name:ident $Type:ident $dof:tt $kind:ident $file:literal;)*) => {
         $(inverse_tests! { @$kind $name $Type SAMPLED })*
     };
 }
 
 denhart_tests::published_arms!(inverse_tests);
-denhart_tests::mounted_arms!(made_up_inverse_tests);
-denhart_tests::meeting_arms!(made_up_inverse_tests);
-denhart_tests::parallel_arms!(made_up_inverse_tests);
-denhart_tests::sliding_arms!(made_up_inverse_tests);
-denhart_tests::sliding_parallel_arms!(made_up_inverse_tests);
+denhart_tests::made_up_arms!(made_up_inverse_tests);

@@ -1,4 +1,4 @@
-//! Arms with named lengths, each as a struct of fields and as a unit struct, from one text.
+//! Arms with named lengths, each as a struct of fields and as a unit struct, from one file of `tests/arms/parameters/`.
 
 use denhart::{Arm, Chain, DhFrame, DhRow, DhTable};
 
@@ -62,23 +62,23 @@ pub trait Parametric<const N: usize>: Arm<f64, N> + Copy + Send + Sync {
 }
 
 macro_rules! parametric {
-    ($(#[$doc:meta])* $name:ident, $folded:ident, $joints:literal, [$($field:ident),+], $yaml:literal) => {
+    ($(#[$doc:meta])* $name:ident, $folded:ident, $joints:literal, [$($field:ident),+], $file:literal) => {
         $(#[$doc])*
         #[derive(denhart::Arm, Debug, Clone, Copy, PartialEq)]
-        #[arm(yaml = $yaml)]
+        #[arm(spec = $file)]
         pub struct $name {
             $(pub $field: f64),+
         }
 
         /// The same with its lengths folded in.
         #[derive(denhart::Arm, Debug, Clone, Copy, Default)]
-        #[arm(yaml = $yaml)]
+        #[arm(spec = $file)]
         pub struct $folded;
 
         impl Parametric<$joints> for $name {
             type Folded = $folded;
             const TABLE: DhTable = $folded::DH;
-            const YAML: &'static str = $yaml;
+            const YAML: &'static str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/", $file));
             const COUNT: usize = [$(stringify!($field)),+].len();
 
             fn with(values: &[f64]) -> Self {
@@ -108,16 +108,7 @@ parametric!(
     FoldedPlanar2r,
     2,
     [l1, l2],
-    "
-name: planar2r
-convention: standard
-units: {length: cm, angle: deg}
-parameters: {l1: 10, l2: 20}
-inverse: {task: planar_position}
-joints:
-  - {type: revolute, a: l1, alpha: 0, d: 0, theta: 0}
-  - {type: revolute, a: l2, alpha: 0, d: 0, theta: 0}
-"
+    "arms/parameters/planar2r.yaml"
 );
 
 parametric!(
@@ -126,17 +117,7 @@ parametric!(
     FoldedPlanar3r,
     3,
     [l1, l2, l3],
-    "
-name: planar3r
-convention: standard
-units: {length: cm, angle: deg}
-parameters: {l1: 20, l2: 10, l3: 7}
-inverse: {task: planar_pose}
-joints:
-  - {type: revolute, a: l1, alpha: 0, d: 0, theta: 0}
-  - {type: revolute, a: l2, alpha: 0, d: 0, theta: 0}
-  - {type: revolute, a: l3, alpha: 0, d: 0, theta: 0}
-"
+    "arms/parameters/planar3r.yaml"
 );
 
 parametric!(
@@ -145,20 +126,7 @@ parametric!(
     FoldedJupiter,
     4,
     [a0, l2, l3, l4],
-    "
-name: jupiter
-convention: modified
-units: {length: cm, angle: deg}
-parameters: {a0: 4, l2: 10, l3: 10, l4: 6}
-inverse: {task: position_angle}
-joints:
-  - {type: revolute, a: 0, alpha: 0, d: a0, theta: 0}
-  - {type: revolute, a: 0, alpha: -90, d: 0, theta: 0}
-  - {type: revolute, a: l2, alpha: 0, d: 0, theta: 0}
-  - {type: revolute, a: l3, alpha: 0, d: 0, theta: 0}
-  - {type: fixed, a: l4/2, alpha: 0, d: 0, theta: 0}
-tool: {xyz: [0.5 * l4, 0, 0]}
-"
+    "arms/parameters/jupiter.yaml"
 );
 
 parametric!(
@@ -167,21 +135,7 @@ parametric!(
     FoldedPuma560,
     6,
     [height, d1, a2, a3, d3, d4, tip],
-    "
-name: puma560
-convention: standard
-units: {length: m, angle: deg}
-parameters: {height: 0.5, d1: 0.67183, a2: 0.4318, a3: 0.0203, d3: 0.15005, d4: 0.4318, tip: 0.1}
-joints:
-  - {type: revolute, a: 0, alpha: 90, d: d1, theta: 0, limits: [-160, 160]}
-  - {type: revolute, a: a2, alpha: 0, d: 0, theta: 0, limits: [-45, 225]}
-  - {type: revolute, a: a3, alpha: -90, d: d3, theta: 0, limits: [-225, 45]}
-  - {type: revolute, a: 0, alpha: 90, d: d4, theta: 0, limits: [-110, 170]}
-  - {type: revolute, a: 0, alpha: -90, d: 0, theta: 0, limits: [-100, 100]}
-  - {type: revolute, a: 0, alpha: 0, d: 0, theta: 0, limits: [-266, 266]}
-base: {xyz: [0, -height, 2 * height], rpy: [0, 30, 0]}
-tool: {xyz: [0, 0, tip]}
-"
+    "arms/parameters/puma560.yaml"
 );
 
 parametric!(
@@ -190,19 +144,7 @@ parametric!(
     FoldedUr5,
     6,
     [d1, s2, c3, q, px, d6],
-    "
-name: ur5
-convention: standard
-units: {length: m, angle: deg}
-parameters: {d1: 0.089159, s2: 0.425, c3: 0.39225, q: 0.10915, px: 0.09465, d6: 0.0823}
-joints:
-  - {type: revolute, a: 0, alpha: 90, d: d1, theta: 0}
-  - {type: revolute, a: -s2, alpha: 0, d: 0, theta: 0}
-  - {type: revolute, a: -c3, alpha: 0, d: 0, theta: 0}
-  - {type: revolute, a: 0, alpha: 90, d: q, theta: 0}
-  - {type: revolute, a: 0, alpha: -90, d: px, theta: 0}
-  - {type: revolute, a: 0, alpha: 0, d: d6, theta: 0}
-"
+    "arms/parameters/ur5.yaml"
 );
 
 parametric!(
@@ -212,19 +154,7 @@ parametric!(
     FoldedAskew,
     6,
     [rise, off, upper, fore],
-    "
-name: askew
-convention: standard
-units: {length: m, angle: deg}
-parameters: {rise: 0.3, off: 0.1, upper: 0.5, fore: 0.4}
-joints:
-  - {type: revolute, a: 0, alpha: 90, d: rise, theta: 0}
-  - {type: revolute, a: 0, alpha: 60, d: 0, theta: 0}
-  - {type: revolute, a: off, alpha: -90, d: upper, theta: 0}
-  - {type: revolute, a: fore, alpha: 0, d: 0, theta: 0}
-  - {type: revolute, a: 2*off, alpha: 90, d: 0, theta: 30}
-  - {type: revolute, a: 0, alpha: 0, d: -rise, theta: 0}
-"
+    "arms/parameters/askew.yaml"
 );
 
 parametric!(
@@ -233,20 +163,7 @@ parametric!(
     FoldedTilted,
     6,
     [d1, a2, d4, slip],
-    "
-name: tilted
-convention: standard
-units: {length: m, angle: deg}
-parameters: {d1: 0.4, a2: 0.6, d4: 0.5, slip: 0.2}
-joints:
-  - {type: revolute, a: 0.1, alpha: 90, d: d1, theta: 0}
-  - {type: revolute, a: a2, alpha: 0, d: 0, theta: 0}
-  - {type: revolute, a: 0, alpha: 90, d: 0, theta: 0}
-  - {type: revolute, a: 0, alpha: 60, d: d4, theta: 0}
-  - {type: fixed, a: 0, alpha: 0, d: slip, theta: 0}
-  - {type: revolute, a: 0, alpha: -60, d: -slip, theta: 0}
-  - {type: revolute, a: 0, alpha: 0, d: 0.1, theta: 0}
-"
+    "arms/parameters/tilted.yaml"
 );
 
 parametric!(
@@ -255,15 +172,5 @@ parametric!(
     FoldedReacher,
     3,
     [d1, side, upper, fore],
-    "
-name: reacher
-convention: standard
-units: {length: mm, angle: deg}
-parameters: {d1: 170, side: -10, upper: 197, fore: 258}
-inverse: {task: position}
-joints:
-  - {type: revolute, a: 0, alpha: 90, d: d1, theta: 0}
-  - {type: revolute, a: upper, alpha: 0, d: side, theta: 0}
-  - {type: revolute, a: fore, alpha: 0, d: 0, theta: 0}
-"
+    "arms/parameters/reacher.yaml"
 );

@@ -9,19 +9,7 @@ parametric!(
     FoldedFiveJoints,
     5,
     [rise, off, upper, fore, hand],
-    "
-name: five_joints
-convention: standard
-units: {length: m, angle: deg}
-parameters: {rise: 0.15, off: 0.03, upper: 0.16, fore: 0.13, hand: 0.2}
-inverse: {task: pose}
-joints:
-  - {type: revolute, a: off, alpha: 90, d: rise, theta: 0}
-  - {type: revolute, a: upper, alpha: 0, d: 0, theta: 0}
-  - {type: revolute, a: fore, alpha: 0, d: 0, theta: 0}
-  - {type: revolute, a: 0, alpha: 90, d: 0, theta: 90}
-  - {type: revolute, a: 0, alpha: 0, d: hand, theta: 0}
-"
+    "arms/parameters/five_joints.yaml"
 );
 
 parametric!(
@@ -30,17 +18,7 @@ parametric!(
     FoldedSkewPoint,
     3,
     [first, second, third],
-    "
-name: skew_point
-convention: standard
-units: {length: m, angle: deg}
-parameters: {first: 0.2, second: 0.3, third: 0.15}
-inverse: {task: position}
-joints:
-  - {type: revolute, a: first, alpha: 75, d: 0, theta: 0}
-  - {type: revolute, a: second, alpha: -58.3, d: first, theta: 65.6}
-  - {type: revolute, a: third, alpha: 145.7, d: first, theta: -148.9}
-"
+    "arms/parameters/skew_point.yaml"
 );
 
 parametric!(
@@ -49,17 +27,7 @@ parametric!(
     FoldedSlideBetween,
     3,
     [side, upper, fore],
-    "
-name: slide_between
-convention: standard
-units: {length: m, angle: deg}
-parameters: {side: 0.2, upper: 0.3, fore: 0.15}
-inverse: {task: position}
-joints:
-  - {type: revolute, a: side, alpha: -93.9, d: 0, theta: -27}
-  - {type: prismatic, a: -upper, alpha: -26.9, d: 0, theta: 104.2}
-  - {type: revolute, a: fore, alpha: -135.9, d: -side, theta: 5}
-"
+    "arms/parameters/slide_between.yaml"
 );
 
 parametric!(
@@ -68,18 +36,7 @@ parametric!(
     FoldedTelescope,
     3,
     [height, side, slip],
-    "
-name: telescope
-convention: standard
-units: {length: mm, angle: deg}
-parameters: {height: 200, side: 300, slip: 150}
-inverse: {task: position}
-joints:
-  - {type: revolute, a: 0, alpha: -90, d: height, theta: 0}
-  - {type: revolute, a: 0, alpha: 90, d: side, theta: 0}
-  - {type: prismatic, a: 0, alpha: 0, d: 0, theta: 0}
-tool: {xyz: [slip, 0, 0]}
-"
+    "arms/parameters/telescope.yaml"
 );
 
 parametric!(
@@ -88,17 +45,7 @@ parametric!(
     FoldedRailFirst,
     3,
     [first, second, third],
-    "
-name: rail_first
-convention: standard
-units: {length: m, angle: deg}
-parameters: {first: 0.2, second: 0.3, third: 0.15}
-inverse: {task: position}
-joints:
-  - {type: prismatic, a: first, alpha: 150, d: 0, theta: -40.5}
-  - {type: revolute, a: second, alpha: -58.3, d: 0, theta: 65.6}
-  - {type: revolute, a: third, alpha: 145.7, d: first, theta: -148.9}
-"
+    "arms/parameters/rail_first.yaml"
 );
 
 parametric!(
@@ -107,17 +54,7 @@ parametric!(
     FoldedTwoSlides,
     3,
     [first, second, third],
-    "
-name: two_slides
-convention: standard
-units: {length: m, angle: deg}
-parameters: {first: 0.2, second: 0.3, third: 0.15}
-inverse: {task: position}
-joints:
-  - {type: prismatic, a: first, alpha: -153.5, d: 0, theta: 148.5}
-  - {type: revolute, a: second, alpha: 65.8, d: third, theta: -30.1}
-  - {type: prismatic, a: -third, alpha: 92.4, d: 0, theta: -139.9}
-"
+    "arms/parameters/two_slides.yaml"
 );
 
 parametric!(
@@ -126,19 +63,7 @@ parametric!(
     FoldedRailAndFour,
     5,
     [side, rise, upper, fore, hand],
-    "
-name: rail_and_four
-convention: standard
-units: {length: m, angle: deg}
-parameters: {side: 0.05, rise: 0.31, upper: 0.3, fore: 0.25, hand: 0.1}
-inverse: {task: position_axis, axis: z}
-joints:
-  - {type: prismatic, a: 0, alpha: -90, d: 0, theta: 90}
-  - {type: revolute, a: side, alpha: 90, d: rise, theta: 0}
-  - {type: revolute, a: upper, alpha: 0, d: 0, theta: 0}
-  - {type: revolute, a: fore, alpha: 0, d: side, theta: 0}
-  - {type: revolute, a: hand, alpha: -90, d: 0, theta: 0}
-"
+    "arms/parameters/rail_and_four.yaml"
 );
 
 parametric!(
@@ -147,17 +72,5 @@ parametric!(
     FoldedSlidesOutside,
     6,
     [first, second, third],
-    "
-name: slides_outside
-convention: standard
-units: {length: m, angle: deg}
-parameters: {first: 0.2, second: 0.3, third: 0.15}
-joints:
-  - {type: prismatic, a: first, alpha: 63, d: 0.1, theta: 20}
-  - {type: revolute, a: 0, alpha: 90, d: second, theta: 0}
-  - {type: revolute, a: 0, alpha: -90, d: 0, theta: 0}
-  - {type: revolute, a: second, alpha: 50, d: third, theta: 0}
-  - {type: revolute, a: 0.2, alpha: -70, d: first, theta: 0}
-  - {type: prismatic, a: third, alpha: 40, d: 0.1, theta: 30}
-"
+    "arms/parameters/slides_outside.yaml"
 );

@@ -1,26 +1,17 @@
 //! Inverse kinematics of every task but the six-joint pose: nothing is lost, nothing wrong is called exact.
 //!
-//! An arm is one line of a list (or a few, where its file is inline): its name, number of joints, task, and the attribute
-//! of the derive. The arms are of this target alone, so that `cargo test -p denhart-tests --no-default-features --test
+//! An arm is one line of a list: its name, number of joints, task, and file. The arms are of this target alone, so that `cargo test -p denhart-tests --no-default-features --test
 //! tasks` builds without all others.
 
 /// One module an arm, one test a group of joint vectors.
 macro_rules! arms {
-    ($($name:ident $dof:tt $kind:ident $(($axis:ident))? $(given $joint:literal)? { $($attribute:tt)* };)*) => {$(
+    ($($name:ident $dof:tt $kind:ident $(($axis:ident))? $(given $joint:literal)? $file:literal;)*) => {$(
         pub(crate) mod $name {
-            use denhart_tests::subject::{Specified, Subject};
+            use denhart_tests::subject::Subject;
             use denhart_tests::task::{Kind, Task};
             use denhart_tests::{bad_targets, branches, suite};
 
-            #[derive(Debug, Clone, Copy, Default, denhart::Arm)]
-            #[arm($($attribute)*)]
-            pub(crate) struct Tested;
-
-            impl Specified<$dof> for Tested {
-                const NAME: &'static str = stringify!($name);
-                const TABLE: denhart::DhTable = Tested::DH;
-                const TASK: Task = Task::new(Kind::$kind $((crate::$axis))?)$(.redundant($joint))?;
-            }
+            denhart_tests::arm!($name Tested $dof $file Task::new(Kind::$kind $((crate::$axis))?)$(.redundant($joint))?);
 
             #[test]
             fn random_poses() {
