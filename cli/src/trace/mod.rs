@@ -1,6 +1,5 @@
 //! `denhart trace`: a motion law for every joint, sampled to the pose, velocity and acceleration of the tool, as CSV.
 
-pub mod arm;
 mod jet;
 mod law;
 mod times;
@@ -11,6 +10,7 @@ use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
+use crate::arm;
 use clap::{Args, ValueEnum};
 use denhart::{Chain, JointKind, Pose};
 use indicatif::{ProgressBar, ProgressStyle};

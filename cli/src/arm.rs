@@ -11,7 +11,12 @@ use denhart_codegen::spec;
 pub fn read(file: &Path) -> Result<(Chain, Vec<String>), String> {
     let here = env::current_dir().map_err(|error| error.to_string())?;
     let text = denhart_codegen::read_file(&here, file).map_err(|error| error.to_string())?;
-    let (spec, _) = spec::read(&text, &file.display().to_string()).map_err(|errors| errors.to_string())?;
+    of_text(&text, &file.display().to_string())
+}
+
+/// The same of the text of an arm file; `file` is its name for messages.
+pub fn of_text(text: &str, file: &str) -> Result<(Chain, Vec<String>), String> {
+    let (spec, _) = spec::read(text, file).map_err(|errors| errors.to_string())?;
     let model = model::check(&spec).map_err(|errors| errors.to_string())?;
     let names = model.joints.iter().map(|joint| joint.name.clone()).collect();
     Ok((chain(&model), names))
