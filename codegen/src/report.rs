@@ -15,6 +15,8 @@ pub struct Report {
     pub name: String,
     /// Number of moving joints.
     pub dof: usize,
+    /// What the inverse is asked for, with what belongs to it, if there is an inverse.
+    pub task: Option<String>,
     /// The largest number of inverse solutions, if there is an inverse.
     pub max_solutions: Option<usize>,
     /// Why there is no inverse, if there is none.
@@ -75,6 +77,7 @@ impl Report {
         Report {
             name: model.name.clone(),
             dof: model.joints.len(),
+            task: inverse.as_ref().ok().map(|plan| plan.task.name()),
             max_solutions: inverse.as_ref().ok().map(Plan::max_solutions),
             refusal: inverse.as_ref().err().map(|refusal| refusal.reason.clone()),
             costs,

@@ -117,7 +117,7 @@ fn import(text: &str, from: &str, options: &Options) -> Result<Imported, String>
     let mut same = compare(&exact_robot, &exact_path, &drive, &|q| plain.pose(q, &turns));
     // The file, as it will be read, against the URDF as written.
     let draft = write::file(&written.name, &[], &made_exact, &drive)?;
-    let (chain, _) = arm::of_text(&draft, "the imported arm")
+    let arm::Arm { chain, .. } = arm::of_text(&draft, "the imported arm")
         .map_err(|errors| format!("no arm file can say this chain:\n{errors}"))?;
     if changes.len() == in_table {
         same = same.max(compare(&exact_robot, &exact_path, &drive, &|q| of_chain(&chain, q)));
