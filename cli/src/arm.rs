@@ -26,7 +26,7 @@ pub fn text(file: &Path) -> Result<(String, String), String> {
         let mut bytes = Vec::new();
         let read = std::io::stdin().read_to_end(&mut bytes);
         read.map_err(|error| format!("cannot read the standard input: {error}"))?;
-        let text = String::from_utf8(bytes).map_err(|_| "the standard input is not UTF-8".to_owned())?;
+        let text = denhart_codegen::decode(bytes, "the standard input").map_err(|error| error.to_string())?;
         return Ok((text, STANDARD_INPUT.to_owned()));
     }
     let here = env::current_dir().map_err(|error| error.to_string())?;

@@ -29,6 +29,7 @@ pub struct Builder {
     scalar: Result<ScalarKind, String>,
     crate_path: String,
     runtime_parameters: bool,
+    warnings: bool,
 }
 
 impl Builder {
@@ -36,7 +37,7 @@ impl Builder {
     pub fn new(path: impl Into<PathBuf>) -> Self {
         let crate_path = "::denhart".to_owned();
         let scalar = Ok(ScalarKind::F64);
-        Self { path: path.into(), type_name: None, scalar, crate_path, runtime_parameters: false }
+        Self { path: path.into(), type_name: None, scalar, crate_path, runtime_parameters: false, warnings: true }
     }
 
     /// The name of the struct. Without it: the `name` of the file in upper camel case, `kuka_kr6_r700` as
@@ -70,6 +71,12 @@ impl Builder {
         self
     }
 
+    /// Whether the generator's advice on the file is printed as a `cargo:warning`, one for the file; by default it is.
+    pub fn warnings(mut self, printed: bool) -> Self {
+        self.warnings = printed;
+        self
+    }
+
     /// The generated code, formatted. Writes nothing and prints nothing.
     ///
     /// # Errors
@@ -97,7 +104,7 @@ impl Builder {
     pub fn write_to(&self, path: impl AsRef<Path>) -> Result<(), BuildError> {
         println!("cargo:rerun-if-changed={}", self.path.display());
         let (code, advice) = self.code()?;
-        for line in advice.iter().map(one_line) {
+        if let Some(line) = summary(&advice, &self.path).filter(|_| self.warnings) {
             println!("cargo:warning={line}");
         }
         let path = path.as_ref();
@@ -197,6 +204,17 @@ impl TryFrom<&str> for ScalarKind {
     }
 }
 
+/// All advice in one line: the first piece, and where the others are.
+fn summary(advice: &[Diagnostic], file: &Path) -> Option<String> {
+    let first = one_line(advice.first()?);
+    let file = file.display();
+    Some(match advice.len() - 1 {
+        0 => first,
+        1 => format!("{first} (and 1 remark more: `denhart check {file}` shows both)"),
+        more => format!("{first} (and {more} remarks more: `denhart check {file}` shows all)"),
+    })
+}
+
 /// A piece of advice on one line: cargo shows one line for each `cargo:warning`.
 fn one_line(advice: &Diagnostic) -> String {
     let mut line = String::new();
@@ -246,6 +264,18 @@ mod tests {
             assert_eq!(upper_camel_case(name), camel);
             assert!(syn::parse_str::<syn::Ident>(camel).is_ok(), "{camel}");
         }
+    }
+
+    #[test]
+    fn advice_is_one_line() {
+        let advice = |n: usize| vec![Diagnostic::warning("`alpha`: 1.5708 is nearly 90").help("write 90"); n];
+        let line = |n| summary(&advice(n), Path::new("arm.yaml")).unwrap_or_default();
+        assert_eq!(line(0), "");
+        assert_eq!(line(1), "`alpha`: 1.5708 is nearly 90; write 90");
+        assert_eq!(
+            line(5),
+            "`alpha`: 1.5708 is nearly 90; write 90 (and 4 remarks more: `denhart check arm.yaml` shows all)"
+        );
     }
 
     #[test]

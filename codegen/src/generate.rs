@@ -78,8 +78,9 @@ struct Analyzed {
 }
 
 fn analyze(text: &str, file: &str, bound: &Bound, scalar: ScalarKind) -> Result<Analyzed, Errors> {
-    let (spec, warnings) = spec::read(text, file)?;
+    let (spec, mut warnings) = spec::read(text, file)?;
     let model = model::check(&spec)?;
+    warnings.extend(model::advice(&spec, &model));
     if scalar == ScalarKind::F32
         && let Some(mistake) = Sizes::SINGLE.missed(&spec, &model)
     {

@@ -23,7 +23,7 @@ pub mod spec;
 mod stages;
 mod symbolic;
 
-pub use arm_file::{ReadError, read as read_file};
+pub use arm_file::{ReadError, decode, read as read_file};
 pub use builder::{BuildError, Builder, UnknownScalar};
 pub use emit::Scalar as ScalarKind;
 pub use error::{Diagnostic, Errors, Location, Severity};
