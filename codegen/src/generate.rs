@@ -91,6 +91,7 @@ fn analyze(text: &str, file: &str, bound: &Bound, scalar: ScalarKind) -> Result<
     let chain = Chain::of(&model);
     let geometry = geometry(&model, &chain);
     let inverse = plan(&model, &chain, &geometry);
+    warnings.extend(model.inverse.changed_task(&model.joints, inverse.as_ref().ok().map(|plan| plan.task.task)));
     Ok(Analyzed { model, parameters, chain, geometry, inverse, warnings })
 }
 

@@ -5,8 +5,8 @@ use super::inverse::{Inverse as InverseCode, inverse};
 use super::margins::margins;
 use super::tokens::integer;
 use super::{Target, actuator, combined_limits, coupling, docs, kinematics, motion, parameters, tables};
+use crate::model::Model;
 use crate::model::chain::Chain;
-use crate::model::{Model, Task};
 use crate::solve::{Plan, Refusal};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -67,10 +67,10 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     let associated = tables::associated(model, target);
     let motors = [combined_limits::constant(model, target), linked.methods, actuator::methods(model, target)];
     let bound = parameters::methods(model, target);
-    let task = motion::task(model, arm.inverse);
-    let arm_trait = arm_trait(model, task, target);
+    let counted = motion::counted(model, arm.inverse);
+    let arm_trait = arm_trait(model, &counted, target);
     let functions = functions.tokens;
-    let motion = motion::methods(model, task, target);
+    let motion = motion::methods(model, &counted, target);
     let doc = match arm.inverse {
         Ok(_) => TokenStream::new(),
         Err(refusal) => docs::lines(&format!("No inverse kinematics: {}.", refusal.reason)),
@@ -108,10 +108,10 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     }
 }
 
-fn arm_trait(model: &Model, task: Option<Task>, target: &Target) -> TokenStream {
+fn arm_trait(model: &Model, counted: &motion::Counted, target: &Target) -> TokenStream {
     let (krate, scalar, name, n) =
         (&target.krate, target.scalar.tokens(), &target.type_name, integer(model.joints.len()));
-    let motion = motion::trait_methods(model, task, target);
+    let motion = motion::trait_methods(model, counted, target);
     quote! {
         #[automatically_derived]
         impl #krate::Arm<#scalar, #n> for #name {
@@ -135,7 +135,11 @@ fn refused(model: &Model, refusal: &Refusal, target: &Target) -> InverseCode {
     InverseCode {
         items: quote! {
             /// Implemented by nothing: its message says why there is no inverse.
-            #[diagnostic::on_unimplemented(message = #message, label = "this arm has no inverse kinematics")]
+            #[diagnostic::on_unimplemented(
+                message = #message,
+                label = "this arm has no inverse kinematics",
+                note = "`denhart::numeric` solves any arm by iteration"
+            )]
             pub trait #solvable {}
         },
         function: TokenStream::new(),

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{JointKind, Model};
+use super::{InverseRequest, Joint, JointKind, Model, Task};
 use crate::error::Diagnostic;
 use crate::spec::{LengthUnit, LimitsSpec, Place, RowSpec, Spec, WrittenAngle};
 
@@ -82,6 +82,17 @@ fn radians(spec: &Spec) -> Option<Diagnostic> {
 fn looks_like_radians(value: f64) -> bool {
     let eighths = value / std::f64::consts::FRAC_PI_4;
     eighths.round() != 0.0 && (value - eighths.round() * std::f64::consts::FRAC_PI_4).abs() < 2e-3
+}
+
+impl InverseRequest {
+    /// Remarks that a joint whose value is given leaves six joints another task than a pose.
+    pub fn changed_task(&self, joints: &[Joint], task: Option<Task>) -> Option<Diagnostic> {
+        let joint = joints.get(self.redundant?).filter(|_| self.task.is_none() && joints.len() == 6)?;
+        let (name, task) = (&joint.name, task?.name());
+        let message = format!("`redundant: {name}` leaves five joints: the task is `{task}`, not `pose`");
+        let help = format!("remove `redundant` for a pose, or name the task that is meant: `task: {task}`");
+        Some(Diagnostic::warning(message).at(self.at.clone()).help(help))
+    }
 }
 
 #[cfg(test)]
