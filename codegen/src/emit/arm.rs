@@ -30,17 +30,15 @@ pub fn item(arm: &Arm, target: &Target) -> TokenStream {
 }
 
 fn type_doc(arm: &Arm) -> String {
-    let mut text = format!("The arm `{}`: {} moving joints.\n", arm.model.name, arm.model.joints.len());
-    if let Some(source) = &arm.model.source {
-        text += "\n";
-        for line in source.lines() {
-            text += &format!("{}\n", line.trim());
-        }
-    }
-    if let Err(refusal) = arm.inverse {
-        text += &format!("\nNo inverse kinematics: {}.\n", refusal.reason);
-    }
-    text
+    format!("The arm `{}`: {} moving joints.\n", arm.model.name, arm.model.joints.len())
+}
+
+/// The head comment of the file, and why there is no inverse if there is none: what the documentation of the type shows
+/// from every door.
+fn impl_doc(arm: &Arm) -> String {
+    let comment = arm.model.source.iter().map(|source| docs::escaped(source));
+    let refusal = arm.inverse.as_ref().err().map(|refusal| format!("No inverse kinematics: {}.", refusal.reason));
+    comment.chain(refusal).collect::<Vec<String>>().join("\n\n")
 }
 
 /// All impls, wrapped so that their constants have names of their own.
@@ -71,10 +69,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     let arm_trait = arm_trait(model, &counted, target);
     let functions = functions.tokens;
     let motion = motion::methods(model, &counted, target);
-    let doc = match arm.inverse {
-        Ok(_) => TokenStream::new(),
-        Err(refusal) => docs::lines(&format!("No inverse kinematics: {}.", refusal.reason)),
-    };
+    let doc = docs::lines(&impl_doc(arm));
     quote! {
         // Numbers are written as the arm file has them or in full precision; names follow the field's notation. No
         // program uses every constant of its arm.
