@@ -143,34 +143,26 @@ impl Builder {
 
 /// Why a [`Builder`] wrote nothing. `Debug` shows the same text as `Display`, so that a build script whose `main`
 /// returns it fails readably.
-#[derive(thiserror::Error)]
 pub enum BuildError {
     /// The arm file is missing or unreadable.
-    #[error(transparent)]
-    Read(#[from] ReadError),
+    Read(ReadError),
     /// The mistakes in the arm file, all of them.
-    #[error(transparent)]
-    Arm(#[from] Errors),
+    Arm(Errors),
     /// `scalar` was given a name that is none.
-    #[error("{0}")]
     Scalar(String),
     /// `type_name` is not an identifier.
-    #[error("`{written}` cannot be the name of a struct\nhelp: give an identifier, such as `Ur5`")]
     TypeName {
         /// The name as it was given.
         written: String,
     },
     /// `crate_path` is not a path.
-    #[error("`{written}` is not a path to the crate denhart\nhelp: give a path, such as `::denhart`")]
     CratePath {
         /// The path as it was given.
         written: String,
     },
     /// There is no `OUT_DIR`.
-    #[error("OUT_DIR is not set: cargo sets it for a build script\nhelp: elsewhere, give a path to `write_to`")]
     OutDir,
     /// The generated file cannot be written.
-    #[error("cannot write `{}`: {error}", path.display())]
     Write {
         /// Where it was to be written.
         path: PathBuf,
@@ -179,28 +171,50 @@ pub enum BuildError {
     },
 }
 
-impl fmt::Debug for BuildError {
+impl fmt::Display for BuildError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
+        match self {
+            Self::Read(error) => error.fmt(f),
+            Self::Arm(errors) => errors.fmt(f),
+            Self::Scalar(message) => f.write_str(message),
+            Self::TypeName { written } => {
+                write!(f, "`{written}` cannot be the name of a struct\nhelp: give an identifier, such as `Ur5`")
+            }
+            Self::CratePath { written } => {
+                write!(f, "`{written}` is not a path to the crate denhart\nhelp: give a path, such as `::denhart`")
+            }
+            Self::OutDir => f.write_str(
+                "OUT_DIR is not set: cargo sets it for a build script\nhelp: elsewhere, give a path to `write_to`",
+            ),
+            Self::Write { path, error } => write!(f, "cannot write `{}`: {error}", path.display()),
+        }
     }
 }
 
-/// A name of a number type that is neither `f64` nor `f32`.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("unknown scalar `{written}`\nhelp: write `f64` or `f32`")]
-pub struct UnknownScalar {
-    written: String,
+impl std::error::Error for BuildError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Write { error, .. } => Some(error),
+            _ => None,
+        }
+    }
 }
 
-impl TryFrom<&str> for ScalarKind {
-    type Error = UnknownScalar;
+impl From<ReadError> for BuildError {
+    fn from(error: ReadError) -> Self {
+        Self::Read(error)
+    }
+}
 
-    fn try_from(name: &str) -> Result<Self, Self::Error> {
-        match name {
-            "f64" => Ok(Self::F64),
-            "f32" => Ok(Self::F32),
-            _ => Err(UnknownScalar { written: name.to_owned() }),
-        }
+impl From<Errors> for BuildError {
+    fn from(errors: Errors) -> Self {
+        Self::Arm(errors)
+    }
+}
+
+impl fmt::Debug for BuildError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 

@@ -11,7 +11,7 @@ use crate::report::Report;
 use crate::solve::{Plan, Refusal, plan};
 use crate::{ScalarKind, spec, stages};
 use proc_macro2::TokenStream;
-use quote::{ToTokens, quote};
+use quote::ToTokens;
 
 /// What the code is to look like.
 #[derive(Clone)]
@@ -52,9 +52,10 @@ impl Generated {
     ///
     /// # Errors
     /// If the tokens are not a Rust file, which would be a defect of the generator.
+    #[cfg(feature = "file")]
     pub fn to_file(&self) -> Result<String, Errors> {
         let (item, impls) = (&self.item, &self.impls);
-        let file = syn::parse2::<syn::File>(quote!(#item #impls))
+        let file = syn::parse2::<syn::File>(quote::quote!(#item #impls))
             .map_err(|error| Errors::from(Diagnostic::error(format!("the generated code does not parse: {error}"))))?;
         let name = &self.report.name;
         let version = env!("CARGO_PKG_VERSION");
