@@ -102,6 +102,7 @@ impl Analyzed {
         let refusal = self.inverse.as_ref().err().filter(|_| self.model.inverse.require)?;
         let mistake = Diagnostic::error(format!("no inverse kinematics: {}", refusal.reason));
         let help = "remove `require: true` to generate forward kinematics and Jacobian alone";
+        let help = refusal.hint.as_ref().map_or(help.to_owned(), |hint| format!("{hint};\n{help}"));
         Some(mistake.at(self.model.inverse.at.clone()).help(help))
     }
 

@@ -75,6 +75,7 @@ impl Report {
             }
             Err(refusal) => {
                 lines.push(format!("no inverse: {}", refusal.reason));
+                lines.extend(refusal.hint.iter().map(|hint| format!("  {hint}")));
                 lines.push("  `denhart::numeric` solves any arm by iteration, one joint vector at a time".into());
             }
         }

@@ -122,6 +122,7 @@ fn refused(model: &Model, refusal: &Refusal, target: &Target) -> InverseCode {
     let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
     // What it returns lets the rest of the call type-check: the message is the only error.
     let none = quote!(#krate::Solutions<#scalar, #n, 1>);
+    let note = refusal.hint.clone().unwrap_or_else(|| "`denhart::numeric` solves any arm by iteration".to_owned());
     let message = format!("`{name}` has no inverse kinematics: {}", refusal.reason);
     let takes_value = model.inverse.redundant.is_some() || model.inverse.arm_angle;
     let given = takes_value.then(|| quote!(, _given: #scalar));
@@ -133,7 +134,7 @@ fn refused(model: &Model, refusal: &Refusal, target: &Target) -> InverseCode {
             #[diagnostic::on_unimplemented(
                 message = #message,
                 label = "this arm has no inverse kinematics",
-                note = "`denhart::numeric` solves any arm by iteration"
+                note = #note
             )]
             pub trait #solvable {}
         },

@@ -100,12 +100,13 @@ mod tests {
     #![allow(clippy::unwrap_used)]
 
     use crate::error::Diagnostic;
-    use crate::{model, spec};
+    use super::super::check;
+    use crate::spec;
 
     fn of(unit: &str, rows: &str) -> Vec<Diagnostic> {
         let text = format!("name: a\nconvention: standard\nunits: {{length: {unit}, angle: deg}}\njoints:\n{rows}");
         let (spec, _) = spec::read(&text, "a.yaml").unwrap();
-        let model = model::check(&spec).unwrap();
+        let model = check(&spec).unwrap();
         super::advice(&spec, &model)
     }
 

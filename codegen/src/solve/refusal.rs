@@ -9,6 +9,8 @@ use crate::model::{JointKind, Model, Task};
 pub struct Refusal {
     /// The sentence.
     pub reason: String,
+    /// What to look at in the file, where something in it is probably meant otherwise.
+    pub hint: Option<String>,
 }
 
 impl Refusal {
@@ -22,7 +24,7 @@ impl Refusal {
     }
 
     pub(super) fn new(reason: impl Into<String>) -> Self {
-        Refusal { reason: reason.into() }
+        Refusal { reason: reason.into(), hint: None }
     }
 }
 

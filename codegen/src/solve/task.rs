@@ -41,8 +41,9 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, R
             failure.unwrap_or_else(|| refusal::not_covered(model, None))
         }
     };
-    if let Some(other) = other_convention(model) {
-        return Err(Refusal::new(format!("{}; {other}", failed.reason)));
+    // Another task would hide what is wrong with the table.
+    if let Some(hint) = other_convention(model) {
+        return Err(Refusal { hint: Some(hint), ..failed });
     }
     let alternatives = alternatives(model, chain, geometry);
     if alternatives.is_empty() && refusal::is_one_more(model, request.task) {
