@@ -49,7 +49,7 @@ fn escaped_line(line: &str) -> String {
     let line = line.trim();
     // A fence would begin a block of code; a backtick without its pair, a span that ends anywhere.
     let fence = line.starts_with("```") || line.starts_with("~~~");
-    let paired = line.matches('`').count() % 2 == 0 && !fence;
+    let paired = line.matches('`').count().is_multiple_of(2) && !fence;
     let mut out = String::new();
     let mut code = false;
     for word in line.split_inclusive(' ') {
