@@ -99,8 +99,8 @@ impl InverseRequest {
 mod tests {
     #![allow(clippy::unwrap_used)]
 
-    use crate::error::Diagnostic;
     use super::super::check;
+    use crate::error::Diagnostic;
     use crate::spec;
 
     fn of(unit: &str, rows: &str) -> Vec<Diagnostic> {
