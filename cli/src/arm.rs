@@ -52,7 +52,9 @@ pub fn of_text(text: &str, file: &str) -> Result<Arm, String> {
     let model = model::check(&spec).map_err(|errors| errors.to_string())?;
     Ok(Arm { chain: chain(&model), model })
 }
-fn chain(model: &Model) -> Chain {
+
+/// The chain of a checked arm.
+pub fn chain(model: &Model) -> Chain {
     let convention = match model.convention {
         model::Convention::Standard => Convention::Standard,
         model::Convention::Modified => Convention::Modified,

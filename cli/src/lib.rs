@@ -2,10 +2,14 @@
 
 mod arm;
 mod check;
+mod closest;
 mod documents;
+mod forward;
 mod home;
 mod import;
+mod inverse;
 mod new;
+mod numbers;
 mod schema;
 mod trace;
 
@@ -55,6 +59,16 @@ enum Action {
     /// Lengths are in the unit of the arm file, angles as --units says, times in s. Rates are exact derivatives of the
     /// laws.
     Trace(trace::Options),
+    /// Print the pose of the tool at joint values
+    ///
+    /// As a matrix, as roll, pitch, yaw (R = Rz(yaw) Ry(pitch) Rx(roll)) and as a unit quaternion, scalar part first.
+    /// Lengths are in the unit of the arm file. Joints outside their limits are named.
+    Forward(forward::Options),
+    /// Print every joint vector that brings the tool to a target
+    ///
+    /// For each solution: joint values, branch, flags, broken limits, and what forward kinematics misses the target by.
+    /// Without an exact solution it says whether distance or direction is missed, and the exit status is 3.
+    Inverse(inverse::Options),
     /// Print an arm file for a serial chain of a URDF
     ///
     /// Joints that turn, slide or are fixed; limits and names are kept, and so are zero and direction of each joint.
@@ -116,6 +130,7 @@ where
     match result {
         Ok(()) | Err(Failure::NoReader) => SUCCESS,
         Err(Failure::Said) => FAILURE,
+        Err(Failure::NoSolution) => NO_SOLUTION,
         Err(Failure::Usage(mistake)) => say(err, &format!("error: {mistake}"), USAGE),
         Err(Failure::Other(mistake)) => say(err, &format!("error: {mistake}"), FAILURE),
     }
@@ -132,6 +147,11 @@ fn act(action: Action, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), F
             false => Err(Failure::Said),
         },
         Action::Trace(options) => trace::run(&options, out),
+        Action::Forward(options) => forward::run(&options, out),
+        Action::Inverse(options) => match inverse::run(&options, out)? {
+            true => Ok(()),
+            false => Err(Failure::NoSolution),
+        },
         Action::Import(options) => import::run(&options, out, err).map_err(Failure::Other),
         Action::New(options) => new::run(&options, out),
         Action::Schema => Ok(print(out, &schema::text())?),
@@ -148,6 +168,8 @@ enum Failure {
     Other(String),
     /// The messages are printed.
     Said,
+    /// No joint vector reaches the target exactly; the answer says so.
+    NoSolution,
     /// Whoever read the output has gone away.
     NoReader,
 }
