@@ -4,7 +4,7 @@ use denhart::numeric::{NumericInverse, Task};
 use denhart::{Pose, Residual};
 use denhart_dynamic::{DynamicArm, DynamicTarget};
 
-use crate::trace;
+use crate::arm;
 
 /// So many starts besides the first one.
 const RESTARTS: usize = 20;
@@ -24,7 +24,7 @@ pub enum Missed {
 
 /// What is missed, by iteration from `start`, without limits. `None` where no iteration can tell.
 pub fn missed(arm: &DynamicArm, target: &DynamicTarget, pose: &Pose<f64>, start: &[f64]) -> Option<Missed> {
-    let chain = trace::arm::chain(arm.model());
+    let chain = arm::chain(arm.model());
     let planar = matches!(target, DynamicTarget::PlanarPose(_) | DynamicTarget::PlanarPosition(_));
     let point = Task::Components([true, true, !planar, false, false, false]);
     let numeric = |task| NumericInverse::new().task(task).max_iterations(STEPS).restarts(RESTARTS);

@@ -8,7 +8,8 @@ use denhart::Pose;
 use denhart_dynamic::DynamicArm;
 use serde_json::{Value, json};
 
-use crate::numbers::{Failure, Units, arm, joints, outside, short};
+use crate::Failure;
+use crate::numbers::{Units, arm, joints, outside, short};
 
 /// What the command takes.
 #[derive(Args)]

@@ -8,9 +8,10 @@ use denhart::{PlanarPose, PointAngle, Pose, Residual, Status};
 use denhart_dynamic::{DynamicArm, DynamicSolution, DynamicSolutions, DynamicTarget};
 use serde_json::{Value, json};
 
+use crate::Failure;
 use crate::closest::{Missed, missed};
 use crate::forward::pose_json;
-use crate::numbers::{Failure, Units, arm, joints, numbers, outside, pose, short};
+use crate::numbers::{Units, arm, joints, numbers, outside, pose, short};
 
 /// What the command takes.
 #[derive(Args)]

@@ -1,19 +1,23 @@
-//! The command `denhart` as a function: `denhart expand FILE` prints the generated code of an arm, `denhart check FILE`
-//! what the generator found in it, `denhart trace FILE` the motion of its tool under a motion law, `denhart forward FILE`
-//! where the tool is, and `denhart inverse FILE` the joint vectors that bring it somewhere.
+//! The command `denhart` as a function. Each subcommand has a file of its own.
 
+mod arm;
+mod check;
 mod closest;
+mod documents;
 mod forward;
+mod home;
+mod import;
 mod inverse;
+mod new;
 mod numbers;
+mod schema;
 mod trace;
 
-use std::env;
 use std::ffi::OsString;
 use std::io::{self, ErrorKind, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use denhart_codegen::{Builder, ScalarKind};
 
 /// Done.
@@ -46,8 +50,8 @@ enum Action {
     /// Print what the generator found in an arm file, or the mistakes in it
     ///
     /// The axes that are parallel or meet, the way the inverse kinematics is solved, the largest number of solutions,
-    /// the operation counts, and advice on the file.
-    Check(Check),
+    /// the operation counts, the arm at its zero and its reach to hold against a drawing, and advice on the file.
+    Check(check::Options),
     /// Print the motion of the tool under motion laws of the joints, as CSV
     ///
     /// Columns: t (s), the joints q1 .. qN, the position x y z of the tool in the base frame, its orientation, its
@@ -65,6 +69,20 @@ enum Action {
     /// For each solution: joint values, branch, flags, broken limits, and what forward kinematics misses the target by.
     /// Without an exact solution it says whether distance or direction is missed, and the exit status is 3.
     Inverse(inverse::Options),
+    /// Print an arm file for a serial chain of a URDF
+    ///
+    /// Joints that turn, slide or are fixed; limits and names are kept, and so are zero and direction of each joint.
+    /// Mimic joints become the `coupling` of the file where it can say them. The file's poses are compared with the
+    /// URDF's own at 1000 random configurations; a difference above 1e-9 is an error.
+    Import(import::Options),
+    /// Write an arm file to start from, with comments
+    New(new::Options),
+    /// Print the JSON schema of arm files, for editors
+    Schema,
+    /// Print the completions of this command for a shell
+    Completions(documents::Completions),
+    /// Print the manual page of this command, or write one for each subcommand
+    Man(documents::Man),
 }
 
 #[derive(Args)]
@@ -80,12 +98,6 @@ struct Expand {
     /// Bind the `parameters` of the file at run time: a public field of the struct for each
     #[arg(long)]
     parameters: bool,
-}
-
-#[derive(Args)]
-struct Check {
-    /// The arm file, YAML
-    file: PathBuf,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -111,32 +123,64 @@ where
     I: IntoIterator<Item: Into<OsString> + Clone>,
 {
     let result = match Command::try_parse_from(arguments) {
-        Ok(Command { action: Action::Expand(options) }) => expand(options),
-        Ok(Command { action: Action::Check(Check { file }) }) => check(&file),
-        Ok(Command { action: Action::Trace(options) }) => {
-            return match trace::run(&options, out) {
-                Ok(()) | Err(trace::Failure::NoReader) => SUCCESS,
-                Err(trace::Failure::Usage(mistake)) => say(err, &format!("error: {mistake}"), USAGE),
-                Err(trace::Failure::Other(mistake)) => say(err, &format!("error: {mistake}"), FAILURE),
-            };
-        }
-        Ok(Command { action: Action::Forward(options) }) => {
-            return said(forward::run(&options, out).map(|()| SUCCESS), err);
-        }
-        Ok(Command { action: Action::Inverse(options) }) => {
-            let status = |found| if found { SUCCESS } else { NO_SOLUTION };
-            return said(inverse::run(&options, out).map(status), err);
-        }
+        Ok(Command { action }) => act(action, out, err),
         Err(shown) if shown.use_stderr() => return say(err, &shown.render().to_string(), USAGE),
-        Err(help) => Ok(help.render().to_string()),
+        Err(help) => Ok(help.render().to_string()).and_then(|text| print(out, &text).map_err(Failure::from)),
     };
     match result {
-        Ok(text) => match print(out, &text) {
-            Ok(()) => SUCCESS,
-            Err(error) if error.kind() == ErrorKind::BrokenPipe => SUCCESS,
-            Err(error) => say(err, &format!("error: cannot print: {error}"), FAILURE),
+        Ok(()) | Err(Failure::NoReader) => SUCCESS,
+        Err(Failure::Said) => FAILURE,
+        Err(Failure::NoSolution) => NO_SOLUTION,
+        Err(Failure::Usage(mistake)) => say(err, &format!("error: {mistake}"), USAGE),
+        Err(Failure::Other(mistake)) => say(err, &format!("error: {mistake}"), FAILURE),
+    }
+}
+
+fn act(action: Action, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), Failure> {
+    match action {
+        Action::Expand(options) => {
+            let code = expand(options).map_err(Failure::Other)?;
+            Ok(print(out, &code)?)
+        }
+        Action::Check(options) => match check::run(&options, out, err)? {
+            true => Ok(()),
+            false => Err(Failure::Said),
         },
-        Err(mistakes) => say(err, &format!("error: {mistakes}"), FAILURE),
+        Action::Trace(options) => trace::run(&options, out),
+        Action::Forward(options) => forward::run(&options, out),
+        Action::Inverse(options) => match inverse::run(&options, out)? {
+            true => Ok(()),
+            false => Err(Failure::NoSolution),
+        },
+        Action::Import(options) => import::run(&options, out, err).map_err(Failure::Other),
+        Action::New(options) => new::run(&options, out),
+        Action::Schema => Ok(print(out, &schema::text())?),
+        Action::Completions(options) => documents::completions(&options, <Command as CommandFactory>::command(), out),
+        Action::Man(options) => documents::man(&options, <Command as CommandFactory>::command(), out),
+    }
+}
+
+/// Why the command did not do what was asked.
+enum Failure {
+    /// Arguments that make no sense.
+    Usage(String),
+    /// A mistake in a file, or no way to read or write.
+    Other(String),
+    /// The messages are printed.
+    Said,
+    /// No joint vector reaches the target exactly; the answer says so.
+    NoSolution,
+    /// Whoever read the output has gone away.
+    NoReader,
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        if error.kind() == ErrorKind::BrokenPipe {
+            Self::NoReader
+        } else {
+            Self::Other(format!("cannot write: {error}"))
+        }
     }
 }
 
@@ -147,30 +191,6 @@ fn expand(options: Expand) -> Result<String, String> {
         builder = builder.type_name(name);
     }
     builder.generate().map_err(|error| error.to_string())
-}
-
-fn check(file: &Path) -> Result<String, String> {
-    let here = env::current_dir().map_err(|error| error.to_string())?;
-    let text = denhart_codegen::read_file(&here, file).map_err(|error| error.to_string())?;
-    let report = denhart_codegen::check(&text, &file.display().to_string()).map_err(|errors| errors.to_string())?;
-    let mut shown = report.to_string();
-    for advice in &report.warnings {
-        shown = format!("{}\n\n{advice}", shown.trim_end());
-    }
-    match &report.lacking {
-        Some(mistake) => Err(format!("{}\n\n{mistake}", shown.trim_end())),
-        None => Ok(shown),
-    }
-}
-
-/// The exit status, after saying why there is no answer.
-fn said(result: Result<u8, numbers::Failure>, err: &mut dyn Write) -> u8 {
-    match result {
-        Ok(status) => status,
-        Err(numbers::Failure::NoReader) => SUCCESS,
-        Err(numbers::Failure::Usage(mistake)) => say(err, &format!("error: {mistake}"), USAGE),
-        Err(numbers::Failure::Other(mistake)) => say(err, &format!("error: {mistake}"), FAILURE),
-    }
 }
 
 fn print(out: &mut dyn Write, text: &str) -> io::Result<()> {

@@ -1,15 +1,12 @@
 //! Numbers of the command line, in the units that the user has chosen.
 
-use std::env;
-use std::io::{self, Read};
 use std::path::Path;
 
 use clap::ValueEnum;
 use denhart::{JointKind, Pose};
 use denhart_dynamic::{DynamicArm, DynamicError};
 
-/// What the standard input is called in messages.
-const STANDARD_INPUT: &str = "<stdin>";
+use crate::Failure;
 
 /// Unit of angles; lengths are in the unit of the arm file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -54,25 +51,6 @@ impl Units {
     }
 }
 
-/// Why there is no answer.
-pub enum Failure {
-    /// Arguments that make no sense.
-    Usage(String),
-    /// A mistake in the arm file, or no way to read it or to write.
-    Other(String),
-    /// Whoever read the output has gone away.
-    NoReader,
-}
-
-impl From<io::Error> for Failure {
-    fn from(error: io::Error) -> Self {
-        match error.kind() {
-            io::ErrorKind::BrokenPipe => Self::NoReader,
-            _ => Self::Other(format!("cannot print: {error}")),
-        }
-    }
-}
-
 impl From<DynamicError> for Failure {
     fn from(error: DynamicError) -> Self {
         match error {
@@ -88,16 +66,7 @@ impl From<DynamicError> for Failure {
 /// # Errors
 /// Mistakes in the file, or no way to read it.
 pub fn arm(file: &Path) -> Result<DynamicArm, Failure> {
-    let (text, name) = if file.as_os_str() == "-" {
-        let mut text = String::new();
-        let read = io::stdin().read_to_string(&mut text);
-        read.map_err(|error| Failure::Other(format!("cannot read the standard input: {error}")))?;
-        (text, STANDARD_INPUT.to_owned())
-    } else {
-        let here = env::current_dir().map_err(|error| Failure::Other(error.to_string()))?;
-        let text = denhart_codegen::read_file(&here, file).map_err(|error| Failure::Other(error.to_string()))?;
-        (text, file.display().to_string())
-    };
+    let (text, name) = crate::arm::text(file).map_err(Failure::Other)?;
     Ok(DynamicArm::named(&text, &name)?)
 }
 

@@ -39,10 +39,7 @@ pub fn read(root: &Path, written: &Path) -> Result<String, ReadError> {
     let path = root.join(written);
     let failure = |message: String, help: Option<String>| ReadError { message, help };
     match fs::read(&path) {
-        Ok(bytes) => String::from_utf8(bytes).map_err(|error| {
-            let at = error.utf8_error().valid_up_to();
-            failure(format!("`{}` is not a text file: byte {at} is not UTF-8", path.display()), None)
-        }),
+        Ok(bytes) => decode(bytes, &format!("`{}`", path.display())),
         Err(_) if path.is_dir() => {
             let help = match listing(&arm_files(&path), written) {
                 Some(list) => format!("name one of the arm files in it: {list}"),
@@ -54,6 +51,28 @@ pub fn read(root: &Path, written: &Path) -> Result<String, ReadError> {
             Err(failure(format!("no arm file at `{}`", path.display()), nearby(root, written)))
         }
         Err(error) => Err(failure(format!("cannot read `{}`: {error}", path.display()), None)),
+    }
+}
+
+/// The text of a file's bytes; `what` names the file. A byte order mark before UTF-8 is no part of the text.
+///
+/// # Errors
+/// Bytes that are not UTF-8: which encoding they look like, and to save as UTF-8.
+pub fn decode(bytes: Vec<u8>, what: &str) -> Result<String, ReadError> {
+    let save = |message: String| ReadError { message, help: Some("save the file as UTF-8".to_owned()) };
+    // UTF-16 begins with its mark, or has a zero byte in each of its letters, which are of ASCII nearly all.
+    let wide =
+        bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) || bytes.iter().take(64).any(|b| *b == 0);
+    if wide {
+        return Err(save(format!("{what} is UTF-16, not UTF-8")));
+    }
+    match String::from_utf8(bytes) {
+        Ok(text) => Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text)),
+        Err(error) => {
+            let at = error.utf8_error().valid_up_to();
+            let lines = error.as_bytes().iter().take(at).filter(|byte| **byte == b'\n').count();
+            Err(save(format!("{what} is not UTF-8: byte {at}, in line {}; it may be Latin-1", lines + 1)))
+        }
     }
 }
 
@@ -173,6 +192,19 @@ mod tests {
             text,
             "no arm file at `$ROOT/arms/ur5.yaml`\nhelp: there is no directory `$ROOT/arms`; did you mean `specs/ur5.yaml`?"
         );
+    }
+
+    #[test]
+    fn other_encodings_are_named() {
+        let utf16 = "name: x".encode_utf16().flat_map(u16::to_le_bytes);
+        let marked: Vec<u8> = [0xff, 0xfe].into_iter().chain(utf16.clone()).collect();
+        for bytes in [utf16.collect(), marked] {
+            let said = decode(bytes, "`a.yaml`").unwrap_err().to_string();
+            assert_eq!(said, "`a.yaml` is UTF-16, not UTF-8\nhelp: save the file as UTF-8");
+        }
+        let said = decode(b"# x\n# Gr\xf6\xdfe\n".to_vec(), "`a.yaml`").unwrap_err().to_string();
+        assert_eq!(said, "`a.yaml` is not UTF-8: byte 8, in line 2; it may be Latin-1\nhelp: save the file as UTF-8");
+        assert_eq!(decode("\u{feff}name: x".into(), "x").unwrap(), "name: x");
     }
 
     #[test]

@@ -29,6 +29,7 @@ pub struct Builder {
     scalar: Result<ScalarKind, String>,
     crate_path: String,
     runtime_parameters: bool,
+    warnings: bool,
 }
 
 impl Builder {
@@ -36,7 +37,7 @@ impl Builder {
     pub fn new(path: impl Into<PathBuf>) -> Self {
         let crate_path = "::denhart".to_owned();
         let scalar = Ok(ScalarKind::F64);
-        Self { path: path.into(), type_name: None, scalar, crate_path, runtime_parameters: false }
+        Self { path: path.into(), type_name: None, scalar, crate_path, runtime_parameters: false, warnings: true }
     }
 
     /// The name of the struct. Without it: the `name` of the file in upper camel case, `kuka_kr6_r700` as
@@ -70,6 +71,12 @@ impl Builder {
         self
     }
 
+    /// Whether the generator's advice on the file is printed as a `cargo:warning`, one for the file; by default it is.
+    pub fn warnings(mut self, printed: bool) -> Self {
+        self.warnings = printed;
+        self
+    }
+
     /// The generated code, formatted. Writes nothing and prints nothing.
     ///
     /// # Errors
@@ -97,7 +104,7 @@ impl Builder {
     pub fn write_to(&self, path: impl AsRef<Path>) -> Result<(), BuildError> {
         println!("cargo:rerun-if-changed={}", self.path.display());
         let (code, advice) = self.code()?;
-        for line in advice.iter().map(one_line) {
+        if let Some(line) = summary(&advice, &self.path).filter(|_| self.warnings) {
             println!("cargo:warning={line}");
         }
         let path = path.as_ref();
@@ -136,34 +143,26 @@ impl Builder {
 
 /// Why a [`Builder`] wrote nothing. `Debug` shows the same text as `Display`, so that a build script whose `main`
 /// returns it fails readably.
-#[derive(thiserror::Error)]
 pub enum BuildError {
     /// The arm file is missing or unreadable.
-    #[error(transparent)]
-    Read(#[from] ReadError),
+    Read(ReadError),
     /// The mistakes in the arm file, all of them.
-    #[error(transparent)]
-    Arm(#[from] Errors),
+    Arm(Errors),
     /// `scalar` was given a name that is none.
-    #[error("{0}")]
     Scalar(String),
     /// `type_name` is not an identifier.
-    #[error("`{written}` cannot be the name of a struct\nhelp: give an identifier, such as `Ur5`")]
     TypeName {
         /// The name as it was given.
         written: String,
     },
     /// `crate_path` is not a path.
-    #[error("`{written}` is not a path to the crate denhart\nhelp: give a path, such as `::denhart`")]
     CratePath {
         /// The path as it was given.
         written: String,
     },
     /// There is no `OUT_DIR`.
-    #[error("OUT_DIR is not set: cargo sets it for a build script\nhelp: elsewhere, give a path to `write_to`")]
     OutDir,
     /// The generated file cannot be written.
-    #[error("cannot write `{}`: {error}", path.display())]
     Write {
         /// Where it was to be written.
         path: PathBuf,
@@ -172,29 +171,62 @@ pub enum BuildError {
     },
 }
 
+impl fmt::Display for BuildError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Read(error) => error.fmt(f),
+            Self::Arm(errors) => errors.fmt(f),
+            Self::Scalar(message) => f.write_str(message),
+            Self::TypeName { written } => {
+                write!(f, "`{written}` cannot be the name of a struct\nhelp: give an identifier, such as `Ur5`")
+            }
+            Self::CratePath { written } => {
+                write!(f, "`{written}` is not a path to the crate denhart\nhelp: give a path, such as `::denhart`")
+            }
+            Self::OutDir => f.write_str(
+                "OUT_DIR is not set: cargo sets it for a build script\nhelp: elsewhere, give a path to `write_to`",
+            ),
+            Self::Write { path, error } => write!(f, "cannot write `{}`: {error}", path.display()),
+        }
+    }
+}
+
+impl std::error::Error for BuildError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Write { error, .. } => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl From<ReadError> for BuildError {
+    fn from(error: ReadError) -> Self {
+        Self::Read(error)
+    }
+}
+
+impl From<Errors> for BuildError {
+    fn from(errors: Errors) -> Self {
+        Self::Arm(errors)
+    }
+}
+
 impl fmt::Debug for BuildError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
     }
 }
 
-/// A name of a number type that is neither `f64` nor `f32`.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("unknown scalar `{written}`\nhelp: write `f64` or `f32`")]
-pub struct UnknownScalar {
-    written: String,
-}
-
-impl TryFrom<&str> for ScalarKind {
-    type Error = UnknownScalar;
-
-    fn try_from(name: &str) -> Result<Self, Self::Error> {
-        match name {
-            "f64" => Ok(Self::F64),
-            "f32" => Ok(Self::F32),
-            _ => Err(UnknownScalar { written: name.to_owned() }),
-        }
-    }
+/// All advice in one line: the first piece, and where the others are.
+fn summary(advice: &[Diagnostic], file: &Path) -> Option<String> {
+    let first = one_line(advice.first()?);
+    let file = file.display();
+    Some(match advice.len() - 1 {
+        0 => first,
+        1 => format!("{first} (and 1 remark more: `denhart check {file}` shows both)"),
+        more => format!("{first} (and {more} remarks more: `denhart check {file}` shows all)"),
+    })
 }
 
 /// A piece of advice on one line: cargo shows one line for each `cargo:warning`.
@@ -246,6 +278,18 @@ mod tests {
             assert_eq!(upper_camel_case(name), camel);
             assert!(syn::parse_str::<syn::Ident>(camel).is_ok(), "{camel}");
         }
+    }
+
+    #[test]
+    fn advice_is_one_line() {
+        let advice = |n: usize| vec![Diagnostic::warning("`alpha`: 1.5708 is nearly 90").help("write 90"); n];
+        let line = |n| summary(&advice(n), Path::new("arm.yaml")).unwrap_or_default();
+        assert_eq!(line(0), "");
+        assert_eq!(line(1), "`alpha`: 1.5708 is nearly 90; write 90");
+        assert_eq!(
+            line(5),
+            "`alpha`: 1.5708 is nearly 90; write 90 (and 4 remarks more: `denhart check arm.yaml` shows all)"
+        );
     }
 
     #[test]

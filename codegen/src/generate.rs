@@ -11,7 +11,7 @@ use crate::report::Report;
 use crate::solve::{Plan, Refusal, plan};
 use crate::{ScalarKind, spec, stages};
 use proc_macro2::TokenStream;
-use quote::{ToTokens, quote};
+use quote::ToTokens;
 
 /// What the code is to look like.
 #[derive(Clone)]
@@ -52,9 +52,10 @@ impl Generated {
     ///
     /// # Errors
     /// If the tokens are not a Rust file, which would be a defect of the generator.
+    #[cfg(feature = "file")]
     pub fn to_file(&self) -> Result<String, Errors> {
         let (item, impls) = (&self.item, &self.impls);
-        let file = syn::parse2::<syn::File>(quote!(#item #impls))
+        let file = syn::parse2::<syn::File>(quote::quote!(#item #impls))
             .map_err(|error| Errors::from(Diagnostic::error(format!("the generated code does not parse: {error}"))))?;
         let name = &self.report.name;
         let version = env!("CARGO_PKG_VERSION");
@@ -79,8 +80,9 @@ struct Analyzed {
 }
 
 fn analyze(text: &str, file: &str, bound: &Bound, scalar: ScalarKind) -> Result<Analyzed, Errors> {
-    let (spec, warnings) = spec::read(text, file)?;
+    let (spec, mut warnings) = spec::read(text, file)?;
     let model = model::check(&spec)?;
+    warnings.extend(model::advice(&spec, &model));
     if scalar == ScalarKind::F32
         && let Some(mistake) = Sizes::SINGLE.missed(&spec, &model)
     {
@@ -91,6 +93,7 @@ fn analyze(text: &str, file: &str, bound: &Bound, scalar: ScalarKind) -> Result<
     let chain = Chain::of(&model);
     let geometry = geometry(&model, &chain);
     let inverse = plan(&model, &chain, &geometry);
+    warnings.extend(model.inverse.changed_task(&model.joints, inverse.as_ref().ok().map(|plan| plan.task.task)));
     Ok(Analyzed { model, parameters, chain, geometry, inverse, warnings })
 }
 
@@ -100,6 +103,7 @@ impl Analyzed {
         let refusal = self.inverse.as_ref().err().filter(|_| self.model.inverse.require)?;
         let mistake = Diagnostic::error(format!("no inverse kinematics: {}", refusal.reason));
         let help = "remove `require: true` to generate forward kinematics and Jacobian alone";
+        let help = refusal.hint.as_ref().map_or(help.to_owned(), |hint| format!("{hint};\n{help}"));
         Some(mistake.at(self.model.inverse.at.clone()).help(help))
     }
 

@@ -9,6 +9,7 @@
 //! [`generate`] is what the derive macro, the [`Builder`] of a build script and the command `denhart expand` all call.
 
 mod arm_file;
+#[cfg(feature = "file")]
 mod builder;
 mod emit;
 pub mod error;
@@ -23,9 +24,10 @@ pub mod spec;
 mod stages;
 mod symbolic;
 
-pub use arm_file::{ReadError, read as read_file};
-pub use builder::{BuildError, Builder, UnknownScalar};
-pub use emit::Scalar as ScalarKind;
+pub use arm_file::{ReadError, decode, read as read_file};
+#[cfg(feature = "file")]
+pub use builder::{BuildError, Builder};
+pub use emit::{Scalar as ScalarKind, UnknownScalar};
 pub use error::{Diagnostic, Errors, Location, Severity};
 #[doc(hidden)]
 pub use generate::stages_text;

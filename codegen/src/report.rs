@@ -2,7 +2,7 @@
 
 use crate::error::Diagnostic;
 use crate::model::geometry::{Geometry, Relation, TripleKind};
-use crate::model::{JointKind, Model, Parameter};
+use crate::model::{JointKind, Model, Parameter, Task};
 use crate::settings::{self, plus, short, sum};
 use crate::solve::{Plan, Refusal, describe};
 use crate::symbolic::Cost;
@@ -15,6 +15,8 @@ pub struct Report {
     pub name: String,
     /// Number of moving joints.
     pub dof: usize,
+    /// What the inverse is asked for, with what belongs to it, if there is an inverse.
+    pub task: Option<String>,
     /// The largest number of inverse solutions, if there is an inverse.
     pub max_solutions: Option<usize>,
     /// Why there is no inverse, if there is none.
@@ -67,14 +69,20 @@ impl Report {
                 let most = plan.max_solutions();
                 let plural = if most == 1 { "" } else { "s" };
                 lines.push(format!("inverse (task {}): at most {most} solution{plural}", plan.task.name()));
+                lines.extend(chosen(model, plan).map(|why| format!("  {why}")));
                 lines.extend(angle(plan).map(|angle| format!("  the angle asked for is {angle}")));
                 lines.extend(describe(plan).into_iter().map(|line| format!("  {line}")));
             }
-            Err(refusal) => lines.push(format!("no inverse: {}", refusal.reason)),
+            Err(refusal) => {
+                lines.push(format!("no inverse: {}", refusal.reason));
+                lines.extend(refusal.hint.iter().map(|hint| format!("  {hint}")));
+                lines.push("  `denhart::numeric` solves any arm by iteration, one joint vector at a time".into());
+            }
         }
         Report {
             name: model.name.clone(),
             dof: model.joints.len(),
+            task: inverse.as_ref().ok().map(|plan| plan.task.name()),
             max_solutions: inverse.as_ref().ok().map(Plan::max_solutions),
             refusal: inverse.as_ref().err().map(|refusal| refusal.reason.clone()),
             costs,
@@ -82,6 +90,21 @@ impl Report {
             warnings,
             lines,
         }
+    }
+}
+
+/// Why this is the task of an arm with four or five joints whose file names none, and this the axis that points.
+fn chosen(model: &Model, plan: &Plan) -> Option<String> {
+    let task = plan.task.task.name();
+    match (model.inverse.task, &plan.task.passed_over) {
+        (_, Some(passed_over)) => Some(passed_over.clone()),
+        (None, None) if model.joints.len() == 5 && plan.task.task == Task::PositionAxis => Some(format!(
+            "the file names no task: `{task}` along the tool's z axis, because these five joints have no `pose`"
+        )),
+        (None, None) if matches!(model.joints.len(), 4 | 5) => {
+            Some(format!("the file names no task: `{task}` is the most specific one that the arm can do"))
+        }
+        _ => None,
     }
 }
 

@@ -1,5 +1,6 @@
 //! `#[arm(..)]` as a type. Reading goes on after a mistake, so that all of them are reported together.
 
+use crate::text;
 use denhart_codegen::ScalarKind;
 use quote::ToTokens;
 use syn::meta::ParseNestedMeta;
@@ -22,6 +23,10 @@ pub struct ArmAttribute {
     pub scalar: ScalarKind,
     pub crate_path: Path,
     pub warn: bool,
+    /// Whether the attribute says where the crate is.
+    pub names_crate: bool,
+    /// The environment variables that `env!` asks for.
+    pub environment: Vec<String>,
 }
 
 /// The values as written, each at most once.
@@ -32,6 +37,7 @@ struct Written {
     scalar: Option<LitStr>,
     crate_path: Option<LitStr>,
     warn: bool,
+    environment: Vec<String>,
 }
 
 impl ArmAttribute {
@@ -77,7 +83,7 @@ impl Written {
                 return skip_value(meta);
             }
         };
-        let Some(value) = text(meta, errors)? else { return Ok(()) };
+        let Some(value) = value_of(meta, &mut self.environment, errors)? else { return Ok(()) };
         if slot.is_some() {
             let key = &meta.path;
             errors.push(Error::new_spanned(key, "this key is given twice"));
@@ -107,6 +113,7 @@ impl Written {
         let scalar = self.scalar.map_or(Ok(ScalarKind::F64), |written| {
             ScalarKind::try_from(written.value().as_str()).map_err(|error| Error::new(written.span(), error))
         });
+        let names_crate = self.crate_path.is_some();
         let default_path = || syn::parse_quote!(::denhart);
         let crate_path = self.crate_path.map_or_else(
             || Ok(default_path()),
@@ -121,12 +128,18 @@ impl Written {
             scalar: scalar.map_err(&mut report).unwrap_or(ScalarKind::F64),
             crate_path: crate_path.map_err(&mut report).unwrap_or_else(|()| default_path()),
             warn: self.warn,
+            environment: self.environment,
+            names_crate,
         }
     }
 }
 
 /// The value of a key, a text in quotes; none after a mistake.
-fn text(meta: &ParseNestedMeta<'_>, errors: &mut Vec<Error>) -> Result<Option<LitStr>> {
+fn value_of(
+    meta: &ParseNestedMeta<'_>,
+    environment: &mut Vec<String>,
+    errors: &mut Vec<Error>,
+) -> Result<Option<LitStr>> {
     let value = match meta.value() {
         Ok(value) => value,
         Err(_) => {
@@ -136,14 +149,14 @@ fn text(meta: &ParseNestedMeta<'_>, errors: &mut Vec<Error>) -> Result<Option<Li
             return Ok(None);
         }
     };
-    if value.peek(LitStr) {
-        return value.parse().map(Some);
+    let key = meta.path.to_token_stream().to_string();
+    match text::text(&key, &value.parse()?, environment) {
+        Ok(text) => Ok(Some(text)),
+        Err(error) => {
+            errors.push(error);
+            Ok(None)
+        }
     }
-    let other: syn::Expr = value.parse()?;
-    let written = other.to_token_stream();
-    let help = format!("help: write `{} = \"{written}\"`, in quotes", meta.path.to_token_stream());
-    errors.push(Error::new_spanned(other, format!("not a text\n{help}")));
-    Ok(None)
 }
 
 /// Steps over the value of a key that is not known, to read on behind it.

@@ -10,6 +10,7 @@ use syn::{Data, DeriveInput, Error, LitStr};
 use crate::attribute::{ArmAttribute, Source};
 use crate::fallback::{self, Outline};
 use crate::fields;
+use crate::renamed;
 
 /// What an arm file given as `yaml = "..."` is called in messages.
 const INLINE: &str = "<inline>";
@@ -20,6 +21,9 @@ pub fn expand(input: &DeriveInput, package: Option<&Path>) -> TokenStream {
     let mut errors = Vec::new();
     let attribute = ArmAttribute::read(&input.attrs, &mut errors);
     check_shape(input, &mut errors);
+    if !attribute.names_crate {
+        errors.extend(renamed::mistake(package));
+    }
     let mut outline = Outline::default();
     let arm = attribute.source.as_ref().map(|source| read(source, package)).transpose();
     let arm = arm.map_err(|error| errors.push(error)).unwrap_or(None);
@@ -39,7 +43,11 @@ pub fn expand(input: &DeriveInput, package: Option<&Path>) -> TokenStream {
         _ => fallback::stub(input, &outline, &attribute.crate_path, attribute.scalar),
     };
     let errors = errors.iter().map(Error::to_compile_error);
-    quote! { #(#errors)* #rebuild #impls }
+    // Cargo builds again when these change.
+    let environment = attribute.environment.iter().map(|name| {
+        quote! { const _: ::core::option::Option<&::core::primitive::str> = ::core::option_env!(#name); }
+    });
+    quote! { #(#errors)* #rebuild #(#environment)* #impls }
 }
 
 /// The text of the arm file, its name in messages, and the literal in the attribute that messages point at.

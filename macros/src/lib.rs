@@ -9,9 +9,11 @@ mod attribute;
 mod expand;
 mod fallback;
 mod fields;
+mod renamed;
 mod stub_motors;
 #[cfg(test)]
 mod tests;
+mod text;
 
 /// Implements the kinematics of the arm in `#[arm(..)]` for a struct: `forward`, `link_poses`, `jacobian`,
 /// `forward_and_jacobian`, and `inverse`, `inverse_near` where the arm has a closed form; the constants `DOF`,
@@ -44,7 +46,7 @@ mod tests;
 ///
 /// # `#[arm(..)]`
 /// - `spec = "specs/ur5.yaml"`: the arm file, relative to the directory of the package's `Cargo.toml`. Editing it
-///   rebuilds.
+///   rebuilds. `concat!` and `env!` of texts are read too: `spec = concat!(env!("OUT_DIR"), "/arm.yaml")`.
 /// - `yaml = "..."`: the text of an arm file in its place. Messages call it `<inline>` and count lines inside the
 ///   string.
 /// - `scalar = "f32"`: the number type; `"f64"` if left out.

@@ -56,6 +56,38 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
         }
     }
 
+    /// The same where the task is a point and the direction of an axis: of `vx vy vz` and the two turns across the axis, a
+    /// unit vector in the base frame. A turn about the axis itself is not asked for. With fewer than five joints
+    /// `sqrt(det(J^T J))`.
+    #[must_use]
+    pub fn manipulability_pointing(&self, axis: [T; 3]) -> T {
+        let [vx, vy, vz, wx, wy, wz] = self.rows;
+        let [x, y, z] = axis;
+        // Two unit vectors across: Duff et al. 2017, which never divides by zero.
+        let sign = if z < T::ZERO { -T::ONE } else { T::ONE };
+        let a = -T::ONE / (sign + z);
+        let b = x * y * a;
+        let across = [[T::ONE + sign * x * x * a, sign * b, -sign * x], [b, sign + y * y * a, -y]];
+        let [first, second] = across.map(|[u, v, w]| {
+            let mut row = [T::ZERO; N];
+            for (((entry, x), y), z) in row.iter_mut().zip(&wx).zip(&wy).zip(&wz) {
+                *entry = u * *x + v * *y + w * *z;
+            }
+            row
+        });
+        Self { rows: [vx, vy, vz, first, second, [T::ZERO; N]] }
+            .manipulability_of([true, true, true, true, true, false])
+    }
+
+    /// The same where the task is a point and the sum of the joints by `signs` (0 for joints that do not count): of `vx vy vz`
+    /// and the rate of that angle.
+    #[must_use]
+    pub fn manipulability_turning(&self, signs: [T; N]) -> T {
+        let [vx, vy, vz, ..] = self.rows;
+        let none = [T::ZERO; N];
+        Self { rows: [vx, vy, vz, signs, none, none] }.manipulability_of([true, true, true, true, false, false])
+    }
+
     /// The same Jacobian with lengths measured in `unit`: the linear rows over `unit`.
     ///
     /// With the reach of the arm as the unit, lengths and angles are of one order; what is computed from it then does not
@@ -194,5 +226,29 @@ mod tests {
             assert!(jacobian.manipulability().is_nan());
             assert!(jacobian.manipulability_of(PLANE) > 0.0);
         }
+    }
+
+    /// A turn about the axis that points is not counted, and turns across it are, whichever way it points.
+    #[test]
+    fn pointing_counts_the_turns_across_the_axis() {
+        let o = [0.0; 5];
+        let slides = [[1.0, 0.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0, 0.0]];
+        let (four, five) = ([0.0, 0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 0.0, 1.0]);
+        let [x, y, z] = slides;
+        let about_x_and_y = Jacobian { rows: [x, y, z, four, five, o] };
+        assert_eq!(about_x_and_y.manipulability_pointing([0.0, 0.0, 1.0]), 1.0);
+        assert_eq!(about_x_and_y.manipulability_pointing([0.0, 0.0, -1.0]), 1.0);
+        assert_eq!(about_x_and_y.manipulability_pointing([1.0, 0.0, 0.0]), 0.0);
+        // The turns are along x and y: across a direction tilted by 60 degrees they span cos 60.
+        let tilted = about_x_and_y.manipulability_pointing([0.0, 0.75_f64.sqrt(), 0.5]);
+        assert!((tilted - 0.5).abs() < 1e-15, "{tilted}");
+    }
+
+    #[test]
+    fn turning_counts_the_sum_of_the_joints() {
+        let o = [0.0; 4];
+        let rows = [[2.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], o, o, o];
+        assert_eq!(Jacobian { rows }.manipulability_turning([0.0, 1.0, 1.0, -1.0]), 2.0);
+        assert!(Jacobian { rows }.manipulability_turning([0.0, 1.0, 1.0, 0.0]) < 1e-15);
     }
 }

@@ -113,15 +113,21 @@ impl<T: Scalar, const N: usize> Solution<T, N> {
     /// The solution as text for people: revolute joints in degrees, prismatic ones in the length unit.
     ///
     /// `kinds`: the arm's [`JOINT_KINDS`](crate::Arm::JOINT_KINDS). A precision in the format applies to every joint
-    /// value; the default is 3 decimals for degrees and 6 for lengths.
+    /// value; the default is 3 decimals for degrees and 6 for lengths. [`display_for`](Self::display_for) takes the arm.
     pub fn display<'a>(&'a self, kinds: &'a [JointKind; N]) -> impl fmt::Display + 'a {
-        InDegrees { solution: self, kinds }
+        InDegrees { solution: self, kinds: *kinds }
+    }
+
+    /// The solution as text for people, for the arm that it is of: as [`display`](Self::display) with the arm's kinds of
+    /// joints.
+    pub fn display_for<'a, A: Arm<T, N>>(&'a self, _arm: &A) -> impl fmt::Display + use<'a, A, T, N> {
+        InDegrees { solution: self, kinds: A::JOINT_KINDS }
     }
 }
 
 struct InDegrees<'a, T, const N: usize> {
     solution: &'a Solution<T, N>,
-    kinds: &'a [JointKind; N],
+    kinds: [JointKind; N],
 }
 
 impl<T: Scalar, const N: usize> fmt::Display for InDegrees<'_, T, N> {

@@ -169,7 +169,14 @@ impl<const N: usize> Arm<N> {
     fn manipulability(&self, q: &Joints<N>) {
         let jacobian = self.chain.jacobian(q).unwrap();
         let rows = task_rows(self.name);
-        let matrix = DMatrix::from_fn(rows.len(), N, |row, joint| jacobian[(rows[row], joint)]);
+        let mut matrix = DMatrix::from_fn(rows.len(), N, |row, joint| jacobian[(rows[row], joint)]);
+        if rows == ANGLE_IN_PLANE {
+            // The tool's angle turns about the axis of the pitch joints, which joint 2 is one of.
+            let pitch = jacobian.column(1).rows(3, 3).into_owned();
+            for joint in 0..N {
+                matrix[(3, joint)] = pitch.dot(&jacobian.column(joint).rows(3, 3));
+            }
+        }
         let values = matrix.singular_values();
         let off = ROUNDING * largest(values.iter().copied());
         let expected: f64 = values.iter().product();
@@ -221,6 +228,9 @@ fn extrapolated(f: impl Fn(f64) -> Vec<f64>) -> Vec<f64> {
     table.remove(0)
 }
 
+/// A point, and the turn about the pitch axis in place of the fourth row.
+const ANGLE_IN_PLANE: &[usize] = &[0, 1, 2, 3];
+
 /// The rows of the Jacobian that the task in the arm's file counts.
 fn task_rows(name: &str) -> &'static [usize] {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../specs/{name}.yaml"));
@@ -230,7 +240,8 @@ fn task_rows(name: &str) -> &'static [usize] {
         "position" => &[0, 1, 2],
         "planar_position" => &[0, 1],
         "planar_pose" => &[0, 1, 5],
-        "pose" | "position_angle" | "position_axis" => &[0, 1, 2, 3, 4, 5],
+        "position_angle" => ANGLE_IN_PLANE,
+        "pose" => &[0, 1, 2, 3, 4, 5],
         other => panic!("{name}: task {other}"),
     }
 }

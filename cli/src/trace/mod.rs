@@ -1,21 +1,24 @@
 //! `denhart trace`: a motion law for every joint, sampled to the pose, velocity and acceleration of the tool, as CSV.
 
-pub mod arm;
 mod jet;
 mod law;
+mod limits;
 mod times;
 mod token;
 
 use std::fs::File;
-use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
+use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
+use crate::Failure;
+use crate::arm;
 use clap::{Args, ValueEnum};
 use denhart::{Chain, JointKind, Pose};
 use indicatif::{ProgressBar, ProgressStyle};
 use jet::Jet;
 use law::{Law, LawError};
+use limits::Limits;
 use times::Times;
 
 /// A progress bar appears after this long.
@@ -26,7 +29,7 @@ const BETWEEN_LOOKS: u64 = 512;
 /// What the command takes.
 #[derive(Args)]
 pub struct Options {
-    /// The arm file, YAML
+    /// The arm file, YAML; `-` reads the standard input
     file: PathBuf,
     /// The value of every joint as an expression in the time t (s), separated by commas: "3t, -90 + 3t, 20 sin(pi t)"
     ///
@@ -49,6 +52,9 @@ pub struct Options {
     /// How the orientation of the tool is printed
     #[arg(long, value_name = "FORM", default_value = "rpy")]
     orientation: Orientation,
+    /// End before the first sample with a joint beyond its limits, with exit status 1
+    #[arg(long)]
+    stop_at_limits: bool,
     /// Write to this file instead of the standard output
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -98,34 +104,24 @@ impl Orientation {
     }
 }
 
-/// Why there is no trace.
-pub enum Failure {
-    /// Arguments that make no sense.
-    Usage(String),
-    /// A mistake in the arm file, a law without a value, or no way to write.
-    Other(String),
-    /// Whoever read the output has gone away.
-    NoReader,
-}
-
-impl From<io::Error> for Failure {
-    fn from(error: io::Error) -> Self {
-        if error.kind() == ErrorKind::BrokenPipe {
-            Self::NoReader
-        } else {
-            Self::Other(format!("cannot write: {error}"))
-        }
-    }
-}
-
 /// Writes the trace to `out`, or to the file named in the options.
 pub fn run(options: &Options, out: &mut dyn Write) -> Result<(), Failure> {
     let times = Times::new(options.from, options.to, options.step).map_err(Failure::Usage)?;
     let text = &options.law;
     let laws = law::parse(text).map_err(|error| Failure::Usage(pointed(text, &error)))?;
-    let (chain, names) = arm::read(&options.file).map_err(Failure::Other)?;
+    let arm::Arm { chain, model } = arm::read(&options.file).map_err(Failure::Other)?;
+    let names: Vec<String> = model.joints.iter().map(|joint| joint.name.clone()).collect();
     match_up(text, &laws, &names).map_err(|error| Failure::Usage(pointed(text, &error)))?;
-    let trace = Trace { kinds: chain.kinds(), chain, laws, times, angle: options.units, form: options.orientation };
+    let trace = Trace {
+        kinds: chain.kinds(),
+        limits: Limits::of(&model),
+        stops: options.stop_at_limits,
+        chain,
+        laws,
+        times,
+        angle: options.units,
+        form: options.orientation,
+    };
     match &options.output {
         None => trace.write(out, !io::stdout().is_terminal()),
         Some(path) => {
@@ -164,6 +160,9 @@ fn pointed(text: &str, error: &LawError) -> String {
 struct Trace {
     chain: Chain,
     kinds: Vec<JointKind>,
+    limits: Limits,
+    /// Whether the trace ends where a limit is broken.
+    stops: bool,
     laws: Vec<Law>,
     times: Times,
     angle: Angle,
@@ -175,14 +174,19 @@ impl Trace {
     fn write(&self, out: &mut dyn Write, may_show: bool) -> Result<(), Failure> {
         let joints = (1..=self.kinds.len()).map(|joint| format!("q{joint}"));
         let pose = ["x", "y", "z"].iter().chain(self.form.header());
-        let motion = ["vx", "vy", "vz", "wx", "wy", "wz", "ax", "ay", "az", "dwx", "dwy", "dwz"];
+        let motion = ["vx", "vy", "vz", "wx", "wy", "wz", "ax", "ay", "az", "dwx", "dwy", "dwz", "out_of_limits"];
         let names = pose.chain(&motion).map(|name| (*name).to_owned());
         let header: Vec<String> = ["t".to_owned()].into_iter().chain(joints).chain(names).collect();
         writeln!(out, "{}", header.join(","))?;
 
         let mut progress = Progress::new(self.times.count(), may_show);
         for index in 0..self.times.count() {
-            let row: Vec<String> = self.sample(self.times.at(index))?.into_iter().map(printed).collect();
+            let row = self.sample(self.times.at(index))?;
+            if let Some(message) = row.broken {
+                out.flush()?;
+                return Err(Failure::Other(message));
+            }
+            let row: Vec<String> = row.values.into_iter().map(printed).collect();
             writeln!(out, "{}", row.join(","))?;
             progress.look(index);
         }
@@ -191,7 +195,7 @@ impl Trace {
     }
 
     /// One row.
-    fn sample(&self, t: f64) -> Result<Vec<f64>, Failure> {
+    fn sample(&self, t: f64) -> Result<Sample, Failure> {
         let mut values = Vec::with_capacity(self.laws.len());
         for (law, kind) in self.laws.iter().zip(&self.kinds) {
             let jet = law.at(t);
@@ -217,8 +221,18 @@ impl Trace {
         row.extend(velocity.angular.map(|w| w / angle));
         row.extend(acceleration.linear);
         row.extend(acceleration.angular.map(|w| w / angle));
-        Ok(row)
+        row.push(self.limits.broken(&q));
+        let broken = self.limits.first(&q).filter(|_| self.stops);
+        let broken = broken.map(|broken| format!("at t = {t} {broken}"));
+        Ok(Sample { values: row, broken })
     }
+}
+
+/// A row of the output.
+struct Sample {
+    values: Vec<f64>,
+    /// Which limit is broken, where the trace is to end there.
+    broken: Option<String>,
 }
 
 /// Which of value, rate and its derivative is missing.

@@ -5,8 +5,8 @@ use super::inverse::{Inverse as InverseCode, inverse};
 use super::margins::margins;
 use super::tokens::integer;
 use super::{Target, actuator, combined_limits, coupling, docs, kinematics, motion, parameters, paths, tables};
+use crate::model::Model;
 use crate::model::chain::Chain;
-use crate::model::{Model, Task};
 use crate::solve::{Plan, Refusal};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -30,17 +30,15 @@ pub fn item(arm: &Arm, target: &Target) -> TokenStream {
 }
 
 fn type_doc(arm: &Arm) -> String {
-    let mut text = format!("The arm `{}`: {} moving joints.\n", arm.model.name, arm.model.joints.len());
-    if let Some(source) = &arm.model.source {
-        text += "\n";
-        for line in source.lines() {
-            text += &format!("{}\n", line.trim());
-        }
-    }
-    if let Err(refusal) = arm.inverse {
-        text += &format!("\nNo inverse kinematics: {}.\n", refusal.reason);
-    }
-    text
+    format!("The arm `{}`: {} moving joints.\n", arm.model.name, arm.model.joints.len())
+}
+
+/// The head comment of the file, and why there is no inverse if there is none: what the documentation of the type shows
+/// from every door.
+fn impl_doc(arm: &Arm) -> String {
+    let comment = arm.model.source.iter().map(|source| docs::escaped(source));
+    let refusal = arm.inverse.as_ref().err().map(|refusal| format!("No inverse kinematics: {}.", refusal.reason));
+    comment.chain(refusal).collect::<Vec<String>>().join("\n\n")
 }
 
 /// All impls, wrapped so that their constants have names of their own.
@@ -67,14 +65,11 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     let associated = tables::associated(model, target);
     let motors = [combined_limits::constant(model, target), linked.methods, actuator::methods(model, target)];
     let bound = parameters::methods(model, target);
-    let task = motion::task(model, arm.inverse);
-    let arm_trait = arm_trait(model, task, target);
+    let counted = motion::counted(model, arm.inverse);
+    let arm_trait = arm_trait(model, &counted, target);
     let functions = functions.tokens;
-    let motion = motion::methods(model, task, target);
-    let doc = match arm.inverse {
-        Ok(_) => TokenStream::new(),
-        Err(refusal) => docs::lines(&format!("No inverse kinematics: {}.", refusal.reason)),
-    };
+    let motion = motion::methods(model, &counted, target);
+    let doc = docs::lines(&impl_doc(arm));
     let body = quote! {
         #dimensions
         #items
@@ -113,10 +108,10 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     }
 }
 
-fn arm_trait(model: &Model, task: Option<Task>, target: &Target) -> TokenStream {
+fn arm_trait(model: &Model, counted: &motion::Counted, target: &Target) -> TokenStream {
     let (krate, scalar, name, n) =
         (&target.krate, target.scalar.tokens(), &target.type_name, integer(model.joints.len()));
-    let motion = motion::trait_methods(model, task, target);
+    let motion = motion::trait_methods(model, counted, target);
     quote! {
         #[automatically_derived]
         impl #krate::Arm<#scalar, #n> for #name {
@@ -132,6 +127,7 @@ fn refused(model: &Model, refusal: &Refusal, target: &Target) -> InverseCode {
     let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
     // What it returns lets the rest of the call type-check: the message is the only error.
     let none = quote!(#krate::Solutions<#scalar, #n, 1>);
+    let note = refusal.hint.clone().unwrap_or_else(|| "`denhart::numeric` solves any arm by iteration".to_owned());
     let message = format!("`{name}` has no inverse kinematics: {}", refusal.reason);
     let takes_value = model.inverse.redundant.is_some() || model.inverse.arm_angle;
     let given = takes_value.then(|| quote!(, _given: #scalar));
@@ -140,7 +136,11 @@ fn refused(model: &Model, refusal: &Refusal, target: &Target) -> InverseCode {
     InverseCode {
         items: quote! {
             /// Implemented by nothing: its message says why there is no inverse.
-            #[diagnostic::on_unimplemented(message = #message, label = "this arm has no inverse kinematics")]
+            #[diagnostic::on_unimplemented(
+                message = #message,
+                label = "this arm has no inverse kinematics",
+                note = #note
+            )]
             pub trait #solvable {}
         },
         function: TokenStream::new(),

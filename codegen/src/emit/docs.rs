@@ -39,6 +39,47 @@ pub fn lines(text: &str) -> TokenStream {
     quote!(#(#lines)*)
 }
 
+/// Text of a user as Markdown that shows it as it is: no links of `[mm]`, no code to be tested, no HTML. Addresses become
+/// links. Code in backticks stays.
+pub fn escaped(text: &str) -> String {
+    text.lines().map(escaped_line).collect::<Vec<String>>().join("\n")
+}
+
+fn escaped_line(line: &str) -> String {
+    let line = line.trim();
+    // A fence would begin a block of code; a backtick without its pair, a span that ends anywhere.
+    let fence = line.starts_with("```") || line.starts_with("~~~");
+    let paired = line.matches('`').count().is_multiple_of(2) && !fence;
+    let mut out = String::new();
+    let mut code = false;
+    for word in line.split_inclusive(' ') {
+        let bare = word.trim_end();
+        let opened = bare.trim_start_matches(['(', '<', '[']);
+        let address = ["http://", "https://"].iter().any(|start| opened.starts_with(start)) && !code;
+        if address {
+            let before = bare.strip_suffix(opened).unwrap_or_default();
+            out.extend(before.chars().map(|c| if c == '(' { c.to_string() } else { format!("\\{c}") }));
+            let (word, bare) = (word.strip_prefix(before).unwrap_or(word), opened);
+            let end = bare.trim_end_matches(['.', ',', ';', ':', ')', ']', '>']);
+            let rest = word.strip_prefix(end).unwrap_or_default();
+            out += &format!("<{end}>");
+            out.extend(rest.chars().map(|c| if matches!(c, '>' | ']') { format!("\\{c}") } else { c.to_string() }));
+            continue;
+        }
+        for c in word.chars() {
+            if c == '`' && paired {
+                code = !code;
+            }
+            let special = matches!(c, '[' | ']' | '<' | '>' | '*' | '\\') || (matches!(c, '`' | '~') && !paired);
+            if special && !code {
+                out.push('\\');
+            }
+            out.push(c);
+        }
+    }
+    out
+}
+
 /// What the joint vector holds.
 pub fn joints(model: &Model) -> String {
     let n = model.joints.len();
@@ -94,4 +135,27 @@ pub fn link_poses(model: &Model, operations: &Cost) -> String {
         "Poses of the {n} links in the base frame: link i after joint i, with the fixed rows that follow it; the last \
          without the tool.\n\n{joints} Rotations are dimensionless, positions in {unit}.\n{cost}"
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::escaped;
+
+    #[test]
+    fn a_comment_is_shown_as_it_is() {
+        for (comment, shown) in [
+            ("Lengths [mm], see <drawing>.", "Lengths \\[mm\\], see \\<drawing\\>."),
+            ("```", "\\`\\`\\`"),
+            ("~~~rust", "\\~\\~\\~rust"),
+            ("`a[0]` is 2 * l2", "`a[0]` is 2 \\* l2"),
+            ("an odd ` alone", "an odd \\` alone"),
+            ("(https://denhart.example/a_b).", "(<https://denhart.example/a_b>)."),
+            ("from https://denhart.example/a_b, page 3", "from <https://denhart.example/a_b>, page 3"),
+            ("a\\b", "a\\\\b"),
+            ("kuka_kr6_r700, 90 deg", "kuka_kr6_r700, 90 deg"),
+        ] {
+            assert_eq!(escaped(comment), shown);
+        }
+        assert_eq!(escaped("one\n\n[two]"), "one\n\n\\[two\\]");
+    }
 }

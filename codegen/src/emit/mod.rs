@@ -11,6 +11,7 @@ mod inverse;
 mod inverse_frame;
 mod kernel;
 mod kinematics;
+#[cfg(feature = "file")]
 mod legend;
 mod margins;
 mod motion;
@@ -22,11 +23,13 @@ mod tokens;
 mod worked_out;
 
 pub use arm::{Arm, impls, item};
+#[cfg(feature = "file")]
 pub use legend::legend;
 pub(crate) use tokens::Writer;
 
 use proc_macro2::TokenStream;
 use quote::quote;
+use std::fmt;
 
 /// The scalar type of the generated code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -44,6 +47,32 @@ impl Scalar {
         match self {
             Scalar::F64 => quote!(f64),
             Scalar::F32 => quote!(f32),
+        }
+    }
+}
+
+/// A name of a number type that is neither `f64` nor `f32`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UnknownScalar {
+    written: String,
+}
+
+impl fmt::Display for UnknownScalar {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "unknown scalar `{}`\nhelp: write `f64` or `f32`", self.written)
+    }
+}
+
+impl std::error::Error for UnknownScalar {}
+
+impl TryFrom<&str> for Scalar {
+    type Error = UnknownScalar;
+
+    fn try_from(name: &str) -> Result<Self, Self::Error> {
+        match name {
+            "f64" => Ok(Self::F64),
+            "f32" => Ok(Self::F32),
+            _ => Err(UnknownScalar { written: name.to_owned() }),
         }
     }
 }

@@ -1,22 +1,56 @@
 //! What follows from pose and Jacobian: thin methods on the runtime's functions.
 
 use super::arm::Inverse;
-use super::tokens::integer;
+use super::tokens::{integer, number};
 use super::{Target, docs};
-use crate::model::{Model, Task};
+use crate::model::{Axis, Model, Task};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The task that the arm is for: the one of its inverse, else the one its file names.
-pub fn task(model: &Model, inverse: &Inverse) -> Option<Task> {
-    inverse.as_ref().ok().map(|plan| plan.task.task).or(model.inverse.task)
+/// What the arm's task counts of the tool's motion.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Counted {
+    /// All six rows of the Jacobian.
+    All,
+    /// Some of the rows `vx vy vz wx wy wz`, and their names.
+    Rows([bool; 6], &'static str),
+    /// The point, and the turns across the tool's axis with this column.
+    Axis(usize),
+    /// The point, and the sum of the joints by these signs.
+    Angle(Vec<f64>),
+}
+
+/// What is counted by the task that the arm is for: the one of its inverse, else the one its file names.
+pub fn counted(model: &Model, inverse: &Inverse) -> Counted {
+    let plan = inverse.as_ref().ok();
+    match plan.map(|plan| plan.task.task).or(model.inverse.task) {
+        Some(Task::Position) => Counted::Rows([true, true, true, false, false, false], "`vx vy vz` of the Jacobian"),
+        Some(Task::PlanarPosition) => {
+            Counted::Rows([true, true, false, false, false, false], "`vx vy` of the Jacobian")
+        }
+        Some(Task::PlanarPose) => Counted::Rows([true, true, false, false, false, true], "`vx vy wz` of the Jacobian"),
+        Some(Task::PositionAxis) => {
+            let axis = plan.map(|plan| plan.task.axis).or(model.inverse.axis).unwrap_or(Axis::Z);
+            Counted::Axis(match axis {
+                Axis::X => 0,
+                Axis::Y => 1,
+                Axis::Z => 2,
+            })
+        }
+        // Without a plan the signs are not known.
+        Some(Task::PositionAngle) => match plan.and_then(|plan| plan.task.angle.as_ref()) {
+            Some((signs, _)) => Counted::Angle(signs.clone()),
+            None => Counted::All,
+        },
+        Some(Task::Pose) | None => Counted::All,
+    }
 }
 
 /// Velocities, accelerations, the Jacobian's other forms and the manipulability, as methods.
-pub fn methods(model: &Model, task: Option<Task>, target: &Target) -> TokenStream {
+pub fn methods(model: &Model, counted: &Counted, target: &Target) -> TokenStream {
     let (krate, t, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
     let unit = model.length_unit.symbol();
-    let manipulability = manipulability(model, task, target);
+    let manipulability = manipulability(model, counted, target);
     quote! {
         /// `velocity`, `acceleration`, `jacobian_dot`, `jacobian_tool`, `link_velocities`, `link_accelerations`.
         #krate::motion_methods!(#t, #n, #unit);
@@ -24,41 +58,44 @@ pub fn methods(model: &Model, task: Option<Task>, target: &Target) -> TokenStrea
     }
 }
 
-/// The rows `vx vy vz wx wy wz` that the arm's task counts, where those are some of the six, and their names.
-fn counts(task: Option<Task>) -> Option<([bool; 6], &'static str)> {
-    match task {
-        Some(Task::Position) => Some(([true, true, true, false, false, false], "`vx vy vz`")),
-        Some(Task::PlanarPosition) => Some(([true, true, false, false, false, false], "`vx vy`")),
-        Some(Task::PlanarPose) => Some(([true, true, false, false, false, true], "`vx vy wz`")),
-        _ => None,
-    }
-}
-
-fn manipulability(model: &Model, task: Option<Task>, target: &Target) -> TokenStream {
+fn manipulability(model: &Model, counted: &Counted, target: &Target) -> TokenStream {
     let (t, n) = (target.scalar.tokens(), integer(model.joints.len()));
-    let (rows, call) = match counts(task) {
-        Some((counts, rows)) => (rows, quote!(manipulability_of([#(#counts),*]))),
-        None => ("all six rows", quote!(manipulability())),
+    let (count, rows, value) = match counted {
+        Counted::All => (6, "all six rows of the Jacobian", quote!(self.jacobian(q).manipulability())),
+        Counted::Rows(counts, rows) => {
+            let value = quote!(self.jacobian(q).manipulability_of([#(#counts),*]));
+            (counts.iter().filter(|counts| **counts).count(), *rows, value)
+        }
+        Counted::Axis(column) => {
+            let column = integer(*column);
+            let value = quote! {
+                let (pose, jacobian) = self.forward_and_jacobian(q);
+                jacobian.manipulability_pointing(pose.rotation.map(|row| row[#column]))
+            };
+            (5, "`vx vy vz` of the Jacobian and the two turns across the tool's axis", value)
+        }
+        Counted::Angle(signs) => {
+            let signs = signs.iter().map(|sign| number(*sign));
+            let value = quote!(self.jacobian(q).manipulability_turning([#(#signs),*]));
+            (4, "`vx vy vz` of the Jacobian and the rate of the tool's angle in its plane", value)
+        }
     };
-    let rows_counted = counts(task).map_or(6, |(counts, _)| counts.iter().filter(|counts| **counts).count());
-    let of = if rows_counted > model.joints.len() { "J^T J" } else { "J J^T" };
+    let of = if count > model.joints.len() { "J^T J" } else { "J J^T" };
     let unit = model.length_unit.symbol();
-    let doc = docs::lines(&format!(
-        "Yoshikawa's manipulability `sqrt(det({of}))`, J: {rows} of the Jacobian, lengths in {unit}."
-    ));
+    let doc = docs::lines(&format!("Yoshikawa's manipulability `sqrt(det({of}))`, J: {rows}, lengths in {unit}."));
     quote! {
         #doc
         #[must_use]
         pub fn manipulability(&self, q: &[#t; #n]) -> #t {
-            self.jacobian(q).#call
+            #value
         }
     }
 }
 
 /// What the trait's defaults do not give.
-pub fn trait_methods(model: &Model, task: Option<Task>, target: &Target) -> TokenStream {
+pub fn trait_methods(model: &Model, counted: &Counted, target: &Target) -> TokenStream {
     let (name, t, n) = (&target.type_name, target.scalar.tokens(), integer(model.joints.len()));
-    if counts(task).is_none() {
+    if *counted == Counted::All {
         return TokenStream::new();
     }
     quote! {

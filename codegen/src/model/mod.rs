@@ -8,6 +8,7 @@ mod combined_limits;
 mod coupling;
 pub mod geometry;
 mod joint_names;
+mod looks;
 pub mod numeric;
 mod parameter;
 mod rational;
@@ -21,6 +22,7 @@ pub use angle::Angle;
 pub use check::check;
 pub use combined_limits::CombinedLimit;
 pub use coupling::Coupling;
+pub use looks::advice;
 pub use parameter::{Bound, Parameter};
 pub use reach::{Sizes, beside_rows, strokes};
 

@@ -17,6 +17,8 @@ pub struct PlanTask {
     pub angle: Option<(Vec<f64>, Angle)>,
     /// Whether the target has more equations than the arm joints.
     pub overdetermined: bool,
+    /// Why an axis before this one is not the one that points, where the file names none.
+    pub passed_over: Option<String>,
     /// The arm angle is given.
     pub swivel: Option<SwivelFacts>,
 }

@@ -1,13 +1,16 @@
 //! Why an arm has no inverse, in words a user can act on.
 
 use crate::model::geometry::Geometry;
-use crate::model::{LengthUnit, Model, Task};
+use crate::model::numeric::{cross, length};
+use crate::model::{JointKind, Model, Task};
 
 /// The reason, one sentence without a period at its end.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Refusal {
     /// The sentence.
     pub reason: String,
+    /// What to look at in the file, where something in it is probably meant otherwise.
+    pub hint: Option<String>,
 }
 
 impl Refusal {
@@ -21,7 +24,7 @@ impl Refusal {
     }
 
     pub(super) fn new(reason: impl Into<String>) -> Self {
-        Refusal { reason: reason.into() }
+        Refusal { reason: reason.into(), hint: None }
     }
 }
 
@@ -38,7 +41,9 @@ fn needs(task: Option<Task>) -> usize {
 
 /// Whether the arm has one joint more than its task needs, and the file does not name it.
 pub(super) fn is_one_more(model: &Model, task: Option<Task>) -> bool {
-    model.joints.len() == needs(task) + 1 && model.inverse.redundant.is_none()
+    // The angle of `position_angle` is the sum of all joints but one: none of them can be given.
+    let takes_one = task != Some(Task::PositionAngle);
+    takes_one && model.joints.len() == needs(task) + 1 && model.inverse.redundant.is_none()
 }
 
 /// One joint more than the task needs, and none whose value could be given.
@@ -70,9 +75,17 @@ pub(super) fn not_covered(model: &Model, task: Option<Task>) -> Refusal {
 pub(super) fn no_triple(model: &Model, geometry: &Geometry) -> Refusal {
     let closest = geometry.misses.iter().min_by(|a, b| a.1.total_cmp(&b.1));
     let mut reason = "no three consecutive axes meet or are parallel".to_string();
-    if let Some((first, miss)) = closest {
-        let (length, unit) = readable(*miss, model.length_unit);
-        reason += &format!("; closest: axes {}, {}, {} miss by {length} {unit}", first + 1, first + 2, first + 3);
+    let named = |first: usize| format!("axes {}, {}, {}", first + 1, first + 2, first + 3);
+    let nearly = nearly_parallel(model, geometry);
+    match (nearly, closest) {
+        (Some((first, angle)), _) => {
+            reason += &format!("; {} are parallel but for {} deg", named(first), rounded(angle.to_degrees()));
+        }
+        (None, Some((first, miss))) => {
+            let unit = model.length_unit.symbol();
+            reason += &format!("; closest: {} miss by {} {unit}", named(*first), rounded(*miss));
+        }
+        (None, None) => {}
     }
     if !model.parameters.is_empty() {
         let names: Vec<&str> = model.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
@@ -81,14 +94,42 @@ pub(super) fn no_triple(model: &Model, geometry: &Geometry) -> Refusal {
     Refusal::new(reason)
 }
 
-/// A length in millimeters for metric files, in the file's unit otherwise.
-fn readable(length: f64, unit: LengthUnit) -> (String, &'static str) {
-    let (value, unit) = match unit {
-        LengthUnit::Meter => (length * 1000.0, "mm"),
-        LengthUnit::Centimeter => (length * 10.0, "mm"),
-        LengthUnit::Millimeter => (length, "mm"),
-        LengthUnit::Inch => (length, "in"),
-    };
-    let text = if value >= 0.05 { format!("{value:.1}") } else { format!("{value:.2e}") };
-    (text, unit)
+/// Axes that are off by less than this, rad, were meant to be parallel.
+const NEARLY: f64 = 0.02;
+
+/// Three turning joints in a row whose axes are nearly parallel: the first of them, and the largest angle between two
+/// neighbors, rad.
+fn nearly_parallel(model: &Model, geometry: &Geometry) -> Option<(usize, f64)> {
+    let turns = |first: usize| model.joints.iter().skip(first).take(3).all(|joint| joint.kind == JointKind::Revolute);
+    let triples = geometry.axes.windows(3).enumerate().filter(|(first, _)| turns(*first));
+    let angles = triples.filter_map(|(first, axes)| {
+        let [a, b, c] = axes else { return None };
+        let sine = |u: [f64; 3], v: [f64; 3]| length(cross(u, v));
+        let most = sine(a.direction, b.direction).max(sine(b.direction, c.direction));
+        (most < NEARLY).then(|| (first, most.asin()))
+    });
+    angles.min_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+/// Three significant digits.
+fn rounded(value: f64) -> String {
+    let digits = 2 - value.abs().log10().floor().clamp(-12.0, 2.0) as i32;
+    let text = format!("{value:.*}", usize::try_from(digits).unwrap_or(0));
+    if value.abs() < 1e-4 { format!("{value:.1e}") } else { trimmed(&text) }
+}
+
+/// Without zeros at the end of its decimals.
+fn trimmed(text: &str) -> String {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rounded;
+
+    #[test]
+    fn three_digits() {
+        let texts = [0.3, 57.04, 0.0758, 150.0, 1000.0, 0.02, 1.5e-7].map(rounded);
+        assert_eq!(texts, ["0.3", "57", "0.0758", "150", "1000", "0.02", "1.5e-7"]);
+    }
 }

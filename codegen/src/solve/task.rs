@@ -5,8 +5,8 @@ use super::plan::Plan;
 use super::problem::{Problem, Slot};
 use super::{Refusal, cheapest, few, rank, refusal, solve, swivel};
 use crate::model::chain::Chain;
-use crate::model::geometry::{Geometry, Triple, TripleKind};
-use crate::model::{Angle, Axis, Model, Task};
+use crate::model::geometry::{self, Geometry, Triple, TripleKind};
+use crate::model::{Angle, Axis, Convention, Model, Task};
 use crate::symbolic::{Graph, Rigid, transpose};
 
 /// The plan for what the file asks, or for the most specific task the arm can do.
@@ -33,12 +33,18 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, R
             for task in most_specific_first(&problem) {
                 match attempt(task, model, geometry, &problem) {
                     Ok(plan) => return Ok(plan),
+                    // A whole pose is more than most arms of five joints can do: what they lack is told of the next task.
+                    Err(_) if task == Task::Pose && problem.slots.len() == 5 => {}
                     Err(refusal) => failure = failure.or(Some(refusal)),
                 }
             }
             failure.unwrap_or_else(|| refusal::not_covered(model, None))
         }
     };
+    // Another task would hide what is wrong with the table.
+    if let Some(hint) = other_convention(model) {
+        return Err(Refusal { hint: Some(hint), ..failed });
+    }
     let alternatives = alternatives(model, chain, geometry);
     if alternatives.is_empty() && refusal::is_one_more(model, request.task) {
         return Err(refusal::none_to_spare(model, request.task));
@@ -46,11 +52,33 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, R
     Err(failed.or_else(alternatives))
 }
 
+/// What to look at in a table that has what is asked for if its rows are read by the other convention.
+fn other_convention(model: &Model) -> Option<String> {
+    let convention = match model.convention {
+        Convention::Standard => Convention::Modified,
+        Convention::Modified => Convention::Standard,
+    };
+    let other = Model { convention, ..model.clone() };
+    let chain = Chain::of(&other);
+    let geometry = geometry::geometry(&other, &chain);
+    let problem = Problem::new(&other, &chain, geometry.reach, model.inverse.redundant);
+    let tasks = model.inverse.task.map_or_else(|| most_specific_first(&problem), |task| vec![task]);
+    let solved = tasks.into_iter().find(|task| attempt(*task, &other, &geometry, &problem).is_ok())?;
+    let name = match convention {
+        Convention::Standard => "standard",
+        Convention::Modified => "modified",
+    };
+    Some(format!(
+        "read as `convention: {name}` the table has an inverse (task {}): look which frames its rows belong to",
+        solved.name()
+    ))
+}
+
 /// The tasks that an arm of so many joints may have.
 fn most_specific_first(problem: &Problem) -> Vec<Task> {
     match problem.slots.len() {
         6 => vec![Task::Pose],
-        5 => vec![Task::PositionAxis, Task::Pose],
+        5 => vec![Task::Pose, Task::PositionAxis],
         4 => vec![Task::PositionAngle, Task::Pose],
         3 if problem.is_planar() => vec![Task::PlanarPose],
         3 => vec![Task::Position],
@@ -142,7 +170,8 @@ fn stroke_last(mut problem: Problem) -> Result<Problem, Refusal> {
 }
 
 fn plan_task(task: Task, problem: &Problem) -> PlanTask {
-    PlanTask { task, locked: problem.locked.clone(), axis: Axis::Z, angle: None, overdetermined: false, swivel: None }
+    let locked = problem.locked.clone();
+    PlanTask { task, locked, axis: Axis::Z, angle: None, overdetermined: false, passed_over: None, swivel: None }
 }
 
 fn pose(model: &Model, geometry: &Geometry, problem: Problem) -> Result<Plan, Refusal> {
@@ -168,10 +197,11 @@ fn position(mut problem: Problem) -> Result<Plan, Refusal> {
 /// A point and the direction of a tool axis: one virtual joint about that axis.
 fn position_axis(axis: Option<Axis>, problem: Problem) -> Result<Plan, Refusal> {
     let wanted = axis.map_or(vec![Axis::Z, Axis::X, Axis::Y], |axis| vec![axis]);
-    let mut failure = None;
+    let mut failure: Option<Refusal> = None;
     for axis in wanted {
         let mut problem = problem.clone();
-        let task = PlanTask { axis, ..plan_task(Task::PositionAxis, &problem) };
+        let passed_over = failure.as_ref().map(|refusal| format!("axis z cannot be asked for: {}", refusal.reason));
+        let task = PlanTask { axis, passed_over, ..plan_task(Task::PositionAxis, &problem) };
         let before = onto_z(&mut problem.g, axis);
         problem.append(Slot::virtual_turn(1), before, Rigid::identity());
         match cheapest(&problem, &task) {

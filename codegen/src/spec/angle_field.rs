@@ -155,7 +155,19 @@ fn looks_rounded(angle: WrittenAngle) -> Option<i64> {
         WrittenAngle::Radians(_) => (pi_times(twelfths, 12.0), LOOKS_ROUNDED),
         _ => (15.0 * twelfths, LOOKS_ROUNDED.to_degrees()),
     };
-    (value != exact && (value - exact).abs() <= near).then_some(twelfths as i64)
+    let off = (value - exact).abs();
+    (value != exact && off <= near && off <= last_digit(value)).then_some(twelfths as i64)
+}
+
+/// One in the last digit of the number as it is written: what rounding or cutting it off may have changed. A value that
+/// is further off was measured.
+fn last_digit(value: f64) -> f64 {
+    let text = format!("{value:e}");
+    let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    let decimals = digits.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let exponent = exponent.parse::<i32>().unwrap_or(0) - i32::try_from(decimals).unwrap_or(0);
+    // Written in binary, the difference has rounding of its own.
+    10_f64.powi(exponent) * (1.0 + 1e-9) + 4.0 * f64::EPSILON * value.abs()
 }
 
 /// `k * pi / 12` in lowest terms.
@@ -202,6 +214,10 @@ mod tests {
         assert_eq!(looks_rounded(WrittenAngle::Radians(1.571)), None);
         assert_eq!(looks_rounded(WrittenAngle::Degrees(89.9999)), Some(6));
         assert_eq!(looks_rounded(WrittenAngle::Degrees(1e-9)), Some(0));
+        // Measured: further off than rounding.
+        for degrees in [0.004, 90.0021, -89.9973] {
+            assert_eq!(looks_rounded(WrittenAngle::Degrees(degrees)), None, "{degrees}");
+        }
         for degrees in [0.0, 15.0, 90.0, -720.0, 59.98, 55.0, 1.0, 29.43, -37.74] {
             assert_eq!(looks_rounded(WrittenAngle::Degrees(degrees)), None, "{degrees}");
         }

@@ -1,17 +1,99 @@
 //! What people write for a number or an angle where the file takes only the number.
 
 use super::angle::WrittenAngle;
+use super::yaml::Node;
 
 /// What to write for a text in the place of a number.
 pub fn number(text: &str) -> Option<String> {
     let text = text.trim();
-    typed(text).or_else(|| with_unit(text))
+    typed(text).or_else(|| with_unit(text)).or_else(|| sum(text))
 }
 
 /// What to write for a text in the place of an angle.
 pub fn angle(text: &str) -> Option<String> {
     let text = text.trim();
-    typed(text).or_else(|| with_variable(text))
+    typed(text).or_else(|| with_variable(text)).or_else(|| sum(text))
+}
+
+/// What to write for a list of `found` entries in the place of one of `wanted`: `[-60, 0,5]` as `[-60, 0.5]`.
+pub fn list(written: &str, found: usize, wanted: usize) -> Option<String> {
+    let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+    let chars: Vec<char> = written.chars().collect();
+    // A comma between two digits, without a space.
+    let is_decimal = |at: usize| {
+        chars.get(at) == Some(&',') && at > 0 && digit(chars.get(at - 1).copied()) && digit(chars.get(at + 1).copied())
+    };
+    let commas = (0..chars.len()).filter(|at| is_decimal(*at)).count();
+    if commas == 0 || found != wanted + commas {
+        return None;
+    }
+    let pointed: String = chars.iter().enumerate().map(|(at, c)| if is_decimal(at) { '.' } else { *c }).collect();
+    Some(format!("write {pointed}, with a decimal point"))
+}
+
+/// What to write for a key that other tools have.
+pub fn key(name: &str, known: &[&str]) -> Option<String> {
+    let row = known.contains(&"theta") && known.contains(&"alpha");
+    let lower = name.to_lowercase();
+    let help = match lower.as_str() {
+        "offset" if row => {
+            "write the offset as `theta` (of a sliding joint as `d`): the joint's own value is added to it"
+        }
+        "r" if row => "write the link length as `a`",
+        "q" if row => "leave it out: the joint's own value is added to `theta`, of a sliding joint to `d`",
+        "min" | "max" | "lower" | "upper" | "range" | "qlim" if row => "write `limits: [lowest, highest]`",
+        "sigma" | "kind" | "jointtype" | "joint_type" if row => "write `type: revolute`, `prismatic` or `fixed`",
+        "dh" | "links" | "rows" | "table" | "dh_parameters" if known.contains(&"joints") => {
+            "write the rows of the table under `joints`"
+        }
+        "matrix" | "rotation" | "quaternion" if known.contains(&"rpy") => {
+            "write the frame as `{xyz: [x, y, z], rpy: [roll, pitch, yaw]}`, R = Rz(yaw) Ry(pitch) Rx(roll)"
+        }
+        "position" | "translation" if known.contains(&"xyz") => "write it as `xyz`",
+        "orientation" | "euler" if known.contains(&"rpy") => "write it as `rpy`, R = Rz(yaw) Ry(pitch) Rx(roll)",
+        _ => return None,
+    };
+    Some(help.to_owned())
+}
+
+/// What to write for a list in the place of a mapping with `known` keys: a row of a table, a matrix.
+pub fn mapping(written: &str, node: &Node, known: &[&str]) -> Option<String> {
+    let Node::List(entries) = node else { return None };
+    if known.contains(&"rpy") {
+        return Some(
+            "write the frame as `{xyz: [x, y, z], rpy: [roll, pitch, yaw]}`, R = Rz(yaw) Ry(pitch) Rx(roll)".to_owned(),
+        );
+    }
+    let row = known.contains(&"theta") && entries.len() == 4;
+    let inside = written.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'))?;
+    let words: Vec<&str> = inside.split(',').map(str::trim).collect();
+    match words[..] {
+        [a, alpha, d, theta] if row => Some(format!(
+            "name each value: `{{a: {a}, alpha: {alpha}, d: {d}, theta: {theta}}}` if they stand in this order"
+        )),
+        _ => None,
+    }
+}
+
+/// A sum, difference, product or quotient of two numbers: its value.
+fn sum(text: &str) -> Option<String> {
+    let at = text.char_indices().skip(1).find(|(at, c)| {
+        let before = text.get(..*at).and_then(|before| before.chars().next_back());
+        matches!(c, '+' | '-' | '*' | '/') && !matches!(before, Some('e' | 'E'))
+    });
+    let (at, operator) = at?;
+    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|value| value.is_finite());
+    let (a, b) = (number(text.get(..at)?)?, number(text.get(at + 1..)?)?);
+    let value = match operator {
+        '+' => a + b,
+        '-' => a - b,
+        '*' => a * b,
+        _ => a / b,
+    };
+    // The decimals of the operands say where the rounding of the sum begins.
+    let shown = format!("{value:.12}");
+    let shown = shown.trim_end_matches('0').trim_end_matches('.');
+    value.is_finite().then(|| format!("write {shown}: a number is not computed"))
 }
 
 /// A number in other characters than the keyboard's.
@@ -30,9 +112,9 @@ fn with_unit(text: &str) -> Option<String> {
     })
 }
 
-/// A joint's variable with the constant that it is added to by itself: `q2 - 90`, `90 + q2`, `q2`.
+/// A joint's variable with the constant that it is added to by itself: `q2 - 90`, `90 + q2`, `theta1`.
 fn with_variable(text: &str) -> Option<String> {
-    let start = text.find(['q', 'Q'])?;
+    let start = text.find("theta").or_else(|| text.find('\u{3b8}')).or_else(|| text.find(['q', 'Q']))?;
     let (before, joint) = text.split_at_checked(start)?;
     let end = joint.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(joint.len());
     let (_, after) = joint.split_at_checked(end)?;
@@ -59,7 +141,8 @@ fn with_point(text: &str) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{angle, number};
+    use super::super::yaml::Node;
+    use super::{angle, key, list, mapping, number};
 
     #[test]
     fn the_number_that_is_meant() {
@@ -72,10 +155,51 @@ mod tests {
     }
 
     #[test]
-    fn the_constant_that_is_meant() {
-        for (text, constant) in
-            [("q2 - 90", "-90"), ("90 + q2", "90"), ("q2+pi/2", "pi/2"), ("q1", "0"), ("q_2 - 90 deg", "-90deg")]
+    fn sums_are_computed_for_the_reader() {
+        for (text, value) in
+            [("0.1+0.3", "0.4"), ("0.4 - 0.1", "0.3"), ("2*3", "6"), ("1/4", "0.25"), ("1e-3+1", "1.001")]
         {
+            assert_eq!(number(text), Some(format!("write {value}: a number is not computed")), "{text}");
+        }
+        assert_eq!(angle("90+45").as_deref(), Some("write 135: a number is not computed"));
+        for text in ["1/0", "-5", "a+b", "1e-5"] {
+            assert_eq!(number(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn decimal_commas_in_lists_are_points() {
+        let point = |text: &str| Some(format!("write {text}, with a decimal point"));
+        assert_eq!(list("[-60, 0,5]", 3, 2), point("[-60, 0.5]"));
+        assert_eq!(list("[-1,5, 0,5]", 4, 2), point("[-1.5, 0.5]"));
+        assert_eq!(list("[1,2]", 2, 2), None);
+        assert_eq!(list("[1, 2, 3]", 3, 2), None);
+    }
+
+    #[test]
+    fn keys_and_forms_of_other_tools() {
+        let row = ["type", "name", "a", "alpha", "d", "theta", "limits", "actuator"];
+        assert!(key("offset", &row).is_some_and(|help| help.contains("`theta`")));
+        assert!(key("offset", &["matrix"]).is_none());
+        assert!(key("matrix", &["xyz", "rpy"]).is_some_and(|help| help.contains("rpy: [roll")));
+        let list = |n: usize| Node::List(vec![Node::Number(0.0); n]);
+        let help = mapping("[0, 90, 0.4, 0]", &list(4), &row);
+        assert!(help.is_some_and(|help| help.contains("`{a: 0, alpha: 90, d: 0.4, theta: 0}`")));
+        assert!(mapping("[0, 1]", &list(2), &row).is_none());
+        assert!(mapping("[[1]]", &list(4), &["xyz", "rpy"]).is_some_and(|help| help.contains("xyz: [x, y, z]")));
+    }
+
+    #[test]
+    fn the_constant_that_is_meant() {
+        for (text, constant) in [
+            ("q2 - 90", "-90"),
+            ("90 + q2", "90"),
+            ("q2+pi/2", "pi/2"),
+            ("q1", "0"),
+            ("theta1", "0"),
+            ("theta2 - 90", "-90"),
+            ("q_2 - 90 deg", "-90deg"),
+        ] {
             let help = angle(text);
             assert!(
                 help.as_ref().is_some_and(|help| help.contains(&format!("alone, {constant}:"))),

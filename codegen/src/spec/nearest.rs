@@ -5,8 +5,14 @@ pub fn nearest<'a>(found: &str, known: impl IntoIterator<Item = &'a str>) -> Opt
     let found = found.to_lowercase();
     let (distance, word) =
         known.into_iter().map(|word| (distance(&found, &word.to_lowercase()), word)).min_by_key(|pair| pair.0)?;
-    // One mistake in a short word, two in five letters of a longer one; a word with nothing in common is no advice.
     let letters = word.chars().count().max(found.chars().count());
+    // Another number is another joint, not a slip.
+    let number =
+        |word: &str| word.strip_prefix('q').is_some_and(|n| !n.is_empty() && n.chars().all(|c| c.is_ascii_digit()));
+    if number(word) && number(&found) && word != found {
+        return None;
+    }
+    // One mistake in a short word, two in five letters of a longer one; a word with nothing in common is no advice.
     (distance <= (letters * 2 / 5).max(1) && distance < letters).then_some(word)
 }
 
@@ -54,6 +60,8 @@ mod tests {
         assert_eq!(nearest("tehta", row), Some("theta"));
         assert_eq!(nearest("color", row), None);
         assert_eq!(nearest("x", row), None);
+        assert_eq!(nearest("A", row), Some("a"));
+        assert_eq!(nearest("q7", ["q1", "q2"]), None);
         assert_eq!(nearest("x", []), None);
     }
 }

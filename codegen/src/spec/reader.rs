@@ -64,7 +64,8 @@ impl<'s> Reader<'s> {
     /// A mapping whose keys are all among `known`. `what` names it in messages ("a joint row").
     pub fn mapping<'n>(&mut self, field: &Field<'n>, what: &str, known: &[&'static str]) -> Option<Fields<'n>> {
         let Node::Mapping(entries) = field.node else {
-            self.unexpected(field, &format!("a mapping with {}", known.join(", ")), None);
+            let help = meant::mapping(&self.source.written(&field.place), field.node, known);
+            self.unexpected(field, &format!("a mapping with {}", known.join(", ")), help);
             return None;
         };
         let mut fields = Fields { entries: Vec::new(), meant: Vec::new(), place: field.place.clone() };
@@ -101,6 +102,12 @@ impl<'s> Reader<'s> {
                 let (word, rest) =
                     name.split_once(':').map_or((name.as_str(), None), |(word, rest)| (word, Some(rest)));
                 let meant = nearest(word, known.iter().copied());
+                let hint = if meant.is_none() { meant::key(name, known) } else { None };
+                if let Some(hint) = hint {
+                    let mistake = self.source.mistake(&at_key, format!("unknown key `{name}` in {what}"));
+                    self.mistakes.push(mistake.help(hint));
+                    continue;
+                }
                 let advice = match (meant, rest) {
                     (Some(word), None) => format!("did you mean `{word}`? "),
                     // `a:1` is one word in YAML.
@@ -152,7 +159,9 @@ impl<'s> Reader<'s> {
         if found.is_none() {
             let lower = text.trim().to_lowercase();
             let synonym = synonyms.iter().find(|(other, _)| *other == lower).map(|&(_, word)| word);
-            let meant = synonym.or_else(|| nearest(&lower, words));
+            // Of two letters one is half the word: `km` is not `mm`. Nor is `grad` a slip of `rad`.
+            let near = nearest(&lower, words).filter(|word| *word == lower || (lower.len() > 2 && lower != "grad"));
+            let meant = synonym.or(near);
             self.unexpected(field, &expected, meant.map(|word| format!("did you mean `{word}`?")));
         }
         found
@@ -222,6 +231,8 @@ impl<'s> Reader<'s> {
         if entries.is_none() {
             let entries = if found == 1 { "entry" } else { "entries" };
             let message = format!("`{}`: expected {expected}, found a list of {found} {entries}", field.key);
+            let pointed = meant::list(&self.source.written(&field.place), found, N);
+            let help = pointed.unwrap_or_else(|| help.to_owned());
             self.mistakes.push(self.source.mistake(&field.place, message).help(help));
         }
         entries

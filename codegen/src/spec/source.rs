@@ -15,6 +15,8 @@ pub struct Source {
 impl Source {
     /// The text of the file of that name.
     pub fn new(file: &str, text: &str) -> Self {
+        // A byte order mark is no part of the text.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         Self { file: file.to_owned(), text: text.to_owned() }
     }
 
@@ -33,7 +35,6 @@ impl Source {
     pub fn leading_comment(&self) -> Option<String> {
         let lines: Vec<&str> = self
             .text
-            .trim_start_matches('\u{feff}')
             .lines()
             .map(str::trim)
             .take_while(|line| line.is_empty() || line.starts_with('#') || *line == "---")

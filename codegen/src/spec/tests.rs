@@ -110,6 +110,16 @@ fn parameters() {
 }
 
 #[test]
+fn a_unit_is_no_slip_of_another() {
+    let of = |units: &str| mistakes(&arm(ROW, "").replace("{length: m, angle: deg}", units));
+    for units in ["{length: km, angle: deg}", "{length: m, angle: grad}"] {
+        let found = of(units).join("\n");
+        assert!(found.contains("expected one of") && !found.contains("did you mean"), "{found}");
+    }
+    assert!(of("{length: MM, angle: degrees}").join("\n").contains("did you mean `mm`?"));
+}
+
+#[test]
 fn mistakes_of_parameters() {
     let more = |row: &str, parameters: &str| mistakes(&arm(row, &format!("parameters: {parameters}\n")));
     let of_a = |a: &str| more(&format!("{{a: {a}, alpha: 0, d: 0, theta: 0}}"), "{l2: 1, l3: 2}");

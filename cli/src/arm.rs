@@ -1,20 +1,56 @@
 //! The arm of a file as a chain that is computed at run time.
 
 use std::env;
+use std::io::Read;
 use std::path::Path;
 
 use denhart::{Chain, Convention, DhFrame, DhRow, JointKind};
 use denhart_codegen::model::{self, Frame, Length, Model, RowKind};
 use denhart_codegen::spec;
 
-/// The chain of the arm file, with the names of the joints.
-pub fn read(file: &Path) -> Result<(Chain, Vec<String>), String> {
+/// What the standard input is called in messages.
+const STANDARD_INPUT: &str = "<stdin>";
+
+/// An arm file, checked.
+pub struct Arm {
+    pub chain: Chain,
+    pub model: Model,
+}
+
+/// The text of an arm file and its name for messages; `-` is the standard input.
+///
+/// # Errors
+/// The message.
+pub fn text(file: &Path) -> Result<(String, String), String> {
+    if file.as_os_str() == "-" {
+        let mut bytes = Vec::new();
+        let read = std::io::stdin().read_to_end(&mut bytes);
+        read.map_err(|error| format!("cannot read the standard input: {error}"))?;
+        let text = denhart_codegen::decode(bytes, "the standard input").map_err(|error| error.to_string())?;
+        return Ok((text, STANDARD_INPUT.to_owned()));
+    }
     let here = env::current_dir().map_err(|error| error.to_string())?;
     let text = denhart_codegen::read_file(&here, file).map_err(|error| error.to_string())?;
-    let (spec, _) = spec::read(&text, &file.display().to_string()).map_err(|errors| errors.to_string())?;
+    Ok((text, file.display().to_string()))
+}
+
+/// The arm of the file, or the mistakes in it.
+///
+/// # Errors
+/// The message.
+pub fn read(file: &Path) -> Result<Arm, String> {
+    let (text, name) = text(file)?;
+    of_text(&text, &name)
+}
+
+/// The same of the text of an arm file; `file` is its name for messages.
+///
+/// # Errors
+/// The message.
+pub fn of_text(text: &str, file: &str) -> Result<Arm, String> {
+    let (spec, _) = spec::read(text, file).map_err(|errors| errors.to_string())?;
     let model = model::check(&spec).map_err(|errors| errors.to_string())?;
-    let names = model.joints.iter().map(|joint| joint.name.clone()).collect();
-    Ok((chain(&model), names))
+    Ok(Arm { chain: chain(&model), model })
 }
 
 /// The chain of a checked arm.

@@ -1,0 +1,215 @@
+//! `denhart check`: what the generator found in arm files, or the mistakes in them.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use denhart::{JointKind, Pose};
+use denhart_codegen::{Diagnostic, Report, Severity};
+use serde_json::{Value, json};
+
+use crate::arm::{self, Arm};
+use crate::home::{Home, home};
+
+/// What the command takes.
+#[derive(Args)]
+pub struct Options {
+    /// The arm files, YAML; `-` reads the standard input
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+    /// Warnings count as mistakes: exit status 1
+    #[arg(long)]
+    strict: bool,
+    /// Print an array with an object for each file: what was found, and all messages with their places
+    #[arg(long)]
+    json: bool,
+}
+
+/// What is known of one file.
+struct Checked {
+    file: String,
+    /// None where there are mistakes.
+    found: Option<Box<Found>>,
+    /// Mistakes and warnings.
+    messages: Vec<Diagnostic>,
+    /// Why the file could not be read.
+    unread: Option<String>,
+}
+
+struct Found {
+    report: Report,
+    arm: Arm,
+    home: Option<Home>,
+}
+
+/// Checks all files; whether nothing was wrong.
+///
+/// # Errors
+/// No way to print.
+pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> std::io::Result<bool> {
+    let checked: Vec<Checked> = options.files.iter().map(|file| check(file)).collect();
+    let failed = |checked: &Checked| {
+        let counts = |message: &Diagnostic| options.strict || message.severity == Severity::Error;
+        checked.unread.is_some() || checked.messages.iter().any(counts)
+    };
+    if options.json {
+        let all: Vec<Value> = checked.iter().map(Checked::json).collect();
+        serde_json::to_writer_pretty(&mut *out, &all)?;
+        writeln!(out)?;
+    } else {
+        for (index, checked) in checked.iter().enumerate() {
+            let text = checked.text();
+            let text = text.trim_end();
+            if index > 0 {
+                writeln!(out)?;
+            }
+            // Whoever reads a pipe that is closed has gone away; the messages still count.
+            if failed(checked) { writeln!(err, "error: {text}")? } else { writeln!(out, "{text}")? }
+        }
+        let warned: usize = checked.iter().map(|checked| checked.messages.len()).sum();
+        let only_warned = checked.iter().all(|checked| checked.found.is_some()) && options.strict && warned > 0;
+        if only_warned {
+            let warnings = if warned == 1 { "1 warning" } else { &format!("{warned} warnings") };
+            writeln!(err, "\nerror: {warnings}, with --strict a mistake")?;
+        }
+    }
+    out.flush()?;
+    Ok(!checked.iter().any(failed))
+}
+
+fn check(file: &Path) -> Checked {
+    let name = file.display().to_string();
+    let (text, name) = match arm::text(file) {
+        Ok(read) => read,
+        Err(message) => return Checked { file: name, found: None, messages: Vec::new(), unread: Some(message) },
+    };
+    match denhart_codegen::check(&text, &name) {
+        Err(errors) => Checked { file: name, found: None, messages: errors.iter().cloned().collect(), unread: None },
+        Ok(report) => {
+            let messages = report.warnings.iter().chain(&report.lacking).cloned().collect();
+            let found = arm::of_text(&text, &name).ok().map(|arm| {
+                let home = home(&arm);
+                Box::new(Found { report, arm, home })
+            });
+            Checked { file: name, found, messages, unread: None }
+        }
+    }
+}
+
+impl Checked {
+    fn text(&self) -> String {
+        let found = self.found.iter().map(|found| format!("{}\n{}", found.report.to_string().trim_end(), found.home()));
+        let messages = self.messages.iter().map(ToString::to_string);
+        found.chain(messages).chain(self.unread.clone()).collect::<Vec<String>>().join("\n\n")
+    }
+
+    fn json(&self) -> Value {
+        let mut messages: Vec<Value> = self.messages.iter().map(message).collect();
+        messages.extend(self.unread.iter().map(|text| json!({"severity": "error", "message": text})));
+        let mut value = json!({"file": self.file, "messages": messages});
+        if let (Some(found), Some(object)) = (&self.found, value.as_object_mut()) {
+            object.extend(found.json());
+        }
+        value
+    }
+}
+
+fn message(message: &Diagnostic) -> Value {
+    let severity = match message.severity {
+        Severity::Error => "error",
+        Severity::Warning => "warning",
+    };
+    let mut value = json!({"severity": severity, "message": message.message});
+    if let Some(object) = value.as_object_mut() {
+        if let Some(at) = &message.at {
+            object.insert("line".to_owned(), json!(at.line));
+            object.insert("column".to_owned(), json!(at.column));
+            object.insert("end_column".to_owned(), json!(at.column + at.width));
+        }
+        if let Some(help) = &message.help {
+            object.insert("help".to_owned(), json!(help));
+        }
+    }
+    value
+}
+
+/// Millionths of the arm's size and of a degree are below what a drawing shows.
+fn shown(value: f64) -> String {
+    let rounded = (value * 1e6).round() / 1e6;
+    format!("{}", rounded + 0.0)
+}
+
+fn list(values: &[f64]) -> String {
+    values.iter().map(|value| shown(*value)).collect::<Vec<_>>().join(", ")
+}
+
+impl Found {
+    /// The lines on the arm at zero.
+    fn home(&self) -> String {
+        let Some(home) = &self.home else { return String::new() };
+        let unit = self.arm.model.length_unit.symbol();
+        let mut lines = vec![format!("at q = 0, in the base frame ({unit}, deg):")];
+        for (joint, origin) in self.arm.model.joints.iter().zip(&home.origins) {
+            lines.push(format!("  link of {}: origin {}", joint.name, list(origin)));
+        }
+        lines.push(format!(
+            "  tool: position {}, roll pitch yaw {}",
+            list(&home.tool.translation),
+            list(&rpy(&home.tool))
+        ));
+        if !home.outside.is_empty() {
+            lines.push(format!("  the limits leave 0 out of {}", home.outside.join(", ")));
+        }
+        match home.farthest {
+            Some(farthest) => {
+                lines.push(format!("reach: the tool gets {} {unit} away from the base's origin", shown(farthest)))
+            }
+            None => lines.push("reach: without end, a sliding joint has no limit".to_owned()),
+        }
+        lines.join("\n")
+    }
+
+    fn json(&self) -> serde_json::Map<String, Value> {
+        let Self { report, arm, home } = self;
+        let model = &arm.model;
+        let kind = |kind: &JointKind| if *kind == JointKind::Revolute { "revolute" } else { "prismatic" };
+        let end = |value: f64| if value.is_finite() { json!(value) } else { Value::Null };
+        let joints: Vec<Value> = model
+            .joints
+            .iter()
+            .zip(arm.chain.kinds())
+            .map(|(joint, its)| {
+                let limits = joint.limits.map(|ends| ends.map(end));
+                json!({"name": joint.name, "type": kind(&its), "limits": limits})
+            })
+            .collect();
+        let [forward, jacobian, both] = report.costs.map(|cost| {
+            json!({"additions": cost.additions, "multiplications": cost.multiplications, "sin_cos": cost.sin_cos})
+        });
+        let mut object = serde_json::Map::new();
+        let mut put = |key: &str, value: Value| object.insert(key.to_owned(), value);
+        put("name", json!(report.name));
+        put("length_unit", json!(model.length_unit.symbol()));
+        put("joints", json!(joints));
+        put("operations", json!({"forward": forward, "jacobian": jacobian, "forward_and_jacobian": both}));
+        put(
+            "inverse",
+            report
+                .task
+                .as_ref()
+                .map_or(Value::Null, |task| json!({"task": task, "max_solutions": report.max_solutions})),
+        );
+        put("no_inverse", json!(report.refusal));
+        if let Some(home) = home {
+            let tool =
+                json!({"position": home.tool.translation, "rpy_deg": rpy(&home.tool), "rotation": home.tool.rotation});
+            put("home", json!({"tool": tool, "origins": home.origins, "outside_limits": home.outside}));
+            put("reach", json!(home.farthest));
+        }
+        object
+    }
+}
+
+fn rpy(pose: &Pose<f64>) -> [f64; 3] {
+    pose.rpy().angles.map(f64::to_degrees)
+}

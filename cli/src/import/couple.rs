@@ -1,0 +1,242 @@
+//! Which joint drives which: the mimic joints of a URDF as the `coupling` of an arm file.
+//!
+//! A motor is a joint that mimics none. The values of the table's joints are `w = M u + c` of the motors' values u.
+//! Joints on one line of which one mimics are one row of the table, whose value is their sum. An arm file says
+//! `u = A w + b`, so M has to be square and invertible.
+
+use super::axes::{Axes, Axis, axes};
+use super::path::Path;
+use super::rigid::{ROUNDING, cross, dot, length, sub};
+use super::urdf::{Joint, Kind, Robot};
+
+/// A motor: a joint of the URDF with a value of its own.
+#[derive(Debug, Clone)]
+pub struct Motor {
+    pub name: String,
+    pub turns: bool,
+    pub limits: Option<[f64; 2]>,
+}
+
+/// The axes of the table and what moves them; axis i is named after motor i.
+#[derive(Debug, Clone)]
+pub struct Drive {
+    pub axes: Axes,
+    pub motors: Vec<Motor>,
+    /// `w = matrix u + constant`
+    pub matrix: Vec<Vec<f64>>,
+    pub constant: Vec<f64>,
+    /// Per axis, the joints of the URDF that it is the sum of.
+    pub sums: Vec<Vec<String>>,
+    /// The joints' own ranges. A sum has none.
+    pub limits: Vec<Option<[f64; 2]>>,
+}
+
+/// A joint's value as `multiplier * motor + offset`.
+#[derive(Debug, Clone)]
+struct Law {
+    motor: String,
+    multiplier: f64,
+    offset: f64,
+}
+
+/// One axis, or several on one line: the values of its joints with their signs.
+struct Group {
+    axis: Axis,
+    terms: Vec<(String, f64, Law)>,
+}
+
+/// The value of a joint under values of the motors.
+pub fn value(robot: &Robot, joint: &Joint, motor: &dyn Fn(&str) -> f64) -> f64 {
+    match law(robot, joint) {
+        Ok(Law { motor: name, multiplier, offset }) => multiplier * motor(&name) + offset,
+        Err(_) => f64::NAN,
+    }
+}
+
+/// What moves a joint. A mimic of a mimic follows the last one.
+fn law(robot: &Robot, joint: &Joint) -> Result<Law, String> {
+    let (mut at, mut multiplier, mut offset) = (joint, 1.0, 0.0);
+    for _ in 0..=robot.joints.len() {
+        let Some(mimic) = &at.mimic else { return Ok(Law { motor: at.name.clone(), multiplier, offset }) };
+        offset += multiplier * mimic.offset;
+        multiplier *= mimic.multiplier;
+        at = robot
+            .joints
+            .iter()
+            .find(|other| other.name == mimic.joint)
+            .ok_or_else(|| format!("joint `{}` mimics `{}`, which is no joint", at.name, mimic.joint))?;
+    }
+    Err(format!("joint `{}` mimics itself by way of others", joint.name))
+}
+
+/// The drive of a path.
+///
+/// # Errors
+/// Joints whose motion no `coupling` can say.
+pub fn drive(robot: &Robot, path: &Path) -> Result<Drive, String> {
+    for passed in &path.joints {
+        law(robot, passed.joint)?;
+    }
+    // A multiplier of 0: the joint stands still.
+    let held = |joint: &Joint| law(robot, joint).ok().filter(|law| law.multiplier == 0.0).map(|law| law.offset);
+    let Axes { axes: lines, tool } = axes(path, &held);
+    let joint_of = |name: &str| robot.joints.iter().find(|joint| joint.name == name);
+    let mut groups: Vec<Group> = Vec::new();
+    let size = lines.iter().map(|axis| length(axis.point)).fold(length(tool.p), f64::max);
+    for axis in lines {
+        let Some(joint) = joint_of(&axis.name) else { continue };
+        let law = law(robot, joint)?;
+        let mimics = |name: &str| joint_of(name).is_some_and(|joint| joint.mimic.is_some());
+        match groups.last_mut() {
+            Some(group)
+                if same_line(&group.axis, &axis, size)
+                    && (mimics(&axis.name) || group.terms.iter().any(|(name, ..)| mimics(name))) =>
+            {
+                let sign = dot(group.axis.direction, axis.direction).signum();
+                group.terms.push((axis.name, sign, law));
+            }
+            _ => groups.push(Group { terms: vec![(axis.name.clone(), 1.0, law)], axis }),
+        }
+    }
+    let motors = motors(robot, &groups)?;
+    let entry = |group: &Group, motor: &Motor| -> f64 {
+        group
+            .terms
+            .iter()
+            .filter(|(_, _, law)| law.motor == motor.name)
+            .map(|(_, sign, law)| sign * law.multiplier)
+            .sum()
+    };
+    let matrix = groups.iter().map(|group| motors.iter().map(|motor| entry(group, motor)).collect()).collect();
+    let constant = groups.iter().map(|g| g.terms.iter().map(|(_, sign, law)| sign * law.offset).sum()).collect();
+    let sums = groups.iter().map(|group| group.terms.iter().map(|(name, ..)| name.clone()).collect()).collect();
+    let single = |group: &Group| group.axis.limits.filter(|_| group.terms.len() == 1);
+    let limits = groups.iter().map(single).collect();
+    let axes = groups.into_iter().zip(&motors).map(|(group, motor)| Axis { name: motor.name.clone(), ..group.axis });
+    let axes = Axes { axes: axes.collect(), tool };
+    Ok(Drive { axes, motors, matrix, constant, sums, limits })
+}
+
+fn same_line(one: &Axis, other: &Axis, size: f64) -> bool {
+    let parallel = length(cross(one.direction, other.direction)) < ROUNDING;
+    let apart = cross(sub(other.point, one.point), one.direction);
+    one.turns == other.turns && parallel && (!one.turns || length(apart) <= ROUNDING * size.max(1.0))
+}
+
+/// One motor a row: of a joint in it that mimics none, else the one that its joints mimic.
+fn motors(robot: &Robot, groups: &[Group]) -> Result<Vec<Motor>, String> {
+    let mut motors: Vec<Motor> = Vec::new();
+    let own =
+        |group: &Group| group.terms.iter().find(|(name, _, law)| *name == law.motor).map(|(name, ..)| name.clone());
+    let owned: Vec<Option<String>> = groups.iter().map(own).collect();
+    for (group, own) in groups.iter().zip(&owned) {
+        let free = |name: &String| !owned.contains(&Some(name.clone())) && !motors.iter().any(|m| m.name == *name);
+        let name =
+            own.clone().or_else(|| group.terms.iter().map(|(_, _, law)| law.motor.clone()).find(|name| free(name)));
+        let first = group.terms.first();
+        let Some(name) = name else {
+            let (joint, motor) =
+                first.map_or((String::new(), String::new()), |(name, _, law)| (name.clone(), law.motor.clone()));
+            return Err(format!(
+                "joint `{joint}` moves with `{motor}`, which also moves an axis of its own in this chain: \
+                 two rows of one motor, which no `coupling` can say\n\
+                 help: end the chain before it with --tool, or begin it after `{motor}` with --base"
+            ));
+        };
+        let Some(joint) = robot.joints.iter().find(|joint| joint.name == name) else { continue };
+        if (joint.kind == Kind::Turning) != group.axis.turns {
+            return Err(format!("joint `{}` mimics `{name}`: one turns, the other slides", group.axis.name));
+        }
+        motors.push(Motor { name, turns: group.axis.turns, limits: joint.limits });
+    }
+    // What a row takes of a motor that slides where it turns has no place in an arm file.
+    for group in groups {
+        for (name, _, law) in &group.terms {
+            let motor = motors.iter().find(|motor| motor.name == law.motor);
+            match motor {
+                Some(motor) if motor.turns == group.axis.turns => {}
+                Some(motor) => {
+                    return Err(format!("joint `{name}` mimics `{}`: one turns, the other slides", motor.name));
+                }
+                None => {
+                    return Err(format!(
+                        "joint `{name}` follows `{}`, which is not in this chain, beside another joint on the same line\n\
+                         help: name other links with --base and --tool",
+                        law.motor
+                    ));
+                }
+            }
+        }
+    }
+    Ok(motors)
+}
+
+impl Drive {
+    /// Whether every joint is its own motor.
+    pub fn is_plain(&self) -> bool {
+        let unit =
+            |(i, row): (usize, &Vec<f64>)| row.iter().enumerate().all(|(j, x)| *x == f64::from(u8::from(i == j)));
+        self.matrix.iter().enumerate().all(unit) && self.constant.iter().all(|x| *x == 0.0)
+    }
+
+    /// The table's joint values at values of the motors.
+    pub fn joints(&self, motors: &[f64]) -> Vec<f64> {
+        let of =
+            |(row, constant): (&Vec<f64>, &f64)| constant + row.iter().zip(motors).map(|(a, u)| a * u).sum::<f64>();
+        self.matrix.iter().zip(&self.constant).map(of).collect()
+    }
+
+    /// `A` and `b` of `u = A w + b`.
+    ///
+    /// # Errors
+    /// Motors that the joints' values do not determine.
+    pub fn coupling(&self) -> Result<(Vec<Vec<f64>>, Vec<f64>), String> {
+        let names = || self.motors.iter().map(|motor| motor.name.as_str()).collect::<Vec<_>>().join(", ");
+        let inverse = invert(&self.matrix).ok_or_else(|| {
+            format!("the joints do not determine their motors {}: some move together\nhelp: name other links with --base and --tool", names())
+        })?;
+        let offset = inverse.iter().map(|row| 0.0 - row.iter().zip(&self.constant).map(|(a, c)| a * c).sum::<f64>());
+        let offset = offset.collect();
+        Ok((inverse, offset))
+    }
+}
+
+/// Gauss and Jordan with the largest pivot of each column.
+fn invert(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
+    let n = matrix.len();
+    let unit = |i: usize| (0..n).map(move |j| f64::from(u8::from(i == j)));
+    let mut rows: Vec<Vec<f64>> =
+        matrix.iter().enumerate().map(|(i, row)| row.iter().copied().chain(unit(i)).collect()).collect();
+    for column in 0..n {
+        let size = |row: &Vec<f64>| row.get(column).copied().unwrap_or(0.0).abs();
+        let pivot = (column..n).max_by(|a, b| {
+            let of = |index: &usize| rows.get(*index).map_or(0.0, size);
+            of(a).total_cmp(&of(b))
+        })?;
+        rows.swap(column, pivot);
+        let pivot = rows.get(column).cloned()?;
+        let by = pivot.get(column).copied().filter(|by| by.abs() > 1e-9)?;
+        let pivot = pivot.iter().map(|x| x / by).collect::<Vec<f64>>();
+        for (index, row) in rows.iter_mut().enumerate() {
+            let factor = row.get(column).copied()?;
+            if index == column {
+                row.clone_from(&pivot);
+            } else if factor != 0.0 {
+                row.iter_mut().zip(&pivot).for_each(|(x, p)| *x -= factor * p);
+            }
+        }
+    }
+    Some(rows.into_iter().map(|row| row.into_iter().skip(n).collect()).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::invert;
+
+    #[test]
+    fn inverses_and_singular_matrices() {
+        assert_eq!(invert(&[vec![1.0, 0.0], vec![-1.0, 1.0]]), Some(vec![vec![1.0, 0.0], vec![1.0, 1.0]]));
+        assert_eq!(invert(&[vec![0.0, 2.0], vec![-0.5, 0.0]]), Some(vec![vec![0.0, -2.0], vec![0.5, 0.0]]));
+        assert_eq!(invert(&[vec![1.0, 1.0], vec![1.0, 1.0]]), None);
+    }
+}

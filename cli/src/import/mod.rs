@@ -1,0 +1,259 @@
+//! `denhart import`: an arm file from a serial chain of a URDF, which proves itself against the URDF.
+//!
+//! The URDF at its zero gives a line for each joint (`axes`), these give the table (`table`), the mimic joints the
+//! coupling (`couple`). Nothing of this is in the proof (`proof`), which multiplies the joints' origins and motions.
+
+mod axes;
+mod couple;
+mod number;
+mod path;
+mod proof;
+mod rigid;
+mod table;
+mod urdf;
+mod write;
+
+use std::f64::consts::PI;
+use std::fs;
+use std::io::{Read, Write};
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::arm;
+use axes::{Change, exact, exact_origin};
+use path::Path;
+use proof::{CONFIGURATIONS, Difference, compare, of_chain};
+use rigid::{Rigid, V, exact_degrees};
+use table::{Table, table};
+use urdf::Robot;
+
+/// What the poses of file and URDF may differ by, m and rad.
+const MOST: f64 = 1e-9;
+/// An angle this near to a multiple of 15 degrees, rad, that is not made exact is remarked.
+const LOOKS_ROUNDED: f64 = 1e-4;
+
+/// What the command takes.
+#[derive(Args)]
+pub struct Options {
+    /// The URDF; `-` reads the standard input
+    file: PathBuf,
+    /// First link of the chain [default: the root of the URDF]
+    #[arg(long, value_name = "LINK")]
+    base: Option<String>,
+    /// Last link of the chain [default: the end of the one with the most moving joints]
+    #[arg(long, value_name = "LINK")]
+    tool: Option<String>,
+    /// Angles that are this near to a multiple of 15 degrees, rad, are taken as that multiple
+    #[arg(long, value_name = "RAD", default_value_t = 1e-6)]
+    exact_within: f64,
+    /// Write to this file instead of the standard output
+    #[arg(long, short, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+/// Writes the arm file, and to `err` what was found on the way.
+///
+/// # Errors
+/// The message: a file that is no URDF, a chain that no arm file can say, a difference above 1e-9.
+pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), String> {
+    if !(0.0..=1e-2).contains(&options.exact_within) {
+        return Err("--exact-within: expected 0 to 1e-2 rad".to_owned());
+    }
+    let text = if options.file.as_os_str() == "-" {
+        let mut text = String::new();
+        std::io::stdin()
+            .read_to_string(&mut text)
+            .map_err(|error| format!("cannot read the standard input: {error}"))?;
+        text
+    } else {
+        fs::read_to_string(&options.file)
+            .map_err(|error| format!("cannot read `{}`: {error}", options.file.display()))?
+    };
+    let named = options.file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let from = if named == "-" { "the standard input".to_owned() } else { named };
+    let imported = import(&text, &from, options).map_err(|message| format!("{}: {message}", options.file.display()))?;
+    // A remark that nobody reads takes nothing from the file.
+    for remark in &imported.remarks {
+        let _ = writeln!(err, "{remark}");
+    }
+    match &options.output {
+        Some(path) => {
+            fs::write(path, &imported.text).map_err(|error| format!("cannot write `{}`: {error}", path.display()))
+        }
+        None => match out.write_all(imported.text.as_bytes()).and_then(|()| out.flush()) {
+            Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(format!("cannot print: {error}")),
+            _ => Ok(()),
+        },
+    }
+}
+
+/// An arm file and what there is to say about it.
+struct Imported {
+    text: String,
+    remarks: Vec<String>,
+}
+
+fn import(text: &str, from: &str, options: &Options) -> Result<Imported, String> {
+    let within = options.exact_within;
+    let written = urdf::read(text)?;
+    let path = path::find(&written, options.base.as_deref(), options.tool.as_deref())?;
+    let mut changes = Vec::new();
+    let rounded = Robot { joints: written.joints.clone(), ..written.clone() };
+    let on_path = |name: &str| path.joints.iter().any(|passed| passed.joint.name == name);
+    let joints = rounded.joints.iter().map(|joint| match on_path(&joint.name) {
+        true => exact_origin(joint, within, &mut changes),
+        false => joint.clone(),
+    });
+    let exact_robot = Robot { joints: joints.collect(), ..rounded.clone() };
+    let exact_path = path::find(&exact_robot, Some(&path.base), Some(&path.tool))?;
+    let drive = couple::drive(&exact_robot, &exact_path)?;
+    let plain = table(&drive.axes);
+    let in_table = changes.len();
+    let made_exact = exact_table(&plain, within, &mut changes);
+
+    // The table against the URDF with the angles that were made exact.
+    let turns: Vec<bool> = drive.motors.iter().map(|motor| motor.turns).collect();
+    let mut same = compare(&exact_robot, &exact_path, &drive, &|q| plain.pose(q, &turns));
+    // The file, as it will be read, against the URDF as written.
+    let draft = write::file(&written.name, &[], &made_exact, &drive)?;
+    let arm::Arm { chain, .. } = arm::of_text(&draft, "the imported arm")
+        .map_err(|errors| format!("no arm file can say this chain:\n{errors}"))?;
+    if changes.len() == in_table {
+        same = same.max(compare(&exact_robot, &exact_path, &drive, &|q| of_chain(&chain, q)));
+    }
+    let all = compare(&written, &path, &drive, &|q| of_chain(&chain, q));
+    let turned: f64 = changes.iter().map(Change::size).sum();
+    let allowed = Difference { position: MOST + turned * longest(&plain, &drive), angle: MOST + turned };
+    if !(same.most() <= MOST && all.position <= allowed.position && all.angle <= allowed.angle) {
+        return Err(format!(
+            "the table misses the URDF by {:.1e} m and {:.1e} rad ({:.1e} m and {:.1e} rad as written): expected at most {MOST:e}",
+            same.position, same.angle, all.position, all.angle
+        ));
+    }
+    let said = Said { from, path: &path, changes: &changes, same, all };
+    let text = write::file(&written.name, &said.head(&drive), &made_exact, &drive)?;
+    Ok(Imported { text, remarks: said.remarks(within) })
+}
+
+/// The longest the chain can be, m: what an angle at its base moves.
+fn longest(table: &Table, drive: &couple::Drive) -> f64 {
+    let rows: f64 = table.rows.iter().map(|row| row.a.abs() + row.d.abs()).sum();
+    let stroke = |limits: [f64; 2]| limits.iter().fold(0.0, |most: f64, end| most.max(end.abs()));
+    let sliding = drive.motors.iter().filter(|motor| !motor.turns);
+    let strokes: f64 = sliding.map(|motor| motor.limits.map_or(1.0, stroke)).sum();
+    rows + strokes + rigid::length(table.base.p) + rigid::length(table.tool.p)
+}
+
+/// The table with its angles made exact; a fixed row that then is none is part of the next row.
+fn exact_table(table: &Table, within: f64, changes: &mut Vec<Change>) -> Table {
+    let mut rows: Vec<table::Row> = Vec::new();
+    let mut carried = 0.0;
+    for (index, row) in table.rows.iter().enumerate() {
+        let of = |what: &str| format!("{what} of row {}", index + 1);
+        let mut row = *row;
+        row.theta += std::mem::take(&mut carried);
+        row.alpha = exact(row.alpha, within, || of("alpha"), changes);
+        if row.axis.is_none() && row.alpha == 0.0 && row.a == 0.0 && row.d == 0.0 {
+            carried = row.theta;
+            continue;
+        }
+        row.theta = exact(row.theta, within, || of("theta"), changes);
+        rows.push(row);
+    }
+    let mut frame = |frame: &Rigid, what: &str| {
+        let rpy: V = frame.rpy().map(|angle| exact(angle, within, || format!("rpy of the {what}"), changes));
+        Rigid::of_origin(frame.p, rpy)
+    };
+    Table { base: frame(&table.base, "base"), tool: frame(&table.tool, "tool"), rows, size: table.size }
+}
+
+/// What is said about an import.
+struct Said<'s> {
+    from: &'s str,
+    path: &'s Path<'s>,
+    changes: &'s [Change],
+    /// The URDF with the angles that were made exact.
+    same: Difference,
+    /// The URDF as written.
+    all: Difference,
+}
+
+impl Said<'_> {
+    /// The head comment of the file.
+    fn head(&self, drive: &couple::Drive) -> Vec<String> {
+        let Self { from, path, .. } = self;
+        let version = env!("CARGO_PKG_VERSION");
+        let mut lines = vec![
+            format!("Imported from {from}, `{}` to `{}`, by denhart {version}.", path.base, path.tool),
+            "Zero and direction of each joint are those of the URDF.".to_owned(),
+        ];
+        lines.extend(self.proof());
+        for (motor, sum) in drive.motors.iter().zip(&drive.sums) {
+            let name = &motor.name;
+            if let [_, _, ..] = sum[..] {
+                lines.push(format!("Joint `{name}` of this file is the sum of the URDF's {}.", sum.join(", ")));
+            }
+        }
+        lines
+    }
+
+    fn proof(&self) -> Vec<String> {
+        let Difference { position, angle } = self.same;
+        let mut lines = vec![format!(
+            "At {CONFIGURATIONS} random configurations the pose differs from the URDF's by at most {position:.1e} m and {angle:.1e} rad."
+        )];
+        if let Some(largest) = self.changes.iter().map(Change::size).max_by(f64::total_cmp) {
+            let (count, Difference { position, angle }) = (self.changes.len(), self.all);
+            let were = if count == 1 { "angle was" } else { "angles were" };
+            lines.push(format!(
+                "{count} {were} made exact before that, by at most {largest:.1e} rad. From the URDF as written the pose differs by"
+            ));
+            lines.push(format!("at most {position:.1e} m and {angle:.1e} rad."));
+        }
+        lines
+    }
+
+    /// What the user is told beside the file.
+    fn remarks(&self, within: f64) -> Vec<String> {
+        let Self { path, .. } = self;
+        let mut lines = vec![format!("chain: `{}` to `{}`", path.base, path.tool)];
+        lines.extend(self.changes.iter().map(|change| {
+            format!(
+                "made exact: {}, {} rad, is {} deg now ({:.1e} rad)",
+                change.of,
+                change.from,
+                change.to,
+                change.size()
+            )
+        }));
+        lines.extend(self.nearly(within));
+        lines.extend(self.proof());
+        lines
+    }
+
+    /// The angles that are nearly multiples of 15 degrees and were left as they are.
+    fn nearly(&self, within: f64) -> Option<String> {
+        let angles = self.path.joints.iter().flat_map(|passed| {
+            let named = ["roll", "pitch", "yaw"].into_iter().zip(passed.joint.rpy);
+            named.map(|(what, angle)| (what, passed.joint.name.as_str(), angle))
+        });
+        let off = |angle: f64| exact_degrees(angle, LOOKS_ROUNDED).map(|to| (angle - to * PI / 180.0).abs());
+        let nearly: Vec<(&str, &str, f64, f64)> = angles
+            .filter_map(|(what, joint, angle)| off(angle).map(|off| (what, joint, angle, off)))
+            .filter(|(.., off)| *off > within)
+            .collect();
+        let (what, joint, angle, _) = nearly.first()?;
+        let most = nearly.iter().map(|(.., off)| *off).fold(0.0, f64::max);
+        let others = match nearly.len() - 1 {
+            0 => " is nearly a multiple of 15 degrees and is".to_owned(),
+            1 => " and 1 other angle are nearly multiples of 15 degrees and are".to_owned(),
+            more => format!(" and {more} other angles are nearly multiples of 15 degrees and are"),
+        };
+        let wide = 10_f64.powi(most.log10().ceil() as i32);
+        Some(format!(
+            "used as written: {what} of joint `{joint}`, {angle} rad,{others} {most:.1e} rad off at most; \
+             `--exact-within {wide:e}` makes that exact"
+        ))
+    }
+}

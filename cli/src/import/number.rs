@@ -1,0 +1,51 @@
+//! Numbers of the arm file: as short as they may be.
+
+use std::f64::consts::PI;
+
+use super::rigid::exact_degrees;
+
+/// The shortest decimal within `tolerance` of the value.
+pub fn shortest(value: f64, tolerance: f64) -> String {
+    if value.abs() <= tolerance {
+        return "0".to_owned();
+    }
+    let rounded = (0..17)
+        .map(|digits| format!("{value:.digits$}"))
+        .find(|text| text.parse().is_ok_and(|near: f64| (near - value).abs() <= tolerance && near != 0.0));
+    rounded.unwrap_or_else(|| format!("{value:e}"))
+}
+
+/// An angle within `tolerance` rad of the value: in degrees, the file's unit, or in rad where these have fewer digits.
+pub fn angle(value: f64, tolerance: f64) -> String {
+    if let Some(degrees) = exact_degrees(value, tolerance) {
+        return format!("{}", degrees + 0.0);
+    }
+    let degrees = shortest(value * 180.0 / PI, tolerance * 180.0 / PI);
+    let rad = shortest(value, tolerance);
+    if rad.len() < degrees.len() { format!("{rad} rad") } else { degrees }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::approx_constant, reason = "rounded angles are what is tested")]
+    use super::{angle, shortest};
+
+    #[test]
+    fn rounding_is_left_out_and_digits_are_not() {
+        assert_eq!(shortest(0.425_000_000_000_000_04, 1e-13), "0.425");
+        assert_eq!(shortest(-0.39225, 1e-13), "-0.39225");
+        assert_eq!(shortest(3e-15, 1e-13), "0");
+        assert_eq!(shortest(120.0, 1e-13), "120");
+        assert_eq!(shortest(1.0 / 3.0, 1e-13), "0.3333333333333");
+        assert_eq!(shortest(3.67e-6, 1e-13), "0.00000367");
+    }
+
+    #[test]
+    fn angles_are_degrees_unless_rad_are_shorter() {
+        assert_eq!(angle(std::f64::consts::FRAC_PI_2, 1e-13), "90");
+        assert_eq!(angle(1.5708, 1e-13), "1.5708 rad");
+        assert_eq!(angle(2.967_059_728_390_36, 1e-13), "170");
+        assert_eq!(angle(0.5_f64.to_radians(), 1e-13), "0.5");
+        assert_eq!(angle(-1.570_796_326_79, 1e-13), "-1.57079632679 rad");
+    }
+}

@@ -1,0 +1,116 @@
+//! The serial chain between two links of a URDF.
+
+use super::urdf::{Joint, Kind, Robot};
+
+/// A joint on the way from base to tool.
+#[derive(Debug, Clone, Copy)]
+pub struct Passed<'r> {
+    pub joint: &'r Joint,
+    /// From child to parent: its motion and its origin are undone.
+    pub backward: bool,
+}
+
+/// A chain and the links at its ends.
+#[derive(Debug, Clone)]
+pub struct Path<'r> {
+    pub base: String,
+    pub tool: String,
+    pub joints: Vec<Passed<'r>>,
+}
+
+/// The chain from `base` (else the root) to `tool` (else the one leaf with the most moving joints between).
+///
+/// # Errors
+/// A link that is none, several leaves as good as each other, a chain without a moving joint, a joint with more than
+/// one degree of freedom in it.
+pub fn find<'r>(robot: &'r Robot, base: Option<&str>, tool: Option<&str>) -> Result<Path<'r>, String> {
+    let base = named(robot, base.unwrap_or(&robot.root))?;
+    let tool = match tool {
+        Some(tool) => named(robot, tool)?,
+        None => farthest(robot, base)?,
+    };
+    let joints = between(robot, base, tool);
+    if let Some(passed) = joints.iter().find(|passed| matches!(passed.joint.kind, Kind::Other(_))) {
+        let Joint { name, kind, .. } = passed.joint;
+        let kind = if let Kind::Other(kind) = kind { kind } else { "" };
+        return Err(format!(
+            "joint `{name}` is {kind}, which is no joint of a serial arm\nhelp: begin the chain after it: --base {}",
+            if passed.backward { &passed.joint.parent } else { &passed.joint.child }
+        ));
+    }
+    if moving(&joints) == 0 {
+        return Err(format!(
+            "no joint moves between `{base}` and `{tool}`\nhelp: name other links with --base and --tool"
+        ));
+    }
+    Ok(Path { base: base.to_owned(), tool: tool.to_owned(), joints })
+}
+
+fn links(robot: &Robot) -> impl Iterator<Item = &str> {
+    [robot.root.as_str()].into_iter().chain(robot.joints.iter().map(|joint| joint.child.as_str()))
+}
+
+fn named<'r>(robot: &'r Robot, name: &str) -> Result<&'r str, String> {
+    links(robot).find(|link| *link == name).ok_or_else(|| {
+        let list: Vec<&str> = links(robot).collect();
+        format!("no link is named `{name}`\nhelp: the links are {}", list.join(", "))
+    })
+}
+
+/// The joints from the root to a link.
+fn from_root<'r>(robot: &'r Robot, link: &str) -> Vec<&'r Joint> {
+    let mut joints = Vec::new();
+    let mut link = link;
+    // A circle beside the tree has no end; no chain is longer than the list of joints.
+    while let Some(joint) = robot.joints.iter().find(|joint| joint.child == link) {
+        if joints.len() == robot.joints.len() {
+            break;
+        }
+        joints.push(joint);
+        link = &joint.parent;
+    }
+    joints.reverse();
+    joints
+}
+
+fn between<'r>(robot: &'r Robot, base: &str, tool: &str) -> Vec<Passed<'r>> {
+    let (up, down) = (from_root(robot, base), from_root(robot, tool));
+    let shared = up.iter().zip(&down).take_while(|(a, b)| a.name == b.name).count();
+    let backward = up.iter().skip(shared).rev().map(|joint| Passed { joint, backward: true });
+    backward.chain(down.iter().skip(shared).map(|joint| Passed { joint, backward: false })).collect()
+}
+
+fn moving(joints: &[Passed]) -> usize {
+    joints.iter().filter(|passed| matches!(passed.joint.kind, Kind::Turning | Kind::Sliding)).count()
+}
+
+/// The leaf with the most moving joints on the way. Of leaves on one rigid body, the first in the file that ends the
+/// longest chain of links.
+fn farthest<'r>(robot: &'r Robot, base: &str) -> Result<&'r str, String> {
+    let is_leaf = |link: &str| !robot.joints.iter().any(|joint| joint.parent == link);
+    let leaves: Vec<(&str, Vec<Passed>)> =
+        links(robot).filter(|link| is_leaf(link)).map(|link| (link, between(robot, base, link))).collect();
+    let most = leaves.iter().map(|(_, joints)| moving(joints)).max().unwrap_or(0);
+    let best: Vec<&(&str, Vec<Passed>)> = leaves.iter().filter(|(_, joints)| moving(joints) == most).collect();
+    // Leaves whose last moving joint is the same are frames of one body.
+    let last = |joints: &[Passed]| {
+        let moved = joints.iter().rev().find(|passed| matches!(passed.joint.kind, Kind::Turning | Kind::Sliding));
+        moved.map(|passed| passed.joint.name.clone())
+    };
+    let one_body = best.windows(2).all(|pair| matches!(pair, [a, b] if last(&a.1) == last(&b.1)));
+    let list = || best.iter().map(|(link, _)| *link).collect::<Vec<_>>().join(", ");
+    if !one_body {
+        return Err(format!(
+            "several chains have {most} moving joints\nhelp: name the last link with --tool: {}",
+            list()
+        ));
+    }
+    // The usual names of the frame at the flange, else the only one.
+    let usual = ["tool0", "tcp", "tool", "flange", "ee_link"];
+    let found = usual.iter().find_map(|name| best.iter().find(|(link, _)| link.ends_with(name)));
+    match (found, &best[..]) {
+        (Some((link, _)), _) => Ok(link),
+        (None, [(link, _)]) => Ok(link),
+        (None, _) => Err(format!("several frames are on the last body\nhelp: name one with --tool: {}", list())),
+    }
+}

@@ -1,0 +1,224 @@
+//! A Denavit-Hartenberg table, standard convention, for axes given as lines.
+
+use super::axes::{Axes, Axis};
+use super::rigid::{ROUNDING, Rigid, V, cross, dot, length, scale, sub, unit};
+
+/// Axes nearer to parallel than this, rad, have their common normal far away. They get a row for the distance and a
+/// fixed one for the tilt.
+const NEARLY_PARALLEL: f64 = 1e-3;
+
+/// `Rz(theta) Tz(d) Tx(a) Rx(alpha)`
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Row {
+    pub a: f64,
+    pub alpha: f64,
+    pub d: f64,
+    pub theta: f64,
+    /// Which axis it is of; none of a fixed row.
+    pub axis: Option<usize>,
+}
+
+/// `base . rows . tool`
+#[derive(Debug, Clone)]
+pub struct Table {
+    pub base: Rigid,
+    pub rows: Vec<Row>,
+    pub tool: Rigid,
+    /// The size of the arm, m; not 0.
+    pub size: f64,
+}
+
+/// The table of the axes.
+pub fn table(axes: &Axes) -> Table {
+    let points = axes.axes.iter().map(|axis| axis.point).chain([axes.tool.p]);
+    let size = points.map(length).fold(0.0, f64::max);
+    let size = if size > 0.0 { size } else { 1.0 };
+    let Some(first) = axes.axes.first() else {
+        return Table { base: axes.tool, rows: Vec::new(), tool: Rigid::IDENTITY, size };
+    };
+    let base = base(first);
+    let mut frame = base;
+    let mut rows = Vec::new();
+    for (index, next) in axes.axes.iter().enumerate().skip(1) {
+        let pair = between(&frame, next, size);
+        for (fixed, row) in pair.iter().enumerate() {
+            frame = frame.then(&constant(row));
+            rows.push(Row { axis: (fixed == 0).then_some(index - 1), ..*row });
+        }
+    }
+    let (last, tool) = end(&frame.inverse().then(&axes.tool), size);
+    rows.push(Row { axis: Some(axes.axes.len() - 1), ..last });
+    Table { base, rows, tool, size }
+}
+
+/// The row with its joint at zero.
+fn constant(row: &Row) -> Rigid {
+    Rigid::about_z(row.theta).then(&Rigid::shift([row.a, 0.0, row.d])).then(&Rigid::about_x(row.alpha))
+}
+
+/// A frame with z along the first axis: the base link's own, if that is its z axis.
+fn base(first: &Axis) -> Rigid {
+    let z = first.direction;
+    // The point of the line that is next to the origin; a slide is along any line of its direction.
+    let p = if first.turns { sub(first.point, scale(z, dot(first.point, z))) } else { [0.0; 3] };
+    let own = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let across = own.map(|x| sub(x, scale(z, dot(x, z))));
+    let chosen = across.iter().find(|x| length(**x) > 0.8).copied().and_then(unit).unwrap_or([1.0, 0.0, 0.0]);
+    Rigid::of_columns([chosen, cross(z, chosen), z], p)
+}
+
+/// The rows from a frame on one axis to a frame on the next.
+fn between(frame: &Rigid, next: &Axis, size: f64) -> Vec<Row> {
+    let (x, y, z, o) = (frame.column(0), frame.column(1), frame.column(2), frame.p);
+    let (w, p) = (next.direction, next.point);
+    let normal = cross(z, w);
+    let sine = length(normal);
+    let from_x = |v: V| dot(v, y).atan2(dot(v, x));
+    if sine < NEARLY_PARALLEL {
+        return parallel(frame, next, size);
+    }
+    let normal = scale(normal, 1.0 / sine);
+    let apart = sub(p, o);
+    let reach = dot(apart, normal);
+    let d = dot(cross(apart, w), normal) / sine;
+    // Either direction of the normal: the one that leaves theta in -90 to 90 degrees, best at 0.
+    let (theta, sign) = within_half_turn(from_x(normal));
+    let a = if reach.abs() < ROUNDING * size { 0.0 } else { sign * reach };
+    vec![Row { a, alpha: sign * sine.atan2(dot(z, w)), d, theta, axis: None }]
+}
+
+fn parallel(frame: &Rigid, next: &Axis, size: f64) -> Vec<Row> {
+    let (x, y, z, o) = (frame.column(0), frame.column(1), frame.column(2), frame.p);
+    let (w, p) = (next.direction, next.point);
+    let against = dot(z, w) < 0.0;
+    // Where the next axis goes through the plane across this one; a slide is along any line of its direction.
+    let apart = if next.turns { sub(p, scale(w, dot(sub(p, o), z) / dot(w, z))) } else { o };
+    let apart = sub(apart, o);
+    let distance = length(apart);
+    let (theta, a) = if distance < ROUNDING * size {
+        (0.0, 0.0)
+    } else {
+        let (theta, sign) = within_half_turn(dot(apart, y).atan2(dot(apart, x)));
+        (theta, sign * distance)
+    };
+    let row = Row { a, alpha: if against { std::f64::consts::PI } else { 0.0 }, d: 0.0, theta, axis: None };
+    let there = frame.then(&constant(&row));
+    let tilt = cross(there.column(2), w);
+    let sine = length(tilt);
+    if sine < ROUNDING {
+        return vec![row];
+    }
+    let theta = dot(tilt, there.column(1)).atan2(dot(tilt, there.column(0)));
+    vec![row, Row { theta, alpha: sine.atan2(dot(there.column(2), w)), ..Row::default() }]
+}
+
+/// An angle of a line without direction, in -90 to 90 degrees, and -1 where that turned the line round.
+fn within_half_turn(angle: f64) -> (f64, f64) {
+    use std::f64::consts::{FRAC_PI_2, PI};
+    if angle > FRAC_PI_2 + ROUNDING {
+        (angle - PI, -1.0)
+    } else if angle < -FRAC_PI_2 - ROUNDING {
+        (angle + PI, -1.0)
+    } else {
+        (angle, 1.0)
+    }
+}
+
+/// The last row and the tool, for the tool link's frame seen from the last axis. A row alone reaches a frame whose x
+/// axis meets the joint's axis at a right angle.
+fn end(tool: &Rigid, size: f64) -> (Row, Rigid) {
+    let [px, py, d] = tool.p;
+    let [x0, x1, x2] = tool.column(0);
+    let level = x2.abs() < ROUNDING;
+    // The part of the position across the axis is along x.
+    let along = x0 * px + x1 * py;
+    let aside = x0 * py - x1 * px;
+    if level && aside.abs() < ROUNDING * size {
+        let [z0, z1, z2] = tool.column(2);
+        let alpha = (x1 * z0 - x0 * z1).atan2(z2);
+        let a = if along.abs() < ROUNDING * size { 0.0 } else { along };
+        return (Row { a, alpha, d, theta: x1.atan2(x0), axis: None }, Rigid::IDENTITY);
+    }
+    (Row { d, ..Row::default() }, Rigid { p: [px, py, 0.0], ..*tool })
+}
+
+impl Table {
+    /// The tool's frame, a value for each axis.
+    pub fn pose(&self, values: &[f64], turns: &[bool]) -> Rigid {
+        let rows = self.rows.iter().map(|row| {
+            let moved = row.axis.map(|axis| {
+                let value = values.get(axis).copied().unwrap_or(0.0);
+                if turns.get(axis).copied().unwrap_or(true) {
+                    Row { theta: row.theta + value, ..*row }
+                } else {
+                    Row { d: row.d + value, ..*row }
+                }
+            });
+            constant(&moved.unwrap_or(*row))
+        });
+        rows.fold(self.base, |pose, row| pose.then(&row)).then(&self.tool)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::rigid::add;
+    use super::*;
+
+    fn axis(turns: bool, point: V, direction: V) -> Axis {
+        let direction = unit(direction).unwrap_or([0.0, 0.0, 1.0]);
+        Axis { name: String::new(), turns, point, direction, limits: None }
+    }
+
+    /// `exp(S1 q1) exp(S2 q2) .. T(0)`
+    fn product(axes: &Axes, values: &[f64]) -> Rigid {
+        let motions = axes.axes.iter().zip(values).map(|(axis, value)| {
+            if axis.turns {
+                let turn = Rigid::about(axis.direction, *value);
+                Rigid { p: sub(axis.point, turn.turn(axis.point)), ..turn }
+            } else {
+                Rigid::shift(scale(axis.direction, *value))
+            }
+        });
+        motions.fold(Rigid::IDENTITY, |pose, motion| pose.then(&motion)).then(&axes.tool)
+    }
+
+    #[test]
+    fn any_two_axes_in_a_row_come_out_as_they_are() {
+        let next = [
+            ([0.0, 0.0, 1.0], [0.4, 0.3, 0.2]),
+            ([0.0, 0.0, -1.0], [0.4, -0.3, 0.2]),
+            ([0.0, 0.0, 1.0], [0.0, 0.0, 0.7]),
+            ([1e-5, -2e-6, 1.0], [0.4, 0.3, 0.2]),
+            ([0.0, 3e-9, -1.0], [0.4, 0.3, 0.2]),
+            ([1.0, 0.0, 0.0], [0.0, 0.0, 0.5]),
+            ([1.0, 2.0, -0.5], [0.4, 0.3, 0.2]),
+            ([0.0, 0.02, 1.0], [-0.4, 0.3, 0.2]),
+        ];
+        let tools = [
+            Rigid::of_origin([0.1, 0.2, 0.9], [0.2, -0.4, 1.0]),
+            Rigid::of_origin([0.0, 0.0, 0.3], [0.0; 3]),
+            Rigid::IDENTITY,
+        ];
+        for turns in [[true, true, true], [true, false, true], [false, true, true], [false, false, true]] {
+            for (direction, point) in next {
+                for tool in tools {
+                    let [first, second, third] = turns;
+                    let axes = Axes {
+                        axes: vec![
+                            axis(first, [0.1, 0.0, 0.2], [0.0, 0.6, 0.8]),
+                            axis(second, add([0.3, 0.1, 0.0], point), direction),
+                            axis(third, [0.5, 0.5, 0.1], [0.0, 0.0, 1.0]),
+                        ],
+                        tool,
+                    };
+                    let table = table(&axes);
+                    for values in [[0.0; 3], [0.3, -0.7, 1.9], [-2.5, 1.1, 0.4]] {
+                        let (position, angle) = table.pose(&values, &turns).difference(&product(&axes, &values));
+                        assert!(position < 1e-13 && angle < 1e-13, "{turns:?} {direction:?}: {position:e}, {angle:e}");
+                    }
+                }
+            }
+        }
+    }
+}

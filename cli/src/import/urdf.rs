@@ -1,0 +1,227 @@
+//! Reads the kinematics of a URDF: links, joints, and nothing else of it.
+
+use std::collections::HashMap;
+
+use roxmltree::{Document, Node};
+
+use super::rigid::{V, unit};
+
+/// What a URDF says about how its links move.
+#[derive(Debug, Clone)]
+pub struct Robot {
+    pub name: String,
+    pub joints: Vec<Joint>,
+    /// The link that is no joint's child.
+    pub root: String,
+}
+
+/// What a joint does.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Kind {
+    Fixed,
+    Turning,
+    Sliding,
+    /// `floating`, `planar`: more than one joint of an arm file.
+    Other(String),
+}
+
+/// A joint: the frame of the child in that of the parent is `origin motion(axis, q)`.
+#[derive(Debug, Clone)]
+pub struct Joint {
+    pub name: String,
+    pub kind: Kind,
+    pub parent: String,
+    pub child: String,
+    pub xyz: V,
+    pub rpy: V,
+    /// A unit vector in the joint's frame.
+    pub axis: V,
+    /// Lowest and highest value, rad or m.
+    pub limits: Option<[f64; 2]>,
+    pub mimic: Option<Mimic>,
+}
+
+/// `q = multiplier * q(joint) + offset`
+#[derive(Debug, Clone)]
+pub struct Mimic {
+    pub joint: String,
+    pub multiplier: f64,
+    pub offset: f64,
+}
+
+/// Reads the text of a URDF.
+///
+/// # Errors
+/// The first mistake with its line: no XML, no robot, a joint without parent or child, a number that is none, links
+/// that are no tree.
+pub fn read(text: &str) -> Result<Robot, String> {
+    let document = Document::parse(text).map_err(|error| format!("this is not XML: {error}"))?;
+    let root = document.root_element();
+    if root.tag_name().name() != "robot" {
+        return Err(format!("this is not a URDF: expected `<robot>`, found `<{}>`", root.tag_name().name()));
+    }
+    let xacro = root.descendants().find(|node| node.tag_name().namespace().is_some_and(|name| name.contains("xacro")));
+    if let Some(node) = xacro {
+        let line = line(&node);
+        return Err(format!(
+            "line {line}: `<xacro:{}>`: this file is a template\nhelp: expand it first: xacro robot.urdf.xacro > robot.urdf",
+            node.tag_name().name()
+        ));
+    }
+    let mut joints = Vec::new();
+    for node in elements(&root, "joint") {
+        joints.push(joint(&node)?);
+    }
+    let root_link = tree(&joints, elements(&root, "link").filter_map(|link| link.attribute("name")))?;
+    let name = root.attribute("name").unwrap_or("robot").to_owned();
+    Ok(Robot { name, joints, root: root_link })
+}
+
+fn elements<'a, 'i: 'a>(node: &Node<'a, 'i>, name: &'static str) -> impl Iterator<Item = Node<'a, 'i>> {
+    node.children().filter(move |child| child.is_element() && child.tag_name().name() == name)
+}
+
+fn line(node: &Node) -> u32 {
+    node.document().text_pos_at(node.range().start).row
+}
+
+fn joint(node: &Node) -> Result<Joint, String> {
+    let at = |message: String| format!("line {}: {message}", line(node));
+    let name = node.attribute("name").ok_or_else(|| at("a joint without a name".to_owned()))?.to_owned();
+    let of = |message: String| at(format!("joint `{name}`: {message}"));
+    let child = |tag: &'static str| elements(node, tag).next();
+    let link = |tag: &'static str| {
+        let link = child(tag).and_then(|node| node.attribute("link"));
+        link.map(str::to_owned).ok_or_else(|| of(format!("no `<{tag} link=\"..\"/>`")))
+    };
+    let number = |tag: &'static str, key: &str| -> Result<Option<f64>, String> {
+        let text = child(tag).and_then(|node| node.attribute(key));
+        text.map(|text| real(text).ok_or_else(|| of(format!("`{key}=\"{text}\"`: expected a number")))).transpose()
+    };
+    let vector = |tag: &'static str, key: &str, default: V| -> Result<V, String> {
+        let Some(text) = child(tag).and_then(|node| node.attribute(key)) else { return Ok(default) };
+        let numbers: Vec<f64> = text.split_whitespace().map_while(real).collect();
+        match numbers[..] {
+            [x, y, z] if text.split_whitespace().count() == 3 => Ok([x, y, z]),
+            _ => Err(of(format!("`{key}=\"{text}\"`: expected three numbers"))),
+        }
+    };
+    let written = node.attribute("type").ok_or_else(|| of("no `type`".to_owned()))?;
+    let kind = match written {
+        "fixed" => Kind::Fixed,
+        "revolute" | "continuous" => Kind::Turning,
+        "prismatic" => Kind::Sliding,
+        other => Kind::Other(other.to_owned()),
+    };
+    let axis = vector("axis", "xyz", [1.0, 0.0, 0.0])?;
+    let axis = match (unit(axis), &kind) {
+        (Some(axis), _) => axis,
+        (None, Kind::Turning | Kind::Sliding) => return Err(of(format!("axis {axis:?} has no direction"))),
+        (None, _) => axis,
+    };
+    let limits = match (number("limit", "lower")?, number("limit", "upper")?) {
+        _ if written == "continuous" => None,
+        // Only effort and velocity.
+        (None, None) => None,
+        (low, high) => {
+            let limits = [low.unwrap_or(0.0), high.unwrap_or(0.0)];
+            if limits[0] > limits[1] {
+                return Err(of(format!("the lower limit {} is above the upper one {}", limits[0], limits[1])));
+            }
+            Some(limits)
+        }
+    };
+    let mimic = match child("mimic") {
+        None => None,
+        Some(mimic) => {
+            let joint = mimic.attribute("joint").ok_or_else(|| of("`<mimic>` without a joint".to_owned()))?.to_owned();
+            let multiplier = number("mimic", "multiplier")?.unwrap_or(1.0);
+            Some(Mimic { joint, multiplier, offset: number("mimic", "offset")?.unwrap_or(0.0) })
+        }
+    };
+    Ok(Joint {
+        kind,
+        parent: link("parent")?,
+        child: link("child")?,
+        xyz: vector("origin", "xyz", [0.0; 3])?,
+        rpy: vector("origin", "rpy", [0.0; 3])?,
+        axis,
+        limits,
+        mimic,
+        name: name.clone(),
+    })
+}
+
+fn real(text: &str) -> Option<f64> {
+    text.trim().parse().ok().filter(|value: &f64| value.is_finite())
+}
+
+/// The root of the tree of links, if they are one tree.
+fn tree<'a>(joints: &'a [Joint], links: impl Iterator<Item = &'a str>) -> Result<String, String> {
+    let mut parent_of: HashMap<&str, &Joint> = HashMap::new();
+    for joint in joints {
+        if let Some(other) = parent_of.insert(&joint.child, joint) {
+            return Err(format!(
+                "link `{}` is the child of two joints, `{}` and `{}`",
+                joint.child, other.name, joint.name
+            ));
+        }
+    }
+    let mut roots: Vec<&str> = Vec::new();
+    for link in links.chain(joints.iter().map(|joint| joint.parent.as_str())) {
+        if !parent_of.contains_key(link) && !roots.contains(&link) {
+            roots.push(link);
+        }
+    }
+    match roots[..] {
+        [root] => Ok(root.to_owned()),
+        [] => Err("no link is the root: the joints go round in a circle".to_owned()),
+        _ => Err(format!("the links are no tree: {} have no parent", roots.join(", "))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+
+    use super::*;
+
+    #[test]
+    fn what_is_left_out_has_the_value_of_the_format() {
+        let text = r#"<robot name="r"><link name="a"/><link name="b"/>
+            <joint name="j" type="revolute"><parent link="a"/><child link="b"/><limit effort="1" velocity="1"/></joint></robot>"#;
+        let robot = read(text).unwrap();
+        let joint = &robot.joints[0];
+        assert_eq!((joint.axis, joint.xyz, joint.rpy, joint.limits), ([1.0, 0.0, 0.0], [0.0; 3], [0.0; 3], None));
+        assert_eq!((robot.root.as_str(), robot.name.as_str()), ("a", "r"));
+    }
+
+    #[test]
+    fn mistakes_are_named_with_their_line() {
+        let joint = |inside: &str| {
+            format!(
+                "<robot name=\"r\">\n<link name=\"a\"/><link name=\"b\"/>\n<joint name=\"j\" type=\"revolute\">{inside}</joint></robot>"
+            )
+        };
+        let ends = "<parent link=\"a\"/><child link=\"b\"/>";
+        for (text, said) in [
+            (joint("<parent link=\"a\"/>"), "line 3: joint `j`: no `<child link=\"..\"/>`"),
+            (joint(&format!("{ends}<axis xyz=\"0 0\"/>")), "line 3: joint `j`: `xyz=\"0 0\"`: expected three numbers"),
+            (joint(&format!("{ends}<axis xyz=\"0 0 0\"/>")), "has no direction"),
+            (joint(&format!("{ends}<limit lower=\"2\" upper=\"1\"/>")), "the lower limit 2 is above the upper one 1"),
+            ("<robot".to_owned(), "this is not XML"),
+            ("<sdf/>".to_owned(), "expected `<robot>`, found `<sdf>`"),
+            (
+                "<robot xmlns:xacro=\"http://ros.org/wiki/xacro\">\n<xacro:include/></robot>".to_owned(),
+                "line 2: `<xacro:include>`: this file is a template",
+            ),
+            (
+                "<robot><link name=\"a\"/><link name=\"b\"/></robot>".to_owned(),
+                "the links are no tree: a, b have no parent",
+            ),
+        ] {
+            let message = read(&text).unwrap_err();
+            assert!(message.contains(said), "{message}");
+        }
+    }
+}

@@ -1,0 +1,298 @@
+//! `denhart import` on the URDF kinematics of real robots. The poses of file and URDF are computed here a second time,
+//! with nalgebra, by a reader of URDF and a product of rows that share nothing with the command's.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing)]
+
+use std::collections::HashMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use denhart_codegen::model::{self, Model, RowKind};
+use denhart_codegen::spec;
+use nalgebra::{Isometry3, Translation3, Unit, UnitQuaternion, Vector3};
+
+fn run(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_denhart")).args(arguments).output().unwrap()
+}
+
+fn urdf(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/urdf").join(name).with_extension("urdf")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+/// The arm file of a chain, and what was said.
+fn import(name: &str, arguments: &[&str]) -> (String, String) {
+    let path = urdf(name);
+    let output = run(&[&["import", path.to_str().unwrap()], arguments].concat());
+    assert!(output.status.success(), "{name}: {}", text(&output.stderr));
+    (text(&output.stdout), text(&output.stderr))
+}
+
+fn refused(urdf: &str, arguments: &[&str]) -> String {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{:x}.urdf", urdf.len() + arguments.len()));
+    fs::write(&path, urdf).unwrap();
+    let output = run(&[&["import", path.to_str().unwrap()], arguments].concat());
+    assert_eq!(output.status.code(), Some(1), "{}", text(&output.stdout));
+    assert!(output.stdout.is_empty());
+    text(&output.stderr)
+}
+
+/// A joint of a URDF as the text has it.
+struct Joint {
+    name: String,
+    kind: String,
+    parent: String,
+    child: String,
+    origin: Isometry3<f64>,
+    axis: Vector3<f64>,
+}
+
+/// The value of `key="..."` after `from` in the text.
+fn attribute<'t>(text: &'t str, tag: &str, key: &str) -> Option<&'t str> {
+    let element = text.split(&format!("<{tag} ")).nth(1)?.split("/>").next()?;
+    element.split(&format!("{key}=\"")).nth(1)?.split('"').next()
+}
+
+fn vector(text: &str) -> Vector3<f64> {
+    Vector3::from_iterator(text.split_whitespace().map(|x| x.parse::<f64>().unwrap()))
+}
+
+fn joints(name: &str) -> Vec<Joint> {
+    let text = fs::read_to_string(urdf(name)).unwrap();
+    let body = |part: &str| part.split("</joint>").next().unwrap().to_owned();
+    text.split("<joint ")
+        .skip(1)
+        .filter(|part| part.contains("</joint>"))
+        .map(|part| {
+            let joint = body(part);
+            let head = format!("<joint {joint}");
+            let get = |tag, key| attribute(&head, tag, key).unwrap_or_default().to_owned();
+            let [roll, pitch, yaw] = *vector(&get("origin", "rpy")).as_ref();
+            let rotation = UnitQuaternion::from_euler_angles(roll, pitch, yaw);
+            let axis = attribute(&head, "axis", "xyz").map_or(Vector3::x(), vector);
+            Joint {
+                name: joint.split('"').nth(1).unwrap().to_owned(),
+                kind: joint.split("type=\"").nth(1).unwrap().split('"').next().unwrap().to_owned(),
+                parent: get("parent", "link"),
+                child: get("child", "link"),
+                origin: Isometry3::from_parts(Translation3::from(vector(&get("origin", "xyz"))), rotation),
+                axis,
+            }
+        })
+        .collect()
+}
+
+/// Pose of `tool` in `base`, an ancestor, at the values of the joints.
+fn urdf_pose(joints: &[Joint], base: &str, tool: &str, values: &HashMap<String, f64>) -> Isometry3<f64> {
+    let mut pose = Isometry3::identity();
+    let mut link = tool.to_owned();
+    while link != base {
+        let joint = joints.iter().find(|joint| joint.child == link).unwrap();
+        let value = values.get(&joint.name).copied().unwrap_or(0.0);
+        let axis = Unit::new_normalize(joint.axis);
+        let motion = match joint.kind.as_str() {
+            "fixed" => Isometry3::identity(),
+            "prismatic" => Isometry3::from_parts(Translation3::from(axis.scale(value)), UnitQuaternion::identity()),
+            _ => Isometry3::from_parts(Translation3::identity(), UnitQuaternion::from_axis_angle(&axis, value)),
+        };
+        pose = joint.origin * motion * pose;
+        link = joint.parent.clone();
+    }
+    pose
+}
+
+fn model(text: &str) -> Model {
+    let (spec, warnings) = spec::read(text, "imported.yaml").unwrap();
+    drop(warnings);
+    model::check(&spec).unwrap()
+}
+
+/// `base rows tool`, standard convention, at the joint values.
+fn table_pose(model: &Model, q: &[f64]) -> Isometry3<f64> {
+    let about =
+        |axis, angle| Isometry3::from_parts(Translation3::identity(), UnitQuaternion::from_axis_angle(&axis, angle));
+    let shift = |x, z| Isometry3::translation(x, 0.0, z);
+    let frame = |frame: &model::Frame| {
+        let [x, y, z] = frame.xyz.each_ref().map(|length| length.default_value());
+        let [roll, pitch, yaw] = frame.rpy.map(|angle| angle.rad());
+        Isometry3::from_parts(Translation3::new(x, y, z), UnitQuaternion::from_euler_angles(roll, pitch, yaw))
+    };
+    let mut pose = frame(&model.base);
+    for row in &model.rows {
+        let value = row.joint.map_or(0.0, |joint| q[joint]);
+        let (turn, slide) = if row.kind == RowKind::Revolute { (value, 0.0) } else { (0.0, value) };
+        pose = pose
+            * about(Vector3::z_axis(), row.theta.rad() + turn)
+            * shift(row.a.default_value(), row.d.default_value() + slide)
+            * about(Vector3::x_axis(), row.alpha.rad());
+    }
+    pose * frame(&model.tool)
+}
+
+/// A value in -1 to 1.
+fn random(state: &mut u64) -> f64 {
+    *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    (*state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+}
+
+/// The largest difference at 300 configurations beyond the limits too; `values` gives those of the URDF's joints.
+fn worst(name: &str, ends: [&str; 2], file: &Model, values: impl Fn(&[f64]) -> HashMap<String, f64>) -> f64 {
+    let joints = joints(name);
+    let mut state = 7;
+    let mut worst: f64 = 0.0;
+    for _ in 0..300 {
+        let q: Vec<f64> = file.joints.iter().map(|_| 3.2 * random(&mut state)).collect();
+        let (a, b) = (table_pose(file, &q), urdf_pose(&joints, ends[0], ends[1], &values(&q)));
+        worst = worst.max((a.translation.vector - b.translation.vector).norm()).max(a.rotation.angle_to(&b.rotation));
+    }
+    worst
+}
+
+/// Values under the names that the file gives its joints.
+fn by_name(file: &Model) -> impl Fn(&[f64]) -> HashMap<String, f64> {
+    |q| file.joints.iter().zip(q).map(|(joint, value)| (joint.name.clone(), *value)).collect()
+}
+
+const ROBOTS: [(&str, &[&str], [&str; 2], usize); 10] = [
+    ("ur5", &[], ["base_link", "tool0"], 6),
+    ("abb_irb2400", &[], ["base_link", "tool0"], 6),
+    ("kuka_kr6_r700", &[], ["base_link", "tool0"], 6),
+    ("fanuc_lrmate200id", &[], ["base_link", "tool0"], 6),
+    ("kuka_iiwa7", &[], ["iiwa_link_0", "iiwa_link_ee"], 7),
+    ("franka_panda", &["--tool", "panda_hand_tcp"], ["panda_link0", "panda_hand_tcp"], 7),
+    ("kinova_gen3", &[], ["base_link", "end_effector_link"], 7),
+    ("ufactory_xarm6", &[], ["link_base", "link6"], 6),
+    ("fetch", &[], ["base_link", "gripper_link"], 8),
+    ("baxter_left", &[], ["torso", "left_hand"], 7),
+];
+
+#[test]
+fn real_robots_move_as_their_urdf_says() {
+    for (name, arguments, ends, dof) in ROBOTS {
+        // As written, to rounding; with exact angles, to what was changed.
+        for (within, most) in [("0", 1e-12), ("1e-6", 2e-8)] {
+            let (text, _) = import(name, &[arguments, &["--exact-within", within]].concat());
+            let file = model(&text);
+            assert_eq!(file.joints.len(), dof, "{name}");
+            let error = worst(name, ends, &file, by_name(&file));
+            assert!(error < most, "{name}, exact within {within}: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn names_and_limits_are_kept() {
+    let (text, _) = import("fetch", &[]);
+    let file = model(&text);
+    let names: Vec<&str> = file.joints.iter().map(|joint| joint.name.as_str()).collect();
+    assert_eq!(names[..3], ["torso_lift_joint", "shoulder_pan_joint", "shoulder_lift_joint"]);
+    assert_eq!(file.joints[0].limits, Some([0.0, 0.38615]));
+    assert_eq!(file.joints[2].limits, Some([-1.221, 1.518]));
+    assert_eq!(file.joints[3].limits, None, "continuous");
+}
+
+#[test]
+fn exact_angles_are_told_and_give_the_textbook_table() {
+    let (text, said) = import("ur5", &[]);
+    assert!(text.contains("{name: wrist_1_joint, a: 0, alpha: -90, d: 0.10915, theta: 0,"), "{text}");
+    assert!(
+        said.contains("made exact: pitch of joint `shoulder_lift_joint`, 1.570796325 rad, is 90 deg now (1.8e-9 rad)"),
+        "{said}"
+    );
+    assert!(text.contains("# 3 angles were made exact before that, by at most 1.8e-9 rad."), "{text}");
+    let (text, said) = import("ufactory_xarm6", &[]);
+    assert!(said.contains("`--exact-within 1e-5` makes that exact") && text.contains("1.5708 rad"), "{said}\n{text}");
+    let (text, _) = import("ufactory_xarm6", &["--exact-within", "1e-5"]);
+    assert!(!text.contains("1.5708"), "{text}");
+}
+
+#[test]
+fn the_head_comment_has_the_proof() {
+    let (text, said) = import("kuka_iiwa7", &[]);
+    let line = "At 1000 random configurations the pose differs from the URDF's by at most ";
+    assert!(text.contains(&format!("# {line}")) && said.contains(line), "{text}\n{said}");
+    let number = text.split(line).nth(1).unwrap().split(' ').next().unwrap();
+    assert!(number.parse::<f64>().unwrap() < 1e-12, "{number}");
+}
+
+#[test]
+fn any_two_links_are_ends_of_a_chain() {
+    // Backward through the arm, and across the tree from the head to the hand.
+    for (base, tool, dof) in [("gripper_link", "base_link", 8), ("head_tilt_link", "gripper_link", 9)] {
+        let (text, _) = import("fetch", &["--base", base, "--tool", tool]);
+        let file = model(&text);
+        assert_eq!(file.joints.len(), dof);
+        let joints = joints("fetch");
+        let mut state = 3;
+        for _ in 0..100 {
+            let q: Vec<f64> = file.joints.iter().map(|_| 3.0 * random(&mut state)).collect();
+            let values = by_name(&file)(&q);
+            let [from, to] = [base, tool].map(|link| urdf_pose(&joints, "base_link", link, &values));
+            let (a, b) = (table_pose(&file, &q), from.inverse() * to);
+            let error = (a.translation.vector - b.translation.vector).norm().max(a.rotation.angle_to(&b.rotation));
+            assert!(error < 1e-12, "{base}: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn mimic_joints_on_one_line_become_a_coupling() {
+    let (text, _) = import("palletizer", &[]);
+    assert!(text.contains("coupling:\n  j3: {j2: 1, j3: 1}\n"), "{text}");
+    assert!(text.contains("combined_limits:\n  - {sum: {j2: 1, j3: 1}, limits: [-20, 100]}\n"), "{text}");
+    let file = model(&text);
+    // The file's joint 3 is the bracket's turn and the forearm's: -j2 + j3.
+    let values = |q: &[f64]| {
+        let named = [("j1", q[0]), ("j2", q[1]), ("j2_level", -q[1]), ("j3", q[2] + q[1]), ("j4", q[3])];
+        named.map(|(name, value)| (name.to_owned(), value)).into()
+    };
+    assert!(worst("palletizer", ["base", "flange"], &file, values) < 1e-12);
+}
+
+#[test]
+fn a_finger_that_mimics_one_outside_the_chain_is_driven_by_it() {
+    let (text, _) = import("franka_panda", &["--base", "panda_hand", "--tool", "panda_rightfinger"]);
+    let file = model(&text);
+    assert_eq!(file.joints.len(), 1);
+    assert_eq!(file.joints[0].name, "panda_finger_joint1");
+    let values = |q: &[f64]| [("panda_finger_joint2".to_owned(), q[0])].into();
+    assert!(worst("franka_panda", ["panda_hand", "panda_rightfinger"], &file, values) < 1e-12);
+}
+
+#[test]
+fn what_no_arm_file_can_say_is_refused_with_a_way_out() {
+    let palletizer = fs::read_to_string(urdf("palletizer")).unwrap();
+    // The level keeper moved off the forearm's line.
+    let apart = palletizer.replace(
+        "<child link=\"forearm\"/>\n    <origin xyz=\"0 0 0\"",
+        "<child link=\"forearm\"/>\n    <origin xyz=\"0.1 0 0\"",
+    );
+    assert_ne!(apart, palletizer);
+    let said = refused(&apart, &[]);
+    assert!(said.contains("joint `j2_level` moves with `j2`") && said.contains("help:"), "{said}");
+    let floating = palletizer.replace("name=\"j1\" type=\"revolute\"", "name=\"j1\" type=\"floating\"");
+    let said = refused(&floating, &[]);
+    assert!(said.contains("joint `j1` is floating") && said.contains("--base column"), "{said}");
+    let said = refused(&palletizer, &["--tool", "flnge"]);
+    assert!(said.contains("no link is named `flnge`") && said.contains("flange"), "{said}");
+    let fetch = fs::read_to_string(urdf("franka_panda")).unwrap();
+    let said = refused(&fetch, &[]);
+    assert!(said.contains("several chains have 8 moving joints\nhelp: name the last link with --tool: panda_leftfinger, panda_rightfinger"), "{said}");
+    let said = refused("<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><xacro:arm/></robot>", &[]);
+    assert!(said.contains("xacro robot.urdf.xacro > robot.urdf"), "{said}");
+}
+
+#[test]
+fn imported_files_are_checked_without_advice_about_their_own_digits() {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("imported_kr6.yaml");
+    let to = path.to_str().unwrap();
+    let (nothing, _) = import("kuka_kr6_r700", &["-o", to]);
+    assert!(nothing.is_empty());
+    let output = run(&["check", to]);
+    let said = text(&output.stdout);
+    assert!(output.status.success() && said.contains("inverse (task pose): at most 8 solutions"), "{said}");
+    assert!(!said.contains("warning"), "{said}");
+}

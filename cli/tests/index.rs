@@ -1,0 +1,61 @@
+//! `docs/arms.md` lists the arms of `specs/` as the generator finds them.
+//!
+//! `DENHART_ACCEPT=1 cargo test -p denhart-cli --test index` writes the page.
+#![allow(clippy::unwrap_used)]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+const HEAD: &str = "\
+# The arms of `specs/`
+
+Each has its source in the head comment of its file. R is a turning joint, P a sliding one; axes count from 1. An arm without a
+closed form has forward kinematics and Jacobian all the same, and `denhart::numeric`. This page is written by a test:
+`DENHART_ACCEPT=1 cargo test -p denhart-cli --test index`.
+
+| arm | joints | axes | inverse | solutions at most |
+|---|---|---|---|---|
+";
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// The row of an arm.
+fn row(path: &Path) -> String {
+    let text = fs::read_to_string(path).unwrap();
+    let file = path.file_name().unwrap().to_string_lossy().into_owned();
+    let report = denhart_codegen::check(&text, &file).unwrap();
+    let shown = report.to_string();
+    let kinds = shown.lines().next().unwrap().split(['(', ')']).nth(1).unwrap().to_owned();
+    // `  2, 3, 4 are parallel`
+    let triples: Vec<&str> = shown
+        .lines()
+        .skip_while(|line| *line != "axes:")
+        .take_while(|line| *line != "operations:")
+        .map(str::trim)
+        .filter(|line| line.matches(',').count() == 2 && !line.contains("apart"))
+        .collect();
+    let (task, most) = match (&report.task, &report.refusal) {
+        (Some(task), _) => (format!("`{task}`"), report.max_solutions.unwrap().to_string()),
+        (None, Some(reason)) => (format!("none: {}", reason.split(';').next().unwrap()), "-".to_owned()),
+        (None, None) => unreachable!(),
+    };
+    let axes = if triples.is_empty() { "-".to_owned() } else { triples.join("; ") };
+    format!("| [{}](../specs/{file}) | {kinds} | {axes} | {task} | {most} |\n", report.name)
+}
+
+#[test]
+fn the_page_is_current() {
+    let files = fs::read_dir(root().join("specs")).unwrap().map(|entry| entry.unwrap().path());
+    let mut files: Vec<PathBuf> = files.filter(|path| path.extension().is_some_and(|end| end == "yaml")).collect();
+    files.sort();
+    assert!(files.len() > 50);
+    let page: String = [HEAD.to_owned()].into_iter().chain(files.iter().map(|path| row(path))).collect();
+    let path = root().join("docs/arms.md");
+    if std::env::var_os("DENHART_ACCEPT").is_some() {
+        fs::write(&path, &page).unwrap();
+    }
+    let present = fs::read_to_string(&path).unwrap_or_default();
+    assert!(present == page, "docs/arms.md is not current: DENHART_ACCEPT=1 cargo test -p denhart-cli --test index");
+}

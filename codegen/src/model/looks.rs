@@ -1,0 +1,147 @@
+//! Numbers that are in range and still look wrong: in another unit than the file's, or leaving a joint nothing to do.
+
+use std::f64::consts::TAU;
+
+use super::{InverseRequest, Joint, JointKind, Model, Task};
+use crate::error::Diagnostic;
+use crate::spec::{LengthUnit, LimitsSpec, Place, RowSpec, Spec, WrittenAngle};
+
+/// No link of an arm is as long as this, m.
+const LONG: f64 = 30.0;
+
+/// What to look at again. The file is used as it stands.
+pub fn advice(spec: &Spec, model: &Model) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    found.extend(long(spec));
+    found.extend(radians(spec));
+    found.extend(model.joints.iter().filter_map(|joint| {
+        let [low, high] = joint.limits?;
+        let row = spec.rows.get(joint.row)?;
+        let (_, place) = row.limits.as_ref().filter(|_| low == high)?;
+        let message = format!("`limits`: joint `{}` cannot move, its limits are equal", joint.name);
+        let add = if joint.kind == JointKind::Revolute { "theta" } else { "d" };
+        let help = format!("write `type: fixed` and add the value to `{add}`, or other limits");
+        Some(spec.source.warning(place, message).help(help))
+    }));
+    found
+}
+
+/// A length of a house: millimeters in a file of meters.
+fn long(spec: &Spec) -> Option<Diagnostic> {
+    let (meter, symbol) = match spec.length_unit {
+        LengthUnit::Meter => (1.0, "m"),
+        LengthUnit::Centimeter => (0.01, "cm"),
+        LengthUnit::Millimeter => (0.001, "mm"),
+        LengthUnit::Inch => (0.0254, "in"),
+    };
+    let (value, place) = spec.lengths.iter().max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))?;
+    if value.abs() * meter <= LONG {
+        return None;
+    }
+    let message = format!("{value} {symbol} is long for an arm");
+    let help = match spec.length_unit {
+        LengthUnit::Meter => "if the lengths are in mm, write `units: {length: mm}`",
+        _ => "the lengths of the file are in the unit that `units` names",
+    };
+    Some(spec.source.warning(place, message).help(help))
+}
+
+/// Limits of less than a turn in rad, in a file of degrees: both within 2 pi, at least 0.5 apart, and no whole number.
+fn radians(spec: &Spec) -> Option<Diagnostic> {
+    let small = |row: &RowSpec| -> Option<Place> {
+        let (LimitsSpec::Angles(ends), place) = row.limits.as_ref()? else { return None };
+        let degrees: Option<Vec<f64>> = ends
+            .iter()
+            .flatten()
+            .map(|end| match end {
+                WrittenAngle::Degrees(value) => Some(*value),
+                _ => None,
+            })
+            .collect();
+        let degrees = degrees.filter(|degrees| degrees.len() == 2)?;
+        let within = degrees.iter().all(|value| value.abs() <= 1.001 * TAU);
+        let apart = degrees.iter().fold(0.0, |width: f64, value| width.max(value.abs())) >= 0.5;
+        let broken = degrees.iter().any(|value| value.fract() != 0.0);
+        // One that is near a multiple of pi/4 has a warning already.
+        let said = degrees.iter().any(|value| looks_like_radians(*value));
+        (within && apart && broken && !said).then(|| place.clone())
+    };
+    let places: Vec<Place> = spec.rows.iter().filter_map(small).collect();
+    let first = places.first()?;
+    let others = match places.len() - 1 {
+        0 => String::new(),
+        more => format!(" (and {more} more)"),
+    };
+    let written = spec.source.written(first);
+    let message = format!("`limits`: {written} looks like radians{others}, and is degrees as the file's `units` say");
+    let help =
+        "write `2.96 rad`, or the limits in degrees; `angle: rad` in `units` makes all angles of the file radians";
+    Some(spec.source.warning(first, message).help(help))
+}
+
+fn looks_like_radians(value: f64) -> bool {
+    let eighths = value / std::f64::consts::FRAC_PI_4;
+    eighths.round() != 0.0 && (value - eighths.round() * std::f64::consts::FRAC_PI_4).abs() < 2e-3
+}
+
+impl InverseRequest {
+    /// Remarks that a joint whose value is given leaves six joints another task than a pose.
+    pub fn changed_task(&self, joints: &[Joint], task: Option<Task>) -> Option<Diagnostic> {
+        let joint = joints.get(self.redundant?).filter(|_| self.task.is_none() && joints.len() == 6)?;
+        let (name, task) = (&joint.name, task?.name());
+        let message = format!("`redundant: {name}` leaves five joints: the task is `{task}`, not `pose`");
+        let help = format!("remove `redundant` for a pose, or name the task that is meant: `task: {task}`");
+        Some(Diagnostic::warning(message).at(self.at.clone()).help(help))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+
+    use super::super::check;
+    use crate::error::Diagnostic;
+    use crate::spec;
+
+    fn of(unit: &str, rows: &str) -> Vec<Diagnostic> {
+        let text = format!("name: a\nconvention: standard\nunits: {{length: {unit}, angle: deg}}\njoints:\n{rows}");
+        let (spec, _) = spec::read(&text, "a.yaml").unwrap();
+        let model = check(&spec).unwrap();
+        super::advice(&spec, &model)
+    }
+
+    fn row(a: &str, limits: &str) -> String {
+        format!("  - {{a: {a}, alpha: 0, d: 0, theta: 0, limits: {limits}}}\n")
+    }
+
+    #[test]
+    fn lengths_of_a_house_are_remarked() {
+        let found = of("m", &(row("300", "null") + &row("500", "null")));
+        assert_eq!(found.len(), 1);
+        let text = found[0].to_string();
+        assert!(
+            text.starts_with("a.yaml:6:") && text.contains("500 m is long") && text.contains("length: mm"),
+            "{text}"
+        );
+        assert_eq!(of("mm", &row("500", "null")), []);
+        assert_eq!(of("m", &row("30", "null")), []);
+    }
+
+    #[test]
+    fn limits_in_radians_are_remarked_once() {
+        let found = of("m", &(row("1", "[-2.96, 2.96]") + &row("1", "[-2.09, 2]")));
+        assert_eq!(found.len(), 1);
+        let text = found[0].to_string();
+        assert!(text.contains("[-2.96, 2.96] looks like radians (and 1 more)"), "{text}");
+        for limits in ["[-5, 5]", "[-2.96 rad, 2.96 rad]", "[-0.1, 0.2]", "[-17.5, 17.5]", "[null, 2.5]"] {
+            assert_eq!(of("m", &row("1", limits)), [], "{limits}");
+        }
+    }
+
+    #[test]
+    fn a_joint_that_cannot_move_is_remarked() {
+        let found = of("m", &row("1", "[30, 30]"));
+        assert_eq!(found.len(), 1);
+        assert!(found[0].to_string().contains("joint `q1` cannot move"), "{}", found[0]);
+    }
+}

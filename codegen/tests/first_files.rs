@@ -1,0 +1,130 @@
+//! What a first arm file meets: defaults that say why, and refusals that name what to look at.
+#![allow(clippy::unwrap_used)]
+
+use denhart_codegen::Report;
+
+fn check(convention: &str, rows: &[&str], more: &str) -> Report {
+    let rows: String = rows.iter().map(|row| format!("  - {{{row}}}\n")).collect();
+    let text =
+        format!("name: first\nconvention: {convention}\nunits: {{length: m, angle: deg}}\njoints:\n{rows}{more}\n");
+    denhart_codegen::check(&text, "first.yaml").unwrap()
+}
+
+const YAW_PITCHES_ROLL: [&str; 5] = [
+    "a: 0, alpha: 90, d: 0.3, theta: 0",
+    "a: 0.4, alpha: 0, d: 0, theta: 0",
+    "a: 0.3, alpha: 0, d: 0, theta: 0",
+    "a: 0, alpha: 90, d: 0, theta: 90",
+    "a: 0, alpha: 0, d: 0.1, theta: 0",
+];
+
+#[test]
+fn five_joints_have_the_pose_where_they_can() {
+    let report = check("standard", &YAW_PITCHES_ROLL, "");
+    assert_eq!(report.task.as_deref(), Some("pose"), "{report}");
+    assert!(report.to_string().contains("the file names no task: `pose` is the most specific one"), "{report}");
+}
+
+#[test]
+fn five_joints_without_a_pose_point_the_tools_z() {
+    // Three axes that meet at the shoulder, then two more in no special place.
+    let rows = [
+        "a: 0, alpha: 90, d: 0.3, theta: 0",
+        "a: 0, alpha: 90, d: 0, theta: 0",
+        "a: 0.1, alpha: 90, d: 0.4, theta: 0",
+        "a: 0.2, alpha: 60, d: 0.1, theta: 0",
+        "a: 0, alpha: 0, d: 0.1, theta: 0",
+    ];
+    let report = check("standard", &rows, "tool: {xyz: [0.1, 0, 0.1], rpy: [40, 30, 0]}");
+    assert_eq!(report.task.as_deref(), Some("position_axis, axis z"), "{report}");
+    assert!(
+        report.to_string().contains("along the tool's z axis, because these five joints have no `pose`"),
+        "{report}"
+    );
+}
+
+#[test]
+fn an_axis_that_is_not_z_says_why() {
+    let report = check("standard", &YAW_PITCHES_ROLL, "inverse: {task: position_axis}");
+    assert_eq!(report.task.as_deref(), Some("position_axis, axis x"), "{report}");
+    assert!(report.to_string().contains("  axis z cannot be asked for: the arm is singular everywhere"), "{report}");
+}
+
+#[test]
+fn a_given_joint_that_changes_the_task_is_told() {
+    let rows = [
+        "a: 0, alpha: 90, d: 0.3, theta: 0",
+        "a: 0.4, alpha: 0, d: 0, theta: 0",
+        "a: 0.3, alpha: 0, d: 0, theta: 0",
+        "a: 0, alpha: 90, d: 0.1, theta: 0",
+        "a: 0, alpha: -90, d: 0.1, theta: 0",
+        "a: 0, alpha: 0, d: 0.1, theta: 0",
+    ];
+    let report = check("standard", &rows, "inverse: {redundant: q6}");
+    let said: Vec<String> = report.warnings.iter().map(ToString::to_string).collect();
+    let task = report.task.clone().unwrap_or_default();
+    let task = task.split(',').next().unwrap();
+    assert!(
+        matches!(&said[..], [one] if one.contains(&format!("the task is `{task}`, not `pose`"))),
+        "{said:?}\n{report}"
+    );
+    assert!(check("standard", &rows, "").warnings.is_empty());
+}
+
+/// The table of a Puma 560 by Craig, typed as a standard one.
+#[test]
+fn a_table_of_the_other_convention_is_named() {
+    let rows = [
+        "a: 0, alpha: 0, d: 0, theta: 0",
+        "a: 0, alpha: -90, d: 0, theta: 0",
+        "a: 0.4318, alpha: 0, d: 0.1491, theta: 0",
+        "a: 0.0203, alpha: -90, d: 0.4318, theta: 0",
+        "a: 0, alpha: 90, d: 0, theta: 0",
+        "a: 0, alpha: -90, d: 0, theta: 0",
+    ];
+    assert_eq!(check("modified", &rows, "").max_solutions, Some(8));
+    let report = check("standard", &rows, "");
+    let text = report.to_string();
+    assert!(text.contains("read as `convention: modified` the table has an inverse (task pose)"), "{text}");
+    let refusal = report.refusal.unwrap();
+    assert!(!refusal.contains("work"), "{refusal}");
+}
+
+#[test]
+fn axes_nearly_parallel_are_named_and_not_rounded() {
+    let rows = [
+        "a: 0.05, alpha: 90, d: 0.3, theta: 0",
+        "a: 0.4, alpha: 0.02, d: 0, theta: 0",
+        "a: 0.3, alpha: 0, d: 0, theta: 0",
+        "a: 0.02, alpha: 90, d: 0.1, theta: 0",
+        "a: 0.03, alpha: -90, d: 0.1, theta: 0",
+        "a: 0, alpha: 0, d: 0.1, theta: 0",
+    ];
+    let report = check("standard", &rows, "");
+    let refusal = report.refusal.clone().unwrap();
+    assert!(refusal.ends_with("axes 2, 3, 4 are parallel but for 0.02 deg"), "{refusal}");
+    assert!(report.warnings.is_empty(), "{:?}", report.warnings);
+}
+
+#[test]
+fn without_an_inverse_there_is_the_iteration_and_the_files_unit() {
+    let rows = [
+        "a: 0.1, alpha: 90, d: 0.3, theta: 0",
+        "a: 0.4, alpha: 70, d: 0.1, theta: 0",
+        "a: 0.3, alpha: 50, d: 0.2, theta: 0",
+        "a: 0.2, alpha: 80, d: 0.1, theta: 0",
+        "a: 0.3, alpha: -60, d: 0.1, theta: 0",
+        "a: 0.1, alpha: 40, d: 0.1, theta: 0",
+    ];
+    let report = check("standard", &rows, "");
+    let text = report.to_string();
+    assert!(text.contains("miss by 0.") && text.contains(" m\n") && !text.contains(" mm"), "{text}");
+    assert!(text.contains("`denhart::numeric` solves any arm by iteration"), "{text}");
+}
+
+#[test]
+fn position_angle_does_not_ask_for_a_joint_and_then_refuse_it() {
+    let refused = |more: &str| check("standard", &YAW_PITCHES_ROLL, more).refusal.unwrap();
+    let plain = refused("inverse: {task: position_angle}");
+    assert!(!plain.contains("name the one whose value is given"), "{plain}");
+}
