@@ -57,9 +57,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
         let Some(left) = self.left.checked_sub(RESERVED + 1) else { return Found::Nothing };
         let start = Iterate::at(facts, self.goal, self.arm, solution.q);
         let mut rest = left;
-        // A stage is missed, and nothing before it may move: no step leads to a solution.
-        let beyond = state.clamped && state.loose().is_empty();
-        let end = if beyond { start } else { refined(facts, self.goal, self.arm, start, &mut rest) };
+        let end = refined(facts, self.goal, self.arm, start, &mut rest);
         self.left = rest + RESERVED;
         (solution.q, solution.residual) = (end.q, end.residual);
         let exact = facts.relative(&solution.residual) <= T::EXACT;
