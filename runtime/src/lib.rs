@@ -18,6 +18,7 @@
 //! | `derive` | yes | `#[derive(Arm)]` |
 //! | `nalgebra` | yes | conversions to and from nalgebra; with `std` also `Chain`, an arm from its table at run time |
 //! | `libm` | no | the square root of the `libm` crate, for targets without `std` |
+//! | `fpu` | no | the square root instruction of the processor, for targets without `std` that have one |
 //!
 //! Only `Chain` allocates.
 

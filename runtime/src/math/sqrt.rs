@@ -1,5 +1,5 @@
-//! Square root: the processor's with `std`, that of `libm` with the feature of that name, else one in integers.
-//! All three are correctly rounded, so they agree in every bit.
+//! Square root: the processor's with `std`; with `fpu` that too, where there is one; else that of `libm` with the feature of
+//! that name, or one in integers. All are correctly rounded, so they agree in every bit.
 
 /// Square root of an `f64`.
 #[inline]
@@ -8,13 +8,13 @@ pub(super) fn double(x: f64) -> f64 {
     {
         x.sqrt()
     }
-    #[cfg(all(not(feature = "std"), feature = "libm"))]
+    #[cfg(all(not(feature = "std"), feature = "fpu"))]
     {
-        libm::sqrt(x)
+        denhart_fpu::double(x).unwrap_or_else(|| software::double(x))
     }
-    #[cfg(not(any(feature = "std", feature = "libm")))]
+    #[cfg(not(any(feature = "std", feature = "fpu")))]
     {
-        integer::double(x)
+        software::double(x)
     }
 }
 
@@ -25,13 +25,32 @@ pub(super) fn single(x: f32) -> f32 {
     {
         x.sqrt()
     }
-    #[cfg(all(not(feature = "std"), feature = "libm"))]
+    #[cfg(all(not(feature = "std"), feature = "fpu"))]
     {
-        libm::sqrtf(x)
+        denhart_fpu::single(x).unwrap_or_else(|| software::single(x))
     }
-    #[cfg(not(any(feature = "std", feature = "libm")))]
+    #[cfg(not(any(feature = "std", feature = "fpu")))]
     {
-        integer::single(x)
+        software::single(x)
+    }
+}
+
+#[cfg(all(not(feature = "std"), feature = "libm"))]
+use libm_root as software;
+
+#[cfg(all(not(feature = "std"), not(feature = "libm")))]
+use integer as software;
+
+#[cfg(all(not(feature = "std"), feature = "libm"))]
+mod libm_root {
+    #[inline]
+    pub(super) fn double(x: f64) -> f64 {
+        libm::sqrt(x)
+    }
+
+    #[inline]
+    pub(super) fn single(x: f32) -> f32 {
+        libm::sqrtf(x)
     }
 }
 

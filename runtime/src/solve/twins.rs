@@ -31,8 +31,10 @@ where
         // rounding at worst: one each.
         let close = |other: &Place<T>| apart(other, &root) < T::COINCIDENT.sqrt();
         let twin = found.iter().take(stage.len).skip(done + 1).position(close);
-        if let Some(twin) = twin {
-            found.swap(done + 1, done + 1 + twin);
+        if let Some([next, later @ ..]) = found.get_mut(done + 1..)
+            && let Some(other) = twin.and_then(|twin| later.get_mut(twin.checked_sub(1)?))
+        {
+            core::mem::swap(next, other);
         }
         let near = if size < T::DOUBTFUL {
             beside(rows, across, root)

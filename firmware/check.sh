@@ -1,0 +1,191 @@
+#!/usr/bin/env bash
+# Generated code on an emulated Cortex-M4F: no panic, no heap, no double precision in f32, the bits of the host, and what
+# it costs, compared with measured.txt. See docs/microcontroller.md.
+#   firmware/check.sh             fails if a number grew by more than 3 %
+#   firmware/check.sh --accept    writes measured.txt
+# On a fresh Debian 12 machine it downloads a cross compiler and an emulator first (150 MB), to
+# DENHART_FIRMWARE_TOOLCHAIN or ~/.cache/denhart/firmware. Exit status 77: these cannot be had here (no network, or no
+# Debian), and nothing was checked.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+
+accept=()
+case ${1:-} in
+  '') ;;
+  --accept) accept=(--accept) ;;
+  *)
+    sed -n 's/^# \{0,1\}//; 2,8p' "${BASH_SOURCE[0]}" >&2
+    exit 2
+    ;;
+esac
+
+export CARGO_TERM_COLOR=never
+unset RUSTFLAGS CARGO_ENCODED_RUSTFLAGS
+tools=${DENHART_FIRMWARE_TOOLCHAIN:-${XDG_CACHE_HOME:-$HOME/.cache}/denhart/firmware}
+target=thumbv7em-none-eabihf
+built=$(realpath -m "${CARGO_TARGET_DIR:-target}")
+out=$built/check
+rm -rf "$out"
+mkdir -p "$out"
+export CARGO_TARGET_DIR=$built
+
+# Runs a command quietly; shows what it printed only if it fails.
+step() {
+  local title=$1 start=$SECONDS log
+  shift
+  log=$(mktemp -p "$out")
+  # Not as a condition, where a function would go on after a command that fails.
+  (
+    set -e
+    "$@"
+  ) >"$log" 2>&1 &
+  if wait $!; then
+    printf '%s ... ok (%d s)\n' "$title" $((SECONDS - start))
+  else
+    local status=$?
+    printf '%s ... FAILED\n' "$title"
+    tail -n 60 "$log"
+    exit "$status"
+  fi
+}
+
+# The command fails, and says what it has to.
+refused() {
+  local says=$1 printed
+  shift
+  if printed=$("$@" 2>&1); then
+    echo "not refused: $*"
+    return 1
+  fi
+  grep -q "$says" <<<"$printed" || { echo "refused for another reason: $printed"; return 1; }
+}
+
+toolchain_start=$SECONDS
+./toolchain.sh "$tools"
+echo "toolchain in $tools ($((SECONDS - toolchain_start)) s): $("$tools/bin/rustc" -V)"
+if ! cargo fetch --locked >"$out/fetch" 2>&1; then
+  cat "$out/fetch" >&2
+  grep -q 'lock file' "$out/fetch" && exit 1
+  echo "firmware: the crates cannot be downloaded: no network?" >&2
+  exit 77
+fi
+"$tools/bin/rustc" -V >"$out/compiler"
+# What another build of `core` made does not link with this one.
+made_by="$tools of $(stat -c %y "$tools/ready")"
+[[ -f $built/made_by && $(<"$built/made_by") == "$made_by" ]] || rm -rf "$built/chip"
+echo "$made_by" >"$built/made_by"
+
+# Of the host: the installed toolchain. Of the chip: the private one.
+host() { "$built/host/release/firmware-host" "$@"; }
+chip() { RUSTC=$tools/bin/rustc CARGO_TARGET_DIR=$built/chip cargo build --locked --quiet --target $target "$@"; }
+run() {
+  timeout 600 "$tools/bin/qemu-system-arm" -M mps2-an386 "${@:2}" -display none -monitor none -serial none \
+    -chardev stdio,id=output -semihosting-config enable=on,target=native,chardev=output -kernel "$1" </dev/null
+}
+program() { echo "$built/chip/$target/$1/$2"; }
+
+step "host: the tool" env CARGO_TARGET_DIR="$built/host" cargo build --locked --release -p firmware-host
+mapfile -t arms < <(host arms)
+without_fpu=puma560_f32
+
+# The functions of a program that is measured for its size, as features.
+features() {
+  case $1 in
+    empty) ;;
+    together) echo ,forward,forward_and_jacobian,inverse,inverse_near ;;
+    *) echo ",$1" ;;
+  esac
+}
+sizes() {
+  local profile=$1 level=$2 arm function
+  for arm in "${arms[@]}"; do
+    mkdir -p "$out/flash/$arm"
+    for function in empty forward forward_and_jacobian inverse inverse_near inverse_branch together; do
+      chip --profile "$profile" -p firmware-chip --bin size --features "fpu,$arm$(features $function)"
+      cp "$(program "$profile" size)" "$out/flash/$arm/$function.$level"
+    done
+  done
+  # A second arm of the same structure.
+  chip --profile "$profile" -p firmware-chip --bin size --features "fpu,puma560_f32,abb_irb2400_f32$(features together)"
+  cp "$(program "$profile" size)" "$out/flash/two.together.$level"
+}
+programs() {
+  local arm
+  mkdir -p "$out/programs"
+  for arm in "${arms[@]}"; do
+    for name in measure bits; do
+      chip --profile release -p firmware-chip --bin $name --features "fpu,$arm"
+      cp "$(program release $name)" "$out/programs/$arm.$name"
+    done
+  done
+  # The square root in integers, where there is no feature `fpu`.
+  for arm in $without_fpu; do
+    chip --profile release -p firmware-chip --bin bits --features "$arm"
+    cp "$(program release bits)" "$out/programs/$arm.integer.bits"
+  done
+  chip --profile release -p control-loop
+  cp "$(program release control-loop)" "$out/programs/loop"
+}
+# Every function of every arm in specs/ links without a panic handler.
+proof() {
+  local profile=$1 scalar
+  for scalar in f32 f64; do
+    chip --profile "$profile" -p firmware-proof --bin "proof_$scalar"
+    cp "$(program "$profile" "proof_$scalar")" "$out/proof_$scalar.$profile"
+  done
+  host doubles "$out/proof_f32.$profile"
+  # What finds double precision finds it where it is.
+  refused 'double precision: .*__aeabi_dadd' host doubles "$out/proof_f64.$profile"
+  refused a_panic_path_is_left chip --profile "$profile" -p firmware-proof --bin planted_panic
+  refused 'crate for `alloc`\|no global memory allocator' chip --profile "$profile" -p firmware-proof --bin planted_heap
+}
+measure() {
+  mkdir -p "$out/measured"
+  run "$out/programs/$1.measure" -icount shift=0,sleep=off >"$out/measured/$1.txt" || { tail -n 3 "$out/measured/$1.txt"; return 1; }
+}
+bits() {
+  mkdir -p "$out/bits"
+  run "$out/programs/$1.bits" >"$out/bits/$1.txt" || { tail -n 3 "$out/bits/$1.txt"; return 1; }
+  host bits "$out/bits/$1.txt" | tee "$out/bits/$1.equal"
+  # What compares them sees a bit that differs.
+  sed '3s/ [0-9a-f]*$/ 00000000/' "$out/bits/$1.txt" >"$out/bits/$1.wrong"
+  refused 'differ between chip and host' host bits "$out/bits/$1.wrong"
+}
+control_loop() { run "$out/programs/loop" -icount shift=0,sleep=off >"$out/loop.txt" || { cat "$out/loop.txt"; return 1; }; }
+
+# Runs what `programs` built.
+runs() {
+  local arm
+  for arm in "${arms[@]}"; do
+    step "$arm: instructions and stack" measure "$arm"
+    step "$arm: chip and host" bits "$arm"
+  done
+  for arm in $without_fpu; do
+    step "$arm, square root in integers: chip and host" bits "$arm.integer"
+  done
+  step 'control loop' control_loop
+}
+
+# Two lanes, one for each profile: cargo builds one program of a profile at a time. Where one fails the others end too.
+set -m
+(
+  step 'opt-level s: sizes' sizes small s
+  step 'opt-level s: no panic, no heap, f32 without f64' proof small
+) &
+lane=$!
+set +m
+trap 'kill -- -$lane ${running:-} 2>/dev/null || true' EXIT
+step 'opt-level 3: programs' programs
+runs &
+running=$!
+step 'opt-level 3: sizes' sizes release 3
+step 'opt-level 3: no panic, no heap, f32 without f64' proof release
+wait $running
+wait $lane
+trap - EXIT
+
+echo
+cat "$out"/bits/*.equal
+cat "$out/loop.txt"
+echo
+host table "$out" measured.txt ../docs/microcontroller.md ${accept[@]+"${accept[@]}"}

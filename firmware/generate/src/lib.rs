@@ -1,0 +1,53 @@
+//! For build scripts: modules of generated arms, each with a call of every function that the arm has.
+//!
+//! The functions are read from the generated code, not from a list: a function that is new in the generator is
+//! measured and proved from then on. An argument that no case has is an error of the build.
+
+mod functions;
+mod module;
+
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+pub use module::Scalar;
+
+/// Why a build script wrote nothing.
+pub type Error = Box<dyn std::error::Error>;
+
+/// The repository's arm files.
+#[must_use]
+pub fn specs() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../specs")
+}
+
+/// Names of all arm files, sorted.
+///
+/// # Errors
+/// The folder cannot be read.
+pub fn all_arms() -> Result<Vec<String>, Error> {
+    let mut names = Vec::new();
+    for entry in fs::read_dir(specs())? {
+        let path = entry?.path();
+        if path.extension().is_some_and(|extension| extension == "yaml") {
+            names.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
+        }
+    }
+    names.sort();
+    Ok(names)
+}
+
+/// Writes `file` in `OUT_DIR`: a module `puma560_f32` for each arm and scalar.
+///
+/// # Errors
+/// An arm file is missing or refused, or a function has an argument that no case has.
+pub fn write(file: &str, arms: &[(&str, Scalar)]) -> Result<(), Error> {
+    let mut text = String::new();
+    for &(arm, scalar) in arms {
+        let path = specs().join(format!("{arm}.yaml"));
+        println!("cargo:rerun-if-changed={}", path.display());
+        text += &module::of(arm, scalar, &path)?;
+    }
+    let directory = env::var_os("OUT_DIR").ok_or("OUT_DIR is not set: this is for build scripts")?;
+    fs::write(Path::new(&directory).join(file), text)?;
+    Ok(())
+}

@@ -1,0 +1,117 @@
+//! The rows of the table: what the programs of an arm take.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use crate::Error;
+use crate::elf::Program;
+
+/// Functions that are measured, and by itself the program of a control loop: `forward`, `forward_and_jacobian`,
+/// `inverse` and `inverse_near` together.
+pub const FUNCTIONS: [&str; 6] =
+    ["forward", "forward_and_jacobian", "inverse", "inverse_near", "inverse_branch", "together"];
+
+/// Families of cases, as the chip names them.
+pub const FAMILIES: [&str; 6] = ["random", "grid", "singular", "out-of-reach", "drifted", "nan"];
+
+/// Names of the arms that are measured.
+#[must_use]
+pub fn arms() -> Vec<&'static str> {
+    let mut names = Vec::new();
+    macro_rules! each {
+        ($arm:ident, $scalar:ident) => {
+            names.push(stringify!($arm));
+        };
+    }
+    firmware_arms::each_arm!(each);
+    names
+}
+
+/// One line of the table: bytes, then median, 99th percentile and worst instructions of each family.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Row {
+    /// Arm and function.
+    pub key: (String, String),
+    /// Numbers by column; `None`: not measured.
+    pub numbers: Vec<Option<u64>>,
+}
+
+/// Heads of the numbers.
+#[must_use]
+pub fn columns() -> Vec<String> {
+    let mut heads = vec!["flash-3".to_owned(), "flash-s".to_owned(), "stack".to_owned()];
+    for family in FAMILIES {
+        heads.extend(["median", "p99", "worst"].map(|what| format!("{family}:{what}")));
+    }
+    heads
+}
+
+/// The rows of what `check.sh` left in `folder`: `flash/ARM/FUNCTION.3` and `.s`, programs, with `empty` to take off;
+/// `flash/two.together.3`, of two arms; `measured/ARM.txt`, lines of the chip.
+///
+/// # Errors
+/// A program or a measurement is missing.
+pub fn read(folder: &Path) -> Result<Vec<Row>, Error> {
+    let mut rows = Vec::new();
+    for arm in arms() {
+        let measured = measured(&folder.join("measured").join(format!("{arm}.txt")))?;
+        let flash = |function: &str, level: &str| -> Result<u64, Error> {
+            let of = |name: &str| Program::read(&folder.join("flash").join(arm).join(format!("{name}.{level}")));
+            Ok(of(function)?.flash.saturating_sub(of("empty")?.flash))
+        };
+        for function in FUNCTIONS {
+            let mut numbers = vec![Some(flash(function, "3")?), Some(flash(function, "s")?)];
+            if function == "together" {
+                numbers.resize(columns().len(), None);
+            } else {
+                let of_family = |family: &str| {
+                    measured
+                        .get(&(function.to_owned(), family.to_owned()))
+                        .ok_or_else(|| format!("{arm}: the chip did not measure {function}, {family}"))
+                };
+                let mut instructions = Vec::new();
+                let mut stack = 0;
+                for family in FAMILIES {
+                    let &[median, p99, worst, deepest] = of_family(family)?;
+                    instructions.extend([Some(median), Some(p99), Some(worst)]);
+                    stack = stack.max(deepest);
+                }
+                numbers.push(Some(stack));
+                numbers.extend(instructions);
+            }
+            rows.push(Row { key: (arm.to_owned(), function.to_owned()), numbers });
+        }
+    }
+    rows.push(second(folder)?);
+    Ok(rows)
+}
+
+/// What a second arm of the same structure adds to the program `together` of one.
+fn second(folder: &Path) -> Result<Row, Error> {
+    let flash = |name: &str| Program::read(&folder.join("flash").join(name)).map(|program| program.flash);
+    let mut numbers = vec![None; columns().len()];
+    for (number, level) in numbers.iter_mut().zip(["3", "s"]) {
+        let both = flash(&format!("two.together.{level}"))?;
+        *number = Some(both.saturating_sub(flash(&format!("puma560_f32/together.{level}"))?));
+    }
+    Ok(Row { key: ("puma560_f32+abb_irb2400_f32".to_owned(), "second".to_owned()), numbers })
+}
+
+/// By function and family: median, 99th percentile, worst, stack.
+type Measured = BTreeMap<(String, String), [u64; 4]>;
+
+fn measured(file: &Path) -> Result<Measured, Error> {
+    let text = fs::read_to_string(file).map_err(|error| format!("{}: {error}", file.display()))?;
+    let mut measured = Measured::new();
+    for line in text.lines() {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        let &["MEASURED", function, family, ref numbers @ ..] = words.as_slice() else {
+            return Err(format!("{}: {line}", file.display()).into());
+        };
+        let numbers = numbers.iter().map(|number| number.parse()).collect::<Result<Vec<u64>, _>>()?;
+        let numbers = numbers.try_into().map_err(|_| format!("{}: {line}", file.display()))?;
+        measured.insert((function.to_owned(), family.to_owned()), numbers);
+    }
+    Ok(measured)
+}
