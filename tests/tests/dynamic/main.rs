@@ -8,24 +8,19 @@ mod more;
 use denhart_dynamic::DynamicArm;
 use std::path::Path;
 
-/// The arm of a list, evaluated.
-macro_rules! evaluated {
-    ({ spec = $path:literal }) => {
-        DynamicArm::from_file(Path::new(env!("CARGO_MANIFEST_DIR")).join($path))
-    };
-    ({ yaml = $text:literal }) => {
-        DynamicArm::from_yaml($text)
-    };
+/// The arm of a file, from the folder of this package.
+fn evaluated(file: &str) -> DynamicArm {
+    DynamicArm::from_file(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap()
 }
 
 macro_rules! equal {
     (@forward $Type:ident $dof:tt) => { generated::kinematics::<denhart_tests::arms::$Type, $dof>() };
     (@inverse $Type:ident $dof:tt) => { generated::inverse::<denhart_tests::arms::$Type, $dof>() };
     (@task $Type:ident $dof:tt) => { generated::inverse::<denhart_tests::arms::$Type, $dof>() };
-    ($($name:ident $Type:ident $dof:tt $kind:ident $attribute:tt;)*) => {$(
+    ($($name:ident $Type:ident $dof:tt $kind:ident $file:literal;)*) => {$(
         #[test]
         fn $name() {
-            let arm = evaluated!($attribute).unwrap();
+            let arm = evaluated($file);
             compare::compare(stringify!($name), &arm, &equal!(@$kind $Type $dof));
         }
     )*};
@@ -35,10 +30,10 @@ macro_rules! equal_with_branches {
     (@forward $Type:ident $dof:tt) => { generated::kinematics::<denhart_tests::arms::$Type, $dof>() };
     (@inverse $Type:ident $dof:tt) => { generated::branches::<denhart_tests::arms::$Type, $dof>() };
     (@task $Type:ident $dof:tt) => { generated::branches::<denhart_tests::arms::$Type, $dof>() };
-    ($($name:ident $Type:ident $dof:tt $kind:ident $attribute:tt;)*) => {$(
+    ($($name:ident $Type:ident $dof:tt $kind:ident $file:literal;)*) => {$(
         #[test]
         fn $name() {
-            let arm = evaluated!($attribute).unwrap();
+            let arm = evaluated($file);
             compare::compare(stringify!($name), &arm, &equal_with_branches!(@$kind $Type $dof));
         }
     )*};
@@ -49,9 +44,5 @@ denhart_tests::published_arms!(equal_with_branches);
 mod made_up {
     use super::*;
 
-    denhart_tests::mounted_arms!(equal);
-    denhart_tests::meeting_arms!(equal);
-    denhart_tests::parallel_arms!(equal);
-    denhart_tests::sliding_arms!(equal);
-    denhart_tests::sliding_parallel_arms!(equal);
+    denhart_tests::made_up_arms!(equal);
 }
