@@ -65,14 +65,16 @@ impl Plan {
     ///
     /// So it is where three equations of one joint each bring a point to its place, before a spherical wrist or nothing: a
     /// joint is free if the point lies on its axis, and then its place moves nothing that a later equation sees. The
-    /// spherical wrist has roots for every rotation.
+    /// spherical wrist has roots for every rotation. A joint that is given, or a virtual one, stands between axes whose
+    /// angle depends on the target: there an equation may vanish for another reason.
     pub fn is_decoupled(&self) -> bool {
         let kernels: Vec<&Kernel> = self.stages().map(|stage| &stage.kernel).collect();
         let places = |kernel: &&Kernel| {
             matches!(kernel, Kernel::Offset { .. } | Kernel::Distance { about: None, .. } | Kernel::Align { .. })
         };
         let (position, rest) = kernels.split_at(kernels.len().min(3));
-        self.stages().count() == self.steps.len()
+        let own = self.task.locked.is_none() && self.slots.iter().all(|slot| slot.joint.is_some());
+        own && self.stages().count() == self.steps.len()
             && position.len() == 3
             && position.iter().all(places)
             && matches!(rest, [] | [Kernel::Wrist { .. }])
