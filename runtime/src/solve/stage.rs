@@ -82,7 +82,7 @@ impl<T: Tolerances> Level<T> {
 }
 
 /// Where a branch of the cascade is: what generated code hands from stage to stage. What the branch has met is kept in
-/// the search, one [`State`] for each stage on the way that is in doubt; a branch without doubts has none.
+/// the search, one `State` for each stage on the way that is in doubt; a branch without doubts has none.
 ///
 /// One number, 0 without doubts: the number of states that belong to the branch, and two marks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
