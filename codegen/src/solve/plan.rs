@@ -73,7 +73,8 @@ impl Plan {
             matches!(kernel, Kernel::Offset { .. } | Kernel::Distance { about: None, .. } | Kernel::Align { .. })
         };
         let (position, rest) = kernels.split_at(kernels.len().min(3));
-        let own = self.task.locked.is_none() && self.slots.iter().all(|slot| slot.joint.is_some());
+        let mut solved = self.stages().flat_map(|stage| &stage.joints);
+        let own = self.task.locked.is_none() && solved.all(|slot| self.joint(*slot).is_some());
         own && self.stages().count() == self.steps.len()
             && position.len() == 3
             && position.iter().all(places)
