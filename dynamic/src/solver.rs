@@ -42,23 +42,24 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
         DynamicError::Unsupported(format!("an inverse of {joints} joints with up to {capacity} solutions"))
     };
     macro_rules! sizes {
-        ($Passes:ident $($joints:literal: $($capacity:literal)*;)*) => {
+        // `Missed` may name the capacity as `M`.
+        ($Missed:ty; $($joints:literal: $($capacity:literal)*;)*) => {
             match (program.joints, program.capacity) {
                 $($(($joints, $capacity) => {
-                    Solver::<$joints, $capacity, $Passes>::boxed(program, both)
+                    const M: usize = $capacity;
+                    Solver::<$joints, M, $Missed>::boxed(program, both)
                 })*)*
                 _ => None,
             }
         };
     }
     let solver = match program.decoupled {
-        true => sizes! { Crossings
+        true => sizes! { Decoupled;
             3: 1 2 4;
             4: 2 4;
             6: 4 8;
-            7: 8;
         },
-        false => sizes! { Places
+        false => sizes! { Levels<f64, M>;
             2: 1 2;
             3: 1 2 4;
             4: 1 2 4 8;
@@ -70,61 +71,13 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
     solver.ok_or_else(unsupported)
 }
 
-/// How a search begins: which further passes it has is in its type.
-trait Begin<const N: usize, const M: usize>: std::fmt::Debug + Send + Sync + 'static {
-    type Passes: Missed<f64, M>;
-
-    fn begin<'a>(
-        facts: &'a Facts<f64, N>,
-        arm: &'a dyn Evaluate<f64, N>,
-        goal: &'a dyn Goal<f64, N>,
-        near: Option<&[f64; N]>,
-        solutions: &'a mut Solutions<f64, N, M>,
-    ) -> Search<'a, f64, N, M, Self::Passes>;
-}
-
-/// With passes at other places of a free joint.
+/// `P`: what the search remembers of branches that are missed, [`Levels`] or [`Decoupled`].
 #[derive(Debug)]
-struct Places;
-
-impl<const N: usize, const M: usize> Begin<N, M> for Places {
-    type Passes = Levels<f64, M>;
-
-    fn begin<'a>(
-        facts: &'a Facts<f64, N>,
-        arm: &'a dyn Evaluate<f64, N>,
-        goal: &'a dyn Goal<f64, N>,
-        near: Option<&[f64; N]>,
-        solutions: &'a mut Solutions<f64, N, M>,
-    ) -> Search<'a, f64, N, M, Self::Passes> {
-        Search::new(facts, arm, goal, near, solutions)
-    }
-}
-
-/// For a decoupled arm.
-#[derive(Debug)]
-struct Crossings;
-
-impl<const N: usize, const M: usize> Begin<N, M> for Crossings {
-    type Passes = Decoupled;
-
-    fn begin<'a>(
-        facts: &'a Facts<f64, N>,
-        arm: &'a dyn Evaluate<f64, N>,
-        goal: &'a dyn Goal<f64, N>,
-        near: Option<&[f64; N]>,
-        solutions: &'a mut Solutions<f64, N, M>,
-    ) -> Search<'a, f64, N, M, Self::Passes> {
-        Search::decoupled(facts, arm, goal, near, solutions)
-    }
-}
-
-#[derive(Debug)]
-struct Solver<const N: usize, const M: usize, B> {
+struct Solver<const N: usize, const M: usize, P> {
     nest: Nest,
     facts: Facts<f64, N>,
     both: Evaluator<N>,
-    begin: PhantomData<B>,
+    missed: PhantomData<P>,
 }
 
 /// Pose and Jacobian for the verification of solutions.
@@ -145,10 +98,10 @@ impl<const N: usize> Evaluate<f64, N> for Evaluator<N> {
     }
 }
 
-impl<const N: usize, const M: usize, B: Begin<N, M>> Solver<N, M, B> {
+impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send + Sync + 'static> Solver<N, M, P> {
     fn boxed(program: &Inverse, both: &Straight) -> Option<Box<dyn Solve>> {
         let facts = crate::facts::facts(&program.facts)?;
-        Some(Box::new(Self { nest: Nest::new(program), facts, both: Evaluator(both.clone()), begin: PhantomData::<B> }))
+        Some(Box::new(Self { nest: Nest::new(program), facts, both: Evaluator(both.clone()), missed: PhantomData }))
     }
 
     fn solutions(&self, asked: &Asked) -> Solutions<f64, N, M> {
@@ -223,7 +176,7 @@ impl<const N: usize, const M: usize, B: Begin<N, M>> Solver<N, M, B> {
             Some(locked) => locked,
             None => goal,
         };
-        let mut search = B::begin(&self.facts, &self.both, sought, near, solutions);
+        let mut search = Search::<f64, N, M, P>::new(&self.facts, &self.both, sought, near, solutions);
         if !search.begins(near) {
             return;
         }
@@ -244,7 +197,9 @@ impl<const N: usize, const M: usize, B: Begin<N, M>> Solver<N, M, B> {
     }
 }
 
-impl<const N: usize, const M: usize, B: Begin<N, M>> Solve for Solver<N, M, B> {
+impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send + Sync + 'static> Solve
+    for Solver<N, M, P>
+{
     fn solve(&self, asked: &Asked) -> DynamicSolutions {
         DynamicSolutions::from(&self.solutions(asked))
     }

@@ -85,7 +85,8 @@ pub(super) fn function(
     given_symbols: &TokenStream,
     body: &TokenStream,
 ) -> TokenStream {
-    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(plan.joints()));
+    let (krate, scalar) = (&target.krate, target.scalar.tokens());
+    let (n, m) = (integer(plan.joints()), integer(plan.max_solutions()));
     let solutions = solutions(plan, target);
     let type_name = &target.type_name;
     let lines: Vec<String> = crate::solve::describe(plan).into_iter().map(|line| format!("- {line}")).collect();
@@ -104,19 +105,24 @@ pub(super) fn function(
     } else {
         (quote!(&facts), parameters::sizes(model, target))
     };
-    let (passes, search) = match program.decoupled {
-        false => (
-            "Once; again with a free joint at another place, where a later stage has no root with that joint at home.",
-            "new",
-        ),
-        true => {
-            ("Once; again with two free joints at other places, where two families of solutions cross.", "decoupled")
-        }
+    let (passes, missed, search_doc) = if program.decoupled {
+        let passes = "Once; again with two free joints at other places, where two families of solutions cross.";
+        let search = "The search of an arm on which no later stage sees where a free joint is.";
+        (passes, quote!(#krate::solve::Decoupled), search)
+    } else {
+        let passes =
+            "Once; again with a free joint at another place, where a later stage has no root with that joint at home.";
+        let search = "The search; it remembers the branches that are missed with a free joint at home.";
+        (passes, quote!(#krate::solve::Levels<#scalar, #m>), search)
     };
-    let (passes, search) = (docs::lines(passes), ident(search));
+    let search_doc = docs::lines(search_doc);
+    let passes = docs::lines(passes);
     // Without a choice between roots there is nothing to select.
     let wanted = ident(if program.capacity > 1 { "wanted" } else { "_wanted" });
     quote! {
+        #search_doc
+        type InverseSearch<'a> = #krate::solve::Search<'a, #scalar, #n, #m, #missed>;
+
         #doc
         fn branches(
             arm: &#type_name,
@@ -128,7 +134,7 @@ pub(super) fn function(
             let mut solutions = #krate::Solutions::new(#krate::Status::BadTarget);
             #sizes
             #goal
-            let mut search = #krate::solve::Search::#search(#facts, arm, #sought, near, &mut solutions);
+            let mut search = InverseSearch::new(#facts, arm, #sought, near, &mut solutions);
             if search.begins(near) {
                 #unpack
                 #given_symbols

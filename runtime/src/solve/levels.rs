@@ -117,8 +117,8 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         self.open.get_mut(..self.len).unwrap_or(&mut [])
     }
 
-    /// Remembers a branch that is missed at home. `value` tells a joint's value there; `slack`: by how much a joint that
-    /// is nearly free may move.
+    /// Remembers a branch that is missed at home, at the joint vector `q`. `slack`: by how much a joint that is nearly
+    /// free may move.
     #[inline(never)]
     pub(super) fn remember<const N: usize>(&mut self, state: &State<T>, branch: Branch, q: &[T; N], slack: T) {
         let level = state.level;
@@ -179,13 +179,13 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
 
     /// Where a joint stays in a pass, given its home.
     #[inline(never)]
-    pub(super) fn away<const N: usize>(&self, facts: &Facts<T, N>, pass: Option<Pass>, joint: usize, home: T) -> T {
+    pub(super) fn away<const N: usize>(&self, facts: &Facts<T, N>, pass: Pass, joint: usize, home: T) -> T {
         let moved = self.moving.iter().zip(self.steps).find(|(moving, _)| moving.contains(joint));
         let step = moved.map_or(T::ZERO, |(_, step)| step);
         let slides = facts.prismatic.contains(joint);
         let step = match pass {
-            Some(Pass::Sample { place, .. }) if !step.is_finite() && slides => stroke(place),
-            Some(Pass::Sample { second, place }) if !step.is_finite() => turn::<T>(self.places(second), place) / T::TAU,
+            Pass::Sample { place, .. } if !step.is_finite() && slides => stroke(place),
+            Pass::Sample { second, place } if !step.is_finite() => turn::<T>(self.places(second), place) / T::TAU,
             _ => step,
         };
         if slides { home + facts.reach * T::from_f64(STROKE) * step } else { wrap(home + T::TAU * step) }

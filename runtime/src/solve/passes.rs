@@ -124,7 +124,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Passes<T, N
                 let sixteenths = T::from_i32((1 + 8 * k) * (1 + 2 * before as i32));
                 wrap(home + T::TAU * T::from_f64(0.0625) * sixteenths)
             }
-            (Some(Pass::Level(pass)), Some(levels)) => levels.away(facts, Some(pass), joint, home),
+            (Some(Pass::Level(pass)), Some(levels)) => levels.away(facts, pass, joint, home),
             _ => home,
         }
     }

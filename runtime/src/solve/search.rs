@@ -1,8 +1,7 @@
 //! Following the branches of the cascade and collecting the solutions.
 
 use super::facts::Evaluate;
-use super::levels::Levels;
-use super::passes::{Decoupled, Missed, Passes};
+use super::passes::{Missed, Passes};
 use super::stage::{Met, State};
 use super::{Facts, Goal, Home, Measure, Stage, Tolerances, Trail};
 use crate::effort::MOST_EVALUATIONS;
@@ -14,10 +13,12 @@ use crate::{Branch, Flags, JointMask, Residual, Solution, Solutions, Status};
 /// The place of a virtual joint in a mask, beyond the joints of any arm with an inverse.
 pub(super) const VIRTUAL: usize = 15;
 
-/// The most stages of a cascade that can be in doubt, one after the other: a cascade has no more stages.
-const MOST_STAGES: usize = 8;
+/// The most states on one branch. A cascade solves at most seven joints, each stage one of them or more; besides its stages
+/// [`Search::directed`] may leave a state.
+const MOST_STATES: usize = 8;
 
-/// One run of the inverse kinematics.
+/// One run of the inverse kinematics. `P`: what it remembers of branches that are missed with a free joint at home,
+/// [`Levels`](super::Levels), or [`Decoupled`](super::Decoupled) for an arm that has none.
 pub struct Search<'a, T: 'static, const N: usize, const M: usize, P> {
     pub(super) facts: &'a Facts<T, N>,
     pub(super) arm: &'a dyn Evaluate<T, N>,
@@ -34,44 +35,17 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, P> {
     pub(super) left: usize,
     /// What the branch that is followed has met, one state for each stage in doubt. Branches are followed depth first, so
     /// a state stays until the branches behind it have ended.
-    states: [Option<State<T>>; MOST_STAGES],
+    states: [Option<State<T>>; MOST_STATES],
     /// The target is so far away (a long slide may reach there) that its rounding alone can exceed what closes.
     far: bool,
     /// What is remembered at a pose that needs further passes.
     pub(super) passes: Option<Passes<T, N, M, P>>,
 }
 
-impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M, Levels<T, M>> {
+impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'a, T, N, M, P> {
     /// A search that fills `solutions`.
     #[inline(always)]
     pub fn new(
-        facts: &'a Facts<T, N>,
-        arm: &'a dyn Evaluate<T, N>,
-        goal: &'a dyn Goal<T, N>,
-        near: Option<&[T; N]>,
-        solutions: &'a mut Solutions<T, N, M>,
-    ) -> Self {
-        Self::filling(facts, arm, goal, near, solutions)
-    }
-}
-
-impl<'a, T: Tolerances, const N: usize, const M: usize> Search<'a, T, N, M, Decoupled> {
-    /// The same for an arm that is [`Decoupled`].
-    #[inline(always)]
-    pub fn decoupled(
-        facts: &'a Facts<T, N>,
-        arm: &'a dyn Evaluate<T, N>,
-        goal: &'a dyn Goal<T, N>,
-        near: Option<&[T; N]>,
-        solutions: &'a mut Solutions<T, N, M>,
-    ) -> Self {
-        Self::filling(facts, arm, goal, near, solutions)
-    }
-}
-
-impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'a, T, N, M, P> {
-    #[inline(always)]
-    fn filling(
         facts: &'a Facts<T, N>,
         arm: &'a dyn Evaluate<T, N>,
         goal: &'a dyn Goal<T, N>,
@@ -88,7 +62,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
             least: None,
             nearly: JointMask::NONE,
             left: MOST_EVALUATIONS,
-            states: [None; MOST_STAGES],
+            states: [None; MOST_STATES],
             far: false,
             passes: None,
         }
@@ -145,8 +119,9 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
 
     /// The trail of a branch that has met something more.
     fn with_state(&mut self, trail: Trail, state: State<T>, ended: bool) -> Trail {
-        let Some(slot) = self.states.get_mut(trail.depth()) else { return trail };
-        *slot = Some(state);
+        if let Some(slot) = self.states.get_mut(trail.depth()) {
+            *slot = Some(state);
+        }
         trail.deeper(ended)
     }
 
