@@ -65,17 +65,24 @@ impl Plan {
     ///
     /// So it is where three equations of one joint each bring a point to its place, before a spherical wrist or nothing: a
     /// joint is free if the point lies on its axis, and then its place moves nothing that a later equation sees. The
-    /// spherical wrist has roots for every rotation. A joint that is given, or a virtual one, stands between axes whose
-    /// angle depends on the target: there an equation may vanish for another reason.
+    /// spherical wrist has roots for every rotation. The three joints follow one another. Between axes that are apart (a
+    /// wrist in the middle of the arm, a joint that is given, a virtual one) the angle depends on the target: there an
+    /// equation may vanish for another reason.
     pub fn is_decoupled(&self) -> bool {
         let kernels: Vec<&Kernel> = self.stages().map(|stage| &stage.kernel).collect();
         let places = |kernel: &&Kernel| {
             matches!(kernel, Kernel::Offset { .. } | Kernel::Distance { about: None, .. } | Kernel::Align { .. })
         };
         let (position, rest) = kernels.split_at(kernels.len().min(3));
-        let mut solved = self.stages().flat_map(|stage| &stage.joints);
-        let own = self.task.locked.is_none() && solved.all(|slot| self.joint(*slot).is_some());
-        own && self.stages().count() == self.steps.len()
+        let solved: Option<Vec<usize>> =
+            self.stages().take(3).flat_map(|stage| &stage.joints).map(|slot| self.joint(*slot)).collect();
+        let adjacent = solved.is_some_and(|mut joints| {
+            joints.sort_unstable();
+            joints.windows(2).all(|pair| matches!(pair, [a, b] if a + 1 == *b))
+        });
+        self.task.locked.is_none()
+            && adjacent
+            && self.stages().count() == self.steps.len()
             && position.len() == 3
             && position.iter().all(places)
             && matches!(rest, [] | [Kernel::Wrist { .. }])

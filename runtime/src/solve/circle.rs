@@ -20,6 +20,12 @@ impl<T: Tolerances> Circle<T> {
         k0 + k1c * c + k1s * s + k2c * (c * c - s * s) + T::TWO * k2s * s * c
     }
 
+    /// The derivative by the angle.
+    pub(super) fn slope(&self) -> Self {
+        let ([c1, s1], [c2, s2]) = (self.k1, self.k2);
+        Self { k0: T::ZERO, k1: [s1, -c1], k2: [s2 * T::TWO, -c2 * T::TWO] }
+    }
+
     /// The largest coefficient.
     pub(super) fn largest(&self) -> T {
         let Circle { k0, k1: [k1c, k1s], k2: [k2c, k2s] } = *self;

@@ -24,8 +24,8 @@ pub trait Goal<T, const N: usize> {
     /// The error that a step has to undo: three lengths, three angles (small-angle vector).
     fn error(&self, q: &[T; N], pose: &Pose<T>) -> [T; 6];
 
-    /// How the joints move that error, from the geometric Jacobian.
-    fn rows(&self, pose: &Pose<T>, jacobian: &Jacobian<T, N>) -> Jacobian<T, N>;
+    /// Makes the geometric Jacobian into how the joints move that error.
+    fn restrict(&self, pose: &Pose<T>, jacobian: &mut Jacobian<T, N>);
 
     /// The joints whose value is given and that nothing may move.
     #[inline]
@@ -38,12 +38,6 @@ pub trait Goal<T, const N: usize> {
     fn placed(&self, q: [T; N]) -> [T; N] {
         q
     }
-}
-
-fn points<T: Tolerances, const N: usize>(jacobian: &Jacobian<T, N>) -> Jacobian<T, N> {
-    let [x, y, z, ..] = jacobian.rows;
-    let none = [T::ZERO; N];
-    Jacobian { rows: [x, y, z, none, none, none] }
 }
 
 /// The whole pose.
@@ -82,9 +76,7 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for Pose<T> {
         [x, y, z, u, v, w]
     }
 
-    fn rows(&self, _: &Pose<T>, jacobian: &Jacobian<T, N>) -> Jacobian<T, N> {
-        *jacobian
-    }
+    fn restrict(&self, _: &Pose<T>, _: &mut Jacobian<T, N>) {}
 }
 
 /// A point.
@@ -112,8 +104,9 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for [T; 3] {
         [x, y, z, T::ZERO, T::ZERO, T::ZERO]
     }
 
-    fn rows(&self, _: &Pose<T>, jacobian: &Jacobian<T, N>) -> Jacobian<T, N> {
-        points(jacobian)
+    fn restrict(&self, _: &Pose<T>, jacobian: &mut Jacobian<T, N>) {
+        let [_, _, _, turns @ ..] = &mut jacobian.rows;
+        *turns = [[T::ZERO; N]; 3];
     }
 }
 
@@ -181,16 +174,15 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for Pointing<T> {
         [x, y, z, u, v, w]
     }
 
-    fn rows(&self, pose: &Pose<T>, jacobian: &Jacobian<T, N>) -> Jacobian<T, N> {
-        let [x, y, z, mut u, mut v, mut w] = jacobian.rows;
+    fn restrict(&self, pose: &Pose<T>, jacobian: &mut Jacobian<T, N>) {
+        let [_, _, _, u, v, w] = &mut jacobian.rows;
         let axis = column(&pose.rotation, self.column);
         let [ax, ay, az] = axis;
         // A turn about the axis itself changes nothing.
-        for ((u, v), w) in u.iter_mut().zip(&mut v).zip(&mut w) {
+        for ((u, v), w) in u.iter_mut().zip(v).zip(w) {
             let about = dot(axis, [*u, *v, *w]);
             (*u, *v, *w) = (*u - about * ax, *v - about * ay, *w - about * az);
         }
-        Jacobian { rows: [x, y, z, u, v, w] }
     }
 }
 
@@ -239,9 +231,9 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for InPlane<T, N> {
         [x, y, z, self.missing(q), T::ZERO, T::ZERO]
     }
 
-    fn rows(&self, _: &Pose<T>, jacobian: &Jacobian<T, N>) -> Jacobian<T, N> {
-        let [x, y, z, ..] = jacobian.rows;
-        Jacobian { rows: [x, y, z, self.signs, [T::ZERO; N], [T::ZERO; N]] }
+    fn restrict(&self, _: &Pose<T>, jacobian: &mut Jacobian<T, N>) {
+        let [_, _, _, turns @ ..] = &mut jacobian.rows;
+        *turns = [self.signs, [T::ZERO; N], [T::ZERO; N]];
     }
 }
 
@@ -271,9 +263,10 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for PlanarPose<T> {
         [self.x - x, self.y - y, T::ZERO, wrap(self.phi - atan2(s, c)), T::ZERO, T::ZERO]
     }
 
-    fn rows(&self, _: &Pose<T>, jacobian: &Jacobian<T, N>) -> Jacobian<T, N> {
-        let ([x, y, .., turn], none) = (jacobian.rows, [T::ZERO; N]);
-        Jacobian { rows: [x, y, none, turn, none, none] }
+    fn restrict(&self, _: &Pose<T>, jacobian: &mut Jacobian<T, N>) {
+        let ([_, _, rest @ ..], none) = (&mut jacobian.rows, [T::ZERO; N]);
+        let [.., turn] = *rest;
+        *rest = [none, turn, none, none];
     }
 }
 
@@ -304,9 +297,9 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for [T; 2] {
         [tx - x, ty - y, T::ZERO, T::ZERO, T::ZERO, T::ZERO]
     }
 
-    fn rows(&self, _: &Pose<T>, jacobian: &Jacobian<T, N>) -> Jacobian<T, N> {
-        let ([x, y, ..], none) = (jacobian.rows, [T::ZERO; N]);
-        Jacobian { rows: [x, y, none, none, none, none] }
+    fn restrict(&self, _: &Pose<T>, jacobian: &mut Jacobian<T, N>) {
+        let [_, _, rest @ ..] = &mut jacobian.rows;
+        *rest = [[T::ZERO; N]; 4];
     }
 }
 
@@ -349,14 +342,11 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize> Goal<T, N> for Locked<'_, T, 
         self.goal.error(q, pose)
     }
 
-    fn rows(&self, pose: &Pose<T>, jacobian: &Jacobian<T, N>) -> Jacobian<T, N> {
-        let mut rows = self.goal.rows(pose, jacobian);
-        for row in &mut rows.rows {
-            if let Some(entry) = row.get_mut(self.joint) {
-                *entry = T::ZERO;
-            }
+    fn restrict(&self, pose: &Pose<T>, jacobian: &mut Jacobian<T, N>) {
+        self.goal.restrict(pose, jacobian);
+        for entry in jacobian.rows.iter_mut().filter_map(|row| row.get_mut(self.joint)) {
+            *entry = T::ZERO;
         }
-        rows
     }
 
     #[inline]

@@ -2,8 +2,8 @@
 
 use super::facts::Evaluate;
 use super::{Facts, Goal, Tolerances};
+use crate::Residual;
 use crate::math::wrap;
-use crate::{Jacobian, Residual};
 
 /// The most steps for one solution.
 const MOST_STEPS: usize = 24;
@@ -16,13 +16,13 @@ const PROGRESS: f64 = 0.95;
 /// that chases them leads far away.
 const NOISE: f64 = 20.0;
 
-/// A joint vector with what it misses the target by.
+/// A joint vector with what it misses the target by. Lengths are relative to reach throughout.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Iterate<T, const N: usize> {
     pub(super) q: [T; N],
     pub(super) residual: Residual<T>,
-    jacobian: Jacobian<T, N>,
-    /// Lengths over reach.
+    /// The columns of the Jacobian.
+    columns: [[T; 6]; N],
     error: [T; 6],
     /// Its squared length.
     size: T,
@@ -30,43 +30,61 @@ pub(super) struct Iterate<T, const N: usize> {
 
 impl<T: Tolerances, const N: usize> Iterate<T, N> {
     /// Evaluates the arm at `q`.
+    #[inline(never)]
     pub(super) fn at(facts: &Facts<T, N>, goal: &dyn Goal<T, N>, arm: &dyn Evaluate<T, N>, q: [T; N]) -> Self {
-        let (pose, jacobian) = arm.evaluate(&q);
+        let (pose, mut jacobian) = arm.evaluate(&q);
+        goal.restrict(&pose, &mut jacobian);
         let k = T::ONE / facts.reach;
+        let mut columns = [[T::ZERO; 6]; N];
+        for (i, row) in jacobian.rows.iter().enumerate() {
+            let k = if i < 3 { k } else { T::ONE };
+            for (entry, value) in columns.iter_mut().filter_map(|column| column.get_mut(i)).zip(row) {
+                *entry = *value * k;
+            }
+        }
+        for joint in facts.prismatic.iter() {
+            let column = columns.get_mut(joint).into_iter().flatten();
+            column.for_each(|entry| *entry *= facts.reach);
+        }
         let [x, y, z, u, v, w] = goal.error(&q, &pose);
         let error = [x * k, y * k, z * k, u, v, w];
-        let size = error.iter().fold(T::ZERO, |sum, e| sum + *e * *e);
-        let residual = goal.misses(&q, &pose);
-        Self { q, residual, jacobian: goal.rows(&pose, &jacobian), error, size }
+        Self { q, residual: goal.misses(&q, &pose), columns, size: dot(&error, &error), error }
     }
 }
 
 /// Damped least squares (Levenberg 1944, Marquardt 1963), damped in proportion to the squared error, so that convergence
-/// is quadratic. Up to 24 steps, and no more after three in a row that take less than a twentieth of the squared error;
-/// after one, if the solution is exact. Of two steps in a row one has to reduce the error, else neither is taken (the watchdog of
-/// Chamberlain, Powell, Lemarechal, Pedersen 1982). Each step takes one from `left`; without any left there is no step.
+/// is quadratic. Returns the joint vector of least error and its residual.
+///
+/// There are up to 24 steps, and no more after three in a row that take less than a twentieth of the squared error; after
+/// one, if the solution is exact. Of two steps in a row one has to reduce the error, else neither is taken (the watchdog
+/// of Chamberlain, Powell, Lemarechal, Pedersen 1982). Each step takes one from `left`; without any left there is no step.
 #[cold]
 #[inline(never)]
 pub(super) fn refined<T: Tolerances, const N: usize>(
     facts: &Facts<T, N>,
     goal: &dyn Goal<T, N>,
     arm: &dyn Evaluate<T, N>,
-    start: Iterate<T, N>,
+    start: &mut Iterate<T, N>,
     left: &mut usize,
-) -> Iterate<T, N> {
-    let (mut best, mut place) = (start, start);
+) -> ([T; N], Residual<T>) {
+    let mut other = *start;
+    let (mut best, mut tried) = (start, &mut other);
+    // Whether the next step starts at the best joint vector, or at the one tried last.
+    let mut from_best = true;
     let (mut boost, mut stretch) = (T::ONE, T::ONE);
     let floor = T::from_f64(NOISE) * T::EPSILON;
     let (mut stalls, mut folds) = (0, true);
     for _ in 0..MOST_STEPS {
         let exact = facts.relative(&best.residual) <= T::EXACT;
         let done = if exact { stalls > 0 } else { stalls >= MOST_STALLS };
-        if !(place.size > floor * floor) || *left == 0 || done {
+        let place = if from_best { &*best } else { &*tried };
+        let size = place.size;
+        if !(size > floor * floor) || *left == 0 || done {
             break;
         }
         *left -= 1;
-        let damping = (place.size + T::EPSILON * T::EPSILON * T::from_f64(16.0)) * boost;
-        let Some(step) = damped_step(facts, &place.jacobian, &place.error, damping) else { break };
+        let damping = (size + T::EPSILON * T::EPSILON * T::from_f64(16.0)) * boost;
+        let Some(step) = damped_step(facts, &place.columns, place.error, damping) else { break };
         let mut q = place.q;
         for ((value, change), joint) in q.iter_mut().zip(step).zip(0..) {
             *value += change * stretch;
@@ -74,110 +92,89 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
                 *value = wrap(*value);
             }
         }
-        let next = Iterate::at(facts, goal, arm, q);
+        *tried = Iterate::at(facts, goal, arm, q);
         // At a fold a step goes half of the way and leaves a quarter of the error: the next one is taken twice (Decker,
         // Keller, Kelley 1983).
-        let ratio = next.size / place.size * T::from_f64(16.0);
+        let ratio = tried.size / size * T::from_f64(16.0);
         let twice = stretch == T::TWO;
         let fold = folds && !twice && ratio > T::HALF * T::HALF && ratio < T::TWO * T::TWO;
         stretch = if fold { T::TWO } else { T::ONE };
-        // A step along a narrow curved valley leaves it, and the next one leads back: one step may make it worse.
-        let second = place.size > best.size;
-        stalls = if next.size < best.size * T::from_f64(PROGRESS) { 0 } else { stalls + 1 };
-        if next.size < best.size {
-            (best, place) = (next, next);
+        stalls = if tried.size < best.size * T::from_f64(PROGRESS) { 0 } else { stalls + 1 };
+        if tried.size < best.size {
+            core::mem::swap(&mut best, &mut tried);
+            from_best = true;
             boost = (boost * T::from_f64(0.1)).max(T::ONE);
         } else if twice {
             // No fold: where three roots meet, a step leaves 8/27 of the error.
-            (place, folds) = (best, false);
-        } else if second || !next.size.is_finite() {
-            place = best;
+            (from_best, folds) = (true, false);
+        } else if size > best.size || !tried.size.is_finite() {
+            from_best = true;
             boost *= T::from_f64(100.0);
         } else {
-            place = next;
+            // A step along a narrow curved valley leaves it, and the next one leads back: one step may make it worse.
+            from_best = false;
         }
     }
-    best
+    (best.q, best.residual)
 }
 
-/// The step that minimizes `|J step - error|^2 + damping |step|^2`, with lengths over reach throughout. The rows of J are
-/// reflected (Householder 1958) into the triangle that starts as `sqrt(damping) I`. Unlike the normal equations this keeps
-/// singular values down to the rounding of J itself, which is what the steps near a fold need.
+/// The step that minimizes `|J step - error|^2 + damping |step|^2`; a slide's in the unit of its joint. J is reflected
+/// (Householder 1958) into the triangle that starts as `sqrt(damping) I`. Unlike the normal equations this keeps singular
+/// values down to the rounding of J itself, which is what the steps near a fold need.
 fn damped_step<T: Tolerances, const N: usize>(
     facts: &Facts<T, N>,
-    jacobian: &Jacobian<T, N>,
-    error: &[T; 6],
+    jacobian: &[[T; 6]; N],
+    mut error: [T; 6],
     damping: T,
 ) -> Option<[T; N]> {
-    let k = T::ONE / facts.reach;
-    let mut rows = jacobian.rows;
-    for (i, row) in rows.iter_mut().enumerate() {
-        measured(facts, row, if i < 3 { k } else { T::ONE });
-    }
-    let mut error = *error;
+    let mut columns = *jacobian;
     let mut triangle = [[T::ZERO; N]; N];
     let mut step = [T::ZERO; N];
     let start = damping.sqrt();
-    for (j, (line, right)) in triangle.iter_mut().zip(&mut step).enumerate() {
-        *right = reflect(&mut rows, &mut error, line, start, j)?;
+    let mut rest = columns.as_mut_slice();
+    for (j, (line, value)) in triangle.iter_mut().zip(&mut step).enumerate() {
+        let (across, behind) = rest.split_first_mut()?;
+        *value = reflect(across, behind, line.get_mut(j + 1..)?, &mut error, start);
+        rest = behind;
     }
     for (j, line) in triangle.iter().enumerate().rev() {
-        substitute(line, &mut step, j)?;
+        let (value, behind) = step.get_mut(j..)?.split_first_mut()?;
+        *value = line.iter().skip(j + 1).zip(behind).fold(*value, |value, (entry, x)| value - *entry * *x);
     }
-    measured(facts, &mut step, T::ONE);
+    for joint in facts.prismatic.iter() {
+        *step.get_mut(joint)? *= facts.reach;
+    }
     step.iter().all(|x| x.is_finite()).then_some(step)
 }
 
-/// Reflects column j of the rows into `start` on the diagonal. Returns the right side of the new line of the triangle.
+/// Reflects a column into `start` on the diagonal, and with it the columns `behind` and the error. Of the new line of the
+/// triangle, divided by its diagonal, `entries` are those of the columns behind; the right side is returned.
 #[inline(never)]
-fn reflect<T: Tolerances, const N: usize>(
-    rows: &mut [[T; N]; 6],
+fn reflect<T: Tolerances>(
+    across: &[T; 6],
+    behind: &mut [[T; 6]],
+    entries: &mut [T],
     error: &mut [T; 6],
-    line: &mut [T; N],
     start: T,
-    j: usize,
-) -> Option<T> {
-    let mut across = [T::ZERO; 6];
-    for (entry, row) in across.iter_mut().zip(rows.iter()) {
-        *entry = *row.get(j)?;
-    }
-    let square = across.iter().fold(start * start, |sum, entry| sum + *entry * *entry);
-    let length = square.sqrt();
-    let first = start + length;
-    // The reflection that takes (start, across) to (-length, 0).
-    let share = T::ONE / (length * first);
-    *line.get_mut(j)? = -length;
-    for column in j + 1..N {
-        let mut sum = T::ZERO;
-        for (row, entry) in rows.iter().zip(&across) {
-            sum += *row.get(column)? * *entry;
+) -> T {
+    let length = (start * start + dot(across, across)).sqrt();
+    // The reflection that takes (start, across) to (-length, 0), in parts of the first entry's change.
+    let share = T::ONE / (start + length);
+    let inverse = T::ONE / length;
+    let reflected = |column: &mut [T; 6]| {
+        let along = dot(column, across) * inverse;
+        for (entry, part) in column.iter_mut().zip(across) {
+            *entry -= along * share * *part;
         }
-        let sum = sum * share;
-        *line.get_mut(column)? = -(sum * first);
-        for (row, entry) in rows.iter_mut().zip(&across) {
-            *row.get_mut(column)? -= sum * *entry;
-        }
+        along * inverse
+    };
+    for (entry, column) in entries.iter_mut().zip(behind) {
+        *entry = reflected(column);
     }
-    let sum = error.iter().zip(&across).fold(T::ZERO, |sum, (e, entry)| sum + *e * *entry) * share;
-    for (e, entry) in error.iter_mut().zip(&across) {
-        *e -= sum * *entry;
-    }
-    Some(-(sum * first))
+    reflected(error)
 }
 
-/// The unknown on the diagonal of line j of the triangle, from those behind it; its right side is in its place.
-#[inline(never)]
-fn substitute<T: Tolerances, const N: usize>(line: &[T; N], step: &mut [T; N], j: usize) -> Option<()> {
-    let known = line.iter().zip(step.iter()).skip(j + 1).fold(T::ZERO, |sum, (a, x)| sum + *a * *x);
-    let value = step.get_mut(j)?;
-    *value = (*value - known) / *line.get(j)?;
-    Some(())
-}
-
-/// A row with an entry for each joint, times `k`, and for a slide times the reach, in which its strokes are measured.
-#[inline(never)]
-fn measured<T: Tolerances, const N: usize>(facts: &Facts<T, N>, row: &mut [T; N], k: T) {
-    for (joint, entry) in row.iter_mut().enumerate() {
-        *entry *= if facts.prismatic.contains(joint) { facts.reach * k } else { k };
-    }
+#[inline]
+fn dot<T: Tolerances>(a: &[T; 6], b: &[T; 6]) -> T {
+    a.iter().zip(b).fold(T::ZERO, |sum, (x, y)| sum + *x * *y)
 }

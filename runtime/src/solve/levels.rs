@@ -1,7 +1,9 @@
 //! Branches that are missed with a free joint at home, and where that joint has to be for them.
 
-use super::place::{NODES, PLACES, Roots, Samples, node, stroke, turn};
-use super::stage::State;
+use super::open::{LEVELS, Open, same};
+use super::place::{PLACES, stroke, turn};
+use super::roots::{NODES, node};
+use super::stage::{Level, State};
 use super::{Facts, Tolerances};
 use crate::math::wrap;
 use crate::{Branch, JointMask};
@@ -14,69 +16,21 @@ const STROKE: f64 = 2.0 / 3.0;
 pub(super) enum Pass {
     /// The level at one of three or five places of the first or second free joint; nothing is listed.
     Sample { second: bool, place: usize },
-    /// The place of one open branch; again, with a stage after the one that misses.
-    Open { index: usize, again: bool },
+    /// A place of one open branch.
+    Open { index: usize, round: Round },
     /// The level of that stage at one of five nodes; nothing is listed.
     Node { index: usize, node: usize },
 }
 
-/// A branch that is still to be met.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Open<T> {
-    branch: Branch,
-    /// The first joint that is free or nearly so, and another one.
-    joints: [JointMask; 2],
-    /// The levels of the stage that misses.
-    samples: Samples<T>,
-    /// Those of the stage after that, and the interval in which the first one has roots.
-    roots: Roots<T>,
-    span: [T; 2],
-    /// How far the free joints are from home at the branch's place, in turns or strokes.
-    steps: [T; 2],
-    /// Whether that place is known, and whether the stage has roots there.
-    known: bool,
-    feasible: bool,
-    /// Whether a solution has been found there.
-    met: bool,
-    /// Where a joint that is nearly free has been, and how far it may move from there without moving the tool; infinite
-    /// for a joint that is free.
-    value: T,
-    slack: T,
-}
-
-impl<T: Tolerances> Open<T> {
-    const NONE: Self = Self {
-        branch: Branch::NONE,
-        joints: [JointMask::NONE; 2],
-        samples: Samples::NONE,
-        roots: Roots::NONE,
-        span: [T::ZERO; 2],
-        steps: [T::ZERO; 2],
-        known: false,
-        feasible: false,
-        met: false,
-        value: T::ZERO,
-        slack: T::INFINITY,
-    };
-
-    /// Goes to a place of the interval: its middle and a share of half its width.
-    fn go(&mut self, share: T) {
-        let [middle, half] = self.span;
-        let [first, _] = &mut self.steps;
-        *first = (middle + half * share) / T::TAU;
-    }
-
-    /// Whether the stage that misses has roots in an interval.
-    fn spans(&self) -> bool {
-        let [_, half] = self.span;
-        half > T::COINCIDENT
-    }
-
-    /// Whether two joints may move.
-    fn two(&self) -> bool {
-        let [_, second] = self.joints;
-        !second.is_empty()
-    }
+/// Which place of an open branch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Round {
+    /// The one that the level tells.
+    Level,
+    /// One of the sampled places, at which no stage was missed.
+    Sampled,
+    /// The one that the level of a second stage tells.
+    Second,
 }
 
 /// The branches on which a joint is free or nearly so, and which are missed with that joint at home. Such a branch has
@@ -95,8 +49,10 @@ pub struct Levels<T, const M: usize> {
     moving: [JointMask; 2],
     /// How far the free joints are from home in this pass, in turns or strokes.
     steps: [T; 2],
-    /// Whether every level that misses is of degree 1 in its joint: no slide follows the joint.
+    /// Whether every level that depends on its joint is of degree 1 in it: no slide follows the joint.
     simple: bool,
+    /// Whether a level depends on the first joint.
+    depends: bool,
 }
 
 impl<T: Tolerances, const M: usize> Levels<T, M> {
@@ -107,6 +63,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         moving: [JointMask::NONE; 2],
         steps: [T::ZERO; 2],
         simple: true,
+        depends: false,
     };
 
     fn open(&self) -> &[Open<T>] {
@@ -120,9 +77,14 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
     /// Remembers a branch that is missed at home, at the joint vector `q`. `slack`: by how much a joint that is nearly
     /// free may move.
     #[inline(never)]
-    pub(super) fn remember<const N: usize>(&mut self, state: &State<T>, branch: Branch, q: &[T; N], slack: T) {
-        let level = state.level;
-        self.simple &= level.low < T::ZERO && level.high < T::MAX && level.pole == T::ONE;
+    pub(super) fn remember<const N: usize>(
+        &mut self,
+        state: &State<T>,
+        levels: &[Level<T>; LEVELS],
+        branch: Branch,
+        q: &[T; N],
+        slack: T,
+    ) {
         if self.open().iter().any(|other| same(other.branch, branch, true)) {
             return;
         }
@@ -132,6 +94,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         if let Some(slot) = self.open.get_mut(self.len) {
             let value = first.and_then(|joint| q.get(joint)).copied().unwrap_or(T::ZERO);
             (slot.branch, slot.joints, slot.value, slot.slack) = (branch, joints, value, slack);
+            slot.begin(levels, true);
             self.len += 1;
             self.free |= state.loose();
             for (moving, joint) in self.moving.iter_mut().zip(joints) {
@@ -147,32 +110,55 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         &mut self,
         pass: Pass,
         state: &State<T>,
+        levels: &[Level<T>; LEVELS],
         branch: Branch,
         listed: impl Fn(Branch) -> bool,
     ) -> Option<Branch> {
         match pass {
-            Pass::Sample { place, .. } => {
+            Pass::Sample { second, place } => {
+                let (mut simple, mut depends) = (true, false);
                 for exact in [true, false] {
                     for open in self.open_mut().iter_mut().filter(|open| same(open.branch, branch, exact)) {
-                        open.samples.keep(place, &state.level, exact);
+                        if second && place == 0 {
+                            open.begin(levels, exact);
+                        } else {
+                            open.sample(place, levels, exact);
+                            simple &= open.samples.are_simple();
+                            depends |= open.moved.is_some();
+                        }
                     }
+                }
+                if !second {
+                    self.simple &= simple;
+                    self.depends |= depends;
+                }
+                let steps = self.steps;
+                let without = self.open_mut().iter_mut().filter(|open| !state.missed && open.sampled.is_none());
+                for open in without.filter(|open| same(open.branch, branch, false)) {
+                    (open.sampled, open.aside) = (Some((second, place)), steps);
                 }
                 None
             }
             Pass::Node { index, node } => {
                 let open = self.open_mut().get_mut(index);
                 if let Some(open) = open.filter(|open| open.joints.contains(&state.first)) {
-                    open.roots.keep(node, &state.then);
+                    let behind = open.moved.and_then(|moved| levels.get(moved + 1..)).unwrap_or(&[]);
+                    if let Some(then) = behind.iter().find(|level| level.value.is_finite()) {
+                        open.roots.keep(node, then);
+                    }
                 }
                 None
             }
-            Pass::Open { index, again } => {
+            Pass::Open { index, round } => {
                 let open = self.open().get(index)?;
-                if !(again && open.joints.contains(&state.first) || same(open.branch, branch, false)) {
+                if !(round == Round::Second && open.joints.contains(&state.first) || same(open.branch, branch, false)) {
                     return None;
                 }
                 let name = open.branch.wrist().map_or(branch, |wrist| branch.with_wrist(wrist));
-                (!listed(name)).then_some(name)
+                // The other way round the wrist it stands for the open branch only if that is not a branch of its own.
+                let other = |other: &Open<T>| same(other.branch, branch, true);
+                let stands = name == branch || !(listed(branch) || self.open().iter().any(other));
+                (stands && !listed(name)).then_some(name)
             }
         }
     }
@@ -183,24 +169,41 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         let moved = self.moving.iter().zip(self.steps).find(|(moving, _)| moving.contains(joint));
         let step = moved.map_or(T::ZERO, |(_, step)| step);
         let slides = facts.prismatic.contains(joint);
-        let step = match pass {
-            Pass::Sample { place, .. } if !step.is_finite() && slides => stroke(place),
-            Pass::Sample { second, place } if !step.is_finite() => turn::<T>(self.places(second), place) / T::TAU,
-            _ => step,
+        let sample = match pass {
+            Pass::Sample { second, place } => Some((second, place)),
+            Pass::Open { index, round: Round::Sampled } => self.open().get(index).and_then(|open| open.sampled),
+            _ => None,
+        };
+        let step = match sample.filter(|_| !step.is_finite()) {
+            Some((_, place)) if slides => stroke(place),
+            Some((second, place)) => turn::<T>(self.places(second), place) / T::TAU,
+            None => step,
         };
         if slides { home + facts.reach * T::from_f64(STROKE) * step } else { wrap(home + T::TAU * step) }
     }
 
-    /// The number of places at which a joint is sampled: three for levels of degree 1, and for the second joint, so that
-    /// all passes together keep to their bound.
+    /// The number of places at which a joint is sampled: three for levels of degree 1. All passes together keep to their
+    /// bound: a first joint that no level depends on is left after two places, else the second one has three.
     fn places(&self, second: bool) -> usize {
-        if second || self.simple { 3 } else { PLACES }
+        let few = if second { self.depends } else { self.simple };
+        if few { 3 } else { PLACES }
+    }
+
+    /// Whether a place is the last one to be sampled.
+    fn sampled(&self, second: bool, place: usize) -> bool {
+        place + 1 == self.places(second) || !second && place > 0 && !self.depends
     }
 
     /// The place of every open branch from the levels at the sampled places of a free joint.
     #[inline(never)]
     fn locate<const N: usize>(&mut self, facts: &Facts<T, N>, homes: &[T; N], second: bool) {
         let (steps, count) = (self.steps, self.places(second));
+        for index in 0..self.len {
+            let (before, rest) = self.open_mut().split_at_mut(index);
+            if let Some((open, after)) = rest.split_first_mut() {
+                before.iter().chain(&*after).for_each(|other| open.borrow(other));
+            }
+        }
         for open in self.open_mut().iter_mut().filter(|open| !open.feasible) {
             let [one, other] = open.joints;
             let Some(joint) = (if second { other } else { one }).iter().next() else { continue };
@@ -211,13 +214,13 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
             } else {
                 open.samples.turning(count, wrap(now - home), open.slack)
             };
-            if second || place.is_none() {
-                open.samples = Samples::NONE;
+            if second || place.is_none_or(|place| !place.feasible) {
+                open.forget();
             }
             let Some(place) = place else { continue };
             let [first, _] = steps;
             open.steps = if second { [first, place.step] } else { [place.step, T::ZERO] };
-            (open.known, open.span) = (true, place.span);
+            (open.known, open.span, open.other) = (true, place.span, place.other);
             open.feasible = place.feasible;
         }
     }
@@ -231,12 +234,12 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
                     open.met |= met;
                 }
             }
-            Pass::Sample { second, place } if place + 1 == self.places(second) => self.locate(facts, homes, second),
+            Pass::Sample { second, place } if self.sampled(second, place) => self.locate(facts, homes, second),
             Pass::Node { index, node } if node + 1 == NODES => {
                 if let Some(open) = self.open_mut().get_mut(index)
-                    && let Some(cosine) = open.roots.place(&open.samples, open.span)
+                    && let Some(angle) = open.roots.place(&open.samples, open.span, open.other)
                 {
-                    open.go(cosine);
+                    open.go(angle);
                 }
             }
             _ => {}
@@ -248,25 +251,32 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
     pub(super) fn after(&self, pass: Option<Pass>) -> Option<Pass> {
         let place = |from: usize| {
             let mut rest = self.open().iter().enumerate().skip(from);
-            rest.find(|(_, open)| open.known).map(|(index, _)| Pass::Open { index, again: false })
+            rest.find(|(_, open)| open.known).map(|(index, _)| Pass::Open { index, round: Round::Level })
         };
-        let again = |from: usize| {
-            let mut rest = self.open().iter().enumerate().skip(from);
-            rest.find(|(_, open)| !open.met && open.spans()).map(|(index, _)| Pass::Node { index, node: 0 })
+        let second = |index: usize| {
+            let spans = self.open().get(index).is_some_and(|open| !open.met && open.spans());
+            spans.then_some(Pass::Node { index, node: 0 })
+        };
+        let further = |from: usize| {
+            (from..self.len).find_map(|index| {
+                let sampled = self.open().get(index).is_some_and(|open| !open.met && open.sampled.is_some());
+                if sampled { Some(Pass::Open { index, round: Round::Sampled }) } else { second(index) }
+            })
         };
         match pass {
             None => (self.len > 0).then_some(Pass::Sample { second: false, place: 0 }),
-            Some(Pass::Sample { second, place }) if place + 1 < self.places(second) => {
+            Some(Pass::Sample { second, place }) if !self.sampled(second, place) => {
                 Some(Pass::Sample { second, place: place + 1 })
             }
             Some(Pass::Sample { second: false, .. }) if self.open().iter().any(|open| !open.feasible && open.two()) => {
                 Some(Pass::Sample { second: true, place: 0 })
             }
-            Some(Pass::Sample { .. }) => place(0),
-            Some(Pass::Open { index, again: false }) => place(index + 1).or_else(|| again(0)),
+            Some(Pass::Sample { .. }) => place(0).or_else(|| further(0)),
+            Some(Pass::Open { index, round: Round::Level }) => place(index + 1).or_else(|| further(0)),
+            Some(Pass::Open { index, round: Round::Sampled }) => second(index).or_else(|| further(index + 1)),
             Some(Pass::Node { index, node }) if node + 1 < NODES => Some(Pass::Node { index, node: node + 1 }),
-            Some(Pass::Node { index, .. }) => Some(Pass::Open { index, again: true }),
-            Some(Pass::Open { index, again: true }) => again(index + 1),
+            Some(Pass::Node { index, .. }) => Some(Pass::Open { index, round: Round::Second }),
+            Some(Pass::Open { index, round: Round::Second }) => further(index + 1),
         }
     }
 
@@ -282,17 +292,15 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
             }
             Pass::Node { index, node: k } => {
                 if let Some(open) = self.open_mut().get_mut(index) {
-                    open.go(node(k));
+                    let [middle, half] = open.span;
+                    open.go(middle + half * node(k));
                 }
                 self.open().get(index).map_or([T::ZERO; 2], |open| open.steps)
             }
-            Pass::Open { index, .. } => self.open().get(index).map_or([T::ZERO; 2], |open| open.steps),
+            Pass::Open { index, round } => {
+                let aside = round == Round::Sampled;
+                self.open().get(index).map_or([T::ZERO; 2], |open| if aside { open.aside } else { open.steps })
+            }
         };
     }
-}
-
-/// Whether two names are those of one branch, whichever way the elbow bends, and without `wrist` whichever way the
-/// wrist does.
-fn same(a: Branch, b: Branch, wrist: bool) -> bool {
-    a.shoulder() == b.shoulder() && a.root() == b.root() && (!wrist || a.wrist() == b.wrist())
 }

@@ -3,12 +3,12 @@
 use super::levels::{self, Levels};
 use super::search::VIRTUAL;
 use super::stage::State;
-use super::{Facts, Search, Tolerances};
+use super::{Facts, Search, Tolerances, Trail};
 use crate::math::wrap;
 use crate::{Branch, JointMask, Solution};
 
-/// Other members of crossing families are looked for at 1/16 and 9/16 of a turn from home: odd sixteenths, because
-/// families cross at quarters and eighths.
+/// Another member of crossing families is looked for at 1/16 of a turn from home, and if there is one, a further one at
+/// 9/16: odd sixteenths, because families cross at quarters and eighths.
 const CROSSINGS: i32 = 2;
 
 /// What a further run of the cascade is for.
@@ -47,8 +47,8 @@ impl<T: Tolerances, const M: usize> Missed<T, M> for Levels<T, M> {
     }
 }
 
-/// An arm on which every stage after a free joint has its roots wherever that joint is: three joints bring a point to
-/// its place, one equation each, before a spherical wrist or nothing.
+/// An arm on which every stage after a free joint has its roots wherever that joint is: three joints that follow one
+/// another bring a point to its place, one equation each, before a spherical wrist or nothing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Decoupled;
 
@@ -129,10 +129,10 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Passes<T, N
         }
     }
 
-    /// The pass after this one.
-    fn following(&self) -> Option<Pass> {
+    /// The pass after this one; `met`: it has found a solution.
+    fn following(&self, met: bool) -> Option<Pass> {
         let next = match self.pass {
-            Some(Pass::Cross(k)) => return (k + 1 < CROSSINGS).then_some(Pass::Cross(k + 1)),
+            Some(Pass::Cross(k)) => return (k + 1 < CROSSINGS && met).then_some(Pass::Cross(k + 1)),
             Some(Pass::Level(pass)) => self.missed.levels().and_then(|levels| levels.after(Some(pass))),
             None => self.missed.levels().and_then(|levels| levels.after(None)),
         };
@@ -148,7 +148,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
 
     /// Whether the solution at the end of a doubtful branch is to be verified in this pass. Its branch gets the name of
     /// the open branch that it stands for. A branch that is missed is remembered.
-    pub(super) fn takes(&mut self, state: &State<T>, solution: &mut Solution<T, N>) -> bool {
+    pub(super) fn takes(&mut self, trail: Trail, state: &State<T>, solution: &mut Solution<T, N>) -> bool {
         let branch = solution.branch;
         let pass = self.passes.as_ref().and_then(|passes| passes.pass);
         let samples = matches!(pass, Some(Pass::Level(levels::Pass::Sample { .. } | levels::Pass::Node { .. })));
@@ -158,7 +158,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
         match pass {
             None => {
                 if state.missed {
-                    self.seek(state, solution, T::INFINITY);
+                    self.seek(trail, state, solution, T::INFINITY);
                 } else if !state.free.is_empty() && state.loose().len() > 1 {
                     // Beside a free joint another one is free, or nearly so.
                     self.cross(state, branch);
@@ -166,11 +166,12 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
                 !state.missed
             }
             Some(Pass::Level(pass)) => {
+                let met = self.levels(trail);
                 let Some(levels) = self.passes.as_mut().and_then(|passes| passes.missed.levels_mut()) else {
                     return false;
                 };
                 let listed = |name: Branch| self.solutions.exact().any(|listed| listed.branch == name);
-                let name = levels.takes(pass, state, branch, listed);
+                let name = levels.takes(pass, state, &met, branch, listed);
                 solution.branch = name.unwrap_or(branch);
                 name.is_some()
             }
@@ -187,10 +188,11 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
 
     /// A branch is to be followed again with its free joint elsewhere: a later stage has no root with that joint at home,
     /// or the solution does not close there. `slack`: by how much a joint that is nearly free may move.
-    pub(super) fn seek(&mut self, state: &State<T>, solution: &Solution<T, N>, slack: T) {
+    pub(super) fn seek(&mut self, trail: Trail, state: &State<T>, solution: &Solution<T, N>, slack: T) {
+        let met = self.levels(trail);
         let passes = self.passes();
         if let (None, Some(levels)) = (passes.pass, passes.missed.levels_mut()) {
-            levels.remember(state, solution.branch, &solution.q, slack);
+            levels.remember(state, &met, solution.branch, &solution.q, slack);
         }
     }
 
@@ -218,7 +220,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
             (Some(Pass::Level(pass)), Some(levels)) => levels.end(facts, &passes.homes, pass, met),
             _ => {}
         }
-        let Some(pass) = passes.following() else { return false };
+        let Some(pass) = passes.following(met) else { return false };
         passes.pass = Some(pass);
         if let (Pass::Level(pass), Some(levels)) = (pass, passes.missed.levels_mut()) {
             levels.begin(pass);

@@ -18,40 +18,98 @@ pub(super) struct Place<T> {
     pub(super) feasible: bool,
     /// The middle of the feasible interval, rad from home, and half its width; 0 where there is none.
     pub(super) span: [T; 2],
+    /// The widest other one.
+    pub(super) other: [T; 2],
+}
+
+/// A level times the square of its pole, and that square.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Sample<T>([T; 2]);
+
+impl<T: Tolerances> Sample<T> {
+    /// Nothing is known.
+    pub(super) const NONE: Self = Self([T::NAN; 2]);
+
+    /// An equation that is met says nothing.
+    pub(super) fn of(level: &Level<T>) -> Self {
+        if level.is_met() {
+            return Self::NONE;
+        }
+        let square = level.pole * level.pole;
+        Self([level.value * square, square])
+    }
+
+    /// Whether two levels of one stage are known and differ: the stage depends on the joint that has moved between.
+    pub(super) fn differs(&self, other: &Self) -> bool {
+        let (Self([one, pole]), Self([two, other])) = (*self, *other);
+        (one / pole - two / other).abs() > T::COINCIDENT
+    }
+
+    fn is_known(&self) -> bool {
+        let Self([value, _]) = self;
+        value.is_finite()
+    }
+
+    /// Keeps a level, `over` what has been kept if it is set. An equation that is not met, on another root of the same
+    /// name, does not count beside it. Returns whether the level has been kept.
+    pub(super) fn keep(&mut self, level: &Level<T>, over: bool) -> bool {
+        let keeps = over && level.low < level.high || !self.is_known();
+        if keeps {
+            *self = Self::of(level);
+        }
+        keeps
+    }
 }
 
 /// The levels of a stage at places of a free joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Samples<T> {
-    /// The level times the square of its pole, and that square.
-    values: [[T; 2]; PLACES],
+    values: [Sample<T>; PLACES],
     /// The range of the level in which there are roots.
-    low: T,
-    high: T,
+    pub(super) low: T,
+    pub(super) high: T,
+    slides: bool,
 }
 
 impl<T: Tolerances> Samples<T> {
     /// Nothing is known.
-    pub(super) const NONE: Self = Self { values: [[T::NAN; 2]; PLACES], low: T::NAN, high: T::NAN };
+    pub(super) const NONE: Self = Self { values: [Sample::NONE; PLACES], low: T::NAN, high: T::NAN, slides: false };
 
-    /// Keeps the level at a place; `over` what has been kept there if it is set. An equation that is not met, on another
-    /// root of the same name, does not count beside it.
+    /// The same level at every place before this one.
+    pub(super) fn fill(&mut self, place: usize, sample: Sample<T>) {
+        self.values.iter_mut().take(place).for_each(|slot| *slot = sample);
+    }
+
+    /// Whether the level is of degree 1 in a joint that turns: no slide stands between, and none solves the stage.
+    pub(super) fn are_simple(&self) -> bool {
+        !(self.slides || self.low >= T::ZERO || self.high >= T::MAX)
+    }
+
+    /// Keeps the level at a place; `over` what has been kept there if it is set.
     pub(super) fn keep(&mut self, place: usize, level: &Level<T>, over: bool) {
-        let over = over && level.low < level.high;
-        let square = level.pole * level.pole;
-        if let Some(slot) = self.values.get_mut(place).filter(|[value, _]| over || !value.is_finite()) {
-            *slot = [level.value * square, square];
-            (self.low, self.high) = (level.low, level.high);
+        if self.values.get_mut(place).is_some_and(|slot| slot.keep(level, over)) {
+            (self.low, self.high, self.slides) = (level.low, level.high, level.slides);
+        }
+    }
+
+    /// Takes samples that are not known from another stage's, if those known to both are the same.
+    pub(super) fn complete(&mut self, other: &Self) {
+        let pairs = || self.values.iter().zip(&other.values);
+        let common = pairs().filter(|(one, other)| one.is_known() && other.is_known());
+        if common.clone().count() > 1 && common.clone().all(|(one, other)| !one.differs(other)) {
+            for (one, other) in self.values.iter_mut().zip(&other.values).filter(|(one, _)| !one.is_known()) {
+                *one = *other;
+            }
         }
     }
 
     /// A sample of one of the first `count` as a trigonometric polynomial of the step, by its discrete Fourier transform:
     /// of degree 2 through 5 places, of degree 1 through 3.
     #[inline(never)]
-    fn series(&self, count: usize, part: usize) -> Circle<T> {
+    pub(super) fn series(&self, count: usize, part: usize) -> Circle<T> {
         let share = T::ONE / T::from_i32(count as i32);
         let mut circle = Circle { k0: T::ZERO, k1: [T::ZERO; 2], k2: [T::ZERO; 2] };
-        for (place, values) in self.values.iter().enumerate().take(count) {
+        for (place, Sample(values)) in self.values.iter().enumerate().take(count) {
             let value = values.get(part).copied().unwrap_or(T::NAN) * share;
             let ((s, c), twice) = (sin_cos(turn(count, place)), value + value);
             circle.k0 += value;
@@ -91,14 +149,15 @@ impl<T: Tolerances> Samples<T> {
         };
         let (up, down) = if feasible { (range.next(x, T::ONE), range.next(x, -T::ONE)) } else { (T::ZERO, T::ZERO) };
         let span = [x + (up - down) * T::HALF, ((up + down) * T::HALF).min(T::PI)];
-        Some(Place { step: wrap(x) / T::TAU, feasible, span })
+        let other = if feasible { range.other(span) } else { [T::ZERO; 2] };
+        Some(Place { step: wrap(x) / T::TAU, feasible, span, other })
     }
 
     /// The same for a joint that slides, from the levels at home and one unit either way: `level = a + b u + c u^2`.
     #[inline(never)]
     pub(super) fn sliding(&self, now: T) -> Option<Place<T>> {
-        let Self { values: [[l0, _], [l1, _], [l2, _], ..], low, high } = *self;
-        let span = [T::ZERO; 2];
+        let Self { values: [Sample([l0, _]), Sample([l1, _]), Sample([l2, _]), ..], low, high, .. } = *self;
+        let (span, other) = ([T::ZERO; 2], [T::ZERO; 2]);
         let (a, b, c) = (l0, (l1 - l2) * T::HALF, (l1 + l2) * T::HALF - l0);
         if !(b.abs().max(c.abs()) > T::ROUNDING * (T::ONE + a.abs())) {
             return None;
@@ -112,13 +171,13 @@ impl<T: Tolerances> Samples<T> {
             false => (low, high),
         };
         if !(least <= most) {
-            return Some(Place { step: vertex, feasible: least < most + T::COINCIDENT, span });
+            return Some(Place { step: vertex, feasible: least < most + T::COINCIDENT, span, other });
         }
         let at = a + now * (b + now * c);
         let inside = ((most - least) * T::from_f64(INSIDE)).min(T::from_f64(INSIDE));
         let level = at.min(most - inside).max(least + inside);
         if level == at {
-            return Some(Place { step: now, feasible: true, span });
+            return Some(Place { step: now, feasible: true, span, other });
         }
         let step = if curved {
             let off = ((level - extreme) / c).max(T::ZERO).sqrt();
@@ -126,100 +185,8 @@ impl<T: Tolerances> Samples<T> {
         } else {
             (level - a) / b
         };
-        Some(Place { step, feasible: true, span })
+        Some(Place { step, feasible: true, span, other })
     }
-}
-
-/// The number of nodes in an interval.
-pub(super) const NODES: usize = 5;
-/// Places round the two roots of a stage at which the next one is looked at, and steps that narrow the best one down.
-const ROUND: i32 = 32;
-const NARROW: usize = 24;
-
-/// The levels of the stage that follows on either root of a first one, at the nodes of the first one's interval.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Roots<T> {
-    /// On the first root and on the second.
-    values: [[T; 2]; NODES],
-    low: T,
-    high: T,
-}
-
-impl<T: Tolerances> Roots<T> {
-    /// Nothing is known.
-    pub(super) const NONE: Self = Self { values: [[T::NAN; 2]; NODES], low: T::NAN, high: T::NAN };
-
-    /// Keeps the level at a node: the first one that comes is on the first root, the next other one on the second.
-    pub(super) fn keep(&mut self, node: usize, level: &Level<T>) {
-        let Some([first, second]) = self.values.get_mut(node) else { return };
-        if !first.is_finite() {
-            (self.low, self.high) = (level.low, level.high);
-            (*first, *second) = (level.value, level.value);
-        } else if *second == *first {
-            *second = level.value;
-        }
-    }
-
-    /// The place in the interval, as a cosine, at which the level is farthest inside its range, on either root.
-    ///
-    /// With the roots of the first stage at `+-h`, `cos h` its own level, the levels are `u +- s sin(h)` with
-    /// trigonometric polynomials u and s of degree 2, which the nodes determine: Lagrange's form
-    /// `sum_k f_k prod_{j != k} sin((x - x_j) / 2) / sin((x_k - x_j) / 2)`.
-    #[inline(never)]
-    pub(super) fn place(&self, first: &Samples<T>, [middle, half]: [T; 2]) -> Option<T> {
-        let series = [first.series(3, 0), first.series(3, 1)];
-        // The sine of h, up to a factor.
-        let sine = |x: T| {
-            let [level, square] = series.each_ref().map(|circle| circle.at(x));
-            let level = level / square;
-            ((level - first.low) * (first.high - level)).max(T::ZERO).sqrt()
-        };
-        // Half angles from the middle, so that a narrow interval loses no digits.
-        let halves: [(T, T); NODES] = core::array::from_fn(|k| sin_cos(half * node(k) * T::HALF));
-        let others = |k: usize, (sin, cos): (T, T)| {
-            let factors = halves.iter().enumerate().filter(|(j, _)| *j != k);
-            factors.fold(T::ONE, |product, (_, (s, c))| product * (sin * *c - cos * *s))
-        };
-        let mut sums = self.values;
-        for (k, (([mean, share], at), values)) in sums.iter_mut().zip(halves).zip(&self.values).enumerate() {
-            let [one, other] = *values;
-            let weight = T::HALF / others(k, at);
-            *mean = (one + other) * weight;
-            *share = (one - other) * weight / sine(middle + half * node(k));
-        }
-        let inside = |turn: T| {
-            let (s, c) = sin_cos(turn);
-            let at = sin_cos(half * c * T::HALF);
-            let (mut mean, mut share) = (T::ZERO, T::ZERO);
-            for (k, [m, d]) in sums.iter().enumerate() {
-                let weight = others(k, at);
-                mean += weight * *m;
-                share += weight * *d;
-            }
-            let level = mean + share * sine(middle + half * c).copysign(s);
-            (level - self.low).min(self.high - level)
-        };
-        let step = T::TAU / T::from_i32(ROUND);
-        let mut best = None;
-        for turn in (0..ROUND).map(|k| step * T::from_i32(k)) {
-            best = better(best, turn, inside(turn));
-        }
-        let mut step = step * T::HALF;
-        for _ in 0..NARROW {
-            let (middle, _) = best?;
-            for turn in [middle - step, middle + step] {
-                best = better(best, turn, inside(turn));
-            }
-            step *= T::HALF;
-        }
-        best.map(|(turn, _)| sin_cos(turn).1)
-    }
-}
-
-/// The better one of two turns: where a stage has its roots by more. One that says nothing does not count.
-fn better<T: Tolerances>(best: Option<(T, T)>, turn: T, inside: T) -> Option<(T, T)> {
-    let better = inside.is_finite() && best.is_none_or(|(_, most)| inside > most);
-    if better { Some((turn, inside)) } else { best }
 }
 
 /// Where a joint that turns leaves a stage roots: where both polynomials are positive, or for an equation vanish.
@@ -291,8 +258,25 @@ impl<T: Tolerances> Range<T> {
         nearest(here.into_iter().chain(beside), now)
     }
 
+    /// The widest interval beside one, as its middle and half its width; of width 0 without any.
+    #[inline(never)]
+    fn other(&self, [middle, half]: [T; 2]) -> [T; 2] {
+        let mut widest = [T::ZERO; 2];
+        for end in self.ends() {
+            let width = self.next(end, T::ONE) * T::HALF;
+            let center = end + width;
+            let apart = wrap(center - middle).abs() > half;
+            let [_, most] = widest;
+            if apart && width > most && self.inside(center) > T::ZERO && self.sound(center) {
+                widest = [center, width];
+            }
+        }
+        widest
+    }
+
     /// Without an interval, the end at which the stage misses by least, and whether by no more than the rounding of a
-    /// double root; of several such ends the nearest.
+    /// double root; of several such ends the nearest. Without any end the stage misses everywhere, and by least where the
+    /// slope of a bound vanishes.
     #[inline(never)]
     fn touching(&self, now: T) -> Option<(T, bool)> {
         let [above, below] = self.bounds;
@@ -302,7 +286,12 @@ impl<T: Tolerances> Range<T> {
             return Some((x, !self.equation));
         }
         let by_miss = |a: &T, b: &T| self.inside(*b).partial_cmp(&self.inside(*a)).unwrap_or(Ordering::Equal);
-        ends().min_by(by_miss).map(|x| (x, false))
+        if let Some(x) = ends().min_by(by_miss) {
+            return Some((x, false));
+        }
+        let slopes = self.bounds.map(|bound| angles(&bound.slope()));
+        let flat = slopes.iter().flat_map(|(roots, found)| roots.iter().take(*found)).map(|root| root.value);
+        flat.filter(|x| self.sound(*x)).min_by(by_miss).map(|x| (x, false))
     }
 }
 
@@ -325,12 +314,6 @@ pub(super) fn stroke<T: Tolerances>(place: usize) -> T {
         2 => -T::ONE,
         _ => T::ZERO,
     }
-}
-
-/// A node as a share of half the interval from its middle: a root of Chebyshev's polynomial of degree 5.
-pub(super) fn node<T: Tolerances>(k: usize) -> T {
-    let (_, cos) = sin_cos(T::PI * T::from_f64(0.1) * T::from_i32(2 * k as i32 + 1));
-    cos
 }
 
 fn add<T: Tolerances>([a, b]: [T; 2], [c, d]: [T; 2]) -> [T; 2] {

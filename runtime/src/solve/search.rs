@@ -1,8 +1,9 @@
 //! Following the branches of the cascade and collecting the solutions.
 
 use super::facts::Evaluate;
+use super::open::LEVELS;
 use super::passes::{Missed, Passes};
-use super::stage::{Met, State};
+use super::stage::{Level, Met, State};
 use super::{Facts, Goal, Home, Measure, Stage, Tolerances, Trail};
 use crate::effort::MOST_EVALUATIONS;
 use crate::limits::within;
@@ -69,13 +70,15 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     }
 
     /// Whether there is something to search. Otherwise the solutions get their status: [`Status::BadTarget`] if the
-    /// target or the reference is not finite; [`Status::Unreachable`] if the target is so far away that the squares of
-    /// its coordinates overflow.
+    /// target or the reference is not finite; [`Status::Unreachable`] if the target is so far away, or the given value of
+    /// a slide so large, that squares overflow.
     #[inline]
     #[must_use]
     pub fn begins(&mut self, near: Option<&[T; N]>) -> bool {
         let [x, y, z] = self.goal.point();
-        let size = x.abs() + y.abs() + z.abs();
+        let strokes = self.goal.given().iter().filter(|joint| self.facts.prismatic.contains(*joint));
+        let strokes = strokes.filter_map(|joint| self.goal.placed(self.homes).get(joint).copied());
+        let size = strokes.fold(x.abs() + y.abs() + z.abs(), |size, stroke| size + stroke.abs());
         self.far = size > self.facts.reach * T::from_f64(10.0);
         let finite = self.goal.is_finite() && near.is_none_or(|q| self.facts.can_refer(q));
         let begins = finite && size <= T::MAX.sqrt() * T::from_f64(1e-3);
@@ -115,6 +118,23 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     pub(super) fn state(&self, trail: Trail) -> State<T> {
         let last = trail.depth().checked_sub(1);
         last.and_then(|last| self.states.get(last)).copied().flatten().unwrap_or(State::START)
+    }
+
+    /// The levels of the first stages behind the first joint of a branch that is free or weak, one for each stage, known
+    /// or not. The coefficient of a slide in between is part of the pole.
+    pub(super) fn levels(&self, trail: Trail) -> [Level<T>; LEVELS] {
+        let mut levels = [Level::NONE; LEVELS];
+        let (mut pole, mut slides) = (T::ONE, false);
+        let (mut places, mut behind) = (levels.iter_mut(), false);
+        for state in self.states.iter().take(trail.depth()).flatten() {
+            if behind && let Some(place) = places.next() {
+                pole *= state.level.pole;
+                slides |= state.level.slides;
+                *place = Level { pole, slides, ..state.level };
+            }
+            behind = !state.loose().is_empty();
+        }
+        levels
     }
 
     /// The trail of a branch that has met something more.
@@ -187,6 +207,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
         state.free |= first.joint | second.joint;
         state.first = first.joint;
         state.flags |= Flags::FREE;
+        state.level = Level::NONE;
         self.with_state(*trail, state, false)
     }
 

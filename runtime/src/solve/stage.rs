@@ -50,16 +50,18 @@ pub(super) struct Level<T> {
     pub(super) low: T,
     pub(super) high: T,
     pub(super) pole: T,
+    /// Whether a slide stands between.
+    pub(super) slides: bool,
 }
 
 impl<T: Tolerances> Level<T> {
     /// Nothing is known.
-    pub(super) const NONE: Self = Self { value: T::NAN, low: T::NAN, high: T::NAN, pole: T::ONE };
+    pub(super) const NONE: Self = Self { value: T::NAN, low: T::NAN, high: T::NAN, pole: T::ONE, slides: false };
 
     /// Nothing but the coefficient of a slide.
     #[inline]
     pub(super) fn over(pole: T) -> Self {
-        Self { pole, ..Self::NONE }
+        Self { pole, slides: true, ..Self::NONE }
     }
 
     /// The cosine of half the difference of two angles.
@@ -72,6 +74,11 @@ impl<T: Tolerances> Level<T> {
     #[inline]
     pub(super) fn square(value: T) -> Self {
         Self { value, low: T::ZERO, high: T::MAX, ..Self::NONE }
+    }
+
+    /// Whether an equation without a joint of its own is met.
+    pub(super) fn is_met(&self) -> bool {
+        self.low == self.high && self.value.abs() <= T::COINCIDENT
     }
 
     /// What has to vanish.
@@ -143,9 +150,8 @@ pub(super) struct State<T> {
     pub(super) clamped: bool,
     /// The first joint that is free or weak.
     pub(super) first: JointMask,
-    /// The level of the first stage after it that depends on it, and of the next one.
+    /// The level of the last stage, if a joint before it is free or weak.
     pub(super) level: Level<T>,
-    pub(super) then: Level<T>,
 }
 
 impl<T: Tolerances> State<T> {
@@ -160,7 +166,6 @@ impl<T: Tolerances> State<T> {
         clamped: false,
         first: JointMask::NONE,
         level: Level::NONE,
-        then: Level::NONE,
     };
 
     /// The joints so far that may be elsewhere.
@@ -170,15 +175,7 @@ impl<T: Tolerances> State<T> {
 
     /// Adds what a stage has met.
     pub(super) fn note(&mut self, Met { gap, angular, amplitude, weak, boundary, free, doubt, level }: Met<T>) {
-        // An equation that is met says nothing more.
-        let met = level.low == level.high && level.value.abs() <= T::COINCIDENT;
-        if !self.loose().is_empty() && !met {
-            if !self.level.value.is_finite() {
-                self.level = Level { pole: level.pole * self.level.pole, ..level };
-            } else if !self.then.value.is_finite() {
-                self.then = level;
-            }
-        }
+        self.level = if self.loose().is_empty() { Level::NONE } else { level };
         if !doubt {
             return;
         }

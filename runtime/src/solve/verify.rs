@@ -32,10 +32,10 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
         let mut solution = Solution { q, flags, free: state.free, branch, residual: state.gap };
         let mut found = Found::Branch;
         if trail.doubt() {
-            if !self.takes(&state, &mut solution) {
+            if !self.takes(trail, &state, &mut solution) {
                 return;
             }
-            found = self.verified(&state, &mut solution);
+            found = self.verified(trail, &state, &mut solution);
         }
         // What a further pass does not close is no better than what is there.
         let again = self.passes.as_ref().is_some_and(|passes| passes.again());
@@ -51,15 +51,15 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
 
     /// Verifies a solution; refines it if that closes it. What stays beyond the tolerance is no solution; its residual
     /// counts as the gap of its branch.
-    fn verified(&mut self, state: &State<T>, solution: &mut Solution<T, N>) -> Found {
+    fn verified(&mut self, trail: Trail, state: &State<T>, solution: &mut Solution<T, N>) -> Found {
         let facts = self.facts;
         // One evaluation more than this candidate needs is for the reference.
         let Some(left) = self.left.checked_sub(RESERVED + 1) else { return Found::Nothing };
-        let start = Iterate::at(facts, self.goal, self.arm, solution.q);
+        let mut iterate = Iterate::at(facts, self.goal, self.arm, solution.q);
+        let close = facts.tolerates(&iterate.residual);
         let mut rest = left;
-        let end = refined(facts, self.goal, self.arm, start, &mut rest);
+        (solution.q, solution.residual) = refined(facts, self.goal, self.arm, &mut iterate, &mut rest);
         self.left = rest + RESERVED;
-        (solution.q, solution.residual) = (end.q, end.residual);
         let exact = facts.relative(&solution.residual) <= T::EXACT;
         if !exact {
             solution.flags.remove(Flags::EXACT);
@@ -67,20 +67,20 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
             if !state.loose().is_empty() && !state.clamped {
                 let slack =
                     if state.free.is_empty() { T::HALF * T::HALF * T::EXACT / state.amplitude } else { T::INFINITY };
-                self.seek(state, solution, slack);
+                self.seek(trail, state, solution, slack);
             }
         }
         if exact || !state.loose().is_empty() {
             self.solutions.mark_awkward();
         }
         // A guess that comes near by its steps alone, without closing, is no branch of this target.
-        let listed = exact || facts.tolerates(&start.residual);
+        let listed = exact || close;
         if !exact {
             self.misses(solution.residual.position.max(solution.residual.orientation));
         }
         match listed {
             false => Found::Nothing,
-            true if exact && state.loose().is_empty() && !facts.tolerates(&start.residual) => {
+            true if exact && state.loose().is_empty() && !close => {
                 // Of a nearly real pair of roots.
                 solution.flags |= Flags::BOUNDARY;
                 Found::Guess
@@ -149,13 +149,13 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
                 *value = wrap(*value);
             }
         }
-        let start = Iterate::at(facts, self.goal, self.arm, start);
+        let mut iterate = Iterate::at(facts, self.goal, self.arm, start);
         // Only from a reference that already is close: farther away there is no "same place" to keep.
-        if !(facts.relative(&start.residual) <= T::DOUBTFUL) {
+        if !(facts.relative(&iterate.residual) <= T::DOUBTFUL) {
             return;
         }
         let mut rest = self.left.saturating_sub(1);
-        let Iterate { q, residual, .. } = refined(facts, self.goal, self.arm, start, &mut rest);
+        let (q, residual) = refined(facts, self.goal, self.arm, &mut iterate, &mut rest);
         if !(facts.relative(&residual) <= T::EXACT) {
             return;
         }

@@ -1,0 +1,121 @@
+//! A branch that is missed with a free joint at home.
+
+use super::Tolerances;
+use super::place::{Sample, Samples};
+use super::roots::Roots;
+use super::stage::Level;
+use crate::{Branch, JointMask};
+
+/// The stages that are looked at behind a free joint: the first ones may not depend on the joint.
+pub(super) const LEVELS: usize = 5;
+
+/// A branch that is still to be met.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Open<T> {
+    pub(super) branch: Branch,
+    /// The first joint that is free or nearly so, and another one.
+    pub(super) joints: [JointMask; 2],
+    /// The levels behind the free joint before that moves, and the first one that depends on it.
+    pub(super) before: [Sample<T>; LEVELS],
+    pub(super) moved: Option<usize>,
+    /// Samples of that level.
+    pub(super) samples: Samples<T>,
+    /// Those of the stage after that, and the interval in which the first one has roots.
+    pub(super) roots: Roots<T>,
+    pub(super) span: [T; 2],
+    /// Another such interval.
+    pub(super) other: [T; 2],
+    /// A sample at which no stage was missed (of the second joint, place), with the steps of that pass.
+    pub(super) sampled: Option<(bool, usize)>,
+    pub(super) aside: [T; 2],
+    /// How far the free joints are from home at the branch's place, in turns or strokes.
+    pub(super) steps: [T; 2],
+    /// Whether that place is known, and whether the stage has roots there.
+    pub(super) known: bool,
+    pub(super) feasible: bool,
+    /// Whether a solution has been found there.
+    pub(super) met: bool,
+    /// Where a joint that is nearly free has been, and how far it may move from there without moving the tool; infinite
+    /// for a joint that is free.
+    pub(super) value: T,
+    pub(super) slack: T,
+}
+
+impl<T: Tolerances> Open<T> {
+    pub(super) const NONE: Self = Self {
+        branch: Branch::NONE,
+        joints: [JointMask::NONE; 2],
+        before: [Sample::NONE; LEVELS],
+        moved: None,
+        samples: Samples::NONE,
+        roots: Roots::NONE,
+        span: [T::ZERO; 2],
+        other: [T::ZERO; 2],
+        sampled: None,
+        aside: [T::ZERO; 2],
+        steps: [T::ZERO; 2],
+        known: false,
+        feasible: false,
+        met: false,
+        value: T::ZERO,
+        slack: T::INFINITY,
+    };
+
+    /// Keeps the levels before the free joint moves, `over` what has been kept if it is set.
+    pub(super) fn begin(&mut self, levels: &[Level<T>; LEVELS], over: bool) {
+        for (slot, level) in self.before.iter_mut().zip(levels) {
+            slot.keep(level, over);
+        }
+    }
+
+    /// Forgets what is known of the levels.
+    pub(super) fn forget(&mut self) {
+        (self.before, self.moved, self.samples) = ([Sample::NONE; LEVELS], None, Samples::NONE);
+    }
+
+    /// Keeps a sample of the first level that depends on the free joint, `over` what has been kept there if it is set.
+    pub(super) fn sample(&mut self, place: usize, levels: &[Level<T>; LEVELS], over: bool) {
+        if self.moved.is_none() {
+            let differs = |(before, level): (&Sample<T>, &Level<T>)| before.differs(&Sample::of(level));
+            self.moved = self.before.iter().zip(levels).position(differs);
+            if let Some(before) = self.moved.and_then(|moved| self.before.get(moved)) {
+                self.samples.fill(place, *before);
+            }
+        }
+        if let Some(level) = self.moved.and_then(|moved| levels.get(moved)) {
+            self.samples.keep(place, level, over);
+        }
+    }
+
+    /// Goes to a place, rad from home.
+    pub(super) fn go(&mut self, angle: T) {
+        let [first, _] = &mut self.steps;
+        *first = angle / T::TAU;
+    }
+
+    /// Takes samples that are not known from another branch, if those known to both agree: its level is the same. A stage
+    /// that is missed may have but one root, whose branch has one of several names.
+    pub(super) fn borrow(&mut self, other: &Self) {
+        if self.moved == other.moved {
+            self.samples.complete(&other.samples);
+        }
+    }
+
+    /// Whether the stage that misses has roots in an interval.
+    pub(super) fn spans(&self) -> bool {
+        let [_, half] = self.span;
+        half > T::COINCIDENT
+    }
+
+    /// Whether two joints may move.
+    pub(super) fn two(&self) -> bool {
+        let [_, second] = self.joints;
+        !second.is_empty()
+    }
+}
+
+/// Whether two names are those of one branch, whichever way the elbow bends, and without `wrist` whichever way the
+/// wrist does.
+pub(super) fn same(a: Branch, b: Branch, wrist: bool) -> bool {
+    a.shoulder() == b.shoulder() && a.root() == b.root() && (!wrist || a.wrist() == b.wrist())
+}

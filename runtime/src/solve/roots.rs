@@ -1,0 +1,112 @@
+//! Where a free joint has to be for a second stage to have roots, on either root of a first one.
+
+use super::Tolerances;
+use super::place::Samples;
+use super::stage::Level;
+use crate::math::sin_cos;
+
+/// The number of nodes in an interval.
+pub(super) const NODES: usize = 5;
+/// Places round the two roots of a stage at which the next one is looked at, and steps that narrow the best one down.
+const ROUND: i32 = 32;
+const NARROW: usize = 24;
+
+/// The levels of the stage that follows on either root of a first one, at the nodes of the first one's interval.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Roots<T> {
+    /// On the first root and on the second.
+    values: [[T; 2]; NODES],
+    low: T,
+    high: T,
+}
+
+impl<T: Tolerances> Roots<T> {
+    /// Nothing is known.
+    pub(super) const NONE: Self = Self { values: [[T::NAN; 2]; NODES], low: T::NAN, high: T::NAN };
+
+    /// Keeps the level at a node: the first one that comes is on the first root, the next other one on the second.
+    pub(super) fn keep(&mut self, node: usize, level: &Level<T>) {
+        let Some([first, second]) = self.values.get_mut(node) else { return };
+        if !first.is_finite() {
+            (self.low, self.high) = (level.low, level.high);
+            (*first, *second) = (level.value, level.value);
+        } else if *second == *first {
+            *second = level.value;
+        }
+    }
+
+    /// The place in the interval, or in another one of the first stage, at which the level is farthest inside its range,
+    /// on either root; rad from home. A narrow interval tells nothing about another one.
+    ///
+    /// With the roots of the first stage at `+-h`, `cos h` its own level, the levels are `u +- s sin(h)` with
+    /// trigonometric polynomials u and s of degree 2, which the nodes determine: Lagrange's form
+    /// `sum_k f_k prod_{j != k} sin((x - x_j) / 2) / sin((x_k - x_j) / 2)`.
+    #[inline(never)]
+    pub(super) fn place(&self, first: &Samples<T>, [middle, half]: [T; 2], other: [T; 2]) -> Option<T> {
+        let series = [first.series(3, 0), first.series(3, 1)];
+        // The sine of h, up to a factor.
+        let sine = |x: T| {
+            let [level, square] = series.each_ref().map(|circle| circle.at(x));
+            let level = level / square;
+            ((level - first.low) * (first.high - level)).max(T::ZERO).sqrt()
+        };
+        // Half angles from the middle, so that a narrow interval loses no digits.
+        let halves: [(T, T); NODES] = core::array::from_fn(|k| sin_cos(half * node(k) * T::HALF));
+        let others = |k: usize, (sin, cos): (T, T)| {
+            let factors = halves.iter().enumerate().filter(|(j, _)| *j != k);
+            factors.fold(T::ONE, |product, (_, (s, c))| product * (sin * *c - cos * *s))
+        };
+        let mut sums = self.values;
+        for (k, (([mean, share], at), values)) in sums.iter_mut().zip(halves).zip(&self.values).enumerate() {
+            let [one, other] = *values;
+            let weight = T::HALF / others(k, at);
+            *mean = (one + other) * weight;
+            *share = (one - other) * weight / sine(middle + half * node(k));
+        }
+        let inside = |[center, width]: [T; 2], turn: T| {
+            let (s, c) = sin_cos(turn);
+            let from_middle = (center - middle) + width * c;
+            let at = sin_cos(from_middle * T::HALF);
+            let (mut mean, mut share) = (T::ZERO, T::ZERO);
+            for (k, [m, d]) in sums.iter().enumerate() {
+                let weight = others(k, at);
+                mean += weight * *m;
+                share += weight * *d;
+            }
+            let level = mean + share * sine(middle + from_middle).copysign(s);
+            (level - self.low).min(self.high - level)
+        };
+        let best = |span: [T; 2]| {
+            let mut step = T::TAU / T::from_i32(ROUND);
+            let mut best = None;
+            for turn in (0..ROUND).map(|k| step * T::from_i32(k)) {
+                best = better(best, turn, inside(span, turn));
+            }
+            for _ in 0..NARROW {
+                step *= T::HALF;
+                let (middle, _) = best?;
+                for turn in [middle - step, middle + step] {
+                    best = better(best, turn, inside(span, turn));
+                }
+            }
+            let [center, width] = span;
+            best.map(|(turn, inside)| (center + width * sin_cos(turn).1, inside))
+        };
+        let [_, width] = other;
+        let here = best([middle, half]);
+        let there = if width > T::ZERO && half * half > T::WEAK { best(other) } else { None };
+        there.into_iter().fold(here, |best, (place, inside)| better(best, place, inside)).map(|(place, _)| place)
+    }
+}
+
+/// The better one of two turns: where a stage has its roots by more. One that says nothing does not count.
+fn better<T: Tolerances>(best: Option<(T, T)>, turn: T, inside: T) -> Option<(T, T)> {
+    let better = inside.is_finite() && best.is_none_or(|(_, most)| inside > most);
+    if better { Some((turn, inside)) } else { best }
+}
+
+/// A node as a share of half the interval from its middle: a root of Chebyshev's polynomial of degree 5.
+pub(super) fn node<T: Tolerances>(k: usize) -> T {
+    let (_, cos) = sin_cos(T::PI * T::from_f64(0.1) * T::from_i32(2 * k as i32 + 1));
+    cos
+}
