@@ -147,11 +147,3 @@ fn bound(input: &DeriveInput, text: Option<(&str, &str)>, scalar: ScalarKind, er
         Data::Enum(_) | Data::Union(_) => Bound::None,
     }
 }
-
-/// The number type of the generated code.
-pub fn scalar_type(scalar: ScalarKind) -> TokenStream {
-    match scalar {
-        ScalarKind::F64 => quote!(::core::primitive::f64),
-        ScalarKind::F32 => quote!(::core::primitive::f32),
-    }
-}

@@ -6,7 +6,6 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{DeriveInput, Ident, Path};
 
-use crate::expand::scalar_type;
 use crate::stub_motors::motors;
 
 /// Joints of an arm whose file says nothing of them: by far the most arms have six.
@@ -241,5 +240,13 @@ fn traits(name: &Ident, outline: &Outline, krate: &Path, number: &TokenStream) -
                 #krate::Status::BadTarget
             }
         }
+    }
+}
+
+/// The number type of the generated code.
+fn scalar_type(scalar: ScalarKind) -> TokenStream {
+    match scalar {
+        ScalarKind::F64 => quote!(::core::primitive::f64),
+        ScalarKind::F32 => quote!(::core::primitive::f32),
     }
 }

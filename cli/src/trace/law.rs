@@ -13,19 +13,10 @@
 use std::fmt;
 
 use super::jet::{Function, Jet};
-use super::token::{Token, tokens};
+use super::token::{LawError, Token, tokens};
 
 /// Deepest nesting of parentheses, signs and powers: what stands on the stack is bounded.
 const DEEPEST: usize = 100;
-
-/// A mistake in a text of laws.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct LawError {
-    /// Where, a byte offset into the text.
-    pub at: usize,
-    /// What was found and what was expected.
-    pub message: String,
-}
 
 /// The motion of one joint as a function of the time.
 #[derive(Debug, Clone, PartialEq)]

@@ -17,9 +17,10 @@ use clap::{Args, ValueEnum};
 use denhart::{Chain, JointKind, Pose};
 use indicatif::{ProgressBar, ProgressStyle};
 use jet::Jet;
-use law::{Law, LawError};
+use law::Law;
 use limits::Limits;
 use times::Times;
+use token::LawError;
 
 /// A progress bar appears after this long.
 const LONG: Duration = Duration::from_secs(1);

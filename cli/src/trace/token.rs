@@ -2,7 +2,14 @@
 
 use std::fmt;
 
-use super::law::LawError;
+/// A mistake in a text of laws.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LawError {
+    /// Where, a byte offset into the text.
+    pub at: usize,
+    /// What was found and what was expected.
+    pub message: String,
+}
 
 /// A piece of a law.
 #[derive(Debug, Clone, PartialEq)]

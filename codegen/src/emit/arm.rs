@@ -65,7 +65,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     let associated = tables::associated(model, target);
     let motors = [combined_limits::constant(model, target), linked.methods, actuator::methods(model, target)];
     let bound = parameters::methods(model, target);
-    let counted = motion::counted(model, arm.inverse);
+    let counted = motion::counted(model, arm.inverse.as_ref().ok());
     let arm_trait = arm_trait(model, &counted, target);
     let functions = functions.tokens;
     let motion = motion::methods(model, &counted, target);

@@ -2,14 +2,15 @@
 
 use super::inverse_frame::{function, inverse_trait, items, methods};
 use super::kernel;
+use super::nest::Nest;
 use super::task::task;
-use super::tokens::{Writer, ident};
+use super::tokens::ident;
 use super::{Target, angle, docs};
 use crate::lower::{self, Branching, Call, Each, Given, Input, Kernel, Part, Root, Slot, Statement, Trail};
 use crate::model::{Angle, Model};
 use crate::solve::{Plan, Stage};
 use crate::symbolic::Expr;
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 /// The code of an inverse.
@@ -55,38 +56,7 @@ fn given_symbols(program: &lower::Inverse, target: &Target) -> TokenStream {
     }
 }
 
-/// What the statements are written with.
-pub(super) struct Nest<'a> {
-    pub(super) plan: &'a Plan,
-    pub(super) target: &'a Target,
-    pub(super) program: &'a lower::Inverse,
-    /// Whether lengths are compared to a reach that is known at run time only.
-    pub(super) bound: bool,
-}
-
 impl Nest<'_> {
-    pub(super) fn writer(&self) -> Writer<'_> {
-        Writer { graph: &self.program.graph, bound: &self.program.names, krate: &self.target.krate }
-    }
-
-    fn leaf(&self, slot: Slot) -> Ident {
-        ident(&self.program.graph.leaf_name(slot).unwrap_or_default())
-    }
-
-    /// What a stage is called: its joints.
-    pub(super) fn number(&self, stage: usize) -> String {
-        self.plan.stages().nth(stage).iter().flat_map(|stage| &stage.joints).map(|j| self.plan.label(*j)).collect()
-    }
-
-    fn trail(&self, trail: Trail) -> Ident {
-        match trail {
-            Trail::Start => ident("start"),
-            Trail::Stage(stage) => ident(&format!("trail{}", self.number(stage))),
-            Trail::Agreed(_) => ident("agreed"),
-            Trail::Swung => ident("swung"),
-        }
-    }
-
     /// The constant ranges of the stages.
     fn ranges(&self) -> TokenStream {
         let statements = self.program.levels.iter().flat_map(|level| &level.body);

@@ -1,6 +1,6 @@
 //! A stage as a call of its kernel.
 
-use super::inverse::Nest;
+use super::nest::Nest;
 use super::tokens::{ident, integer, number};
 use super::{angle, worked_out};
 use crate::lower::{Call, Counted, Home, Kernel, RootRange, Statement, Unit};

@@ -15,6 +15,7 @@ mod kinematics;
 mod legend;
 mod margins;
 mod motion;
+mod nest;
 mod parameters;
 mod paths;
 mod tables;

@@ -1,9 +1,9 @@
 //! What follows from pose and Jacobian: thin methods on the runtime's functions.
 
-use super::arm::Inverse;
 use super::tokens::{integer, number};
 use super::{Target, docs};
 use crate::model::{Axis, Model, Task};
+use crate::solve::Plan;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -21,8 +21,7 @@ pub enum Counted {
 }
 
 /// What is counted by the task that the arm is for: the one of its inverse, else the one its file names.
-pub fn counted(model: &Model, inverse: &Inverse) -> Counted {
-    let plan = inverse.as_ref().ok();
+pub fn counted(model: &Model, plan: Option<&Plan>) -> Counted {
     match plan.map(|plan| plan.task.task).or(model.inverse.task) {
         Some(Task::Position) => Counted::Rows([true, true, true, false, false, false], "`vx vy vz` of the Jacobian"),
         Some(Task::PlanarPosition) => {

@@ -8,6 +8,7 @@
 //! statements, so equal programs give equal results.
 
 mod block;
+mod call;
 mod coupling;
 mod facts;
 mod function;
@@ -21,6 +22,7 @@ mod straight;
 mod tests;
 
 pub use block::{Block, Names};
+pub use call::{Call, Counted, Home, RootRange};
 pub use coupling::{Linear, Linked, linked};
 pub use facts::{Facts, limits};
 pub use function::{Function, Turned, function, link_function};
@@ -28,7 +30,6 @@ pub use goal::{Given, Goal, Input};
 pub use margins::{Margins, Plane, Variable, constant, margins};
 pub use nest::inverse;
 pub use program::{Each, Inverse, Level, Part, Root, Statement, Trail};
-pub use stage::{Call, Counted, Home, RootRange};
 pub use straight::Straight;
 
 pub use crate::solve::{Branching, Factor, Kernel, SwivelFacts, Unit};

@@ -1,0 +1,46 @@
+//! The names in the loops of an inverse.
+
+use super::Target;
+use super::tokens::{Writer, ident};
+use crate::lower::{self, Slot, Trail};
+use crate::solve::Plan;
+use proc_macro2::Ident;
+
+/// What the statements are written with.
+pub struct Nest<'a> {
+    /// The plan.
+    pub plan: &'a Plan,
+    /// The scalar type, and paths.
+    pub target: &'a Target,
+    /// The plan as a program.
+    pub program: &'a lower::Inverse,
+    /// Whether lengths are compared to a reach that is known at run time only.
+    pub bound: bool,
+}
+
+impl Nest<'_> {
+    /// Writes expressions.
+    pub fn writer(&self) -> Writer<'_> {
+        Writer { graph: &self.program.graph, bound: &self.program.names, krate: &self.target.krate }
+    }
+
+    /// The name of a leaf.
+    pub fn leaf(&self, slot: Slot) -> Ident {
+        ident(&self.program.graph.leaf_name(slot).unwrap_or_default())
+    }
+
+    /// What a stage is called: its joints.
+    pub fn number(&self, stage: usize) -> String {
+        self.plan.stages().nth(stage).iter().flat_map(|stage| &stage.joints).map(|j| self.plan.label(*j)).collect()
+    }
+
+    /// What is known of a branch after a step, by its name.
+    pub fn trail(&self, trail: Trail) -> Ident {
+        match trail {
+            Trail::Start => ident("start"),
+            Trail::Stage(stage) => ident(&format!("trail{}", self.number(stage))),
+            Trail::Agreed(_) => ident("agreed"),
+            Trail::Swung => ident("swung"),
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! A call of a kernel, as data.
+
+use super::Slot;
+use crate::model::Angle;
+use crate::solve::{Kernel, Unit};
+
+/// A call of a kernel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Call {
+    /// The stage, by its place among the plan's stages.
+    pub stage: usize,
+    /// The equation.
+    pub kernel: Kernel,
+    /// What its numbers measure.
+    pub unit: Unit,
+    /// Where the joints that it may leave free stay.
+    pub homes: [Home; 2],
+    /// The range of a distance or a component.
+    pub range: RootRange,
+    /// Where the angle is counted from.
+    pub counted: Counted,
+}
+
+/// Where a joint stays if it is free.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Home {
+    /// The arm's joint, from 0; `None` for a virtual one.
+    pub joint: Option<usize>,
+    /// What is added to its value to give the kernel's variable.
+    pub shift: Angle,
+}
+
+/// The range of a distance or a component.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RootRange {
+    /// The kernel has none.
+    None,
+    /// Of a distance, constant.
+    Elbow {
+        /// The links' lengths.
+        links: [f64; 2],
+        /// Largest distance.
+        max: f64,
+        /// Smallest distance.
+        min: f64,
+    },
+    /// Of a component, constant: each end with the component across.
+    Cone {
+        /// Largest component.
+        max: [f64; 2],
+        /// Smallest component.
+        min: [f64; 2],
+    },
+    /// What a statement before has worked out.
+    Prepared,
+}
+
+/// Where an angle is counted from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Counted {
+    /// From 0.
+    FromZero,
+    /// From half a turn where this is negative.
+    TurnedBack(Slot),
+    /// From the direction that a statement before has worked out.
+    FromPhase,
+}
