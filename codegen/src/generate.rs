@@ -8,7 +8,7 @@ use crate::model::chain::Chain;
 use crate::model::geometry::{Geometry, geometry};
 use crate::model::{self, Bound, Model, Parameter, Sizes};
 use crate::report::Report;
-use crate::solve::{Plan, Refusal, plan};
+use crate::solve::{Plan, Unsupported, plan};
 use crate::{ScalarKind, spec, stages};
 use proc_macro2::TokenStream;
 use quote::ToTokens;
@@ -75,7 +75,7 @@ struct Analyzed {
     parameters: Vec<Parameter>,
     chain: Chain,
     geometry: Geometry,
-    inverse: Result<Plan, Refusal>,
+    inverse: Result<Plan, Unsupported>,
     warnings: Vec<Diagnostic>,
 }
 

@@ -4,7 +4,7 @@ use crate::error::Diagnostic;
 use crate::model::geometry::{Geometry, Relation, TripleKind};
 use crate::model::{JointKind, Model, Parameter, Task};
 use crate::settings::{self, plus, short, sum};
-use crate::solve::{Plan, Refusal, describe};
+use crate::solve::{Plan, Unsupported, describe};
 use crate::symbolic::Cost;
 use std::fmt;
 
@@ -36,7 +36,7 @@ impl Report {
         parameters: &[Parameter],
         geometry: &Geometry,
         costs: [Cost; 3],
-        inverse: &Result<Plan, Refusal>,
+        inverse: &Result<Plan, Unsupported>,
         warnings: Vec<Diagnostic>,
     ) -> Report {
         let mut lines = vec![summary(model)];
@@ -46,7 +46,7 @@ impl Report {
         for triple in &geometry.triples {
             let first = triple.first + 1;
             let what = match triple.kind {
-                TripleKind::Meeting => "meet in a point",
+                TripleKind::Intersecting => "meet in a point",
                 TripleKind::Parallel
                     if model.joints.iter().skip(triple.first).take(3).any(|j| j.kind == JointKind::Prismatic) =>
                 {
@@ -135,7 +135,7 @@ fn relations<'a>(geometry: &'a Geometry, unit: &'a str) -> impl Iterator<Item = 
         match relation {
             Relation::Coincident => format!("{pair} are the same line"),
             Relation::Parallel { distance } => format!("{pair} are parallel, {} {unit} apart", short(*distance)),
-            Relation::Meeting { angle } => format!("{pair} meet at {} deg", short(angle.to_degrees())),
+            Relation::Intersecting { angle } => format!("{pair} meet at {} deg", short(angle.to_degrees())),
             Relation::Skew { distance, angle } => {
                 format!("{pair} are skew: {} {unit} apart, at {} deg", short(*distance), short(angle.to_degrees()))
             }

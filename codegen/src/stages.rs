@@ -5,12 +5,12 @@ use crate::lower::Block;
 use crate::model::chain::{Chain, Step};
 use crate::model::geometry::Geometry;
 use crate::model::{Angle, Length, Model};
-use crate::solve::{Plan, PlanStep, Refusal};
-use crate::symbolic::Expr;
+use crate::solve::{Plan, PlanStep, Unsupported};
+use crate::symbolic::{Expr, Symbol};
 use std::fmt::Write;
 
 /// Model, factors of the chain, triples and plan; one item a line.
-pub fn text(model: &Model, chain: &Chain, geometry: &Geometry, inverse: &Result<Plan, Refusal>) -> String {
+pub fn text(model: &Model, chain: &Chain, geometry: &Geometry, inverse: &Result<Plan, Unsupported>) -> String {
     let mut out = String::from("joints\n");
     for joint in &model.joints {
         let limits = joint.limits.map_or("without limits".into(), |[low, high]| format!("{low:?} to {high:?}"));
@@ -80,16 +80,13 @@ fn solution(out: &mut String, plan: &Plan) {
             out,
             match step {
                 PlanStep::Stage(stage) => {
-                    let joints: Vec<String> =
-                        stage.joints.iter().map(|joint| format!("q{}", plan.label(*joint))).collect();
-                    let kernel = format!("{:?}", stage.kernel);
-                    let kernel = kernel.split([' ', '{']).next().unwrap_or_default();
-                    let (joints, home) = (joints.join(", "), stage.home.text());
+                    let joints: Vec<String> = plan.labels(stage).iter().map(|label| format!("q{label}")).collect();
+                    let (joints, kernel, home) = (joints.join(", "), stage.kernel.name(), stage.default_shift.text());
                     format!("{joints} by {kernel}({inputs}); {:?}, {:?}, home {home}", stage.unit, stage.branching)
                 }
                 PlanStep::Swivel { .. } => format!("upper arm = swivel({inputs})"),
                 PlanStep::Agreement { .. } => format!("agree({inputs})"),
-                PlanStep::Angle { name, .. } => format!("{name} = atan2({inputs})"),
+                PlanStep::Angle { symbol, .. } => format!("{} = atan2({inputs})", symbol.name()),
             },
         );
     }
@@ -100,11 +97,11 @@ fn solution(out: &mut String, plan: &Plan) {
 }
 
 /// A signed sum of named angles and a constant one.
-fn sum(terms: &[(String, bool)], constant: Angle) -> String {
+fn sum(terms: &[(Symbol, bool)], constant: Angle) -> String {
     let mut text = String::new();
-    for (name, negative) in terms {
+    for (symbol, negative) in terms {
         text += if *negative { "- " } else { "+ " };
-        text += name;
+        text += &symbol.name();
         text.push(' ');
     }
     text + "+ " + &constant.text()

@@ -1,6 +1,9 @@
 //! A call of a kernel of the runtime, with its numbers taken from registers.
 
 use denhart::solve::{self, Cone, Elbow, Home, Measure, Missed, Search, Sight, Stage, Trail, Turn};
+use denhart_codegen::lower::kernel::{
+    Aim, Align, Flip, Offset, OffsetOfTwo, Pair, PairSliding, Quadratic, Slide, SlideTo, SlideTurning, Wrist,
+};
 use denhart_codegen::lower::{Call, Counted, Kernel, Slot, Unit};
 
 use crate::tape::{Places, Registers};
@@ -88,49 +91,55 @@ pub fn measure(unit: Unit, reach: f64) -> Measure<f64> {
 /// Solves a stage.
 pub fn solve(call: &Call, homes: [Home<f64>; 2], known: &Known, reach: f64, values: Values) -> Roots {
     let measure = measure(call.unit, reach);
-    let [home, _] = homes;
+    let [home, outer] = homes;
     let v = |slot: &Slot| values.of(*slot);
     match &call.kernel {
-        Kernel::Offset { a, b, d } => Roots::TwoOfOne(solve::offset(home, measure, v(a), v(b), v(d))),
-        Kernel::OffsetOfTwo { length, direction } => {
+        Kernel::Offset(Offset { a, b, d }) => Roots::TwoOfOne(solve::offset(home, measure, v(a), v(b), v(d))),
+        Kernel::OffsetOfTwo(OffsetOfTwo { length, direction }) => {
             let (length, direction) = (values.all(length), values.all(direction));
-            Roots::TwoOfOne(solve::offset_of_two(home, Measure::length(reach), length, direction))
+            Roots::TwoOfOne(solve::offset_of_two(home, measure, length, direction))
         }
-        Kernel::Distance { rho, .. } => {
-            let stage = solve::distance(home, measure, v(rho), known.elbow);
+        Kernel::Distance(kernel) => {
+            let stage = solve::distance(home, measure, v(&kernel.rho), known.elbow);
             Roots::TwoOfOne(counted(stage, call.counted, known, values))
         }
-        Kernel::Cone { d, rho, .. } => {
-            let stage = solve::cone(home, measure, v(d), v(rho), known.cone);
+        Kernel::Cone(kernel) => {
+            let stage = solve::cone(home, measure, v(&kernel.d), v(&kernel.rho), known.cone);
             Roots::TwoOfOne(counted(stage, call.counted, known, values))
         }
-        Kernel::Align { from, to } => Roots::OneOfOne(solve::align(home, measure, values.all(from), values.all(to))),
-        Kernel::Flip { m } => Roots::TwoOfTwo(solve::flip(home, values.all(m))),
-        Kernel::Wrist { m } => Roots::TwoOfThree(solve::wrist(home, values.rows(m))),
-        Kernel::Slide { rho, across, middle } => Roots::TwoOfOne(solve::slide(measure, v(rho), v(across), v(middle))),
-        Kernel::SlideTo { denominator, numerator } => {
+        Kernel::Align(Align { from, to }) => {
+            Roots::OneOfOne(solve::align(home, measure, values.all(from), values.all(to)))
+        }
+        Kernel::Flip(Flip { m }) => Roots::TwoOfTwo(solve::flip(outer, values.all(m))),
+        Kernel::Wrist(Wrist { m }) => Roots::TwoOfThree(solve::wrist(home, values.rows(m))),
+        Kernel::Slide(Slide { rho, across, middle }) => {
+            Roots::TwoOfOne(solve::slide(measure, v(rho), v(across), v(middle)))
+        }
+        Kernel::SlideTo(SlideTo { denominator, numerator }) => {
             Roots::OneOfOne(solve::slide_to(home, measure, v(denominator), v(numerator)))
         }
-        Kernel::SlideTurning { stroke, rows } => {
+        Kernel::SlideTurning(SlideTurning { stroke, rows }) => {
             Roots::TwoOfTwo(solve::slide_turning(homes, measure, values.all(stroke), values.rows(rows)))
         }
-        Kernel::Aim { moved: [x, z], frames: [frame_x, frame_z] } => {
+        Kernel::Aim(Aim { moved: [x, z], frames: [frame_x, frame_z] }) => {
             let sight = |moved, frame| Sight { moved: values.all(moved), frame: values.rows(frame) };
             Roots::ThreeOfTwo(solve::aim(homes, sight(x, frame_x), sight(z, frame_z)))
         }
-        Kernel::Pair { p, q, across } => {
+        Kernel::Pair(Pair { p, q, across, .. }) => {
             let (p, q) = (values.rows(p), values.rows(q));
             Roots::FourOfTwo(match across {
                 None => solve::pair(homes, measure, p, q),
                 Some([[a, b], [c, d]]) => solve::pair_turning(homes, measure, p, q, values.rows(&[*a, *b, *c, *d])),
             })
         }
-        Kernel::PairSliding { line, scale, square, q, sliding, turning } => {
+        Kernel::PairSliding(PairSliding { line, scale, square, q, sliding, turning }) => {
             let across = (values.rows(sliding), values.rows(turning));
             let (line, square, q) = (values.all(line), values.all(square), values.all(q));
             Roots::FourOfTwo(solve::pair_sliding(measure, line, v(scale), square, q, across))
         }
-        Kernel::Quadratic { coefficients } => Roots::TwoOfOne(solve::quadratic(measure, values.all(coefficients))),
+        Kernel::Quadratic(Quadratic { coefficients }) => {
+            Roots::TwoOfOne(solve::quadratic(measure, values.all(coefficients)))
+        }
     }
 }
 

@@ -155,7 +155,7 @@ impl<'a> Run<'a> {
         call: &Call,
         search: &Search<'_, f64, N, M, P>,
     ) {
-        let homes = call.homes.map(|home| self.home(home, search));
+        let homes = call.defaults.map(|default| self.home(default, search));
         let reach = self.nest.program.facts.reach;
         let Some(known) = self.known.get(call.stage) else { return };
         let roots = solve(call, homes, known, reach, self.values());
@@ -164,14 +164,14 @@ impl<'a> Run<'a> {
 
     fn home<const N: usize, const M: usize, P: Missed<f64, M>>(
         &self,
-        home: lower::Home,
+        default: lower::DefaultValue,
         search: &Search<'_, f64, N, M, P>,
     ) -> Home<f64> {
-        let at = match home.joint {
+        let at = match default.joint {
             Some(joint) => search.home(joint),
             None => search.virtual_home(),
         };
-        if home.shift.is_zero() { at } else { at.shifted(home.shift.rad()) }
+        if default.shift.is_zero() { at } else { at.shifted(default.shift.rad()) }
     }
 
     fn values(&self) -> Values<'_> {

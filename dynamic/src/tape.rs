@@ -161,7 +161,7 @@ impl<'a> Compiler<'a> {
         let of = |e: &Slot| self.constants.get(e).copied();
         let value = match self.graph.node(slot) {
             Node::Number(bits) => Some(f64::from_bits(bits)),
-            Node::Symbol(symbol) => symbol.value.map(f64::from_bits),
+            Node::Symbol(symbol) => symbol.value(),
             Node::Neg(a) => of(&a).map(|a| Code::Negate.of(a, a)),
             Node::Add(a, b) => of(&a).zip(of(&b)).map(|(a, b)| Code::Add.of(a, b)),
             Node::Sub(a, b) => of(&a).zip(of(&b)).map(|(a, b)| Code::Subtract.of(a, b)),

@@ -7,12 +7,12 @@ use super::tokens::integer;
 use super::{Target, actuator, combined_limits, coupling, docs, kinematics, motion, parameters, paths, tables};
 use crate::model::Model;
 use crate::model::chain::Chain;
-use crate::solve::{Plan, Refusal};
+use crate::solve::{Plan, Unsupported};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 /// What is known of the inverse.
-pub type Inverse = Result<Plan, Refusal>;
+pub type Inverse = Result<Plan, Unsupported>;
 
 /// Everything the code is made from.
 pub struct Arm<'a> {
@@ -122,7 +122,7 @@ fn arm_trait(model: &Model, counted: &motion::Counted, target: &Target) -> Token
 }
 
 /// An arm without an inverse has the methods all the same: a call says why it does not compile.
-fn refused(model: &Model, refusal: &Refusal, target: &Target) -> InverseCode {
+fn refused(model: &Model, refusal: &Unsupported, target: &Target) -> InverseCode {
     let name = &target.type_name;
     let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
     // What it returns lets the rest of the call type-check: the message is the only error.

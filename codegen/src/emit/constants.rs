@@ -5,7 +5,7 @@ use super::docs;
 use super::tokens::{ident, number};
 use crate::lower::Straight;
 use crate::model::{Convention, Model};
-use crate::symbolic::{Expr, Graph, Node};
+use crate::symbolic::{Expr, Graph, Node, Symbol};
 use indexmap::IndexMap;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -25,10 +25,8 @@ impl Dimensions {
     /// Adds those the roots of a graph use.
     pub fn collect_from(&mut self, graph: &Graph, roots: &[Expr]) {
         for e in graph.reachable(roots) {
-            if let Node::Symbol(symbol) = graph.node(e)
-                && let Some(bits) = symbol.value
-            {
-                self.used.insert(symbol.name, f64::from_bits(bits));
+            if let Node::Symbol(Symbol::Dimension(name, bits)) = graph.node(e) {
+                self.used.insert(name, f64::from_bits(bits));
             }
         }
     }

@@ -6,10 +6,11 @@ use super::nest::Nest;
 use super::task::task;
 use super::tokens::ident;
 use super::{Target, angle, docs};
-use crate::lower::{self, Branching, Call, Each, Given, Input, Kernel, Part, Root, Slot, Statement, Trail};
+use crate::lower::kernel::Quantity;
+use crate::lower::{self, Branching, Call, Each, Given, Part, Root, Slot, Statement, Trail};
 use crate::model::{Angle, Model};
 use crate::solve::{Plan, Stage};
-use crate::symbolic::Expr;
+use crate::symbolic::{Expr, Input};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -235,42 +236,24 @@ impl Nest<'_> {
             zero if zero == "0.0" => "0".to_string(),
             text => text.strip_prefix("- ").map_or_else(|| text.clone(), |rest| format!("-{rest}")),
         };
-        let list = |items: &[Expr]| items.iter().map(|e| text(*e)).collect::<Vec<_>>().join(", ");
         let mut out = stage.meaning.clone();
         // What is too long for a sentence can be read in the call below it.
         let fill = |out: &mut String, key: &str, value: String| {
             let value = if value.len() > 70 { "...".to_string() } else { value };
             *out = out.replace(&format!("{{{key}}}"), &value);
         };
-        match &stage.kernel {
-            Kernel::Offset { a, b, d } => {
-                let factor = |e: Expr| {
+        for (key, quantity) in stage.kernel.equation().quantities() {
+            let value = match quantity {
+                Quantity::Value(e) => text(e),
+                Quantity::Coefficient(e) => {
                     let text = text(e);
                     if text.trim_start_matches('-').contains([' ']) { format!("({text})") } else { text }
-                };
-                fill(&mut out, "a", factor(*a));
-                fill(&mut out, "b", factor(*b));
-                fill(&mut out, "d", text(*d));
-                out = out.replace(" cos + -", " cos - ");
-            }
-            Kernel::Distance { rho, range, .. } => {
-                if range.height == Expr::ZERO {
-                    out = out.replace(" + h^2", "").replace(", `h = {h}`", "");
                 }
-                fill(&mut out, "rho", text(*rho));
-                fill(&mut out, "a", text(range.a));
-                fill(&mut out, "b", text(range.b));
-                fill(&mut out, "h", text(range.height));
-            }
-            Kernel::Cone { d, .. } => fill(&mut out, "d", text(*d)),
-            Kernel::Align { from, to } => {
-                fill(&mut out, "from", list(from));
-                fill(&mut out, "to", list(to));
-            }
-            Kernel::Flip { m } => fill(&mut out, "m", list(m)),
-            Kernel::Slide { rho, .. } => fill(&mut out, "rho", text(*rho)),
-            _ => {}
+                Quantity::List(items) => items.iter().map(|e| text(*e)).collect::<Vec<_>>().join(", "),
+            };
+            fill(&mut out, key, value);
         }
+        out = out.replace(" cos + -", " cos - ");
         let shift = stage.joints.first().and_then(|joint| {
             let value = self.plan.values.get(*joint)?;
             let degrees = (value.constant.rad().to_degrees() * 1e6).round() / 1e6;

@@ -5,7 +5,8 @@ use super::tokens::{ident, integer, number};
 use super::{Target, combined_limits, docs, parameters, worked_out};
 use crate::lower::Inverse;
 use crate::model::{JointKind, Model};
-use crate::solve::Plan;
+use crate::solve::{Given, Plan};
+use crate::symbolic::Input;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -67,12 +68,12 @@ pub(super) fn solutions(plan: &Plan, target: &Target) -> TokenStream {
     quote!(#krate::Solutions<#scalar, #n, #m>)
 }
 
-/// The name of a joint whose value is given.
+/// The argument that is given beside the target.
 pub(super) fn given(plan: &Plan) -> Option<Ident> {
-    if plan.task.swivel.is_some() {
-        return Some(ident("arm_angle"));
-    }
-    plan.task.locked.as_ref().map(|locked| ident(&format!("q{}", locked.joint + 1)))
+    plan.task.given.map(|given| match given {
+        Given::ArmAngle => ident("arm_angle"),
+        Given::Joint { joint, .. } => ident(&Input::Given(joint).name()),
+    })
 }
 
 /// The function around the loops.
@@ -96,7 +97,7 @@ pub(super) fn function(
     let mut goal = task.goal.clone();
     if let Some(q) = given(plan) {
         // The arm angle holds no joint: a number beyond the last.
-        let joint = integer(plan.task.locked.as_ref().map_or(plan.joints(), |locked| locked.joint));
+        let joint = integer(plan.task.given_joint().unwrap_or(plan.joints()));
         goal = quote!(#goal let locked = &#krate::solve::Locked::new(goal, #joint, #q););
     }
     let sought = ident(if given(plan).is_some() { "locked" } else { "goal" });
@@ -184,14 +185,13 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
     let (asked, check) = (&task.target, &task.check);
     let argument = q.as_ref().map(|q| quote!(, #q: #scalar));
     let pass = q.as_ref().map(|q| quote!(#q,));
-    let from_reference = plan.task.locked.as_ref().zip(q.as_ref()).map(|(locked, q)| {
-        let before = (0..locked.joint).map(|_| quote!(_,));
-        quote!(let [#(#before)* #q, ..] = *q_ref;)
+    let from_reference = plan.task.given.map(|given| match given {
+        Given::ArmAngle => quote!(let arm_angle = self.arm_angle(q_ref);),
+        Given::Joint { joint, .. } => {
+            let before = (0..joint).map(|_| quote!(_,));
+            quote!(let [#(#before)* #q, ..] = *q_ref;)
+        }
     });
-    let from_reference = match plan.task.swivel {
-        Some(_) => Some(quote!(let arm_angle = self.arm_angle(q_ref);)),
-        None => from_reference,
-    };
     let arm_angle = arm_angle(plan, target);
     let sample = sample_redundancy(model, plan, target, task);
     let held = q.as_ref().map_or_else(
@@ -282,23 +282,24 @@ fn arm_angle(plan: &Plan, target: &Target) -> Option<TokenStream> {
 fn sample_redundancy(model: &Model, plan: &Plan, target: &Target, task: &TaskCode) -> Option<TokenStream> {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
     let (solutions, asked) = (solutions(plan, target), &task.target);
-    if plan.task.swivel.is_some() {
-        return Some(quote! {
-            /// Walks the arm angle through a whole turn in `n` equal steps and solves for each, the middle of its step.
-            /// Yields the angle and its solutions; allocates nothing.
-            pub fn sample_redundancy(
-                &self,
-                target: &#asked,
-                n: usize,
-            ) -> impl ::core::iter::Iterator<Item = (#scalar, #solutions)> {
-                let whole = <#scalar as #krate::Scalar>::PI;
-                #krate::solve::steps(-whole, whole, whole, n).map(move |value| (value, self.inverse(target, value)))
-            }
-        });
-    }
-    let locked = plan.task.locked.as_ref()?;
-    let joint = integer(locked.joint);
-    let whole = match locked.turns {
+    let (joint, turns) = match plan.task.given? {
+        Given::Joint { joint, turns } => (joint, turns),
+        Given::ArmAngle => {
+            return Some(quote! {
+                /// Walks the arm angle through a whole turn in `n` equal steps and solves for each, the middle of its step.
+                /// Yields the angle and its solutions; allocates nothing.
+                pub fn sample_redundancy(
+                    &self,
+                    target: &#asked,
+                    n: usize,
+                ) -> impl ::core::iter::Iterator<Item = (#scalar, #solutions)> {
+                    let whole = <#scalar as #krate::Scalar>::PI;
+                    #krate::solve::steps(-whole, whole, whole, n).map(move |value| (value, self.inverse(target, value)))
+                }
+            });
+        }
+    };
+    let whole = match turns {
         true => quote!(<#scalar as #krate::Scalar>::PI),
         false if model.parameters.is_empty() => quote!(REACH),
         false => quote!(reach(self)),
@@ -306,9 +307,10 @@ fn sample_redundancy(model: &Model, plan: &Plan, target: &Target, task: &TaskCod
     let doc = docs::lines(&format!(
         "Walks the redundant joint `q{}` through its limits (without limits: {}) in `n` equal steps and solves for each\n\
          value, the middle of its step. Yields the value and its solutions; allocates nothing.",
-        locked.joint + 1,
-        if locked.turns { "a whole turn" } else { "plus and minus the reach" }
+        joint + 1,
+        if turns { "a whole turn" } else { "plus and minus the reach" }
     ));
+    let joint = integer(joint);
     Some(quote! {
         #doc
         pub fn sample_redundancy(

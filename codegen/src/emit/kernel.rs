@@ -3,8 +3,8 @@
 use super::nest::Nest;
 use super::tokens::{ident, integer, number};
 use super::{angle, worked_out};
-use crate::lower::{Call, Counted, Home, Kernel, RootRange, Statement, Unit};
-use crate::symbolic::Expr;
+use crate::lower::kernel::Argument;
+use crate::lower::{Call, Counted, DefaultValue, Kernel, RootRange, Statement, Unit};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -21,7 +21,7 @@ pub fn measure(nest: &Nest, unit: Unit) -> TokenStream {
 /// The first joint of a stage, after which its values are called.
 fn joint(nest: &Nest, stage: usize) -> String {
     let joint = nest.plan.stages().nth(stage).and_then(|stage| stage.joints.first());
-    joint.map_or_else(String::new, |joint| nest.plan.label(*joint))
+    joint.map_or_else(String::new, |joint| nest.plan.label(*joint).to_string())
 }
 
 fn prepared(nest: &Nest, what: &str, stage: usize) -> Ident {
@@ -31,101 +31,54 @@ fn prepared(nest: &Nest, what: &str, stage: usize) -> Ident {
 /// The expression that gives the stage's roots.
 pub fn call(nest: &Nest, call: &Call) -> TokenStream {
     let krate = &nest.target.krate;
-    let writer = nest.writer();
-    let w = |e: &Expr| writer.write(*e);
-    let [home, other] = call.homes.map(|home| self::home(nest, home));
-    let measure = measure(nest, call.unit);
-    let row = |row: &[Expr; 3]| {
-        let row = row.iter().map(w);
-        quote!([#(#row),*])
-    };
-    match &call.kernel {
-        Kernel::Offset { a, b, d } => {
-            let (a, b, d) = (w(a), w(b), w(d));
-            quote!(#krate::solve::offset(#home, #measure, #a, #b, #d))
+    let equation = call.kernel.equation();
+    let function = ident(equation.function());
+    let arguments = equation.arguments();
+    let arguments = arguments.iter().map(|of| argument(nest, call, of));
+    let counted = counted(nest, call);
+    quote!(#krate::solve::#function(#(#arguments),*) #counted)
+}
+
+fn argument(nest: &Nest, call: &Call, of: &Argument) -> TokenStream {
+    match of {
+        Argument::Default(place) => {
+            call.defaults.get(*place).map_or_else(TokenStream::new, |of| default_value(nest, of))
         }
-        Kernel::OffsetOfTwo { length, direction } => {
-            let (length, direction) = (row(length), row(direction));
-            let measure = self::measure(nest, Unit::Length);
-            quote!(#krate::solve::offset_of_two(#home, #measure, #length, #direction))
+        Argument::Measure => measure(nest, call.unit),
+        Argument::Number(e) => nest.writer().write(*e),
+        Argument::Array(items) => {
+            let items = items.iter().map(|item| argument(nest, call, item));
+            quote!([#(#items),*])
         }
-        Kernel::Distance { rho, .. } => {
-            let (rho, range, counted) = (w(rho), range(nest, call), counted(nest, call));
-            quote!(#krate::solve::distance(#home, #measure, #rho, #range) #counted)
+        Argument::Tuple(items) => {
+            let items = items.iter().map(|item| argument(nest, call, item));
+            quote!((#(#items),*))
         }
-        Kernel::Cone { d, rho, .. } => {
-            let (d, rho, range, counted) = (w(d), w(rho), range(nest, call), counted(nest, call));
-            quote!(#krate::solve::cone(#home, #measure, #d, #rho, #range) #counted)
-        }
-        Kernel::Align { from, to } => {
-            let (from, to) = (from.iter().map(w), to.iter().map(w));
-            quote!(#krate::solve::align(#home, #measure, [#(#from),*], [#(#to),*]))
-        }
-        Kernel::Flip { m } => {
-            let m = row(m);
-            quote!(#krate::solve::flip(#home, #m))
-        }
-        Kernel::Wrist { m } => {
-            let m = m.iter().map(row);
-            quote!(#krate::solve::wrist(#home, [#(#m),*]))
-        }
-        Kernel::Slide { rho, across, middle } => {
-            let (rho, across, middle) = (w(rho), w(across), w(middle));
-            quote!(#krate::solve::slide(#measure, #rho, #across, #middle))
-        }
-        Kernel::SlideTo { denominator, numerator } => {
-            let (denominator, numerator) = (w(denominator), w(numerator));
-            quote!(#krate::solve::slide_to(#home, #measure, #denominator, #numerator))
-        }
-        Kernel::SlideTurning { stroke, rows } => {
-            let (stroke, rows) = (stroke.iter().map(w), rows.iter().map(row));
-            quote!(#krate::solve::slide_turning([#home, #other], #measure, [#(#stroke),*], [#(#rows),*]))
-        }
-        Kernel::Aim { moved, frames } => {
-            let mut sights = moved.iter().zip(frames).map(|(moved, frame)| {
-                let (moved, frame) = (row(moved), frame.iter().map(row));
-                quote!(#krate::solve::Sight { moved: #moved, frame: [#(#frame),*] })
+        Argument::Struct(name, fields) => {
+            let (krate, name) = (&nest.target.krate, ident(name));
+            let fields = fields.iter().map(|(field, value)| {
+                let (field, value) = (ident(field), argument(nest, call, value));
+                quote!(#field: #value)
             });
-            let (first, second) = (sights.next(), sights.next());
-            quote!(#krate::solve::aim([#home, #other], #first, #second))
+            quote!(#krate::solve::#name { #(#fields),* })
         }
-        Kernel::Pair { p, q, across } => {
-            let (p, q) = (p.iter().map(row), q.iter().map(row));
-            let Some([x, z]) = across else {
-                return quote!(#krate::solve::pair([#home, #other], #measure, [#(#p),*], [#(#q),*]));
-            };
-            let (x, z) = (x.iter().map(row), z.iter().map(row));
-            let across = quote!([#(#x,)* #(#z),*]);
-            quote!(#krate::solve::pair_turning([#home, #other], #measure, [#(#p),*], [#(#q),*], #across))
-        }
-        Kernel::PairSliding { line, scale, square, q, sliding, turning } => {
-            let (line, q) = (row(line), row(q));
-            let sliding = sliding.iter().map(|[factor, constant]| {
-                let (factor, constant) = (w(factor), w(constant));
-                quote!([#factor, #constant])
-            });
-            let turning = turning.iter().map(row);
-            let across = quote!(([#(#sliding),*], [#(#turning),*]));
-            let (scale, square) = (w(scale), square.iter().map(w));
-            quote!(#krate::solve::pair_sliding(#measure, #line, #scale, [#(#square),*], #q, #across))
-        }
-        Kernel::Quadratic { coefficients } => {
-            let coefficients = row(coefficients);
-            quote!(#krate::solve::quadratic(#measure, #coefficients))
+        Argument::Range(_) => {
+            let name = range(nest, call);
+            quote!(#name)
         }
     }
 }
 
-fn home(nest: &Nest, Home { joint, shift }: Home) -> TokenStream {
-    let home = match joint.map(integer) {
+fn default_value(nest: &Nest, DefaultValue { joint, shift }: &DefaultValue) -> TokenStream {
+    let value = match joint.map(integer) {
         Some(joint) => quote!(search.home(#joint)),
         None => quote!(search.virtual_home()),
     };
     if shift.is_zero() {
-        return home;
+        return value;
     }
-    let shift = angle::tokens(shift, nest.target);
-    quote!(#home.shifted(#shift))
+    let shift = angle::tokens(*shift, nest.target);
+    quote!(#value.shifted(#shift))
 }
 
 /// The call that adds to a kernel's angle where it is counted from, if that is only known at run time.
@@ -149,7 +102,7 @@ fn range(nest: &Nest, call: &Call) -> Ident {
     match (&call.kernel, call.range) {
         (_, RootRange::Elbow { .. }) => ident(&format!("ELBOW{}", joint.to_uppercase())),
         (_, RootRange::Cone { .. }) => ident(&format!("CONE{}", joint.to_uppercase())),
-        (Kernel::Cone { .. }, _) => ident(&format!("cone{joint}")),
+        (Kernel::Cone(_), _) => ident(&format!("cone{joint}")),
         _ => ident(&format!("elbow{joint}")),
     }
 }

@@ -3,10 +3,10 @@
 use super::constants::Dimensions;
 use super::tokens::{Writer, ident, integer};
 use super::{Target, angle, docs};
-use crate::lower::{self, Factor, Input, Margins, Slot};
+use crate::lower::{self, Factor, Margins, Slot};
 use crate::model::{Model, Task};
 use crate::solve::Plan;
-use crate::symbolic::{Expr, Graph, Node};
+use crate::symbolic::{Expr, Graph, Input, Label, Node, Part, Symbol, Unknown};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use std::collections::HashSet;
@@ -47,9 +47,9 @@ pub fn margins(model: &Model, plan: &Plan, target: &Target, dimensions: &mut Dim
     }
 }
 
-fn symbols(graph: &Graph, roots: &[Expr]) -> HashSet<String> {
+fn symbols(graph: &Graph, roots: &[Expr]) -> HashSet<Symbol> {
     let symbol = |e: Expr| match graph.node(e) {
-        Node::Symbol(symbol) => Some(symbol.name),
+        Node::Symbol(symbol) => Some(symbol),
         _ => None,
     };
     graph.reachable(roots).into_iter().filter_map(symbol).collect()
@@ -76,8 +76,7 @@ fn pose(margins: &Margins) -> TokenStream {
         let name = input.name();
         if reads(input) { ident(&name) } else { ident(&format!("_{name}")) }
     };
-    let rows = [0, 1, 2].map(|row| [0, 1, 2].map(|column| Input::Rotation(row, column)));
-    let position = [0, 1, 2].map(Input::Position);
+    let (rows, position) = (Input::ROTATION, Input::POSITION);
     let rotation = rows.iter().flatten().any(|input| reads(*input)).then(|| {
         let rows = rows.map(|row| {
             let entries = row.map(pattern);
@@ -147,7 +146,7 @@ fn angles(margins: &Margins, target: &Target) -> TokenStream {
 
 fn doc(plan: &Plan, writer: &Writer, factors: &[Factor], reach: &Ident) -> String {
     let rows = if plan.task.task == Task::Pose { "" } else { ", of what the task asks for," };
-    let column = plan.task.locked.as_ref().map(|locked| format!(" without q{}", locked.joint + 1)).unwrap_or_default();
+    let column = plan.task.given_joint().map(|joint| format!(" without q{}", joint + 1)).unwrap_or_default();
     let mut text = format!(
         "How far `q` is from each kind of singularity: `det J`{column}{rows} is a constant times the product. Each is 0 \
          exactly there, with opposite signs beside it, without a unit; `px`, `r11` are entries of `forward(q)`.\n\n",
@@ -164,12 +163,14 @@ fn doc(plan: &Plan, writer: &Writer, factors: &[Factor], reach: &Ident) -> Strin
 }
 
 /// What a kernel's variable is that is not the joint value itself: "; `t3 = q3 +87.3 deg`".
-fn shifts(plan: &Plan, used: &HashSet<String>) -> String {
+fn shifts(plan: &Plan, used: &HashSet<Symbol>) -> String {
     let shift = |joint: usize| {
         let (number, constant) = (joint + 1, lower::constant(plan, joint));
-        let [sin, cos] = ["sin_t", "cos_t"].map(|part| used.contains(&format!("{part}{number}")));
-        let plain = ["s", "c"].iter().any(|part| used.contains(&format!("{part}{number}")));
-        let variable = match (sin || cos, plain) {
+        let [plain, shifted] = [false, true].map(|shifted| {
+            let of = |part| Symbol::from(Unknown { joint: Label::Arm(joint), part, shifted });
+            used.contains(&of(Part::Sin)) || used.contains(&of(Part::Cos))
+        });
+        let variable = match (shifted, plain) {
             (true, _) => format!("`t{number}` is"),
             (_, true) => format!("`s{number}` and `c{number}` are of"),
             _ => return None,

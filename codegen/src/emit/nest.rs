@@ -4,6 +4,7 @@ use super::Target;
 use super::tokens::{Writer, ident};
 use crate::lower::{self, Slot, Trail};
 use crate::solve::Plan;
+use crate::symbolic::Label;
 use proc_macro2::Ident;
 
 /// What the statements are written with.
@@ -31,7 +32,8 @@ impl Nest<'_> {
 
     /// What a stage is called: its joints.
     pub fn number(&self, stage: usize) -> String {
-        self.plan.stages().nth(stage).iter().flat_map(|stage| &stage.joints).map(|j| self.plan.label(*j)).collect()
+        let labels = self.plan.stages().nth(stage).map(|stage| self.plan.labels(stage));
+        labels.unwrap_or_default().iter().map(Label::to_string).collect()
     }
 
     /// What is known of a branch after a step, by its name.

@@ -2,8 +2,9 @@
 
 use super::tokens::{ident, integer, number};
 use super::{Target, angle};
-use crate::lower::{Goal, Input, Inverse};
+use crate::lower::{Goal, Inverse};
 use crate::model::Model;
+use crate::symbolic::Input;
 use proc_macro2::TokenStream;
 use quote::quote;
 

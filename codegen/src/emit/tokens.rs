@@ -1,7 +1,7 @@
 //! Expressions as tokens, with only the parentheses they need.
 
 use crate::lower::Names;
-use crate::symbolic::{Expr, Graph, Node};
+use crate::symbolic::{Expr, Graph, Node, Symbol};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
@@ -83,9 +83,15 @@ impl Writer<'_> {
         let (tokens, own) = match self.graph.node(e) {
             Node::Number(bits) => (number(f64::from_bits(bits)), Level::Atom),
             Node::Symbol(symbol) => {
-                // A run-time parameter is a field: `self.l2`.
-                let name = symbol.name.split('.').map(ident);
-                (quote!(#(#name).*), Level::Atom)
+                let name = ident(&symbol.name());
+                match symbol {
+                    // A run-time parameter is a field: `self.l2`.
+                    Symbol::Parameter { owner, .. } => {
+                        let owner = ident(owner);
+                        (quote!(#owner.#name), Level::Atom)
+                    }
+                    _ => (quote!(#name), Level::Atom),
+                }
             }
             Node::Neg(a) => {
                 let a = self.at(a, Level::Product);

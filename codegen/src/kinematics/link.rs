@@ -2,7 +2,7 @@
 
 use crate::model::Frame;
 use crate::model::chain::Step;
-use crate::symbolic::{Angles, Expr, Graph, Rigid, Vec3, transpose};
+use crate::symbolic::{Angles, Expr, Graph, Label, Part, Rigid, Unknown, Vec3, transpose};
 
 /// A constant frame `T(xyz) R_z(yaw) R_y(pitch) R_x(roll)`.
 pub fn frame(g: &mut Graph, frame: &Frame, name: &str) -> Rigid {
@@ -83,7 +83,7 @@ pub(super) fn suggest(g: &mut Graph, v: Vec3, what: &str, frame: usize) {
 
 /// The joint symbol of a prismatic joint.
 pub(super) fn stroke(g: &mut Graph, joint: usize) -> Expr {
-    g.symbol(format!("q{}", joint + 1))
+    g.symbol(Unknown::of(Label::Arm(joint), Part::Value))
 }
 
 /// The number of sine and cosine pairs bound.

@@ -40,7 +40,7 @@ impl<'a> Block<'a> {
         let mut taken: HashSet<String> = reserved.into_iter().collect();
         for e in graph.reachable(roots) {
             if let Node::Symbol(symbol) = graph.node(e) {
-                taken.insert(symbol.name);
+                taken.insert(symbol.name());
             }
         }
         Block { graph, uses, taken, partial_sums: partial_sums(graph, roots), bound: Names::new() }
@@ -100,7 +100,7 @@ impl<'a> Block<'a> {
             let x = self.graph.strip(x).0;
             match (self.bound.get(&x), self.graph.node(x)) {
                 (Some(name), _) => Some(name.clone()),
-                (None, Node::Symbol(symbol)) => symbol.name.rsplit('.').next().map(str::to_lowercase),
+                (None, Node::Symbol(symbol)) => Some(symbol.name().to_lowercase()),
                 (None, Node::Number(bits)) if f64::from_bits(bits) == 0.5 => Some("half".into()),
                 (None, Node::Number(bits)) if f64::from_bits(bits) == 2.0 => Some("twice".into()),
                 (None, Node::Number(_)) => None,

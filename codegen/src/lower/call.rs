@@ -13,17 +13,17 @@ pub struct Call {
     pub kernel: Kernel,
     /// What its numbers measure.
     pub unit: Unit,
-    /// Where the joints that it may leave free stay.
-    pub homes: [Home; 2],
+    /// The default values of the joints that it may leave free.
+    pub defaults: [DefaultValue; 2],
     /// The range of a distance or a component.
     pub range: RootRange,
     /// Where the angle is counted from.
     pub counted: Counted,
 }
 
-/// Where a joint stays if it is free.
+/// The value that a joint has if it is free.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Home {
+pub struct DefaultValue {
     /// The arm's joint, from 0; `None` for a virtual one.
     pub joint: Option<usize>,
     /// What is added to its value to give the kernel's variable.

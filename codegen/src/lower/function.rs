@@ -2,7 +2,7 @@
 
 use super::{Slot, Straight};
 use crate::kinematics::{Column, Kinematics, LinkPoses, Wanted};
-use crate::symbolic::{AngleSum, Angles, BoundAngle, Graph, Rigid};
+use crate::symbolic::{AngleSum, Angles, BoundAngle, Graph, Label, Part, Rigid, Unknown};
 
 /// Sine and cosine of a sum of joint angles.
 #[derive(Debug, Clone)]
@@ -34,7 +34,8 @@ impl Function {
             .into_iter()
             .map(|bound| Turned { sum: bound.sum.clone(), sin: bound.pair.sin, cos: bound.pair.cos })
             .collect();
-        let joints: Vec<Slot> = (1..=joints).map(|number| graph.symbol(format!("q{number}"))).collect();
+        let joints: Vec<Slot> =
+            (0..joints).map(|joint| graph.symbol(Unknown::of(Label::Arm(joint), Part::Value))).collect();
         let reserved = (1..=joints.len()).map(|i| format!("q{i}")).chain(["q".to_string()]);
         Function { straight: Straight::new(graph, roots, reserved), joints, turned }
     }

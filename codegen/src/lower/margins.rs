@@ -1,9 +1,9 @@
 //! The factors of the Jacobian's determinant, from a joint vector.
 
-use super::{Input, Slot, Straight};
+use super::{Slot, Straight};
 use crate::model::Angle;
 use crate::solve::{self, Factor, Plan};
-use crate::symbolic::{Graph, Node};
+use crate::symbolic::{Graph, Input, Node, Part};
 
 /// Sine and cosine of a kernel's variable.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,29 +70,28 @@ pub fn margins(plan: &Plan) -> Option<Margins> {
     let mut variables = Vec::new();
     let mut known = Vec::new();
     for joint in 0..plan.joints() {
-        let mut read = |names: [String; 2]| {
-            let symbols = names.map(|name| graph.symbol(name));
-            known.extend(symbols);
+        let mut read = |part: Part| {
+            let symbols: Vec<Slot> = plan.leaves(joint, part).into_iter().map(|leaf| graph.symbol(leaf)).collect();
+            known.extend(&symbols);
             symbols.into_iter().find(|symbol| leaves.contains(symbol))
         };
-        let number = joint + 1;
-        let sin = read([format!("s{number}"), format!("sin_t{number}")]);
-        let cos = read([format!("c{number}"), format!("cos_t{number}")]);
+        let (sin, cos) = (read(Part::Sin), read(Part::Cos));
         if sin.is_some() || cos.is_some() {
             variables.push(Variable { joint, constant: constant(plan, joint), sin, cos });
         }
-        joints.push(graph.symbol(format!("q{number}")));
+        joints.push(graph.symbol(plan.value(joint)));
     }
     let plane = plan.task.angle.clone().map(|(signs, offset)| {
-        let [sin, cos] = [Input::SinAngle, Input::CosAngle].map(|input| graph.symbol(input.name()));
+        let [sin, cos] = [Input::SinAngle, Input::CosAngle].map(|input| graph.symbol(input));
         known.extend([sin, cos]);
         Plane { signs, offset, sin, cos }
     });
     let plane = plane.filter(|plane| leaves.contains(&plane.sin) || leaves.contains(&plane.cos));
-    let rotation = (0..3).flat_map(|row| (0..3).map(move |column| Input::Rotation(row, column)));
-    let pose: Vec<(Slot, Input)> = rotation
-        .chain((0..3).map(Input::Position))
-        .map(|input| (graph.symbol(input.name()), input))
+    let pose: Vec<(Slot, Input)> = Input::ROTATION
+        .into_iter()
+        .flatten()
+        .chain(Input::POSITION)
+        .map(|input| (graph.symbol(input), input))
         .filter(|(slot, _)| leaves.contains(slot))
         .collect();
     known.extend(joints.iter().chain(pose.iter().map(|(slot, _)| slot)));

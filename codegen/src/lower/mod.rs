@@ -22,18 +22,19 @@ mod straight;
 mod tests;
 
 pub use block::{Block, Names};
-pub use call::{Call, Counted, Home, RootRange};
+pub use call::{Call, Counted, DefaultValue, RootRange};
 pub use coupling::{Linear, Linked, linked};
 pub use facts::{Facts, limits};
 pub use function::{Function, Turned, function, link_function};
-pub use goal::{Given, Goal, Input};
+pub use goal::{Goal, inputs};
 pub use margins::{Margins, Plane, Variable, constant, margins};
 pub use nest::inverse;
-pub use program::{Each, Inverse, Level, Part, Root, Statement, Trail};
+pub use program::{Each, Inverse, Level, Root, Statement, Trail};
 pub use straight::Straight;
 
-pub use crate::solve::{Branching, Factor, Kernel, SwivelFacts, Unit};
-pub use crate::symbolic::{AngleSum, Expr, Graph, Node};
+pub use crate::solve::kernel::{self, Kernel, Unit};
+pub use crate::solve::{Branching, Factor, Given, SwivelFacts};
+pub use crate::symbolic::{AngleSum, Expr, Graph, Input, Node, Part};
 
 /// A value of a program: a leaf or an expression of its graph.
 pub type Slot = Expr;

@@ -1,10 +1,10 @@
 //! The inverse: the plan as nested loops over the roots of its stages.
 
 use super::stage::call;
-use super::{Block, Each, Facts, Given, Goal, Input, Inverse, Level, Part, Root, Slot, Statement, Trail};
+use super::{Block, Each, Facts, Goal, Inverse, Level, Root, Slot, Statement, Trail, inputs};
 use crate::model::Model;
 use crate::solve::{Plan, PlanStep, Stage, Unit};
-use crate::symbolic::{Graph, Node};
+use crate::symbolic::{Graph, Input, Mat3, Node, Part, Symbol, Unknown};
 use std::collections::{HashMap, HashSet};
 
 struct Nest<'a> {
@@ -21,16 +21,16 @@ struct Nest<'a> {
 
 /// The program of a plan.
 pub fn inverse(model: &Model, plan: &Plan) -> Inverse {
-    let inputs = plan.inputs();
+    let read = plan.inputs();
     // Leaves that only a joint value is made from are not in the plan's graph.
     let mut graph = plan.graph.clone();
     let wanted = plan.values.iter().zip(&plan.slots).filter(|(_, slot)| slot.joint.is_some());
     let mut used: HashSet<Slot> =
         wanted.flat_map(|(value, _)| &value.terms).map(|(term, _)| graph.symbol(term.clone())).collect();
-    used.extend(plan.graph.reachable(&inputs).into_iter().filter(|e| matches!(plan.graph.node(*e), Node::Symbol(_))));
+    used.extend(plan.graph.reachable(&read).into_iter().filter(|e| matches!(plan.graph.node(*e), Node::Symbol(_))));
     let mut nest = Nest {
         plan,
-        block: Block::new(&plan.graph, &inputs, reserved(model, plan)),
+        block: Block::new(&plan.graph, &read, reserved(model, plan)),
         levels: vec![Level::default()],
         known: HashMap::new(),
         used,
@@ -45,22 +45,22 @@ pub fn inverse(model: &Model, plan: &Plan) -> Inverse {
                 nest.stage(stages, stage);
                 stages += 1;
             }
-            PlanStep::Angle { name, meaning, y, x } => nest.angle(name, meaning, *y, *x),
+            PlanStep::Angle { symbol, meaning, y, x } => nest.angle(symbol, meaning, *y, *x),
             PlanStep::Agreement { meaning, unit, misses } => nest.agreement(meaning, *unit, misses),
-            PlanStep::Swivel { names, meaning, wrist, moved, axis, elbow } => {
-                nest.swivel(names, meaning, [*wrist, *moved, *axis, *elbow]);
+            PlanStep::Swivel { rotation, meaning, wrist, moved, axis, elbow } => {
+                nest.swivel(rotation, meaning, [*wrist, *moved, *axis, *elbow]);
             }
         }
     }
     nest.values();
     nest.push();
-    let (goal, given) = (Goal::of(plan), Given::of(plan));
+    let (goal, given) = (Goal::of(plan), plan.task.given);
     let Nest { mut graph, block, levels, used, agreements, .. } = nest;
     // The value of a given joint goes into every solution.
     let always = |input: &Input| matches!(input, Input::Given(_));
-    let inputs = Input::all(&goal, given)
+    let inputs = inputs(&goal, given)
         .into_iter()
-        .map(|input| (graph.symbol(input.name()), input))
+        .map(|input| (graph.symbol(input), input))
         .filter(|(slot, input)| used.contains(slot) || always(input))
         .collect();
     Inverse {
@@ -104,7 +104,7 @@ const NAMES: [&str; 13] = [
 const SIZES: [&str; 3] = ["reach", "facts", "length"];
 
 fn reserved(model: &Model, plan: &Plan) -> Vec<String> {
-    let labels = (1..=plan.joints()).map(|i| i.to_string()).chain(plan.slots.iter().map(|slot| slot.label.clone()));
+    let labels = (1..=plan.joints()).map(|i| i.to_string()).chain(plan.slots.iter().map(|slot| slot.label.to_string()));
     let of_joints = labels.flat_map(|label| PREFIXES.map(|prefix| format!("{prefix}{label}")));
     let sizes: &[&str] = if model.parameters.is_empty() { &[] } else { &SIZES };
     of_joints.chain(NAMES.iter().chain(sizes).map(|name| name.to_string())).collect()
@@ -168,20 +168,13 @@ impl Nest<'_> {
     fn roots(&mut self, stage: &Stage) -> Vec<Root> {
         let level = self.deepest();
         let mut roots = Vec::new();
-        for joint in &stage.joints {
-            let number = self.plan.label(*joint);
+        for unknowns in &stage.unknowns {
             let mut root = Root::default();
-            for (part, names) in [
-                (Part::Value, [format!("q{number}"), format!("t{number}")]),
-                (Part::Sin, [format!("s{number}"), format!("sin_t{number}")]),
-                (Part::Cos, [format!("c{number}"), format!("cos_t{number}")]),
-            ] {
-                for name in names {
-                    let symbol = self.graph.symbol(name);
-                    if self.used.contains(&symbol) {
-                        self.known.insert(symbol, level);
-                        root.0.push((part, symbol));
-                    }
+            for unknown in unknowns {
+                let symbol = self.graph.symbol(*unknown);
+                if self.used.contains(&symbol) {
+                    self.known.insert(symbol, level);
+                    root.0.push((unknown.part, symbol));
                 }
             }
             roots.push(root);
@@ -189,9 +182,9 @@ impl Nest<'_> {
         roots
     }
 
-    fn angle(&mut self, name: &str, meaning: &str, y: Slot, x: Slot) {
+    fn angle(&mut self, symbol: &Symbol, meaning: &str, y: Slot, x: Slot) {
         let level = self.bind(&[y, x]);
-        let symbol = self.graph.symbol(name);
+        let symbol = self.graph.symbol(symbol.clone());
         self.at(level, Statement::Angle { symbol, y, x, meaning: meaning.to_string() });
         self.known.insert(symbol, level);
     }
@@ -205,21 +198,20 @@ impl Nest<'_> {
         self.trail = Trail::Agreed(index);
     }
 
-    fn swivel(&mut self, names: &[[String; 3]; 3], meaning: &str, vectors: [[Slot; 3]; 4]) {
+    fn swivel(&mut self, rotation: &Mat3, meaning: &str, vectors: [[Slot; 3]; 4]) {
         let level = self.bind(&vectors.concat());
-        let symbols = names.each_ref().map(|row| row.each_ref().map(|name| self.graph.symbol(name.clone())));
         let (before, meaning) = (self.trail, meaning.to_string());
-        self.at(level, Statement::Swivel { symbols, vectors, before, meaning });
+        self.at(level, Statement::Swivel { symbols: *rotation, vectors, before, meaning });
         self.trail = Trail::Swung;
-        for symbol in symbols.into_iter().flatten() {
-            self.known.insert(symbol, level);
+        for symbol in rotation.iter().flatten() {
+            self.known.insert(*symbol, level);
         }
     }
 
     /// Joint values that are not a kernel's value as it is.
     fn values(&mut self) {
         for (slot, value) in self.plan.slots.iter().zip(&self.plan.values) {
-            let symbol = self.graph.symbol(format!("q{}", slot.label));
+            let symbol = self.graph.symbol(Unknown::of(slot.label, Part::Value));
             let terms: Vec<(Slot, bool)> =
                 value.terms.iter().map(|(term, negative)| (self.graph.symbol(term.clone()), *negative)).collect();
             if slot.joint.is_none() || terms.iter().any(|(term, _)| *term == symbol) {
@@ -231,7 +223,7 @@ impl Nest<'_> {
     }
 
     fn push(&mut self) {
-        let q = (1..=self.plan.joints()).map(|i| self.graph.symbol(format!("q{i}"))).collect();
+        let q = (0..self.plan.joints()).map(|joint| self.graph.symbol(self.plan.value(joint))).collect();
         let (trail, deepest) = (self.trail, self.deepest());
         self.at(deepest, Statement::Push { trail, q });
     }

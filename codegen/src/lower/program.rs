@@ -1,9 +1,9 @@
 //! The inverse as a program: its statements and loops.
 
-use super::{Call, Facts, Given, Goal, Input, Names, Slot};
+use super::{Call, Facts, Goal, Names, Slot};
 use crate::model::Angle;
-use crate::solve::{Branching, SwivelFacts, Unit};
-use crate::symbolic::Graph;
+use crate::solve::{Branching, Given, SwivelFacts, Unit};
+use crate::symbolic::{Graph, Input, Part};
 
 /// The inverse as a program.
 #[derive(Debug, Clone)]
@@ -70,17 +70,6 @@ pub struct Each {
 /// What is taken of a joint of a root.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Root(pub Vec<(Part, Slot)>);
-
-/// A part of a turn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Part {
-    /// The angle, or the position of a sliding joint.
-    Value,
-    /// The sine.
-    Sin,
-    /// The cosine.
-    Cos,
-}
 
 /// What a branch has met, by the step that it has passed last.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -1,7 +1,8 @@
 //! A stage of the plan as a call of its kernel.
 
-use super::{Call, Counted, Home, RootRange, Slot, Statement};
-use crate::solve::{ElbowRange, Kernel, Phase, Plan, Range, Stage};
+use super::{Call, Counted, DefaultValue, RootRange, Slot, Statement};
+use crate::solve::kernel::{Cone, ConeRange, Distance, ElbowRange, Phase};
+use crate::solve::{Kernel, Plan, Stage};
 use crate::symbolic::{Expr, Graph};
 
 /// The call of a stage, and the statements that it needs before it: what is the same for every root of the stages before
@@ -9,7 +10,7 @@ use crate::symbolic::{Expr, Graph};
 pub fn call(plan: &Plan, graph: &Graph, index: usize, stage: &Stage) -> (Vec<Statement>, Call) {
     let mut before = Vec::new();
     let (range, counted) = match &stage.kernel {
-        Kernel::Distance { range, about, .. } => {
+        Kernel::Distance(Distance { range, about, .. }) => {
             // Links along one line are stretched or folded: that needs no angle.
             let (line, about) = match about {
                 Some(Phase { y, x }) if *y == Expr::ZERO => (Some(*x), None),
@@ -18,27 +19,25 @@ pub fn call(plan: &Plan, graph: &Graph, index: usize, stage: &Stage) -> (Vec<Sta
             let range = elbow(graph, index, range, line, &mut before);
             (range, about.map_or(Counted::FromZero, |about| phase(index, about, &mut before)))
         }
-        Kernel::Cone { range, about, .. } => {
+        Kernel::Cone(Cone { range, about, .. }) => {
             let range = cone(graph, index, range, &mut before);
             (range, about.as_ref().map_or(Counted::FromZero, |about| phase(index, about, &mut before)))
         }
         _ => (RootRange::None, Counted::FromZero),
     };
-    // The outer joint of a flip is the one that can be free.
-    let first = usize::from(matches!(stage.kernel, Kernel::Flip { .. }));
-    let homes = [home(plan, stage, first), home(plan, stage, 1)];
-    let call = Call { stage: index, kernel: stage.kernel.clone(), unit: stage.unit, homes, range, counted };
+    let defaults = [default_value(plan, stage, 0), default_value(plan, stage, 1)];
+    let call = Call { stage: index, kernel: stage.kernel.clone(), unit: stage.unit, defaults, range, counted };
     (before, call)
 }
 
-fn home(plan: &Plan, stage: &Stage, place: usize) -> Home {
+fn default_value(plan: &Plan, stage: &Stage, place: usize) -> DefaultValue {
     let slot = stage.joints.get(place).copied().unwrap_or(0);
-    let shift = if place == 0 || matches!(stage.kernel, Kernel::Flip { .. }) {
-        stage.home
+    let shift = if place == 0 || matches!(stage.kernel, Kernel::Flip(_)) {
+        stage.default_shift
     } else {
-        plan.values.get(slot).map_or(stage.home, |value| value.constant.neg())
+        plan.values.get(slot).map_or(stage.default_shift, |value| value.constant.neg())
     };
-    Home { joint: plan.joint(slot), shift }
+    DefaultValue { joint: plan.joint(slot), shift }
 }
 
 fn phase(stage: usize, phase: &Phase, before: &mut Vec<Statement>) -> Counted {
@@ -64,8 +63,8 @@ fn elbow(
     RootRange::Prepared
 }
 
-fn cone(graph: &Graph, stage: usize, range: &Range, before: &mut Vec<Statement>) -> RootRange {
-    let Range { along, across, cos, sin } = *range;
+fn cone(graph: &Graph, stage: usize, range: &ConeRange, before: &mut Vec<Statement>) -> RootRange {
+    let ConeRange { along, across, cos, sin } = *range;
     if let [Some(along), Some(across), Some(cos), Some(sin)] = [along, across, cos, sin].map(|e| graph.constant(e)) {
         // Rounding of a product of exact angles must not look like an angle of 1e-17.
         let size = along.hypot(across);

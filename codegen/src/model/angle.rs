@@ -44,6 +44,17 @@ impl Angle {
         Self(if exact { Form::Twelfths(twelfths as i64) } else { Form::Radians(value) })
     }
 
+    /// The angle of a plane vector, exact where it is a multiple of a quarter turn.
+    pub fn of_vector(y: f64, x: f64) -> Self {
+        let angle = y.atan2(x);
+        let quarters = (angle / std::f64::consts::FRAC_PI_2).round();
+        if (angle - quarters * std::f64::consts::FRAC_PI_2).abs() <= 1e-14 {
+            Angle::degrees(90.0 * quarters)
+        } else {
+            Angle::radians(angle)
+        }
+    }
+
     /// `numerator * pi / denominator`, exact when that is a multiple of pi/12. The denominator is not zero.
     pub fn pi_fraction(numerator: i64, denominator: i64) -> Self {
         let twelfths = i128::from(numerator) * 12;

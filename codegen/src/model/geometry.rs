@@ -31,7 +31,7 @@ pub enum Relation {
         distance: f64,
     },
     /// They meet in a point at an angle.
-    Meeting {
+    Intersecting {
         /// The angle between the directions, rad.
         angle: f64,
     },
@@ -48,7 +48,7 @@ pub enum Relation {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum TripleKind {
     /// All three meet in one point.
-    Meeting,
+    Intersecting,
     /// All three are parallel; or they move in a plane, some of them sliding across the direction of the others.
     Parallel,
     /// Wherever they are, they turn a tool that three other joints only slide.
@@ -112,7 +112,7 @@ impl Relation {
     fn generality(self) -> u8 {
         match self {
             Relation::Coincident => 0,
-            Relation::Parallel { .. } | Relation::Meeting { .. } => 1,
+            Relation::Parallel { .. } | Relation::Intersecting { .. } => 1,
             Relation::Skew { .. } => 2,
         }
     }
@@ -155,7 +155,7 @@ pub fn triples(axes: &[Line], turns: &[bool], reach: f64) -> (Vec<Triple>, Vec<(
         if parallel(a, b) && parallel(b, c) {
             triples.push(Triple { first, kind: TripleKind::Parallel });
         } else if miss.is_some_and(|m| m <= TOLERANCE * reach) {
-            triples.push(Triple { first, kind: TripleKind::Meeting });
+            triples.push(Triple { first, kind: TripleKind::Intersecting });
         }
     }
     (triples, misses)
@@ -168,16 +168,21 @@ fn axes(chain: &Chain, reach: f64) -> Vec<Line> {
     for step in &chain.steps {
         if let Some(joint) = step.joint() {
             axes.push(Line { point: current.p, direction: current.axis(2) });
-            // Multiples of the golden angle have no special relation to each other.
-            let generic = 0.618_033_988_749_895 * (joint as f64 + 1.0) + 0.271_828;
-            current = match step {
-                Step::Revolute { .. } => current.then(&Transform::rotate_z(generic.sin(), generic.cos())),
-                _ => current.then(&Transform::shift([0.0, 0.0, reach * (0.3 + 0.1 * generic.sin())])),
-            };
+            current = current.then(&generic_motion(joint, matches!(step, Step::Revolute { .. }), reach));
         }
         current = current.then(&Transform::of(step));
     }
     axes
+}
+
+/// Joint `i` at a value that is special for no arm: multiples of the golden angle have no special relation to each other.
+pub fn generic_motion(i: usize, turns: bool, reach: f64) -> Transform {
+    let generic = 0.618_033_988_749_895 * (i as f64 + 1.0) + 0.271_828;
+    if turns {
+        Transform::rotate_z(generic.sin(), generic.cos())
+    } else {
+        Transform::shift([0.0, 0.0, reach * (0.3 + 0.1 * generic.sin())])
+    }
 }
 
 /// The relation of two lines.
@@ -191,7 +196,11 @@ pub fn relation(a: &Line, b: &Line, reach: f64) -> Relation {
     }
     let angle = sine.atan2(cosine);
     let apart = dot(between, normal).abs() / sine;
-    if apart <= TOLERANCE * reach { Relation::Meeting { angle } } else { Relation::Skew { distance: apart, angle } }
+    if apart <= TOLERANCE * reach {
+        Relation::Intersecting { angle }
+    } else {
+        Relation::Skew { distance: apart, angle }
+    }
 }
 
 /// How far three lines are from meeting in one point: the largest distance among the feet of the common normals on

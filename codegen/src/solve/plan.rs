@@ -1,10 +1,11 @@
 //! The plan as data: a sequence of steps over one expression graph.
 
-use super::asked::PlanTask;
-use super::problem::Slot;
+use super::kernel::{Kernel, Unit, Variables};
+use super::loop_chain::LoopJoint;
+use super::task::PlanTask;
 use crate::model::Angle;
 use crate::model::geometry::Triple;
-use crate::symbolic::{Expr, Graph, Vec3};
+use crate::symbolic::{Expr, Graph, Input, Label, Mat3, Part, Symbol, Unknown, Vec3};
 
 /// A plan: the steps in order. A step may use the sines, cosines and values of the joints before it.
 #[derive(Debug, Clone)]
@@ -16,7 +17,7 @@ pub struct Plan {
     /// How each joint follows from the symbols of the stages, by joint.
     pub values: Vec<Value>,
     /// The joints of the closed chain, virtual ones too.
-    pub slots: Vec<Slot>,
+    pub slots: Vec<LoopJoint>,
     /// The triple that makes it possible.
     pub triple: Triple,
     /// What is asked for.
@@ -27,8 +28,27 @@ pub struct Plan {
 
 impl Plan {
     /// What a joint of the closed chain is called.
-    pub fn label(&self, slot: usize) -> String {
-        self.slots.get(slot).map(|slot| slot.label.clone()).unwrap_or_default()
+    pub fn label(&self, slot: usize) -> Label {
+        self.slots.get(slot).map_or(Label::Virtual(0), |slot| slot.label)
+    }
+
+    /// What the joints of a stage are called.
+    pub fn labels(&self, stage: &Stage) -> Vec<Label> {
+        stage.joints.iter().map(|slot| self.label(*slot)).collect()
+    }
+
+    /// The leaves that may stand for a part of a joint value: those of its stage, or of what is given.
+    pub fn leaves(&self, joint: usize, part: Part) -> Vec<Symbol> {
+        if self.task.given_joint() == Some(joint) {
+            return vec![Input::given(joint, part).into()];
+        }
+        Unknown::both(Label::Arm(joint), part).map(Symbol::from).to_vec()
+    }
+
+    /// The leaf that stands for the value of a joint of the arm, from 0.
+    pub fn value(&self, joint: usize) -> Symbol {
+        let given = self.task.given_joint() == Some(joint);
+        if given { Input::Given(joint).into() } else { Unknown::of(Label::Arm(joint), Part::Value).into() }
     }
 
     /// The number of a joint of the closed chain among the arm's joints, from 0; `None` for a virtual joint.
@@ -45,7 +65,7 @@ impl Plan {
 
     /// The number of the arm's moving joints.
     pub fn joints(&self) -> usize {
-        self.slots.iter().filter(|slot| slot.joint.is_some()).count() + usize::from(self.task.locked.is_some())
+        self.slots.iter().filter(|slot| slot.joint.is_some()).count() + usize::from(self.task.given_joint().is_some())
     }
 
     /// The stages, in order.
@@ -58,7 +78,7 @@ impl Plan {
 
     /// The largest number of solutions.
     pub fn max_solutions(&self) -> usize {
-        self.stages().map(|stage| stage.kernel.most_roots()).product()
+        self.stages().map(|stage| stage.kernel.equation().most_roots()).product()
     }
 
     /// Whether every stage after a free joint has its roots wherever that joint is.
@@ -70,8 +90,10 @@ impl Plan {
     /// equation may vanish for another reason.
     pub fn is_decoupled(&self) -> bool {
         let kernels: Vec<&Kernel> = self.stages().map(|stage| &stage.kernel).collect();
-        let places = |kernel: &&Kernel| {
-            matches!(kernel, Kernel::Offset { .. } | Kernel::Distance { about: None, .. } | Kernel::Align { .. })
+        let places = |kernel: &&Kernel| match kernel {
+            Kernel::Offset(_) | Kernel::Align(_) => true,
+            Kernel::Distance(distance) => distance.about.is_none(),
+            _ => false,
         };
         let (position, rest) = kernels.split_at(kernels.len().min(3));
         let solved: Option<Vec<usize>> =
@@ -80,12 +102,12 @@ impl Plan {
             joints.sort_unstable();
             joints.windows(2).all(|pair| matches!(pair, [a, b] if a + 1 == *b))
         });
-        self.task.locked.is_none()
+        self.task.given_joint().is_none()
             && adjacent
             && self.stages().count() == self.steps.len()
             && position.len() == 3
             && position.iter().all(places)
-            && matches!(rest, [] | [Kernel::Wrist { .. }])
+            && matches!(rest, [] | [Kernel::Wrist(_)])
     }
 
     /// A rough cost, to choose among several triples: general pairs are dear, arithmetic breaks ties.
@@ -107,8 +129,8 @@ pub enum PlanStep {
     Stage(Stage),
     /// `name = atan2(y, x)`: an angle that several joints add up to.
     Angle {
-        /// Its symbol.
-        name: String,
+        /// Its leaf.
+        symbol: Symbol,
         /// What it is.
         meaning: String,
         /// Sine times a positive factor.
@@ -127,8 +149,8 @@ pub enum PlanStep {
     },
     /// The rotation of the upper arm from the arm angle: see the runtime's `swivel`.
     Swivel {
-        /// Its symbols, by rows.
-        names: [[String; 3]; 3],
+        /// Its leaves, by rows.
+        rotation: Mat3,
         /// What it is.
         meaning: String,
         /// From shoulder to wrist, where it has to be.
@@ -157,8 +179,10 @@ impl PlanStep {
 /// One equation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stage {
-    /// The joints it gives, from 0, in the kernel's order.
+    /// The joints it gives, as places in the closed chain, in the kernel's order.
     pub joints: Vec<usize>,
+    /// What it gives of each: value, sine, cosine.
+    pub unknowns: Vec<[Unknown; 3]>,
     /// How to solve it.
     pub kernel: Kernel,
     /// What is compared.
@@ -170,7 +194,14 @@ pub struct Stage {
     /// The derivative that tells its singularity, a length, where it is not the kernel's own.
     pub pivot: Option<Expr>,
     /// What is added to the free joint's value to give its kernel's variable.
-    pub home: Angle,
+    pub default_shift: Angle,
+}
+
+impl Stage {
+    /// The variables of its kernel.
+    pub fn variables(&self) -> Variables<'_> {
+        Variables { unknowns: &self.unknowns, unit: self.unit }
+    }
 }
 
 /// Names of two roots.
@@ -188,222 +219,13 @@ pub enum Branching {
     Root,
 }
 
-/// What an equation's numbers measure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Unit {
-    /// Lengths.
-    Length,
-    /// Components of unit vectors.
-    Direction,
-}
-
-/// The range of a distance.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ElbowRange {
-    /// Distance of the first point from the axis.
-    pub a: Expr,
-    /// Distance of the second.
-    pub b: Expr,
-    /// How far apart they are along the axis.
-    pub height: Expr,
-}
-
-/// The range of a component: see the runtime's `Cone`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Range {
-    /// Component of the vector along the turning axis.
-    pub along: Expr,
-    /// Component across it.
-    pub across: Expr,
-    /// Cosine of the other axis to the turning axis.
-    pub cos: Expr,
-    /// Sine of it, not negative.
-    pub sin: Expr,
-}
-
-/// A run-time direction that an angle is counted from.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Phase {
-    /// Sine times a positive factor.
-    pub y: Expr,
-    /// Cosine times the same factor.
-    pub x: Expr,
-}
-
-/// The equations there are; each is one kernel of the runtime.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Kernel {
-    /// `a cos + b sin = d`
-    Offset {
-        /// Of the cosine.
-        a: Expr,
-        /// Of the sine.
-        b: Expr,
-        /// Right side.
-        d: Expr,
-    },
-    /// The same twice: lengths, then directions; `[a, b, d]` each.
-    OffsetOfTwo {
-        /// Of lengths.
-        length: [Expr; 3],
-        /// Of directions.
-        direction: [Expr; 3],
-    },
-    /// Two points at a given distance.
-    Distance {
-        /// The distance.
-        rho: Expr,
-        /// Its range.
-        range: ElbowRange,
-        /// Where the angle is counted from, if only known at run time.
-        about: Option<Phase>,
-    },
-    /// A component along another axis.
-    Cone {
-        /// The component.
-        d: Expr,
-        /// The component across.
-        rho: Expr,
-        /// The range.
-        range: Range,
-        /// Where the angle is counted from, if only known at run time.
-        about: Option<Phase>,
-    },
-    /// Turn a plane vector onto another.
-    Align {
-        /// The vector turned.
-        from: [Expr; 2],
-        /// The direction it takes.
-        to: [Expr; 2],
-    },
-    /// Two orthogonal axes point a direction: inner joint, outer joint.
-    Flip {
-        /// The direction.
-        m: [Expr; 3],
-    },
-    /// Three orthogonal axes give a rotation.
-    Wrist {
-        /// The rotation, by rows.
-        m: [[Expr; 3]; 3],
-    },
-    /// A sliding joint at a given distance.
-    Slide {
-        /// The distance.
-        rho: Expr,
-        /// Distance of the line.
-        across: Expr,
-        /// The position nearest.
-        middle: Expr,
-    },
-    /// `denominator x = numerator`, sliding.
-    SlideTo {
-        /// Left factor.
-        denominator: Expr,
-        /// Right side.
-        numerator: Expr,
-    },
-    /// A turning and a sliding joint: two components across a third one, which slides.
-    SlideTurning {
-        /// The stroke's direction there.
-        stroke: [Expr; 2],
-        /// Rows of the turning joint: of the cosine, of the sine, constant.
-        rows: [[Expr; 3]; 2],
-    },
-    /// One direction seen from two joints over a sliding one: for each joint the vector it turns, and the rotation from
-    /// the sliding joint's frame to its own.
-    Aim {
-        /// The vectors.
-        moved: [[Expr; 3]; 2],
-        /// The rotations, by rows.
-        frames: [[[Expr; 3]; 3]; 2],
-    },
-    /// Two equations in two revolute joints.
-    Pair {
-        /// Rows of the first joint: of the cosine, of the sine, constant.
-        p: [[Expr; 3]; 2],
-        /// Rows of the second.
-        q: [[Expr; 3]; 2],
-        /// Where the joint between the two turns: rows of the vector's components across its axis, as the first joint
-        /// moves it and as the second does. The second row of `p` and `q` is then the one that compares lengths.
-        across: Option<[[[Expr; 3]; 2]; 2]>,
-    },
-    /// `x = line`, `x^2 + m x + n = q`: a sliding and a revolute joint.
-    PairSliding {
-        /// Of the cosine, of the sine, constant; over `scale`.
-        line: [Expr; 3],
-        /// Common denominator of the line, a constant.
-        scale: Expr,
-        /// `m` and `n`.
-        square: [Expr; 2],
-        /// Of the cosine, of the sine, constant.
-        q: [Expr; 3],
-        /// The vector's components across the axis of the joint between the two, as the sliding joint moves it: factor and
-        /// constant.
-        sliding: [[Expr; 2]; 2],
-        /// The same as the turning joint moves it, as rows.
-        turning: [[Expr; 3]; 2],
-    },
-    /// `a x^2 + b x + c = 0`, sliding.
-    Quadratic {
-        /// `a`, `b` and `c`.
-        coefficients: [Expr; 3],
-    },
-}
-
-impl Kernel {
-    /// The largest number of roots of regular targets.
-    pub fn roots(&self) -> usize {
-        match self {
-            Kernel::Align { .. } | Kernel::SlideTo { .. } => 1,
-            Kernel::Pair { .. } | Kernel::PairSliding { .. } => 4,
-            _ => 2,
-        }
-    }
-
-    /// The same with the roots that there are besides where a joint is free.
-    pub fn most_roots(&self) -> usize {
-        if matches!(self, Kernel::Aim { .. }) { 3 } else { self.roots() }
-    }
-
-    /// The expressions it reads.
-    pub fn inputs(&self) -> Vec<Expr> {
-        let phase = |about: &Option<Phase>| about.iter().flat_map(|p| [p.y, p.x]).collect::<Vec<_>>();
-        match self {
-            Kernel::Offset { a, b, d } => vec![*a, *b, *d],
-            Kernel::OffsetOfTwo { length, direction } => [*length, *direction].concat(),
-            Kernel::Distance { rho, range, about } => {
-                [vec![*rho, range.a, range.b, range.height], phase(about)].concat()
-            }
-            Kernel::Cone { d, rho, range, about } => {
-                [vec![*d, *rho, range.along, range.across, range.cos, range.sin], phase(about)].concat()
-            }
-            Kernel::Align { from, to } => [*from, *to].concat(),
-            Kernel::Flip { m } => m.to_vec(),
-            Kernel::Wrist { m } => m.concat(),
-            Kernel::Slide { rho, across, middle } => vec![*rho, *across, *middle],
-            Kernel::SlideTo { denominator, numerator } => vec![*denominator, *numerator],
-            Kernel::SlideTurning { stroke, rows } => [stroke.to_vec(), rows.concat()].concat(),
-            Kernel::Aim { moved, frames } => [moved.concat(), frames.concat().concat()].concat(),
-            Kernel::Pair { p, q, across } => {
-                let across = across.iter().flatten().flatten().flatten().copied().collect();
-                [p.concat(), q.concat(), across].concat()
-            }
-            Kernel::PairSliding { line, scale, square, q, sliding, turning } => {
-                let across = [sliding.concat(), turning.concat()].concat();
-                [line.to_vec(), vec![*scale], square.to_vec(), q.to_vec(), across].concat()
-            }
-            Kernel::Quadratic { coefficients } => coefficients.to_vec(),
-        }
-    }
-}
-
 /// How a joint value follows: a signed sum of symbols and a constant angle, brought into (-pi, pi].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Value {
     /// `(symbol, negative)`.
-    pub terms: Vec<(String, bool)>,
+    pub terms: Vec<(Symbol, bool)>,
     /// The constant part.
     pub constant: Angle,
-    /// A sliding joint: the symbol as it is.
-    pub sliding: bool,
+    /// A prismatic joint: the symbol as it is.
+    pub prismatic: bool,
 }

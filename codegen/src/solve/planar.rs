@@ -2,16 +2,17 @@
 //!
 //! `J_0 L_0 J_1 L_1 J_2 L_2 = 1`, read cyclically. What is asked for is in one of the links.
 
-use super::Refusal;
-use super::closure::{Closure, Link, constant_angle};
-use super::plan::{Branching, ElbowRange, Kernel, Unit};
+use super::kernel::{Align, Distance, ElbowRange, SlideTo, Unit};
+use super::loop_closure::{Link, LoopClosure};
+use super::plan::Branching;
 use super::sides::Side;
+use super::unsupported::Unsupported;
 use crate::model::Angle;
-use crate::symbolic::{Expr, Rigid, transpose};
+use crate::symbolic::{Expr, Label, Rigid, Symbol, transpose};
 
 /// A turn in the plane, as a sum of known angles: `R_z(terms + constant)`, then a half turn about x if `flipped`.
 struct InPlane {
-    terms: Vec<(String, bool)>,
+    terms: Vec<(Symbol, bool)>,
     constant: Angle,
     flipped: bool,
 }
@@ -20,7 +21,7 @@ struct InPlane {
 ///
 /// # Errors
 /// If the strokes of two sliding joints are parallel, or nothing turns.
-pub fn solve(c: &mut Closure, slots: [usize; 3], links: [Link; 3]) -> Result<(), Refusal> {
+pub fn solve(c: &mut LoopClosure, slots: [usize; 3], links: [Link; 3]) -> Result<(), Unsupported> {
     let ([j0, j1, j2], [l0, l1, l2]) = (slots, links);
     let turns = slots.map(|slot| c.turns(slot));
     // Read from another joint on, so that what slides stands in a fixed place.
@@ -34,14 +35,14 @@ pub fn solve(c: &mut Closure, slots: [usize; 3], links: [Link; 3]) -> Result<(),
         [false, false, true] if !c.is_own(j2) => return strokes_to_point(c, [j0, j1], [l0, l1], l2.back.p),
         [false, false, true] => return strokes(c, [j2, j0, j1], [l2, l0, l1]),
         [false, false, false] => {
-            return Err(Refusal::new("no joint turns the tool in the plane"));
+            return Err(Unsupported::new("no joint turns the tool in the plane"));
         }
     }
     Ok(())
 }
 
 /// Two links: the law of cosines, then the direction.
-fn elbow(c: &mut Closure, [first, second, third]: [usize; 3], [link_a, link_b, link_c]: [Link; 3]) {
+fn elbow(c: &mut LoopClosure, [first, second, third]: [usize; 3], [link_a, link_b, link_c]: [Link; 3]) {
     let m = link_c.back;
     let (na, nb, nc) = (c.label(first), c.label(second), c.label(third));
     let wrist = Side::plane(m.p);
@@ -63,7 +64,7 @@ fn elbow(c: &mut Closure, [first, second, third]: [usize; 3], [link_a, link_b, l
         "Joint {nb}: {place} is `{{rho}}` from axis {na}, `{{rho}}^2 = a^2 + b^2 + 2 a b cos(t)` with \
          `a = {{a}}`, `b = {{b}}`{{shift}}."
     );
-    let kernel = Kernel::Distance { rho, range, about };
+    let kernel = Distance { rho, range, about };
     c.stage(&[(second, shift)], second, Unit::Length, Branching::Elbow, meaning, kernel);
     let pair = c.pair(second);
     let turned = c.g.rotate_z(pair, link_b.forward.p);
@@ -71,18 +72,18 @@ fn elbow(c: &mut Closure, [first, second, third]: [usize; 3], [link_a, link_b, l
     for (e, axis) in reach.iter().zip(["x", "y"]) {
         c.g.name(*e, format!("reach_{axis}"));
     }
-    let kernel = Kernel::Align { from: Side::plane(reach), to: wrist };
+    let kernel = Align { from: Side::plane(reach), to: wrist };
     let meaning = format!("Joint {na}: turns {place} from `[{{from}}]` to `[{{to}}]`.");
     c.stage(&[(first, Angle::ZERO)], first, Unit::Length, Branching::None, meaning, kernel);
     if !c.is_own(third) {
         return;
     }
     // a + ka + sa (b + kb + sb c) = total
-    let name = format!("t{na}{nb}{nc}");
+    let name = format!("t{na}{nb}{nc}").into();
     let meaning = format!("Angles {na}, {nb} and {nc} together: the direction of frame {nc} in the plane.");
     let total = in_plane(c, &m, name, meaning);
-    let part_a = in_plane(c, &link_a.forward, format!("turn{na}"), format!("The turn from joint {na} to {nb}."));
-    let part_b = in_plane(c, &link_b.forward, format!("turn{nb}"), format!("The turn from joint {nb} to {nc}."));
+    let part_a = in_plane(c, &link_a.forward, format!("turn{na}").into(), format!("The turn from joint {na} to {nb}."));
+    let part_b = in_plane(c, &link_b.forward, format!("turn{nb}").into(), format!("The turn from joint {nb} to {nc}."));
     let negative_ab = part_a.flipped != part_b.flipped;
     // c = sb (sa (total - a - ka) - b - kb)
     let mut sum = Sum::new();
@@ -97,7 +98,7 @@ fn elbow(c: &mut Closure, [first, second, third]: [usize; 3], [link_a, link_b, l
 }
 
 /// One joint slides between two that turn: its stroke from the distance of the two axes, then the direction.
-fn stroke(c: &mut Closure, [first, slides, last]: [usize; 3], [link_a, link_b, link_c]: [Link; 3]) {
+fn stroke(c: &mut LoopClosure, [first, slides, last]: [usize; 3], [link_a, link_b, link_c]: [Link; 3]) {
     let (na, nb, nc) = (c.label(first), c.label(slides), c.label(last));
     let to = Side::plane(link_c.back.p);
     let rho = c.g.norm(&to);
@@ -110,17 +111,17 @@ fn stroke(c: &mut Closure, [first, slides, last]: [usize; 3], [link_a, link_b, l
         origin: c.clean3(link_a.back.p, Unit::Length),
         axis: c.clean3(link_a.back.z(), Unit::Direction),
     };
-    let place = |c: &Closure, slot: usize, label: &str| {
+    let place = |c: &LoopClosure, slot: usize, label: Label| {
         if c.is_own(slot) { format!("axis {label}") } else { "the tool point".into() }
     };
-    let (place_a, place_c) = (place(c, first, &na), place(c, last, &nc));
+    let (place_a, place_c) = (place(c, first, na), place(c, last, nc));
     side.slide(c, rho, true, format!("Joint {nb}: slides until {place_c} is `{{rho}}` from {place_a}."));
     let along = c.position(slides);
     if c.is_own(first) {
         let [x, y, z] = link_b.forward.p;
         let moved = [x, y, c.g.add(z, along)];
         let from = link_a.forward.point(&mut c.g, moved);
-        let kernel = Kernel::Align { from: Side::plane(from), to };
+        let kernel = Align { from: Side::plane(from), to };
         let meaning = format!("Joint {na}: turns {place_c} from `[{{from}}]` to `[{{to}}]`.");
         c.stage(&[(first, Angle::ZERO)], first, Unit::Length, Branching::None, meaning, kernel);
     }
@@ -131,16 +132,16 @@ fn stroke(c: &mut Closure, [first, slides, last]: [usize; 3], [link_a, link_b, l
         let [x, y, z] = link_a.back.p;
         let moved = [x, y, c.g.sub(z, along)];
         let to = link_b.back.point(&mut c.g, moved);
-        let kernel = Kernel::Align { from: Side::plane(link_c.forward.p), to: Side::plane(to) };
+        let kernel = Align { from: Side::plane(link_c.forward.p), to: Side::plane(to) };
         let meaning = format!("Joint {nc}: turns {place_a} from `[{{from}}]` to `[{{to}}]`.");
         c.stage(&[(last, Angle::ZERO)], last, Unit::Length, Branching::None, meaning, kernel);
         return;
     }
     // a + k + s c = total
     let meaning = format!("Angles {na} and {nc} together: the direction of frame {nc} in the plane.");
-    let total = in_plane(c, &link_c.back, format!("t{na}{nc}"), meaning);
+    let total = in_plane(c, &link_c.back, format!("t{na}{nc}").into(), meaning);
     let between = link_a.forward.then(&mut c.g, &Rigid { p: [Expr::ZERO; 3], ..link_b.forward });
-    let part = in_plane(c, &between, format!("turn{na}"), format!("The turn from joint {na} to {nc}."));
+    let part = in_plane(c, &between, format!("turn{na}").into(), format!("The turn from joint {na} to {nc}."));
     // Both turn the axis around, or neither does. A constant link tells; the target does so only where it can be met.
     let flipped = if link_c.target { part.flipped } else { total.flipped };
     let mut sum = Sum::new();
@@ -152,7 +153,11 @@ fn stroke(c: &mut Closure, [first, slides, last]: [usize; 3], [link_a, link_b, l
 }
 
 /// Two joints slide: the one that turns gives the direction, the strokes are linear.
-fn strokes(c: &mut Closure, [turns, j1, j2]: [usize; 3], [link_a, link_b, link_c]: [Link; 3]) -> Result<(), Refusal> {
+fn strokes(
+    c: &mut LoopClosure,
+    [turns, j1, j2]: [usize; 3],
+    [link_a, link_b, link_c]: [Link; 3],
+) -> Result<(), Unsupported> {
     let (na, n1, n2) = (c.label(turns), c.label(j1), c.label(j2));
     let m = link_c.back;
     let still = link_a.forward.then(&mut c.g, &link_b.forward);
@@ -162,7 +167,7 @@ fn strokes(c: &mut Closure, [turns, j1, j2]: [usize; 3], [link_a, link_b, link_c
         let alone = Rigid { r: alone, p: [Expr::ZERO; 3] };
         let [[cos, ..], [sin, ..], _] = alone.r;
         let meaning = format!("Angle {na}: the direction of the tool in the plane.");
-        let angle = in_plane(c, &alone, format!("t{na}"), meaning);
+        let angle = in_plane(c, &alone, format!("t{na}").into(), meaning);
         c.known(turns, cos, sin);
         c.sum(turns, angle.terms, angle.constant);
     }
@@ -174,18 +179,18 @@ fn strokes(c: &mut Closure, [turns, j1, j2]: [usize; 3], [link_a, link_b, link_c
     let left = c.g.sub3(at, still.p);
     let first = link_a.forward.z();
     let second = link_a.forward.then(&mut c.g, &link_b.forward).z();
-    let cross = |c: &mut Closure, [ax, ay, _]: [Expr; 3], [bx, by, _]: [Expr; 3]| {
+    let cross = |c: &mut LoopClosure, [ax, ay, _]: [Expr; 3], [bx, by, _]: [Expr; 3]| {
         let (p, q) = (c.g.mul(ax, by), c.g.mul(ay, bx));
         c.g.sub(p, q)
     };
     let denominator = cross(c, first, second);
     if c.vanish(&[denominator], Unit::Direction) {
-        return Err(Refusal::new(format!(
+        return Err(Unsupported::new(format!(
             "the arm is singular everywhere: joints {n1} and {n2} slide along each other"
         )));
     }
-    for (joint, label, numerator) in [(j1, &n1, cross(c, left, second)), (j2, &n2, cross(c, first, left))] {
-        let kernel = Kernel::SlideTo { denominator, numerator };
+    for (joint, label, numerator) in [(j1, n1, cross(c, left, second)), (j2, n2, cross(c, first, left))] {
+        let kernel = SlideTo { denominator, numerator };
         let meaning = format!("Joint {label}: slides by what is left in the plane.");
         c.stage(&[(joint, Angle::ZERO)], joint, Unit::Length, Branching::None, meaning, kernel);
     }
@@ -194,11 +199,11 @@ fn strokes(c: &mut Closure, [turns, j1, j2]: [usize; 3], [link_a, link_b, link_c
 
 /// Two joints slide to a point: `d_0 e_z + L_0 (d_1 e_z + p_1) = point`, both along the plane.
 fn strokes_to_point(
-    c: &mut Closure,
+    c: &mut LoopClosure,
     [j0, j1]: [usize; 2],
     [link_a, link_b]: [Link; 2],
     point: [Expr; 3],
-) -> Result<(), Refusal> {
+) -> Result<(), Unsupported> {
     let (n0, n1) = (c.label(j0), c.label(j1));
     let still = link_a.forward.point(&mut c.g, link_b.forward.p);
     let left = c.g.sub3(point, still);
@@ -208,14 +213,14 @@ fn strokes_to_point(
     let squared = c.g.mul(cosine, cosine);
     let denominator = c.g.sub(Expr::ONE, squared);
     if c.vanish(&[denominator], Unit::Direction) {
-        return Err(Refusal::new(format!(
+        return Err(Unsupported::new(format!(
             "the arm is singular everywhere: joints {n0} and {n1} slide along each other"
         )));
     }
-    for (joint, label, own, other) in [(j0, &n0, along_first, along_second), (j1, &n1, along_second, along_first)] {
+    for (joint, label, own, other) in [(j0, n0, along_first, along_second), (j1, n1, along_second, along_first)] {
         let across = c.g.mul(cosine, other);
         let numerator = c.g.sub(own, across);
-        let kernel = Kernel::SlideTo { denominator, numerator };
+        let kernel = SlideTo { denominator, numerator };
         let meaning = format!("Joint {label}: slides by what is left in the plane.");
         c.stage(&[(joint, Angle::ZERO)], joint, Unit::Length, Branching::None, meaning, kernel);
     }
@@ -224,7 +229,7 @@ fn strokes_to_point(
 
 /// A signed sum of angles.
 struct Sum {
-    terms: Vec<(String, bool)>,
+    terms: Vec<(Symbol, bool)>,
     constant: Angle,
 }
 
@@ -233,22 +238,22 @@ impl Sum {
         Sum { terms: Vec::new(), constant: Angle::ZERO }
     }
 
-    fn add(&mut self, terms: &[(String, bool)], constant: Angle, negative: bool) {
+    fn add(&mut self, terms: &[(Symbol, bool)], constant: Angle, negative: bool) {
         self.terms.extend(terms.iter().map(|(term, n)| (term.clone(), *n != negative)));
         self.constant = self.constant.add(if negative { constant.neg() } else { constant });
     }
 }
 
 /// The turn that a link makes in the plane: constant, a known angle and a constant, or else measured.
-fn in_plane(c: &mut Closure, rigid: &Rigid, name: String, meaning: String) -> InPlane {
+fn in_plane(c: &mut LoopClosure, rigid: &Rigid, symbol: Symbol, meaning: String) -> InPlane {
     let [[x, ..], [y, ..], [.., z]] = rigid.r;
     let flipped = c.value(z).is_some_and(|z| z < 0.0);
     if let (Some(x), Some(y)) = (c.g.constant(x), c.g.constant(y)) {
-        return InPlane { terms: Vec::new(), constant: constant_angle(y, x), flipped };
+        return InPlane { terms: Vec::new(), constant: Angle::of_vector(y, x), flipped };
     }
     if let Some((term, negative, constant)) = c.known_angle(y, x) {
         return InPlane { terms: vec![(term, negative)], constant, flipped };
     }
-    c.angle(&name, meaning, y, x);
-    InPlane { terms: vec![(name, false)], constant: Angle::ZERO, flipped }
+    c.angle(symbol.clone(), meaning, y, x);
+    InPlane { terms: vec![(symbol, false)], constant: Angle::ZERO, flipped }
 }

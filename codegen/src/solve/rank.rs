@@ -1,7 +1,7 @@
 //! Whether an arm can do its task at all: the rank of its Jacobian at generic configurations.
 
-use super::Refusal;
-use super::problem::Problem;
+use super::Unsupported;
+use super::loop_chain::LoopChain;
 
 /// Relative size below which a direction counts as missing.
 const MISSING: f64 = 1e-9;
@@ -19,7 +19,7 @@ pub enum Asked {
 ///
 /// # Errors
 /// Names the joints that can always move without moving the tool.
-pub fn check(problem: &Problem, asked: Asked) -> Result<(), Refusal> {
+pub fn check(problem: &LoopChain, asked: Asked) -> Result<(), Unsupported> {
     let mut idle = None;
     for seed in 0..4 {
         let columns = columns(problem, asked, seed);
@@ -41,13 +41,13 @@ pub fn check(problem: &Problem, asked: Asked) -> Result<(), Refusal> {
     let (last, rest) =
         named.split_last().map_or((String::new(), String::new()), |(last, rest)| (last.clone(), rest.join(", ")));
     let together = if rest.is_empty() { last } else { format!("{rest} and {last} together") };
-    Err(Refusal::new(format!("the arm is singular everywhere: {together} can always move without moving the tool")))
+    Err(Unsupported::new(format!("the arm is singular everywhere: {together} can always move without moving the tool")))
 }
 
 /// The columns of the Jacobian, lengths over reach.
-fn columns(problem: &Problem, asked: Asked, seed: usize) -> Vec<[f64; 6]> {
+fn columns(problem: &LoopChain, asked: Asked, seed: usize) -> Vec<[f64; 6]> {
     use crate::model::numeric::{cross, sub};
-    let Some(sample) = problem.probe.samples().first() else { return Vec::new() };
+    let Some(sample) = problem.generic.samples().first() else { return Vec::new() };
     let (axes, tool) = problem.axes_and_tool(sample, seed);
     axes.iter()
         .zip(&problem.slots)

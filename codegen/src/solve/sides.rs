@@ -1,8 +1,9 @@
 //! The two sides of the closure as seen from joint y: what joint x moves, and what joint z moves.
 
-use super::closure::Closure;
-use super::plan::{Branching, ElbowRange, Kernel, Range, Unit};
-use super::rows::{Row, turned, turned_back};
+use super::kernel::{Cone, ConeRange, Distance, ElbowRange, Offset, Slide, SlideTo, Unit};
+use super::loop_closure::LoopClosure;
+use super::plan::Branching;
+use super::sinusoid::{Sinusoid, turned, turned_back};
 use crate::model::Angle;
 use crate::symbolic::{Expr, Graph, Vec3};
 
@@ -28,7 +29,7 @@ pub struct Side {
 
 impl Side {
     /// `n . (motion of moved) + k` as a row in the joint's cosine and sine.
-    pub fn row(&self, c: &mut Closure, n: Vec3, k: Expr) -> Row {
+    pub fn row(&self, c: &mut LoopClosure, n: Vec3, k: Expr) -> Sinusoid {
         if self.undone { turned_back(&mut c.g, n, self.moved, k) } else { turned(&mut c.g, n, self.moved, k) }
     }
 
@@ -45,7 +46,7 @@ impl Side {
     }
 
     /// Whether the joint moves the component of `moved` along `n` (a direction in the joint's frame).
-    pub fn moves_along(&self, c: &Closure, n: Vec3, unit: Unit) -> bool {
+    pub fn moves_along(&self, c: &LoopClosure, n: Vec3, unit: Unit) -> bool {
         if self.turns {
             !c.vanish(&Self::plane(n), unit) && !c.vanish(&Self::plane(self.moved), Unit::Length)
         } else {
@@ -55,7 +56,7 @@ impl Side {
 
     /// Distance stage: the joint brings `moved` to distance `rho` from `origin`, both at their heights (`flat`: only
     /// the parts in the joint's plane count).
-    pub fn distance(&self, c: &mut Closure, rho: Expr, flat: bool, meaning: String) {
+    pub fn distance(&self, c: &mut LoopClosure, rho: Expr, flat: bool, meaning: String) {
         let (moved, origin) = (Self::plane(self.moved), Self::plane(self.origin));
         let height = if flat {
             Expr::ZERO
@@ -63,12 +64,14 @@ impl Side {
             let difference = c.g.sub(Self::along(self.moved), Self::along(self.origin));
             c.clean(difference, Unit::Length)
         };
+        let meaning =
+            if height == Expr::ZERO { meaning.replace(" + h^2", "").replace(", `h = {h}`", "") } else { meaning };
         let range = ElbowRange { a: c.g.norm(&origin), b: c.g.norm(&moved), height };
         for link in [range.a, range.b] {
             c.g.name(link, "link");
         }
         // Stretched: the turned vector points away from the other. The angle turns one onto the other's opposite.
-        let away = |c: &mut Closure, v: [Expr; 2]| v.map(|e| c.g.neg(e));
+        let away = |c: &mut LoopClosure, v: [Expr; 2]| v.map(|e| c.g.neg(e));
         let (shift, about) = if self.undone {
             let from = away(c, origin);
             c.between(from, moved)
@@ -76,13 +79,13 @@ impl Side {
             let to = away(c, origin);
             c.between(moved, to)
         };
-        let kernel = Kernel::Distance { rho, range, about };
+        let kernel = Distance { rho, range, about };
         c.stage(&[(self.joint, shift)], self.joint, Unit::Length, Branching::Elbow, meaning, kernel);
     }
 
     /// Sliding stage: the joint brings `moved` to distance `rho` from `origin`; with `flat` the parts along y's axis
     /// do not count (the stroke is across it).
-    pub fn slide(&self, c: &mut Closure, rho: Expr, flat: bool, meaning: String) {
+    pub fn slide(&self, c: &mut LoopClosure, rho: Expr, flat: bool, meaning: String) {
         let between = c.g.sub3(self.moved, self.origin);
         let [bx, by, bz] = between;
         let across = if flat {
@@ -94,19 +97,19 @@ impl Side {
             c.g.norm(&[bx, by])
         };
         let middle = if self.undone { bz } else { c.g.neg(bz) };
-        let kernel = Kernel::Slide { rho, across, middle };
+        let kernel = Slide { rho, across, middle };
         c.stage(&[(self.joint, Angle::ZERO)], self.joint, Unit::Length, Branching::Elbow, meaning, kernel);
     }
 
     /// Cone stage: the joint gives `moved` (seen from where y's axis and this joint's meet) the component `d` along
     /// y's axis, `rho` across it.
-    pub fn cone(&self, c: &mut Closure, d: Expr, rho: Expr, unit: Unit, branching: Branching, meaning: String) {
+    pub fn cone(&self, c: &mut LoopClosure, d: Expr, rho: Expr, unit: Unit, branching: Branching, meaning: String) {
         let along = match unit {
             Unit::Length => c.g.sub(Self::along(self.moved), Self::along(self.origin)),
             Unit::Direction => Self::along(self.moved),
         };
         let (moved, axis) = (Self::plane(self.moved), Self::plane(self.axis));
-        let range = Range {
+        let range = ConeRange {
             along: c.clean(along, unit),
             across: c.g.norm(&moved),
             cos: Self::along(self.axis),
@@ -114,30 +117,38 @@ impl Side {
         };
         let (shift, about) = if self.undone { c.between(axis, moved) } else { c.between(moved, axis) };
         c.g.name(range.across, format!("radius{}", c.label(self.joint)));
-        let kernel = Kernel::Cone { d, rho, range, about };
+        let kernel = Cone { d, rho, range, about };
         c.stage(&[(self.joint, shift)], self.joint, unit, branching, meaning, kernel);
     }
 
     /// Offset stage: `row = value` for a turning joint.
-    pub fn offset(&self, c: &mut Closure, row: Row, value: Expr, unit: Unit, branching: Branching, meaning: String) {
+    pub fn offset(
+        &self,
+        c: &mut LoopClosure,
+        row: Sinusoid,
+        value: Expr,
+        unit: Unit,
+        branching: Branching,
+        meaning: String,
+    ) {
         let d = c.g.sub(value, row.k);
-        let kernel = Kernel::Offset { a: row.c, b: row.s, d };
+        let kernel = Offset { a: row.c, b: row.s, d };
         c.stage(&[(self.joint, Angle::ZERO)], self.joint, unit, branching, meaning, kernel);
     }
 
     /// Linear stage: `slope x = value`, for a sliding joint.
-    pub fn slide_to(&self, c: &mut Closure, slope: Expr, value: Expr, meaning: String) {
-        let kernel = Kernel::SlideTo { denominator: slope, numerator: value };
+    pub fn slide_to(&self, c: &mut LoopClosure, slope: Expr, value: Expr, meaning: String) {
+        let kernel = SlideTo { denominator: slope, numerator: value };
         c.stage(&[(self.joint, Angle::ZERO)], self.joint, Unit::Length, Branching::None, meaning, kernel);
     }
 
     /// `moved` after the (solved) motion, as a point.
-    pub fn point(&self, c: &mut Closure) -> Vec3 {
+    pub fn point(&self, c: &mut LoopClosure) -> Vec3 {
         if self.undone { c.move_back(self.joint, self.moved) } else { c.move_by(self.joint, self.moved) }
     }
 
     /// `moved` after the (solved) motion, as a direction.
-    pub fn direction(&self, c: &mut Closure) -> Vec3 {
+    pub fn direction(&self, c: &mut LoopClosure) -> Vec3 {
         if self.undone { c.turn_back(self.joint, self.moved) } else { c.turn_by(self.joint, self.moved) }
     }
 
@@ -147,7 +158,7 @@ impl Side {
     }
 
     /// A point on y's axis that this joint does not move: where the axes meet, if they do.
-    pub fn meeting_height(&self, c: &mut Closure) -> Option<Expr> {
+    pub fn intersection_height(&self, c: &mut LoopClosure) -> Option<Expr> {
         let [ox, oy, _] = self.origin.map(|e| c.value(e));
         let [ax, ay, _] = self.axis.map(|e| c.value(e));
         let (ax, ay) = (ax?, ay?);
@@ -164,7 +175,7 @@ impl Side {
     }
 
     /// The same side with another point on y's axis as origin.
-    pub fn at_height(&self, c: &mut Closure, height: Expr) -> Side {
+    pub fn at_height(&self, c: &mut LoopClosure, height: Expr) -> Side {
         let along = c.g.scale3(height, self.axis);
         let origin = c.g.add3(self.origin, along);
         Side { origin: c.clean3(origin, Unit::Length), ..*self }
@@ -172,7 +183,7 @@ impl Side {
 }
 
 /// `t` at which the line `p + t h` is nearest to the z axis; `None` for a direction that is not constant, or along z.
-pub fn foot(c: &mut Closure, [px, py, pz]: Vec3, [hx, hy, _]: Vec3) -> Option<Expr> {
+pub fn foot(c: &mut LoopClosure, [px, py, pz]: Vec3, [hx, hy, _]: Vec3) -> Option<Expr> {
     let (hx, hy) = (c.value(hx)?, c.value(hy)?);
     let square = hx * hx + hy * hy;
     if square <= 1e-20 {

@@ -3,12 +3,14 @@
 //! The elbow follows from the distance between shoulder and wrist; the upper arm's rotation from where the wrist has to
 //! be and the arm angle; the shoulder and the wrist are triples that give a rotation each.
 
-use super::asked::{PlanTask, SwivelFacts};
-use super::closure::Closure;
-use super::plan::{Branching, Plan, PlanStep, Unit};
-use super::problem::Problem;
+use super::kernel::Unit;
+use super::loop_chain::LoopChain;
+use super::loop_closure::LoopClosure;
+use super::plan::{Branching, Plan, PlanStep};
 use super::sides::Side;
-use super::{Refusal, triple};
+use super::task::{Given, PlanTask, SwivelFacts};
+use super::triple;
+use super::unsupported::Unsupported;
 use crate::model::chain::Chain;
 use crate::model::geometry::{Line, Triple, TripleKind, foot};
 use crate::model::numeric::Transform;
@@ -18,22 +20,23 @@ use crate::symbolic::{Expr, Graph, Rigid, transpose};
 ///
 /// # Errors
 /// If there are not seven joints that turn, three meeting at the shoulder and three at the wrist.
-pub fn plan(mut problem: Problem, chain: &Chain, task: PlanTask) -> Result<Plan, Refusal> {
-    let triples = problem.triples();
-    let meets = |first: usize| triples.contains(&Triple { first, kind: TripleKind::Meeting });
-    let seven = problem.slots.len() == 7 && problem.slots.iter().all(|slot| slot.turns);
+pub fn plan(mut joints: LoopChain, chain: &Chain, task: PlanTask) -> Result<Plan, Unsupported> {
+    let triples = joints.triples();
+    let meets = |first: usize| triples.contains(&Triple { first, kind: TripleKind::Intersecting });
+    let seven = joints.slots.len() == 7 && joints.slots.iter().all(|slot| slot.turns);
     if !(seven && meets(0) && meets(4)) {
-        return Err(Refusal::new(
+        return Err(Unsupported::new(
             "an arm angle needs seven joints that turn, axes 1, 2, 3 meeting in a point and axes 5, 6, 7 in another",
         ));
     }
     let names = [["u11", "u12", "u13"], ["u21", "u22", "u23"], ["u31", "u32", "u33"]];
-    let swung = names.map(|row| row.map(|name| problem.g.symbol(name)));
-    let shoulder = Triple { first: 0, kind: TripleKind::Meeting };
-    let numeric = problem.clone();
-    let mut c = Closure::new(problem, shoulder);
+    let swung = names.map(|row| row.map(|name| joints.g.symbol(name)));
+    let shoulder = Triple { first: 0, kind: TripleKind::Intersecting };
+    let numeric = joints.clone();
+    let mut c = LoopClosure::new(joints, shoulder);
+    c.move_to_intersection();
     // Both triples with their meeting point as origin; the shoulder is done by the closure.
-    c.move_triple_to_meeting_point([3, 4, 5, 6]);
+    c.move_triple_to_intersection([3, 4, 5, 6]);
     let flange = c.link(6).back;
     let wrist = flange.p;
     let upper = c.link(2);
@@ -62,7 +65,7 @@ pub fn plan(mut problem: Problem, chain: &Chain, task: PlanTask) -> Result<Plan,
     let foot = c.g.sub3(upper.forward.p, foot);
     let foot = c.clean3(foot, Unit::Length);
     c.push(PlanStep::Swivel {
-        names: names.map(|row| row.map(String::from)),
+        rotation: swung,
         meaning: "Rotation of the upper arm, frame 3 in frame 0: the wrist where it has to be, the elbow swung by the \
                   arm angle."
             .into(),
@@ -82,19 +85,19 @@ pub fn plan(mut problem: Problem, chain: &Chain, task: PlanTask) -> Result<Plan,
     let seen = c.g.matmul(&transpose(&swung), &flange.r);
     let left = c.g.matmul(&transpose(&fore.r), &seen);
     triple::rotation(&mut c, &left, [4, 5, 6], Branching::Wrist);
-    Ok(c.finish(shoulder, PlanTask { swivel: facts(&numeric, chain), ..task }))
+    Ok(c.finish(shoulder, PlanTask { given: Some(Given::ArmAngle), swivel: facts(&numeric, chain), ..task }))
 }
 
 /// Where shoulder, wrist and elbow axis lie, as numbers.
-fn facts(problem: &Problem, chain: &Chain) -> Option<SwivelFacts> {
-    let sample = problem.probe.samples().first()?;
-    let (axes, _) = problem.axes_and_tool(sample, 0);
-    let base = problem.numeric(0, sample);
-    let shoulder = meeting_point(&axes, 0)?;
-    let wrist = meeting_point(&axes, 4)?;
-    let body = problem.body(chain, 3);
+fn facts(joints: &LoopChain, chain: &Chain) -> Option<SwivelFacts> {
+    let sample = joints.generic.samples().first()?;
+    let (axes, _) = joints.axes_and_tool(sample, 0);
+    let base = joints.numeric(0, sample);
+    let shoulder = intersection_point(&axes, 0)?;
+    let wrist = intersection_point(&axes, 4)?;
+    let body = joints.body(chain, 3);
     let elbow = axes.get(3)?;
-    let reach = problem.reach;
+    let reach = joints.reach;
     Some(SwivelFacts {
         shoulder: Transform { r: base.r.map(|row| as_written(row, 1.0)), p: as_written(shoulder, reach) },
         wrist: as_written(body.seen(wrist), reach),
@@ -112,6 +115,6 @@ fn as_written(v: [f64; 3], scale: f64) -> [f64; 3] {
 }
 
 /// Where two consecutive axes meet.
-fn meeting_point(axes: &[Line], first: usize) -> Option<[f64; 3]> {
+fn intersection_point(axes: &[Line], first: usize) -> Option<[f64; 3]> {
     foot(axes.get(first)?, axes.get(first + 1)?)
 }

@@ -1,9 +1,11 @@
 //! The triple itself, once the joints outside it are known.
 
-use super::closure::{Closure, Link, constant_angle};
-use super::plan::{Branching, Kernel, Range, Unit};
+use super::kernel::{Align, Cone, ConeRange, Unit, Wrist};
+use super::loop_closure::{Link, LoopClosure};
+use super::plan::Branching;
+use super::planar;
 use super::sides::Side;
-use super::{Refusal, planar};
+use super::unsupported::Unsupported;
 use crate::model::Angle;
 use crate::symbolic::{Expr, Graph, Mat3, Pair, Rigid, Vec3, transpose};
 
@@ -15,14 +17,14 @@ enum Factor {
 }
 
 /// `M = R_z(a) C_a R_z(b) C_b R_z(c)` for a triple that meets in a point: only the rotation counts.
-pub fn meeting(c: &mut Closure) {
+pub fn meeting(c: &mut LoopClosure) {
     let m = triple_rotation(c);
     let [first, second, third, ..] = c.order;
     rotation(c, &m, [first, second, third], Branching::Wrist);
 }
 
 /// Three joints that give the rotation `m`; `sides` is what their two solutions are called.
-pub fn rotation(c: &mut Closure, m: &Mat3, [first, second, third]: [usize; 3], sides: Branching) {
+pub fn rotation(c: &mut LoopClosure, m: &Mat3, [first, second, third]: [usize; 3], sides: Branching) {
     let (link_a, link_b) = (c.link(first).forward, c.link(second).forward);
     let (na, nb, nc) = (c.label(first), c.label(second), c.label(third));
     let cosines = [Side::along(link_a.z()), Side::along(link_b.z())];
@@ -43,7 +45,7 @@ pub fn rotation(c: &mut Closure, m: &Mat3, [first, second, third]: [usize; 3], s
             "Joints {na}, {nb}, {nc}: three axes at right angles in a point, `R_z(a) R_y(b) R_z(c)` equals the \
              remaining rotation; with `b = 0` joint {na} is free."
         );
-        c.stage(&joints, first, Unit::Direction, sides, meaning, Kernel::Wrist { m });
+        c.stage(&joints, first, Unit::Direction, sides, meaning, Wrist { m });
         return;
     }
     oblique(c, m, [first, second, third], [link_a, link_b], sides);
@@ -51,7 +53,7 @@ pub fn rotation(c: &mut Closure, m: &Mat3, [first, second, third]: [usize; 3], s
 
 /// Axes at other angles: the middle joint from the cosine between the outer axes, then the outer ones.
 fn oblique(
-    c: &mut Closure,
+    c: &mut LoopClosure,
     m: &Mat3,
     [first, second, third]: [usize; 3],
     [link_a, link_b]: [Rigid; 2],
@@ -66,14 +68,14 @@ fn oblique(
     let moved = link_b.z();
     let middle = Side { joint: second, undone: false, turns: true, moved, origin: [Expr::ZERO; 3], axis };
     let (moved_plane, axis_plane) = (Side::plane(moved), Side::plane(axis));
-    let range = Range {
+    let range = ConeRange {
         along: Side::along(moved),
         across: c.g.norm(&moved_plane),
         cos: Side::along(axis),
         sin: c.g.norm(&axis_plane),
     };
     let (shift, about) = c.between(moved_plane, axis_plane);
-    let kernel = Kernel::Cone { d: Side::along(approach), rho, range, about };
+    let kernel = Cone { d: Side::along(approach), rho, range, about };
     let meaning = format!("Joint {nb}: axes {na} and {nc} have the cosine `{{d}}`{{shift}}.");
     c.stage(&[(middle.joint, shift)], second, Unit::Direction, sides, meaning, kernel);
     // G = C_a R_z(b) C_b
@@ -83,28 +85,28 @@ fn oblique(
         c.g.apply3(&link_a.r, column)
     });
     let [gx, gy, gz] = columns;
-    let kernel = Kernel::Align { from: Side::plane(gz), to: Side::plane(approach) };
+    let kernel = Align { from: Side::plane(gz), to: Side::plane(approach) };
     let meaning = format!("Joint {na}: turns axis {nc} where it has to point.");
     c.stage(&[(first, Angle::ZERO)], first, Unit::Direction, Branching::None, meaning, kernel);
     // R_z(c) = G^T R_z(-a) M, first column.
     let back = c.pair(first).opposite(&mut c.g);
     let normal = c.g.rotate_z(back, m.map(|[x, _, _]| x));
     let (cos, sin) = (c.g.dot3(gx, normal), c.g.dot3(gy, normal));
-    let kernel = Kernel::Align { from: [Expr::ONE, Expr::ZERO], to: [cos, sin] };
+    let kernel = Align { from: [Expr::ONE, Expr::ZERO], to: [cos, sin] };
     let meaning = format!("Joint {nc}: what remains of the rotation.");
     c.stage(&[(third, Angle::ZERO)], third, Unit::Direction, Branching::None, meaning, kernel);
 }
 
 /// `link = R_z(f) X R_z(-b)` for axes at a right angle: `f` and `b`.
-fn decomposed(c: &Closure, link: &Rigid) -> Option<[Angle; 2]> {
+fn decomposed(c: &LoopClosure, link: &Rigid) -> Option<[Angle; 2]> {
     let [fx, fy, _] = link.z();
     let [bx, by, _] = transpose(&link.r).map(Side::along);
     let value = |e: Expr| c.g.constant(e);
-    Some([constant_angle(value(fy)?, value(fx)?), constant_angle(value(by)?, value(bx)?)])
+    Some([Angle::of_vector(value(fy)?, value(fx)?), Angle::of_vector(value(by)?, value(bx)?)])
 }
 
 /// The rotation the triple has to make, with joint turns about parallel axes added up.
-fn triple_rotation(c: &mut Closure) -> Mat3 {
+fn triple_rotation(c: &mut LoopClosure) -> Mat3 {
     let factors = factors(c);
     let (mut parts, mut target) = (Vec::new(), 0);
     let mut index = 0;
@@ -157,7 +159,7 @@ impl Part {
     }
 
     /// `R_z(-t)`
-    fn turn(c: &mut Closure, pair: Pair, joint: usize) -> Part {
+    fn turn(c: &mut LoopClosure, pair: Pair, joint: usize) -> Part {
         let back = pair.opposite(&mut c.g);
         let r = transpose(&Graph::identity().map(|axis| c.g.rotate_z(back, axis)));
         Part { rigid: Rigid { r, p: [Expr::ZERO; 3] }, joint: Some(joint) }
@@ -166,7 +168,7 @@ impl Part {
 
 /// The product, from the target outward: what stands to its right first, then what stands to its left. The columns
 /// are named after the frame whose axes they are, the rows after the frame they are seen in.
-fn outward(c: &mut Closure, parts: &[Part], target: usize) -> Rigid {
+fn outward(c: &mut LoopClosure, parts: &[Part], target: usize) -> Rigid {
     let mut product = parts.get(target).map_or_else(Rigid::identity, |part| part.rigid);
     let mut axes = ["n", "o", "a"].map(String::from);
     let mut origin = "p".to_string();
@@ -183,7 +185,7 @@ fn outward(c: &mut Closure, parts: &[Part], target: usize) -> Rigid {
     for part in parts.iter().take(target).rev() {
         product = part.rigid.then(&mut c.g, &product);
         if let Some(joint) = part.joint {
-            frame = c.label(joint);
+            frame = c.label(joint).to_string();
             name(c, &product, &axes, &origin, &frame);
         }
         suggest(c, &product, &axes, &origin, &frame);
@@ -192,7 +194,7 @@ fn outward(c: &mut Closure, parts: &[Part], target: usize) -> Rigid {
 }
 
 /// `n_1x`: x of the vector n seen in frame 1.
-fn name(c: &mut Closure, rigid: &Rigid, axes: &[String; 3], origin: &str, frame: &str) {
+fn name(c: &mut LoopClosure, rigid: &Rigid, axes: &[String; 3], origin: &str, frame: &str) {
     for (column, axis) in transpose(&rigid.r).iter().zip(axes) {
         for (e, component) in column.iter().zip(["x", "y", "z"]) {
             c.g.name(*e, format!("{axis}_{frame}{component}"));
@@ -204,7 +206,7 @@ fn name(c: &mut Closure, rigid: &Rigid, axes: &[String; 3], origin: &str, frame:
 }
 
 /// `tn_1x`: the same behind the twist of link 1.
-fn suggest(c: &mut Closure, rigid: &Rigid, axes: &[String; 3], origin: &str, frame: &str) {
+fn suggest(c: &mut LoopClosure, rigid: &Rigid, axes: &[String; 3], origin: &str, frame: &str) {
     for (column, axis) in
         transpose(&rigid.r).iter().chain([&rigid.p]).zip(axes.iter().map(String::as_str).chain([origin]))
     {
@@ -215,7 +217,7 @@ fn suggest(c: &mut Closure, rigid: &Rigid, axes: &[String; 3], origin: &str, fra
 }
 
 /// 1 or -1 if a link without the target keeps the joint axis parallel or anti-parallel.
-fn keeps_parallel(c: &Closure, joint: usize) -> Option<f64> {
+fn keeps_parallel(c: &LoopClosure, joint: usize) -> Option<f64> {
     let link = c.link(joint);
     if link.target {
         return None;
@@ -225,7 +227,7 @@ fn keeps_parallel(c: &Closure, joint: usize) -> Option<f64> {
 }
 
 /// What stands between the triple's last joint and its first, going back.
-fn factors(c: &Closure) -> Vec<Factor> {
+fn factors(c: &LoopClosure) -> Vec<Factor> {
     let [.., third, _, _, _] = c.order;
     let outside = c.outside();
     let joints = outside.iter().rev().flat_map(|joint| [Factor::Link(*joint), Factor::Joint(*joint)]);
@@ -236,7 +238,7 @@ fn factors(c: &Closure) -> Vec<Factor> {
 ///
 /// # Errors
 /// If the joints do not reach the plane.
-pub fn parallel(c: &mut Closure) -> Result<(), Refusal> {
+pub fn parallel(c: &mut LoopClosure) -> Result<(), Unsupported> {
     let back = triple_rigid(c);
     let [first, second, third, ..] = c.order;
     let forward = back.inverse(&mut c.g);
@@ -246,7 +248,7 @@ pub fn parallel(c: &mut Closure) -> Result<(), Refusal> {
 
 /// `M` with its translation. Only its part in the plane counts, so the point of axis c that is tracked may be any;
 /// without the length along that axis the least arithmetic is left.
-fn triple_rigid(c: &mut Closure) -> Rigid {
+fn triple_rigid(c: &mut LoopClosure) -> Rigid {
     let [_, _, third, ..] = c.order;
     let (mut parts, mut target) = (Vec::new(), 0);
     for factor in factors(c) {

@@ -77,8 +77,6 @@ pub struct BoundAngle {
     pub sum: AngleSum,
     /// The symbols of its sine and cosine.
     pub pair: Pair,
-    /// Their names.
-    pub names: [String; 2],
 }
 
 /// The sums in use, in order of first use.
@@ -119,9 +117,8 @@ impl Angles {
         }
         let same_joints = self.bound.iter().filter(|b| b.sum.terms == sum.terms).count();
         let suffix = sum.suffix() + &"o".repeat(same_joints);
-        let names = [format!("s{suffix}"), format!("c{suffix}")];
-        let pair = Pair { sin: g.symbol(&names[0]), cos: g.symbol(&names[1]) };
-        self.bound.push(BoundAngle { sum, pair, names });
+        let pair = Pair { sin: g.symbol(format!("s{suffix}")), cos: g.symbol(format!("c{suffix}")) };
+        self.bound.push(BoundAngle { sum, pair });
         pair
     }
 }

@@ -6,12 +6,16 @@
 
 mod angle_sum;
 mod count;
+mod fold;
 mod graph;
 mod rigid;
+mod symbol;
 mod vector;
+mod walk;
 
 pub use angle_sum::{AngleSum, Angles, BoundAngle, Pair};
 pub use count::{Cost, cost};
 pub use graph::{Expr, Graph, Node, Products};
 pub use rigid::Rigid;
+pub use symbol::{Input, Label, Part, Symbol, Unknown};
 pub use vector::{Mat3, Vec3, transpose};

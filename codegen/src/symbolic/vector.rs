@@ -71,6 +71,15 @@ impl Graph {
         self.add(xy, z)
     }
 
+    /// `a x b`
+    pub fn cross3(&mut self, [a, b, c]: Vec3, [d, e, f]: Vec3) -> Vec3 {
+        let mut minor = |a: Expr, b: Expr, c: Expr, d: Expr| {
+            let (left, right) = (self.mul(a, d), self.mul(b, c));
+            self.sub(left, right)
+        };
+        [minor(b, c, e, f), minor(c, a, f, d), minor(a, b, d, e)]
+    }
+
     /// `m v`
     pub fn apply3(&mut self, m: &Mat3, v: Vec3) -> Vec3 {
         m.map(|row| self.dot3(row, v))

@@ -6,25 +6,25 @@ use crate::model::{JointKind, Model, Task};
 
 /// The reason, one sentence without a period at its end.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Refusal {
+pub struct Unsupported {
     /// The sentence.
     pub reason: String,
     /// What to look at in the file, where something in it is probably meant otherwise.
     pub hint: Option<String>,
 }
 
-impl Refusal {
+impl Unsupported {
     /// The same with what would work instead.
     pub(super) fn or_else(self, alternatives: Vec<String>) -> Self {
         match alternatives.as_slice() {
             [] => self,
-            [one] => Refusal::new(format!("{}; {one} works", self.reason)),
-            [rest @ .., last] => Refusal::new(format!("{}; {} or {last} work", self.reason, rest.join(", "))),
+            [one] => Unsupported::new(format!("{}; {one} works", self.reason)),
+            [rest @ .., last] => Unsupported::new(format!("{}; {} or {last} work", self.reason, rest.join(", "))),
         }
     }
 
     pub(super) fn new(reason: impl Into<String>) -> Self {
-        Refusal { reason: reason.into(), hint: None }
+        Unsupported { reason: reason.into(), hint: None }
     }
 }
 
@@ -47,20 +47,20 @@ pub(super) fn is_one_more(model: &Model, task: Option<Task>) -> bool {
 }
 
 /// One joint more than the task needs, and none whose value could be given.
-pub(super) fn none_to_spare(model: &Model, task: Option<Task>) -> Refusal {
+pub(super) fn none_to_spare(model: &Model, task: Option<Task>) -> Unsupported {
     let (joints, name) = (model.joints.len(), task.unwrap_or(Task::Pose).name());
-    Refusal::new(format!(
+    Unsupported::new(format!(
         "{joints} moving joints are one more than the task `{name}` needs, and whichever value is given, the other axes \
          have no three in a row that meet or are parallel"
     ))
 }
 
 /// A task that is not covered for this number of joints.
-pub(super) fn not_covered(model: &Model, task: Option<Task>) -> Refusal {
+pub(super) fn not_covered(model: &Model, task: Option<Task>) -> Unsupported {
     let joints = model.joints.len();
     let plural = if joints == 1 { "" } else { "s" };
     let name = task.unwrap_or(Task::Pose).name();
-    Refusal::new(match task {
+    Unsupported::new(match task {
         _ if is_one_more(model, task) => {
             format!(
                 "{joints} moving joints are one more than the task `{name}` needs: name the one whose value is given"
@@ -72,7 +72,7 @@ pub(super) fn not_covered(model: &Model, task: Option<Task>) -> Refusal {
 }
 
 /// No triple: which three axes come closest.
-pub(super) fn no_triple(model: &Model, geometry: &Geometry) -> Refusal {
+pub(super) fn no_triple(model: &Model, geometry: &Geometry) -> Unsupported {
     let closest = geometry.misses.iter().min_by(|a, b| a.1.total_cmp(&b.1));
     let mut reason = "no three consecutive axes meet or are parallel".to_string();
     let named = |first: usize| format!("axes {}, {}, {}", first + 1, first + 2, first + 3);
@@ -91,7 +91,7 @@ pub(super) fn no_triple(model: &Model, geometry: &Geometry) -> Refusal {
         let names: Vec<&str> = model.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
         reason += &format!("; run-time parameters ({}) may have any value", names.join(", "));
     }
-    Refusal::new(reason)
+    Unsupported::new(reason)
 }
 
 /// Axes that are off by less than this, rad, were meant to be parallel.

@@ -1,31 +1,32 @@
 //! Three joints that turn and three that slide: the tool's orientation is a matter of the former alone.
 
-use super::asked::PlanTask;
-use super::closure::Closure;
-use super::plan::{Branching, Kernel, Plan, Unit};
-use super::problem::Problem;
-use super::{Refusal, triple};
+use super::kernel::{SlideTo, Unit};
+use super::loop_chain::LoopChain;
+use super::loop_closure::LoopClosure;
+use super::plan::{Branching, Plan};
+use super::task::PlanTask;
+use super::triple;
+use super::unsupported::Unsupported;
 use crate::model::Angle;
 use crate::model::geometry::{Triple, TripleKind};
-use crate::symbolic::{Expr, Graph, Vec3};
+use crate::symbolic::{Expr, Vec3};
 
 /// The plan for three turning joints in a row and three sliding ones, wherever the axes are; `None` for other arms.
-pub fn plan(problem: &Problem, task: &PlanTask) -> Option<Result<Plan, Refusal>> {
-    let turning: Vec<usize> =
-        (0..problem.slots.len()).filter(|i| problem.slots.get(*i).is_some_and(|s| s.turns)).collect();
+pub fn plan(chain: &LoopChain, task: &PlanTask) -> Option<Result<Plan, Unsupported>> {
+    let turning: Vec<usize> = (0..chain.slots.len()).filter(|i| chain.slots.get(*i).is_some_and(|s| s.turns)).collect();
     let [first, second, third] = *turning.as_slice() else { return None };
-    let in_a_row = second == first + 1 && third == second + 1 && problem.slots.len() == 6;
+    let in_a_row = second == first + 1 && third == second + 1 && chain.slots.len() == 6;
     in_a_row.then(|| {
         let triple = Triple { first, kind: TripleKind::Turning };
-        let mut c = Closure::new(problem.clone(), triple);
+        let mut c = LoopClosure::new(chain.clone(), triple);
         triple::meeting(&mut c);
-        strokes(&mut c)?;
+        displacements(&mut c)?;
         Ok(c.finish(triple, task.clone()))
     })
 }
 
 /// `d_x e_z + R_x d_y e_z + R_x R_y d_z e_z` is what the known rest of the loop leaves: three linear equations (Cramer).
-fn strokes(c: &mut Closure) -> Result<(), Refusal> {
+fn displacements(c: &mut LoopClosure) -> Result<(), Unsupported> {
     let [first, second, third, x, y, z] = c.order;
     let (link_x, link_y) = (c.link(x).forward, c.link(y).forward);
     let mut end = c.link(z).back.p;
@@ -38,9 +39,9 @@ fn strokes(c: &mut Closure) -> Result<(), Refusal> {
     let link_xy = link_x.then(&mut c.g, &link_y);
     let axes = [[Expr::ZERO, Expr::ZERO, Expr::ONE], link_x.z(), link_xy.z()];
     let axes = axes.map(|axis| c.clean3(axis, Unit::Direction));
-    let denominator = determinant(&mut c.g, axes);
+    let denominator = determinant(c, axes);
     if c.vanish(&[denominator], Unit::Direction) {
-        return Err(Refusal::new(
+        return Err(Unsupported::new(
             "the arm is singular everywhere: its three sliding joints move the tool in a plane only",
         ));
     }
@@ -49,19 +50,14 @@ fn strokes(c: &mut Closure) -> Result<(), Refusal> {
         if let Some(column) = columns.get_mut(place) {
             *column = left;
         }
-        let kernel = Kernel::SlideTo { denominator, numerator: determinant(&mut c.g, columns) };
+        let kernel = SlideTo { denominator, numerator: determinant(c, columns) };
         let meaning = format!("Joint {}: slides by what is left of the tool's place.", c.label(joint));
         c.stage(&[(joint, Angle::ZERO)], joint, Unit::Length, Branching::None, meaning, kernel);
     }
     Ok(())
 }
 
-fn determinant(g: &mut Graph, [a, b, c]: [Vec3; 3]) -> Expr {
-    let ([bx, by, bz], [cx, cy, cz]) = (b, c);
-    let mut minor = |p: Expr, q: Expr, r: Expr, s: Expr| {
-        let (ps, qr) = (g.mul(p, s), g.mul(q, r));
-        g.sub(ps, qr)
-    };
-    let across = [minor(by, bz, cy, cz), minor(bz, bx, cz, cx), minor(bx, by, cx, cy)];
-    g.dot3(a, across)
+fn determinant(c: &mut LoopClosure, [a, b, d]: [Vec3; 3]) -> Expr {
+    let across = c.g.cross3(b, d);
+    c.g.dot3(a, across)
 }

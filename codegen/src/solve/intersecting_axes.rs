@@ -3,17 +3,18 @@
 //! `R_z(y) B(z) = A(x)`, where A and B are the point W seen from joint y over either side: equal components along y's
 //! axis and equal distances from a point on it are two equations in x and z.
 
-use super::Refusal;
-use super::closure::{Closure, WRIST};
-use super::plan::{Branching, Kernel, Unit};
-use super::rows::Row;
+use super::kernel::{Align, Pair, PairSliding, Quadratic, SlideTo, Unit};
+use super::loop_closure::{LoopClosure, WRIST};
+use super::plan::Branching;
+use super::prismatic_pair::{one_slides, still_rows};
 use super::sides::Side;
-use super::two_slides::{one_slides, still_rows};
+use super::sinusoid::Sinusoid;
+use super::unsupported::Unsupported;
 use crate::model::Angle;
-use crate::symbolic::{Expr, Vec3};
+use crate::symbolic::{Expr, Label, Vec3};
 
 /// Adds the stages for x, z and y.
-pub fn outer(c: &mut Closure) -> Result<(), Refusal> {
+pub fn outer(c: &mut LoopClosure) -> Result<(), Unsupported> {
     let [_, _, third, x, y, z] = c.order;
     let (link_c, link_x, link_y, link_z) = (c.link(third), c.link(x), c.link(y), c.link(z));
     let a = Side {
@@ -39,41 +40,41 @@ pub fn outer(c: &mut Closure) -> Result<(), Refusal> {
     if c.turns(y) { turning(c, y, a, b) } else { sliding(c, y, a, b) }
 }
 
-fn turning(c: &mut Closure, y: usize, a: Side, b: Side) -> Result<(), Refusal> {
+fn turning(c: &mut LoopClosure, y: usize, a: Side, b: Side) -> Result<(), Unsupported> {
     let w = c.center();
     let (moves_a, moves_b) = (a.moves_along(c, a.axis, Unit::Direction), b.moves_along(c, b.axis, Unit::Direction));
     let (nx, ny, nz) = (c.label(a.joint), c.label(y), c.label(b.joint));
     let (a, b) = if !moves_a && !moves_b {
-        return Err(Refusal::new(format!(
+        return Err(Unsupported::new(format!(
             "the arm is singular everywhere: joints {nx}, {ny} and {nz} all move {w} across one direction only"
         )));
     } else if !moves_b {
-        first_by_component(c, &a, &b, &ny);
+        first_by_component(c, &a, &b, ny);
         (a, b)
     } else if !moves_a {
-        first_by_component(c, &b, &a, &ny);
+        first_by_component(c, &b, &a, ny);
         (a, b)
-    } else if let Some((a, b)) = meeting_origin(c, &a, &b, true) {
-        second_by_distance(c, &a, &b, &ny);
+    } else if let Some((a, b)) = intersection_origin(c, &a, &b, true) {
+        second_by_distance(c, &a, &b, ny);
         (a, b)
-    } else if let Some((a, b)) = meeting_origin(c, &a, &b, false) {
-        second_by_distance(c, &b, &a, &ny);
+    } else if let Some((a, b)) = intersection_origin(c, &a, &b, false) {
+        second_by_distance(c, &b, &a, ny);
         (a, b)
     } else {
-        together(c, &a, &b, &ny)?;
+        together(c, &a, &b, ny)?;
         (a, b)
     };
     let (from, to) = (seen(c, &b), seen(c, &a));
     let meaning = format!(
         "Joint {ny}: turns {w} as seen over joint {nz}, `[{{from}}]`, onto where joint {nx} puts it, `[{{to}}]`."
     );
-    let kernel = Kernel::Align { from: Side::plane(from), to: Side::plane(to) };
+    let kernel = Align { from: Side::plane(from), to: Side::plane(to) };
     c.stage(&[(y, Angle::ZERO)], y, Unit::Length, Branching::None, meaning, kernel);
     Ok(())
 }
 
 /// W in the frame of joint y, over one (solved) side.
-fn seen(c: &mut Closure, side: &Side) -> Vec3 {
+fn seen(c: &mut LoopClosure, side: &Side) -> Vec3 {
     let [_, _, _, x, y, _] = c.order;
     let point = side.point(c);
     let rigid = if side.undone { c.link(x).back } else { c.link(y).forward };
@@ -87,7 +88,7 @@ fn seen(c: &mut Closure, side: &Side) -> Vec3 {
 }
 
 /// W over one solved side relative to the side's origin: components across y's axis, and along it.
-fn relative(c: &mut Closure, side: &Side) -> ([Expr; 2], Expr) {
+fn relative(c: &mut LoopClosure, side: &Side) -> ([Expr; 2], Expr) {
     let [_, _, _, x, y, _] = c.order;
     let point = side.point(c);
     let from = c.g.sub3(point, side.origin);
@@ -101,25 +102,25 @@ fn relative(c: &mut Closure, side: &Side) -> ([Expr; 2], Expr) {
 }
 
 /// The component along y's axis as a row of the side's joint; for a sliding joint the slope in `c`.
-fn component(c: &mut Closure, side: &Side) -> Row {
+fn component(c: &mut LoopClosure, side: &Side) -> Sinusoid {
     let k = {
         let dot = c.g.dot3(side.axis, side.origin);
         c.g.neg(dot)
     };
     if side.turns {
         let row = side.row(c, side.axis, k);
-        return Row { c: row.c, s: row.s, k: c.clean(row.k, Unit::Length) };
+        return Sinusoid { c: row.c, s: row.s, k: c.clean(row.k, Unit::Length) };
     }
     let dot = c.g.dot3(side.axis, side.moved);
     let constant = c.g.add(dot, k);
     let slope = Side::along(side.axis);
     let slope = if side.stroke() { c.g.neg(slope) } else { slope };
-    Row { c: slope, s: Expr::ZERO, k: c.clean(constant, Unit::Length) }
+    Sinusoid { c: slope, s: Expr::ZERO, k: c.clean(constant, Unit::Length) }
 }
 
 /// The component along y's axis does not depend on `other`: `first` follows from it, then `other` from the distance
 /// to y's axis.
-fn first_by_component(c: &mut Closure, first: &Side, other: &Side, ny: &str) {
+fn first_by_component(c: &mut LoopClosure, first: &Side, other: &Side, ny: Label) {
     let w = c.center();
     let row = component(c, first);
     let value = component(c, other).k;
@@ -149,12 +150,12 @@ fn first_by_component(c: &mut Closure, first: &Side, other: &Side, ny: &str) {
 }
 
 /// Both sides with the point where y's axis meets the axis of x (or z) as origin, if they meet.
-fn meeting_origin(c: &mut Closure, a: &Side, b: &Side, with_a: bool) -> Option<(Side, Side)> {
+fn intersection_origin(c: &mut LoopClosure, a: &Side, b: &Side, with_a: bool) -> Option<(Side, Side)> {
     let side = if with_a { a } else { b };
     if !side.turns {
         return None;
     }
-    let height = side.meeting_height(c)?;
+    let height = side.intersection_height(c)?;
     let (a, b) = (a.at_height(c, height), b.at_height(c, height));
     let side = if with_a { &a } else { &b };
     c.vanish(&Side::plane(side.origin), Unit::Length).then_some((a, b))
@@ -162,14 +163,14 @@ fn meeting_origin(c: &mut Closure, a: &Side, b: &Side, with_a: bool) -> Option<(
 
 /// The distance from the meeting point does not depend on `still`: `other` follows from it, then `still` from the
 /// component along y's axis.
-fn second_by_distance(c: &mut Closure, still: &Side, other: &Side, ny: &str) {
+fn second_by_distance(c: &mut LoopClosure, still: &Side, other: &Side, ny: Label) {
     let w = c.center();
     let from = c.g.sub3(still.moved, still.origin);
     let from = c.clean3(from, Unit::Length);
     let rho = c.g.norm(&from);
     c.g.name(rho, format!("rho{}", c.label(other.joint)));
     let (n, m) = (c.label(still.joint), c.label(other.joint));
-    let place = format!("the point where axes {} and {} meet", n.as_str().min(ny), n.as_str().max(ny));
+    let place = format!("the point where axes {} and {} meet", n.min(ny), n.max(ny));
     if other.turns {
         let meaning = format!(
             "Joint {m}: {w} is `{{rho}}` from {place}, \
@@ -188,7 +189,7 @@ fn second_by_distance(c: &mut Closure, still: &Side, other: &Side, ny: &str) {
 }
 
 /// Neither equation separates: a pair.
-fn together(c: &mut Closure, a: &Side, b: &Side, ny: &str) -> Result<(), Refusal> {
+fn together(c: &mut LoopClosure, a: &Side, b: &Side, ny: Label) -> Result<(), Unsupported> {
     let (rows_a, rows_b) = (component(c, a), component(c, b));
     let (n, m) = (c.label(a.joint), c.label(b.joint));
     let meaning = format!("Joints {n} and {m} together: equal components along axis {ny}, equal distances from it.");
@@ -196,7 +197,7 @@ fn together(c: &mut Closure, a: &Side, b: &Side, ny: &str) -> Result<(), Refusal
         let (square_a, square_b) = (square(c, a), square(c, b));
         let across = across_rows(c, [a, b]);
         let (p, q) = ([rows_a.array(), square_a.array()], [rows_b.array(), square_b.array()]);
-        let kernel = Kernel::Pair { p, q, across: Some(across) };
+        let kernel = Pair { p, q, across: Some(across), power: 3 };
         let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
         c.stage(&joints, a.joint, Unit::Length, Branching::Root, meaning, kernel);
         return Ok(());
@@ -217,7 +218,7 @@ fn together(c: &mut Closure, a: &Side, b: &Side, ny: &str) -> Result<(), Refusal
             [if slides.stroke() { c.g.neg(factor) } else { factor }, c.g.dot3(direction, from)]
         });
         let turning = still_rows(c, other, across_o, [Expr::ZERO; 2]);
-        let kernel = Kernel::PairSliding {
+        let kernel = PairSliding {
             line: [other_row.c, other_row.s, k],
             scale: row.c,
             square: [m1, n1],
@@ -237,7 +238,7 @@ fn together(c: &mut Closure, a: &Side, b: &Side, ny: &str) -> Result<(), Refusal
     let (su2, sv2) = (c.g.mul(su, su), c.g.mul(sv, sv));
     let quadratic = c.g.sub(sv2, su2);
     if c.vanish(&[quadratic, k], Unit::Direction) {
-        return Err(Refusal::new("the two sliding joints move in step: the arm is singular everywhere"));
+        return Err(Unsupported::new("the two sliding joints move in step: the arm is singular everywhere"));
     }
     let linear = {
         let svk = c.g.mul(sv, k);
@@ -259,13 +260,13 @@ fn together(c: &mut Closure, a: &Side, b: &Side, ny: &str) -> Result<(), Refusal
     };
     let meaning =
         format!("Joint {}: equal components along axis {ny} and equal distances from it.", c.label(other.joint));
-    let kernel = Kernel::Quadratic { coefficients: [c.clean(quadratic, Unit::Direction), linear, constant] };
+    let kernel = Quadratic { coefficients: [c.clean(quadratic, Unit::Direction), linear, constant] };
     c.stage(&[(other.joint, Angle::ZERO)], other.joint, Unit::Length, Branching::Root, meaning, kernel);
     let v = c.position(other.joint);
     // The quadratic was multiplied by su^2; of the two equations it comes from: sv (2 u + m) - su (2 v + m').
     let pivot = {
         let u = c.position(slides.joint);
-        let slope = |c: &mut Closure, factor: Expr, position: Expr, m: Expr| {
+        let slope = |c: &mut LoopClosure, factor: Expr, position: Expr, m: Expr| {
             let twice = c.g.add(position, position);
             let sum = c.g.add(twice, m);
             c.g.mul(factor, sum)
@@ -281,13 +282,13 @@ fn together(c: &mut Closure, a: &Side, b: &Side, ny: &str) -> Result<(), Refusal
 }
 
 /// The two directions across y's axis, as the frames of joint x and of joint z see them.
-fn across(c: &Closure) -> [[Vec3; 2]; 2] {
+fn across(c: &LoopClosure) -> [[Vec3; 2]; 2] {
     let [_, _, _, x, y, _] = c.order;
     [c.link(x).forward, c.link(y).back].map(|link| [link.axis(0), link.axis(1)])
 }
 
 /// The components of W across y's axis, from y's axis, as rows of either (turning) side.
-fn across_rows(c: &mut Closure, sides: [&Side; 2]) -> [[[Expr; 3]; 2]; 2] {
+fn across_rows(c: &mut LoopClosure, sides: [&Side; 2]) -> [[[Expr; 3]; 2]; 2] {
     let mut directions = across(c).into_iter();
     sides.map(|side| {
         directions.next().unwrap_or([[Expr::ZERO; 3]; 2]).map(|direction| {
@@ -299,7 +300,7 @@ fn across_rows(c: &mut Closure, sides: [&Side; 2]) -> [[[Expr; 3]; 2]; 2] {
 }
 
 /// `|moved - origin|^2` as a row of the side's (turning) joint.
-fn square(c: &mut Closure, side: &Side) -> Row {
+fn square(c: &mut LoopClosure, side: &Side) -> Sinusoid {
     let (mm, oo) = (c.g.dot3(side.moved, side.moved), c.g.dot3(side.origin, side.origin));
     let k = c.g.add(mm, oo);
     let two = c.g.number(-2.0);
@@ -308,33 +309,33 @@ fn square(c: &mut Closure, side: &Side) -> Row {
 }
 
 /// `|moved +- s e_z - origin|^2 = s^2 + m s + n` for a sliding joint.
-fn stroke_square(c: &mut Closure, side: &Side) -> [Expr; 2] {
+fn stroke_square(c: &mut LoopClosure, side: &Side) -> [Expr; 2] {
     let from = c.g.sub3(side.moved, side.origin);
     let two = c.g.number(if side.stroke() { -2.0 } else { 2.0 });
     [c.g.mul(two, Side::along(from)), c.g.dot3(from, from)]
 }
 
 /// Which of two equations has nothing of a joint in it, but something of the other.
-fn row_of_one(c: &Closure, rows: &[[Expr; 3]; 2], others: &[[Expr; 3]; 2]) -> Option<usize> {
+fn row_of_one(c: &LoopClosure, rows: &[[Expr; 3]; 2], others: &[[Expr; 3]; 2]) -> Option<usize> {
     let moves = |[cos, sin, _]: &[Expr; 3]| !c.vanish(&[*cos, *sin], Unit::Length);
     rows.iter().zip(others).position(|(row, other)| !moves(row) && moves(other))
 }
 
 /// The first joint from the equation that is its own, the second from the other one.
 fn one_after_the_other(
-    c: &mut Closure,
+    c: &mut LoopClosure,
     [first, second]: [&Side; 2],
     [own, others]: [[[Expr; 3]; 2]; 2],
     alone: usize,
-    ny: &str,
+    ny: Label,
 ) {
     let w = c.center();
     let row = |rows: [[Expr; 3]; 2], i: usize| {
         let [cos, sin, k] = rows.into_iter().nth(i).unwrap_or([Expr::ZERO; 3]);
-        Row { c: cos, s: sin, k }
+        Sinusoid { c: cos, s: sin, k }
     };
     let meaning =
-        |n: String| format!("Joint {n}: {w} keeps its offset from axis {ny}, `{{a}} cos + {{b}} sin = {{d}}`.");
+        |n: Label| format!("Joint {n}: {w} keeps its offset from axis {ny}, `{{a}} cos + {{b}} sin = {{d}}`.");
     let text = meaning(c.label(first.joint));
     first.offset(c, row(own, alone), row(others, alone).k, Unit::Length, Branching::Shoulder, text);
     let ([known, wanted], pair) = ([own, others].map(|rows| row(rows, 1 - alone)), c.pair(first.joint));
@@ -346,7 +347,7 @@ fn one_after_the_other(
 }
 
 /// Joint y slides: the components across its axis are equal, and its stroke is the difference along it.
-fn sliding(c: &mut Closure, y: usize, a: Side, b: Side) -> Result<(), Refusal> {
+fn sliding(c: &mut LoopClosure, y: usize, a: Side, b: Side) -> Result<(), Unsupported> {
     let w = c.center();
     let (n, m, ny) = (c.label(a.joint), c.label(b.joint), c.label(y));
     let [across_a, across_b] = across(c);
@@ -354,19 +355,19 @@ fn sliding(c: &mut Closure, y: usize, a: Side, b: Side) -> Result<(), Refusal> {
     if a.turns && b.turns {
         let [p, q] = across_rows(c, [&a, &b]);
         if let Some(alone) = row_of_one(c, &p, &q) {
-            one_after_the_other(c, [&b, &a], [q, p], alone, &ny);
+            one_after_the_other(c, [&b, &a], [q, p], alone, ny);
         } else if let Some(alone) = row_of_one(c, &q, &p) {
-            one_after_the_other(c, [&a, &b], [p, q], alone, &ny);
+            one_after_the_other(c, [&a, &b], [p, q], alone, ny);
         } else {
             let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
-            c.stage(&joints, a.joint, Unit::Length, Branching::Root, meaning, Kernel::Pair { p, q, across: None });
+            c.stage(&joints, a.joint, Unit::Length, Branching::Root, meaning, Pair { p, q, across: None, power: 2 });
         }
     } else {
-        one_slides(c, [&a, &b], [across_a, across_b], &ny);
+        one_slides(c, [&a, &b], [across_a, across_b], ny);
     }
     let (from, to) = (seen(c, &b), seen(c, &a));
     let numerator = c.g.sub(Side::along(to), Side::along(from));
-    let kernel = Kernel::SlideTo { denominator: Expr::ONE, numerator };
+    let kernel = SlideTo { denominator: Expr::ONE, numerator };
     let meaning = format!("Joint {ny}: the difference along its axis.");
     c.stage(&[(y, Angle::ZERO)], y, Unit::Length, Branching::None, meaning, kernel);
     Ok(())

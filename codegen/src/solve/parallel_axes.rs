@@ -3,18 +3,19 @@
 //! Seen from joint y over either side: `R_z(y) b(z) = a(x)` for the direction h, and equal distances along h between
 //! the triple and joint y's axis. The components along y's axis and those distances are two equations in x and z.
 
-use super::Refusal;
-use super::closure::Closure;
-use super::plan::{Branching, Kernel, Unit};
-use super::rows::Row;
+use super::kernel::{Aim, Align, Flip, Pair, SlideTo, Unit};
+use super::loop_closure::LoopClosure;
+use super::plan::Branching;
 use super::sides::Side;
+use super::sinusoid::Sinusoid;
+use super::unsupported::Unsupported;
 use crate::model::Angle;
-use crate::symbolic::{Expr, Vec3};
+use crate::symbolic::{Expr, Label, Vec3};
 
 const H: &str = "the direction of the parallel axes";
 
 /// Adds the stages for x, z and y.
-pub fn outer(c: &mut Closure) -> Result<(), Refusal> {
+pub fn outer(c: &mut LoopClosure) -> Result<(), Unsupported> {
     let [first, second, third, x, y, z] = c.order;
     let (link_a, link_b) = (c.link(first), c.link(second));
     let (link_c, link_x, link_y, link_z) = (c.link(third), c.link(x), c.link(y), c.link(z));
@@ -62,27 +63,27 @@ pub fn outer(c: &mut Closure) -> Result<(), Refusal> {
 
 /// `-origin . (turned h) + height`: the distance along h from y's origin to the triple. For a sliding joint the slope
 /// is in `c`.
-fn distance_row(c: &mut Closure, side: &Side, height: Expr) -> Row {
+fn distance_row(c: &mut LoopClosure, side: &Side, height: Expr) -> Sinusoid {
     let back = side.origin.map(|e| c.g.neg(e));
     if side.turns {
         let row = side.row(c, back, height);
-        return Row { c: c.clean(row.c, Unit::Length), s: c.clean(row.s, Unit::Length), k: row.k };
+        return Sinusoid { c: c.clean(row.c, Unit::Length), s: c.clean(row.s, Unit::Length), k: row.k };
     }
     let dot = c.g.dot3(back, side.moved);
     let slope = Side::along(side.moved);
     let slope = if side.stroke() { c.g.neg(slope) } else { slope };
-    Row { c: slope, s: Expr::ZERO, k: c.g.add(dot, height) }
+    Sinusoid { c: slope, s: Expr::ZERO, k: c.g.add(dot, height) }
 }
 
-fn direction_row(c: &mut Closure, side: &Side) -> Row {
+fn direction_row(c: &mut LoopClosure, side: &Side) -> Sinusoid {
     if side.turns {
         return side.row(c, side.axis, Expr::ZERO);
     }
-    Row { c: Expr::ZERO, s: Expr::ZERO, k: c.g.dot3(side.axis, side.moved) }
+    Sinusoid { c: Expr::ZERO, s: Expr::ZERO, k: c.g.dot3(side.axis, side.moved) }
 }
 
 /// h over one (solved) side, in the frame of joint y.
-fn seen(c: &mut Closure, side: &Side) -> Vec3 {
+fn seen(c: &mut LoopClosure, side: &Side) -> Vec3 {
     let [_, _, _, x, y, _] = c.order;
     let direction = side.direction(c);
     let rigid = if side.undone { c.link(x).back } else { c.link(y).forward };
@@ -94,7 +95,7 @@ fn seen(c: &mut Closure, side: &Side) -> Vec3 {
 }
 
 /// Whether the joint of a side enters the distance along h, and the component of h along y's axis.
-fn enters(c: &Closure, side: &Side) -> (bool, bool) {
+fn enters(c: &LoopClosure, side: &Side) -> (bool, bool) {
     let turned = side.turns && !c.vanish(&Side::plane(side.moved), Unit::Direction);
     let distance = if side.turns {
         turned && !c.vanish(&Side::plane(side.origin), Unit::Length)
@@ -105,30 +106,30 @@ fn enters(c: &Closure, side: &Side) -> (bool, bool) {
 }
 
 /// Both sides with the point where y's axis meets the axis of x (or z) as origin, if they meet.
-fn meeting_origin(c: &mut Closure, sides: [Side; 2], with_a: bool) -> Option<[Side; 2]> {
+fn intersection_origin(c: &mut LoopClosure, sides: [Side; 2], with_a: bool) -> Option<[Side; 2]> {
     let [a, b] = sides;
     let side = if with_a { &a } else { &b };
     if !side.turns {
         return None;
     }
-    let height = side.meeting_height(c)?;
+    let height = side.intersection_height(c)?;
     let (a, b) = (a.at_height(c, height), b.at_height(c, height));
     let side = if with_a { &a } else { &b };
     c.vanish(&Side::plane(side.origin), Unit::Length).then_some([a, b])
 }
 
-fn turning(c: &mut Closure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> Result<(), Refusal> {
+fn turning(c: &mut LoopClosure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> Result<(), Unsupported> {
     let ny = c.label(y);
     for with_a in [true, false] {
-        let sides = meeting_origin(c, sides, with_a).unwrap_or(sides);
+        let sides = intersection_origin(c, sides, with_a).unwrap_or(sides);
         let [a, b] = &sides;
         let (still, other) = if with_a { (a, b) } else { (b, a) };
         let (distance_still, direction_still) = enters(c, still);
         let (distance_other, _) = enters(c, other);
         if !distance_still && distance_other && direction_still {
-            by_distance(c, other, (still, false), heights, &ny);
+            by_distance(c, other, (still, false), heights, ny);
             if !flipped(c, y, still, other) {
-                by_direction(c, still, other, &ny);
+                by_direction(c, still, other, ny);
                 aligned(c, y, a, b);
             }
             return Ok(());
@@ -140,14 +141,14 @@ fn turning(c: &mut Closure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> R
         [(b, a, direction_b, direction_a, distance_a), (a, b, direction_a, direction_b, distance_b)]
     {
         if first_turns_h && !other_turns_h && other_distance {
-            by_direction(c, first, other, &ny);
-            by_distance(c, other, (first, true), heights, &ny);
+            by_direction(c, first, other, ny);
+            by_distance(c, other, (first, true), heights, ny);
             aligned(c, y, a, b);
             return Ok(());
         }
     }
     if !(a.turns && b.turns && direction_a && direction_b && (distance_a || distance_b)) {
-        return Err(Refusal::new(format!(
+        return Err(Unsupported::new(format!(
             "the arm is singular everywhere: joints {}, {ny} and {} leave {H} or its distance unchanged",
             c.label(a.joint),
             c.label(b.joint)
@@ -170,14 +171,14 @@ fn turning(c: &mut Closure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> R
         c.label(b.joint)
     );
     let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
-    let kernel = Kernel::Pair { p: [p1, p2], q: [q1, q2], across: Some(across) };
+    let kernel = Pair { p: [p1, p2], q: [q1, q2], across: Some(across), power: 1 };
     c.stage(&joints, a.joint, Unit::Length, Branching::Root, meaning, kernel);
     aligned(c, y, a, b);
     Ok(())
 }
 
 /// One joint from the distance along h. The other joint is solved already, or does not enter.
-fn by_distance(c: &mut Closure, side: &Side, (other, solved): (&Side, bool), heights: [Expr; 2], ny: &str) {
+fn by_distance(c: &mut LoopClosure, side: &Side, (other, solved): (&Side, bool), heights: [Expr; 2], ny: Label) {
     let [height_a, height_b] = heights;
     let (own, others) = if side.undone { (height_a, height_b) } else { (height_b, height_a) };
     let row = distance_row(c, side, own);
@@ -200,7 +201,7 @@ fn by_distance(c: &mut Closure, side: &Side, (other, solved): (&Side, bool), hei
 }
 
 /// One joint from the component of h along y's axis, the other side being known.
-fn by_direction(c: &mut Closure, side: &Side, known: &Side, ny: &str) {
+fn by_direction(c: &mut LoopClosure, side: &Side, known: &Side, ny: Label) {
     let seen = seen(c, known);
     let rho = c.g.norm(&Side::plane(seen));
     c.g.name(rho, format!("across{}", c.label(side.joint)));
@@ -209,16 +210,16 @@ fn by_direction(c: &mut Closure, side: &Side, known: &Side, ny: &str) {
 }
 
 /// Joint y turns h as z leaves it onto h as x needs it.
-fn aligned(c: &mut Closure, y: usize, a: &Side, b: &Side) {
+fn aligned(c: &mut LoopClosure, y: usize, a: &Side, b: &Side) {
     let (from, to) = (seen(c, b), seen(c, a));
     let meaning = format!("Joint {}: turns {H} from `[{{from}}]` to `[{{to}}]`.", c.label(y));
-    let kernel = Kernel::Align { from: Side::plane(from), to: Side::plane(to) };
+    let kernel = Align { from: Side::plane(from), to: Side::plane(to) };
     c.stage(&[(y, Angle::ZERO)], y, Unit::Direction, Branching::None, meaning, kernel);
 }
 
 /// If h is at right angles to the inner joint and that one to joint y, both follow at once, with two roots half a
 /// turn apart in y.
-fn flipped(c: &mut Closure, y: usize, inner: &Side, known: &Side) -> bool {
+fn flipped(c: &mut LoopClosure, y: usize, inner: &Side, known: &Side) -> bool {
     let right_angles = [Side::along(inner.moved), Side::along(inner.axis)];
     if !c.vanish(&right_angles, Unit::Direction) {
         return false;
@@ -232,7 +233,7 @@ fn flipped(c: &mut Closure, y: usize, inner: &Side, known: &Side) -> bool {
         return false;
     };
     // link = R_z(phi) X R_z(-psi), X the half turn about x + z; see the runtime's `flip` for the form solved.
-    let (phi, psi) = (super::closure::constant_angle(fy, fx), super::closure::constant_angle(by, bx));
+    let (phi, psi) = (Angle::of_vector(fy, fx), Angle::of_vector(by, bx));
     let quarter = Angle::degrees(90.0);
     let seen = seen(c, known);
     let [hx, hy, hz] = seen;
@@ -250,17 +251,17 @@ fn flipped(c: &mut Closure, y: usize, inner: &Side, known: &Side) -> bool {
     let meaning =
         format!("Joints {n} and {ny}: point {H}, `[{{m}}]` = `R_z(y) R_y(x) e_z`; with `x = 0` joint {ny} is free.");
     let joints = [(inner.joint, shift), (y, Angle::ZERO)];
-    c.stage(&joints, y, Unit::Direction, Branching::Wrist, meaning, Kernel::Flip { m });
+    c.stage(&joints, y, Unit::Direction, Branching::Wrist, meaning, Flip { m });
     true
 }
 
 /// Joint y slides: h itself is equal on both sides and lies on a cone about either turning axis; the stroke closes the
 /// distance along h.
-fn sliding(c: &mut Closure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> Result<(), Refusal> {
+fn sliding(c: &mut LoopClosure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> Result<(), Unsupported> {
     let [a, b] = &sides;
     let ny = c.label(y);
     if !(a.turns && b.turns) {
-        return Err(Refusal::new(format!(
+        return Err(Unsupported::new(format!(
             "the arm is singular everywhere: with joints {ny} and {} sliding, {H} has too few joints to turn it",
             if a.turns { c.label(b.joint) } else { c.label(a.joint) }
         )));
@@ -273,7 +274,7 @@ fn sliding(c: &mut Closure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> R
         c.label(b.joint)
     );
     let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
-    let kernel = Kernel::Aim { moved: [a.moved, b.moved], frames };
+    let kernel = Aim { moved: [a.moved, b.moved], frames };
     c.stage(&joints, a.joint, Unit::Direction, Branching::Shoulder, meaning, kernel);
     let (over_a, over_b) = (a.direction(c), b.direction(c));
     let [height_a, height_b] = heights;
@@ -287,7 +288,7 @@ fn sliding(c: &mut Closure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> R
     };
     let numerator = c.g.sub(left, right);
     let denominator = c.g.dot3(a.axis, over_a);
-    let kernel = Kernel::SlideTo { denominator, numerator };
+    let kernel = SlideTo { denominator, numerator };
     let meaning = format!("Joint {ny}: closes the distance along {H}.");
     c.stage(&[(y, Angle::ZERO)], y, Unit::Length, Branching::None, meaning, kernel);
     Ok(())

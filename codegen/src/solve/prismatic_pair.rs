@@ -1,13 +1,14 @@
 //! The outer joints when the middle one slides and another one as well: what is left is in the plane across it.
 
-use super::closure::Closure;
-use super::plan::{Branching, Kernel, Unit};
+use super::kernel::{SlideTurning, Unit};
+use super::loop_closure::LoopClosure;
+use super::plan::Branching;
 use super::sides::Side;
 use crate::model::Angle;
-use crate::symbolic::{Expr, Vec3};
+use crate::symbolic::{Expr, Label, Vec3};
 
 /// The components across y's axis over a turning side, less those of the still part over the other.
-pub fn still_rows(c: &mut Closure, other: &Side, across: [Vec3; 2], still: [Expr; 2]) -> [[Expr; 3]; 2] {
+pub fn still_rows(c: &mut LoopClosure, other: &Side, across: [Vec3; 2], still: [Expr; 2]) -> [[Expr; 3]; 2] {
     let mut still = still.into_iter();
     across.map(|direction| {
         let dot = c.g.dot3(direction, other.origin);
@@ -19,16 +20,16 @@ pub fn still_rows(c: &mut Closure, other: &Side, across: [Vec3; 2], still: [Expr
 
 /// With y and one more joint sliding: the direction across both gives the third joint. With all three sliding both
 /// components are linear.
-pub fn one_slides(c: &mut Closure, sides: [&Side; 2], across: [[Vec3; 2]; 2], ny: &str) {
+pub fn one_slides(c: &mut LoopClosure, sides: [&Side; 2], across: [[Vec3; 2]; 2], ny: Label) {
     let w = c.center();
     let [a, b] = sides;
     let [across_a, across_b] = across;
     let (slides, other, across_s, across_o) =
         if a.turns { (b, a, across_b, across_a) } else { (a, b, across_a, across_b) };
     // The stroke in the plane across y's axis, and the still parts of both sides.
-    let signed = |c: &mut Closure, side: &Side, e: Expr| if side.stroke() { c.g.neg(e) } else { e };
+    let signed = |c: &mut LoopClosure, side: &Side, e: Expr| if side.stroke() { c.g.neg(e) } else { e };
     let stroke = across_s.map(|direction| signed(c, slides, Side::along(direction)));
-    let still = |c: &mut Closure, side: &Side, directions: [Vec3; 2]| {
+    let still = |c: &mut LoopClosure, side: &Side, directions: [Vec3; 2]| {
         let from = c.g.sub3(side.moved, side.origin);
         directions.map(|direction| c.g.dot3(direction, from))
     };
@@ -38,14 +39,14 @@ pub fn one_slides(c: &mut Closure, sides: [&Side; 2], across: [[Vec3; 2]; 2], ny
         let (m, n) = (c.label(other.joint), c.label(slides.joint));
         let meaning = format!("Joints {m} and {n} together: {w} has equal components across axis {ny}.");
         let joints = [(other.joint, Angle::ZERO), (slides.joint, Angle::ZERO)];
-        let kernel = Kernel::SlideTurning { stroke, rows };
+        let kernel = SlideTurning { stroke, rows };
         c.stage(&joints, other.joint, Unit::Length, Branching::Shoulder, meaning, kernel);
         return;
     }
     let [sx, sy] = stroke;
     // n is across the stroke: n . (plane part) does not depend on it.
     let normal = [c.g.neg(sy), sx];
-    let combine = |c: &mut Closure, n: [Expr; 2], v: [Expr; 2]| {
+    let combine = |c: &mut LoopClosure, n: [Expr; 2], v: [Expr; 2]| {
         let ([nx, ny], [vx, vy]) = (n, v);
         let (p, q) = (c.g.mul(nx, vx), c.g.mul(ny, vy));
         c.g.add(p, q)

@@ -1,29 +1,25 @@
 //! Deciding on numbers whether an expression vanishes for every target.
 
+use super::kernel::Unit;
 use crate::model::Model;
 use crate::model::geometry::TOLERANCE;
-use crate::symbolic::{Expr, Graph, Node};
+use crate::symbolic::{Expr, Graph, Input, Node, Symbol};
 use std::collections::HashMap;
 
-/// Values of symbols, by name.
-pub type Sample = HashMap<String, f64>;
+/// Values of leaves.
+pub type Sample = HashMap<Symbol, f64>;
 
-/// A few generic targets, as values of the target's symbols.
+/// A few generic targets, as values of the target's leaves, and generic values of what is given beside it.
 #[derive(Debug, Clone)]
-pub struct Probe {
+pub struct GenericSamples {
     samples: Vec<Sample>,
-    angles: Vec<String>,
+    angles: Vec<Symbol>,
     reach: f64,
 }
 
-/// Names of the target's rotation entries and position components.
-pub const ROTATION: [[&str; 3]; 3] = [["r11", "r12", "r13"], ["r21", "r22", "r23"], ["r31", "r32", "r33"]];
-/// Names of the target's position components.
-pub const POSITION: [&str; 3] = ["px", "py", "pz"];
-
-impl Probe {
+impl GenericSamples {
     /// Targets within the reach of an arm, with no special orientation.
-    pub fn new(reach: f64) -> Probe {
+    pub fn new(reach: f64) -> GenericSamples {
         let samples = [0.37, 1.91, -2.63]
             .map(|seed: f64| {
                 // A rotation from a quaternion that is special for no arm.
@@ -36,12 +32,13 @@ impl Probe {
                     [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
                 ];
                 let p = [0.31 * reach * seed.cos(), 0.27 * reach * (seed + 1.0).sin(), 0.23 * reach];
-                let rotation = ROTATION.iter().zip(r).flat_map(|(names, row)| names.iter().zip(row));
-                let position = POSITION.iter().zip(p);
-                rotation.chain(position).map(|(name, value)| (name.to_string(), value)).collect()
+                let rotation =
+                    Input::ROTATION.into_iter().zip(r).flat_map(|(entries, row)| entries.into_iter().zip(row));
+                let position = Input::POSITION.into_iter().zip(p);
+                rotation.chain(position).map(|(input, value)| (input.into(), value)).collect()
             })
             .to_vec();
-        Probe { samples, angles: Vec::new(), reach }
+        GenericSamples { samples, angles: Vec::new(), reach }
     }
 
     /// Run-time parameters are symbols with generic values.
@@ -51,28 +48,26 @@ impl Probe {
         }
     }
 
-    /// A sliding joint whose position is given.
-    pub fn position(&mut self, name: &str) {
+    /// A displacement that is given.
+    pub fn position(&mut self, input: Input) {
         for (sample, part) in self.samples.iter_mut().zip([0.25, -0.41, 0.66]) {
-            sample.insert(name.to_string(), part * self.reach);
+            sample.insert(input.into(), part * self.reach);
         }
     }
 
-    /// An angle that is given, with its sine and cosine, all by name.
-    pub fn angle(&mut self, [name, sin, cos]: [&str; 3]) {
+    /// An angle that is given, with its sine and cosine.
+    pub fn angle(&mut self, [angle, sin, cos]: [Input; 3]) {
         // No two angles may look alike.
         let shift = 0.471 * self.angles.len() as f64;
-        for (sample, angle) in self.samples.iter_mut().zip([0.83f64, -1.37, 2.21]) {
-            let angle = angle + shift * angle.signum();
-            for (name, value) in [(name, angle), (sin, angle.sin()), (cos, angle.cos())] {
-                sample.insert(name.to_string(), value);
-            }
+        for (sample, value) in self.samples.iter_mut().zip([0.83f64, -1.37, 2.21]) {
+            let value = value + shift * value.signum();
+            sample.extend([(angle, value), (sin, value.sin()), (cos, value.cos())].map(|(input, x)| (input.into(), x)));
         }
-        self.angles.push(name.to_string());
+        self.angles.push(angle.into());
     }
 
-    /// Names of the given angles.
-    pub fn angles(&self) -> &[String] {
+    /// The given angles.
+    pub fn angles(&self) -> &[Symbol] {
         &self.angles
     }
 
@@ -96,17 +91,17 @@ impl Probe {
     pub fn decides(&self, g: &Graph, expressions: &[Expr]) -> bool {
         let Some(sample) = self.samples.first() else { return false };
         g.reachable(expressions).into_iter().all(|e| match g.node(e) {
-            Node::Symbol(symbol) => symbol.value.is_some() || sample.contains_key(&symbol.name),
+            Node::Symbol(symbol) => symbol.value().is_some() || sample.contains_key(&symbol),
             _ => true,
         })
     }
 
-    /// Whether every one of the expressions vanishes for every target; `length` expressions are compared to reach.
-    pub fn vanish(&self, g: &Graph, expressions: &[Expr], length: bool) -> bool {
+    /// Whether every one of the expressions vanishes for every target; lengths are compared to reach.
+    pub fn vanish(&self, g: &Graph, expressions: &[Expr], unit: Unit) -> bool {
         if !self.decides(g, expressions) {
             return false;
         }
-        let small = if length { TOLERANCE * self.reach } else { TOLERANCE };
+        let small = if unit == Unit::Length { TOLERANCE * self.reach } else { TOLERANCE };
         self.samples.iter().all(|sample| g.evaluate(expressions, sample).iter().all(|value| value.abs() <= small))
     }
 }

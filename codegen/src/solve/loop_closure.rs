@@ -1,15 +1,15 @@
 //! The closed chain around the target, and what is known while it is being solved.
 
-use super::asked::PlanTask;
-use super::plan::Phase;
-use super::plan::{Branching, Kernel, Plan, PlanStep, Stage, Unit, Value};
-use super::probe::Probe;
-use super::problem::{Problem, Slot};
+use super::generic_samples::GenericSamples;
+use super::kernel::{Kernel, Phase, Unit};
+use super::loop_chain::{LoopChain, LoopJoint};
+use super::plan::{Branching, Plan, PlanStep, Stage, Value};
+use super::task::PlanTask;
 use crate::model::Angle;
-use crate::model::geometry::{Triple, TripleKind};
-use crate::symbolic::{Expr, Graph, Pair, Rigid, Vec3};
+use crate::model::geometry::Triple;
+use crate::symbolic::{Expr, Graph, Label, Pair, Part, Rigid, Symbol, Unknown, Vec3};
 
-/// What a meeting triple is placed by.
+/// The point in which the axes of a triple intersect.
 pub const WRIST: &str = "the wrist center";
 
 /// A constant link (or the target), both ways.
@@ -25,16 +25,16 @@ pub struct Link {
 
 /// The joints in cyclic order: the triple a, b, c, then x, y, z. Link `i` follows joint `i`; the target's inverse is
 /// part of the link after the last joint.
-pub struct Closure {
+pub struct LoopClosure {
     /// The arena.
     pub g: Graph,
     /// Decides what vanishes.
-    pub probe: Probe,
+    pub generic: GenericSamples,
     /// The six joints in cyclic order from the triple's first.
     pub order: [usize; 6],
     /// The link after each joint, by joint.
     pub(super) links: Vec<Link>,
-    slots: Vec<Slot>,
+    slots: Vec<LoopJoint>,
     /// Sine and cosine of each solved joint's angle (its DH theta, offset included).
     pairs: Vec<Option<Pair>>,
     values: Vec<Option<Value>>,
@@ -42,10 +42,10 @@ pub struct Closure {
     pub(super) reach: f64,
 }
 
-impl Closure {
-    /// The chain of a problem, closed around its target.
-    pub fn new(problem: Problem, triple: Triple) -> Closure {
-        let Problem { mut g, probe, slots, links: constants, target, reach, .. } = problem;
+impl LoopClosure {
+    /// A chain closed around its target.
+    pub fn new(chain: LoopChain, triple: Triple) -> LoopClosure {
+        let LoopChain { mut g, generic, slots, links: constants, target, reach, .. } = chain;
         let constant = |i: usize| constants.get(i).copied().unwrap_or_else(Rigid::identity);
         // The target without base and tool: where the frame of the last joint has to be, in the first joint's frame.
         let count = slots.len();
@@ -64,11 +64,7 @@ impl Closure {
         // The last one is the joint before the triple.
         let order = [0, 1, 2, 3, 4, count.saturating_sub(1)].map(|k| (triple.first + k) % count.max(1));
         let (pairs, values) = (vec![None; count], vec![None; count]);
-        let mut closure = Closure { g, probe, order, links, slots, pairs, values, steps: Vec::new(), reach };
-        if triple.kind == TripleKind::Meeting {
-            closure.move_to_meeting_point();
-        }
-        closure
+        LoopClosure { g, generic, order, links, slots, pairs, values, steps: Vec::new(), reach }
     }
 
     /// Reach of the arm.
@@ -112,20 +108,20 @@ impl Closure {
     }
 
     /// The angle of a vector as a known angle, its sign, and a constant, if it is that.
-    pub fn known_angle(&self, y: Expr, x: Expr) -> Option<(String, bool, Angle)> {
-        if !self.probe.decides(&self.g, &[y, x]) {
+    pub fn known_angle(&self, y: Expr, x: Expr) -> Option<(Symbol, bool, Angle)> {
+        if !self.generic.decides(&self.g, &[y, x]) {
             return None;
         }
-        self.probe.angles().iter().find_map(|name| {
+        self.generic.angles().iter().find_map(|symbol| {
             [false, true].into_iter().find_map(|negative| {
                 let constants: Vec<[f64; 2]> = self
-                    .probe
+                    .generic
                     .samples()
                     .iter()
                     .filter_map(|sample| {
                         let values = self.g.evaluate(&[y, x], sample);
                         let [y, x] = *values.as_slice() else { return None };
-                        let known = *sample.get(name)?;
+                        let known = *sample.get(symbol)?;
                         let (s, c) = if negative { known.sin_cos() } else { (-known).sin_cos() };
                         Some([y * c + x * s, x * c - y * s])
                     })
@@ -133,8 +129,8 @@ impl Closure {
                 let first = *constants.first()?;
                 let same = constants.iter().flatten().zip(first.iter().cycle()).all(|(a, b)| (a - b).abs() <= 1e-12);
                 let [sin, cos] = first;
-                (same && constants.len() == self.probe.samples().len())
-                    .then(|| (name.clone(), negative, constant_angle(sin, cos)))
+                (same && constants.len() == self.generic.samples().len())
+                    .then(|| (symbol.clone(), negative, Angle::of_vector(sin, cos)))
             })
         })
     }
@@ -146,18 +142,18 @@ impl Closure {
     }
 
     /// What a joint is called: its number.
-    pub fn label(&self, joint: usize) -> String {
-        self.slots.get(joint).map(|slot| slot.label.clone()).unwrap_or_default()
+    pub fn label(&self, joint: usize) -> Label {
+        self.slots.get(joint).map_or(Label::Virtual(0), |slot| slot.label)
     }
 
     /// The value of an expression that does not depend on the target.
     pub fn value(&self, e: Expr) -> Option<f64> {
-        self.g.constant(e).or_else(|| self.probe.value(&self.g, e))
+        self.g.constant(e).or_else(|| self.generic.value(&self.g, e))
     }
 
     /// Whether expressions vanish for every target.
     pub fn vanish(&self, expressions: &[Expr], unit: Unit) -> bool {
-        self.probe.vanish(&self.g, expressions, unit == Unit::Length)
+        self.generic.vanish(&self.g, expressions, unit)
     }
 
     /// Zero if an expression vanishes for every target, else the expression.
@@ -178,7 +174,7 @@ impl Closure {
     /// The position symbol of a sliding joint.
     pub fn position(&mut self, joint: usize) -> Expr {
         let label = self.label(joint);
-        self.g.symbol(format!("q{label}"))
+        self.g.symbol(Unknown::of(label, Part::Value))
     }
 
     /// Joint `joint`'s motion applied to a vector (a point if it slides).
@@ -219,15 +215,15 @@ impl Closure {
         unit: Unit,
         branching: Branching,
         meaning: String,
-        kernel: Kernel,
+        kernel: impl Into<Kernel>,
     ) {
-        for (joint, shift) in joints {
-            self.bind(*joint, *shift);
-        }
+        let unknowns = joints.iter().map(|(joint, shift)| self.bind(*joint, *shift)).collect();
         let shift = joints.iter().find(|(j, _)| *j == free).map_or(Angle::ZERO, |(_, shift)| *shift);
-        let home = self.offset(free).add(shift.neg());
+        let default_shift = self.offset(free).add(shift.neg());
         let joints = joints.iter().map(|(joint, _)| *joint).collect();
-        self.steps.push(PlanStep::Stage(Stage { joints, kernel, unit, meaning, branching, home, pivot: None }));
+        let kernel = kernel.into();
+        let stage = Stage { joints, unknowns, kernel, unit, meaning, branching, default_shift, pivot: None };
+        self.steps.push(PlanStep::Stage(stage));
     }
 
     /// The derivative that tells the singularity of the last stage, where it is not its kernel's own.
@@ -241,32 +237,30 @@ impl Closure {
         self.slots.get(joint).map_or(Angle::ZERO, |slot| slot.offset)
     }
 
-    /// The symbols of a joint's root: value, sine and cosine of the kernel's variable.
-    fn bind(&mut self, joint: usize, shift: Angle) {
-        let number = self.label(joint);
-        let sliding = !self.turns(joint);
-        let constant = if sliding { Angle::ZERO } else { shift.add(self.offset(joint).neg()) };
-        let symbol = kernel_value(&number, constant);
-        let value = Value { terms: vec![(symbol, false)], constant, sliding };
+    /// The leaves of a joint's root: value, sine and cosine of the kernel's variable.
+    fn bind(&mut self, joint: usize, shift: Angle) -> [Unknown; 3] {
+        let label = self.label(joint);
+        let prismatic = !self.turns(joint);
+        let constant = if prismatic { Angle::ZERO } else { shift.add(self.offset(joint).neg()) };
+        // A quarter turn is folded into the sine and cosine of the joint value.
+        let of_variable = !shift.is_zero() && shift.quarter_turns().is_none();
+        let value = Unknown { joint: label, part: Part::Value, shifted: !constant.is_zero() };
+        let [sin, cos] = [Part::Sin, Part::Cos].map(|part| Unknown { joint: label, part, shifted: of_variable });
         if let Some(slot) = self.values.get_mut(joint) {
-            *slot = Some(value);
+            *slot = Some(Value { terms: vec![(value.into(), false)], constant, prismatic });
         }
-        if sliding {
-            return;
+        if prismatic {
+            return [value, sin, cos];
         }
-        let (sin, cos) = if shift.is_zero() || shift.quarter_turns().is_some() {
-            (format!("s{number}"), format!("c{number}"))
-        } else {
-            (format!("sin_t{number}"), format!("cos_t{number}"))
-        };
         let raw = Pair { sin: self.g.symbol(sin), cos: self.g.symbol(cos) };
-        let constant = self.g.constant_pair(shift, &format!("PHASE{number}"));
+        let constant = self.g.constant_pair(shift, &format!("PHASE{label}"));
         let pair = if shift.is_zero() { raw } else { raw.plus(&mut self.g, constant) };
-        self.g.name(pair.sin, format!("s{number}"));
-        self.g.name(pair.cos, format!("c{number}"));
+        self.g.name(pair.sin, format!("s{label}"));
+        self.g.name(pair.cos, format!("c{label}"));
         if let Some(slot) = self.pairs.get_mut(joint) {
             *slot = Some(pair);
         }
+        [value, sin, cos]
     }
 
     /// Adds a step.
@@ -275,20 +269,20 @@ impl Closure {
     }
 
     /// Adds an angle that several joints add up to.
-    pub fn angle(&mut self, name: &str, meaning: String, y: Expr, x: Expr) {
-        self.steps.push(PlanStep::Angle { name: name.into(), meaning, y, x });
+    pub fn angle(&mut self, symbol: Symbol, meaning: String, y: Expr, x: Expr) {
+        self.steps.push(PlanStep::Angle { symbol, meaning, y, x });
     }
 
     /// A joint value that is a signed sum of symbols; `constant` before the joint's offset is taken off.
-    pub fn sum(&mut self, joint: usize, terms: Vec<(String, bool)>, constant: Angle) {
+    pub fn sum(&mut self, joint: usize, terms: Vec<(Symbol, bool)>, constant: Angle) {
         let constant = constant.add(self.offset(joint).neg());
         if let Some(slot) = self.values.get_mut(joint) {
-            *slot = Some(Value { terms, constant, sliding: false });
+            *slot = Some(Value { terms, constant, prismatic: false });
         }
     }
 
     /// The solved angle of a joint (its DH theta) as terms and constant.
-    pub fn solved(&self, joint: usize) -> (Vec<(String, bool)>, Angle) {
+    pub fn solved(&self, joint: usize) -> (Vec<(Symbol, bool)>, Angle) {
         match self.values.get(joint) {
             Some(Some(value)) => (value.terms.clone(), value.constant.add(self.offset(joint))),
             _ => (Vec::new(), Angle::ZERO),
@@ -298,7 +292,7 @@ impl Closure {
     /// The angle of a plane vector: a constant one, or a run-time phase.
     pub fn direction(&mut self, [x, y]: [Expr; 2]) -> Result<Angle, Phase> {
         match (self.g.constant(x), self.g.constant(y)) {
-            (Some(x), Some(y)) => Ok(constant_angle(y, x)),
+            (Some(x), Some(y)) => Ok(Angle::of_vector(y, x)),
             _ => Err(Phase { y, x }),
         }
     }
@@ -329,7 +323,7 @@ impl Closure {
         let values = self
             .values
             .into_iter()
-            .map(|value| value.unwrap_or(Value { terms: Vec::new(), constant: Angle::ZERO, sliding: true }));
+            .map(|value| value.unwrap_or(Value { terms: Vec::new(), constant: Angle::ZERO, prismatic: true }));
         Plan {
             graph: self.g,
             steps: self.steps,
@@ -339,22 +333,6 @@ impl Closure {
             reach: self.reach,
             task,
         }
-    }
-}
-
-/// The symbol of a joint's value as its kernel gives it: the joint's own if nothing is to be added.
-fn kernel_value(label: &str, constant: Angle) -> String {
-    format!("{}{label}", if constant.is_zero() { "q" } else { "t" })
-}
-
-/// The angle of a constant vector, exact where it is a multiple of a quarter turn.
-pub fn constant_angle(y: f64, x: f64) -> Angle {
-    let angle = y.atan2(x);
-    let quarters = (angle / std::f64::consts::FRAC_PI_2).round();
-    if (angle - quarters * std::f64::consts::FRAC_PI_2).abs() <= 1e-14 {
-        Angle::degrees(90.0 * quarters)
-    } else {
-        Angle::radians(angle)
     }
 }
 

@@ -1,19 +1,19 @@
 //! Frames of a triple moved to the point in which its axes meet.
 
-use super::closure::{Closure, Link};
+use super::loop_closure::{Link, LoopClosure};
 use super::sides::{Side, foot};
 use crate::symbolic::{Expr, Graph, Rigid};
 
-impl Closure {
+impl LoopClosure {
     /// For a meeting triple, frames are moved along the outer axes of the triple so that both have the meeting point
     /// as their origin.
-    pub(super) fn move_to_meeting_point(&mut self) {
+    pub(super) fn move_to_intersection(&mut self) {
         let [a, b, c, .., z] = self.order;
-        self.move_triple_to_meeting_point([z, a, b, c]);
+        self.move_triple_to_intersection([z, a, b, c]);
     }
 
     /// The same for any triple, after the joint before it.
-    pub fn move_triple_to_meeting_point(&mut self, [z, a, b, c]: [usize; 4]) {
+    pub fn move_triple_to_intersection(&mut self, [z, a, b, c]: [usize; 4]) {
         let (on_a, on_c) = (self.meeting(a, false), self.meeting(b, true));
         let shift = |g: &mut Graph, link: Link, before: Expr, after: Expr| {
             let along = |e: Expr| Rigid { p: [Expr::ZERO, Expr::ZERO, e], ..Rigid::identity() };
@@ -52,7 +52,7 @@ impl Closure {
         // The other axis is p + t h; it meets the z axis where x and y vanish.
         let (p, h) = (rigid.p, rigid.z());
         let heights: Vec<[f64; 2]> = self
-            .probe
+            .generic
             .samples()
             .iter()
             .filter_map(|sample| {

@@ -4,7 +4,7 @@ use crate::symbolic::{Expr, Graph, Vec3};
 
 /// `c cos + s sin + k`
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Row {
+pub struct Sinusoid {
     /// Of the cosine.
     pub c: Expr,
     /// Of the sine.
@@ -13,7 +13,7 @@ pub struct Row {
     pub k: Expr,
 }
 
-impl Row {
+impl Sinusoid {
     /// As an array.
     pub fn array(self) -> [Expr; 3] {
         [self.c, self.s, self.k]
@@ -21,16 +21,16 @@ impl Row {
 }
 
 /// `n . (R_z(t) v) + k`
-pub fn turned(g: &mut Graph, n: Vec3, v: Vec3, k: Expr) -> Row {
+pub fn turned(g: &mut Graph, n: Vec3, v: Vec3, k: Expr) -> Sinusoid {
     let ([nx, ny, nz], [x, y, z]) = (n, v);
     let (nxx, nyy) = (g.mul(nx, x), g.mul(ny, y));
     let (nyx, nxy) = (g.mul(ny, x), g.mul(nx, y));
     let nzz = g.mul(nz, z);
-    Row { c: g.add(nxx, nyy), s: g.sub(nyx, nxy), k: g.add(nzz, k) }
+    Sinusoid { c: g.add(nxx, nyy), s: g.sub(nyx, nxy), k: g.add(nzz, k) }
 }
 
 /// `n . (R_z(-t) v) + k`
-pub fn turned_back(g: &mut Graph, n: Vec3, v: Vec3, k: Expr) -> Row {
+pub fn turned_back(g: &mut Graph, n: Vec3, v: Vec3, k: Expr) -> Sinusoid {
     let row = turned(g, n, v, k);
-    Row { s: g.neg(row.s), ..row }
+    Sinusoid { s: g.neg(row.s), ..row }
 }

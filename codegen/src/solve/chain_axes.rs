@@ -1,0 +1,140 @@
+//! How the axes of a chain lie, decided at generic values of all its joints.
+
+use super::generic_samples::Sample;
+use super::loop_chain::{LoopChain, LoopJoint};
+use crate::model::Angle;
+use crate::model::chain::{Chain, Step};
+use crate::model::geometry::{Line, TOLERANCE, Triple, generic_motion, triples};
+use crate::model::numeric::{Transform, cross, dot, length};
+use crate::symbolic::{Expr, Graph, Rigid, transpose};
+
+impl LoopChain {
+    /// Whether link `i` keeps the z axis parallel or anti-parallel, for every value of a given joint: its sign.
+    pub fn keeps_axis(&self, i: usize) -> Option<f64> {
+        let mut cosines = self.generic.samples().iter().map(|sample| {
+            let [.., [_, _, z]] = self.numeric(i, sample).r;
+            z
+        });
+        let first = cosines.next()?;
+        let parallel = |z: f64| z.abs() >= 1.0 - 0.5 * TOLERANCE * TOLERANCE && z * first > 0.0;
+        (parallel(first) && cosines.all(parallel)).then(|| first.signum())
+    }
+
+    /// Whether two axes are parallel at a generic configuration.
+    pub fn are_parallel(&self, i: usize, j: usize) -> bool {
+        let axes = self.generic.samples().first().map(|sample| self.axes(sample)).unwrap_or_default();
+        let pair = axes.get(i).zip(axes.get(j));
+        pair.is_some_and(|(a, b)| length(cross(a.direction, b.direction)) <= TOLERANCE)
+    }
+
+    /// The joint that slides along the direction about which all joints turn that do; the others slide across it.
+    pub fn stroke_along_turns(&self) -> Option<usize> {
+        let samples = self.generic.samples().iter();
+        let mut strokes = samples.map(|sample| {
+            let axes = self.axes(sample);
+            let turning = axes.iter().zip(&self.slots).find(|(_, slot)| slot.turns)?.0.direction;
+            let along = |line: &Line| length(cross(line.direction, turning)) <= TOLERANCE;
+            let across = |line: &Line| dot(line.direction, turning).abs() <= TOLERANCE;
+            let mut upright =
+                axes.iter().zip(&self.slots).all(|(line, slot)| along(line) || !slot.turns && across(line));
+            let mut strokes =
+                axes.iter().zip(&self.slots).enumerate().filter(|(_, (line, slot))| !slot.turns && along(line));
+            let stroke = strokes.next().map(|(i, _)| i);
+            upright &= strokes.next().is_none();
+            stroke.filter(|_| upright)
+        });
+        let first = strokes.next()??;
+        strokes.all(|stroke| stroke == Some(first)).then_some(first)
+    }
+
+    /// Whether every joint moves in the base frame's xy plane.
+    pub fn is_planar(&self) -> bool {
+        self.generic.samples().iter().all(|sample| {
+            self.axes(sample).iter().zip(&self.slots).all(|(line, slot)| {
+                let [x, y, z] = line.direction;
+                if slot.turns { x.hypot(y) <= TOLERANCE } else { z.abs() <= TOLERANCE }
+            })
+        })
+    }
+
+    /// For an arm in the plane: the turn about the tool's x axis that takes an upright frame to the tool's; `None` if
+    /// that axis leaves the plane.
+    pub fn tool_twist(&self) -> Option<Angle> {
+        let [_, _, [x, y, z]] = self.tool()?.r;
+        (x.abs() <= TOLERANCE).then(|| Angle::of_vector(y, z))
+    }
+
+    /// The pose of the tool at a generic configuration.
+    fn tool(&self) -> Option<Transform> {
+        Some(self.axes_and_tool(self.generic.samples().first()?, 0).1)
+    }
+
+    /// Adds a virtual joint at the tool point whose axis is upright.
+    pub fn append_upright(&mut self) {
+        let Some(Transform { r: [_, _, [x, y, z]], .. }) = self.tool() else { return };
+        let (azimuth, polar) = (Angle::of_vector(y, x), Angle::of_vector(x.hypot(y), z));
+        let upright = x.hypot(y) <= TOLERANCE;
+        let before = if upright {
+            Rigid::identity()
+        } else {
+            let (polar, azimuth) =
+                (self.g.constant_pair(polar, "TOOL_POLAR"), self.g.constant_pair(azimuth, "TOOL_AZIMUTH"));
+            let columns = Graph::identity().map(|axis| {
+                let axis = self.g.rotate_y(polar, axis);
+                self.g.rotate_z(azimuth, axis)
+            });
+            Rigid { r: transpose(&columns), ..Rigid::identity() }
+        };
+        self.append(LoopJoint::virtual_turn(1), before, Rigid::identity());
+    }
+
+    /// The triples of consecutive joints, for every value of a given joint.
+    pub fn triples(&self) -> Vec<Triple> {
+        let turns: Vec<bool> = self.slots.iter().map(|slot| slot.turns).collect();
+        let mut samples = self.generic.samples().iter().map(|sample| triples(&self.axes(sample), &turns, self.reach).0);
+        let first = samples.next().unwrap_or_default();
+        samples.fold(first, |kept, found| kept.into_iter().filter(|triple| found.contains(triple)).collect())
+    }
+
+    /// The axes with every joint at a value that is special for no arm.
+    fn axes(&self, sample: &Sample) -> Vec<Line> {
+        self.axes_and_tool(sample, 0).0
+    }
+
+    /// The axes and the pose of the tool; every seed gives other joint values.
+    pub fn axes_and_tool(&self, sample: &Sample, seed: usize) -> (Vec<Line>, Transform) {
+        let mut current = self.numeric(0, sample);
+        let mut axes = Vec::new();
+        for (i, slot) in self.slots.iter().enumerate() {
+            axes.push(Line { point: current.p, direction: current.axis(2) });
+            let motion = generic_motion(i + 17 * seed, slot.turns, self.reach);
+            current = current.then(&motion).then(&self.numeric(i + 1, sample));
+        }
+        (axes, current)
+    }
+
+    /// The pose of the link after joint `i` at the generic configuration, as `link_poses` counts links.
+    pub fn body(&self, chain: &Chain, i: usize) -> Transform {
+        let end = chain.link_ends.get(i).copied().unwrap_or(0);
+        chain.steps.iter().take(end).fold(Transform::IDENTITY, |sum, step| {
+            let factor = match step {
+                Step::Revolute { joint, .. } => generic_motion(*joint, true, self.reach),
+                Step::Prismatic { joint } => generic_motion(*joint, false, self.reach),
+                _ => Transform::of(step),
+            };
+            sum.then(&factor)
+        })
+    }
+
+    /// Link `i` as numbers.
+    pub fn numeric(&self, i: usize, sample: &Sample) -> Transform {
+        let link = self.link(i);
+        let row = |row: [Expr; 3]| {
+            let values = self.g.evaluate(&row, sample);
+            let mut out = [0.0; 3];
+            out.iter_mut().zip(values).for_each(|(slot, value)| *slot = value);
+            out
+        };
+        Transform { r: link.r.map(row), p: row(link.p) }
+    }
+}

@@ -1,0 +1,93 @@
+//! The same chain with its prismatic joints in other places.
+//!
+//! A prismatic joint commutes with a prismatic one, and with a revolute one about a parallel axis.
+
+use super::loop_chain::LoopChain;
+use crate::model::Angle;
+use crate::symbolic::{Graph, Rigid, transpose};
+
+/// The chain itself, and every chain that comes of moving prismatic joints past others.
+pub fn commuted(chain: &LoopChain) -> Vec<LoopChain> {
+    let mut found = vec![chain.clone()];
+    let mut next = 0;
+    while let Some(current) = found.get(next).cloned() {
+        next += 1;
+        let moved = (0..current.slots.len()).flat_map(|i| [current.slide_later(i), current.slide_earlier(i)]);
+        for moved in moved.flatten().collect::<Vec<_>>() {
+            if !found.iter().any(|known| known.slots == moved.slots) {
+                found.push(moved);
+            }
+        }
+    }
+    found
+}
+
+impl LoopChain {
+    /// The chain with the sliding joint `i` moved past the joint after it: one that slides too, or one that turns about
+    /// a parallel axis, `T_z(d) C R_z(t) = C R_z(t) T_z(+-d)`.
+    pub fn slide_later(&self, i: usize) -> Option<LoopChain> {
+        let (slides, next) = (self.slots.get(i)?, self.slots.get(i + 1)?);
+        if slides.turns {
+            return None;
+        }
+        if !next.turns {
+            return Some(self.slides_swapped(i));
+        }
+        let sign = self.keeps_axis(i + 1)?;
+        let mut moved = self.clone();
+        let g = &mut moved.g;
+        let before = self.link(i).then(g, &self.link(i + 1));
+        let (there, back) = flip(g, sign);
+        let after = back.then(g, &self.link(i + 2));
+        moved.slots.swap(i, i + 1);
+        for (place, link) in moved.links.iter_mut().skip(i).zip([before, there, after]) {
+            *place = link;
+        }
+        Some(moved)
+    }
+
+    /// The chain with the sliding joints `i` and `i + 1` in the other order.
+    fn slides_swapped(&self, i: usize) -> LoopChain {
+        let mut moved = self.clone();
+        let g = &mut moved.g;
+        let between = self.link(i + 1);
+        let before = self.link(i).then(g, &between);
+        let after = between.then(g, &self.link(i + 2));
+        let back = between.inverse(g);
+        moved.slots.swap(i, i + 1);
+        for (place, link) in moved.links.iter_mut().skip(i).zip([before, back, after]) {
+            *place = link;
+        }
+        moved
+    }
+
+    /// The chain with the sliding joint `i` moved before the turning joint before it.
+    pub fn slide_earlier(&self, i: usize) -> Option<LoopChain> {
+        let (turns, slides) = (self.slots.get(i.checked_sub(1)?)?, self.slots.get(i)?);
+        if slides.turns || !turns.turns {
+            return None;
+        }
+        let sign = self.keeps_axis(i)?;
+        let mut moved = self.clone();
+        let g = &mut moved.g;
+        let (there, back) = flip(g, sign);
+        let before = self.link(i - 1).then(g, &there);
+        let after = self.link(i).then(g, &self.link(i + 1));
+        moved.slots.swap(i - 1, i);
+        for (place, link) in moved.links.iter_mut().skip(i - 1).zip([before, back, after]) {
+            *place = link;
+        }
+        Some(moved)
+    }
+}
+
+/// A half turn about x and its inverse if the sign is negative.
+fn flip(g: &mut Graph, sign: f64) -> (Rigid, Rigid) {
+    if sign > 0.0 {
+        return (Rigid::identity(), Rigid::identity());
+    }
+    let half = g.constant_pair(Angle::degrees(180.0), "FLIP");
+    let columns = Graph::identity().map(|axis| g.rotate_x(half, axis));
+    let there = Rigid { r: transpose(&columns), ..Rigid::identity() };
+    (there, there)
+}

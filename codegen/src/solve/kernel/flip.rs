@@ -1,0 +1,36 @@
+//! Two axes at right angles point a direction.
+
+use super::argument::{Argument, Quantity};
+use super::equation::Equation;
+use super::pivot::{Pivot, Variables};
+use crate::symbolic::{Expr, Graph};
+
+/// `R_z(y) R_y(x) e_z = m` for the inner joint x and the outer joint y, in this order: subproblem 2 of Paden and Kahan for
+/// axes at a right angle. With `x = 0` joint y is free.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Flip {
+    /// The direction.
+    pub m: [Expr; 3],
+}
+
+impl Equation for Flip {
+    fn function(&self) -> &'static str {
+        "flip"
+    }
+
+    fn arguments(&self) -> Vec<Argument> {
+        vec![Argument::Default(1), Argument::numbers(&self.m)]
+    }
+
+    fn description(&self) -> &'static str {
+        "two axes at right angles point a direction (2 roots)"
+    }
+
+    fn pivot(&self, g: &mut Graph, variables: &Variables) -> Pivot {
+        Pivot { value: variables.pair(g, 0).sin, power: 0 }
+    }
+
+    fn quantities(&self) -> Vec<(&'static str, Quantity)> {
+        vec![("m", Quantity::List(self.m.to_vec()))]
+    }
+}

@@ -1,0 +1,37 @@
+//! A revolute and a prismatic joint with a third one between them that is prismatic.
+
+use super::argument::Argument;
+use super::equation::Equation;
+use super::pivot::{Pivot, Variables, derivative};
+use crate::symbolic::{Expr, Graph};
+
+/// `rows . (cos, sin, 1) = stroke x`: two components across the prismatic joint between the two.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SlideTurning {
+    /// The direction there of the prismatic joint.
+    pub stroke: [Expr; 2],
+    /// Rows of the revolute joint: of the cosine, of the sine, constant.
+    pub rows: [[Expr; 3]; 2],
+}
+
+impl Equation for SlideTurning {
+    fn function(&self) -> &'static str {
+        "slide_turning"
+    }
+
+    fn arguments(&self) -> Vec<Argument> {
+        let (stroke, rows) = (Argument::numbers(&self.stroke), Argument::rows(&self.rows));
+        vec![Argument::defaults(), Argument::Measure, stroke, rows]
+    }
+
+    fn description(&self) -> &'static str {
+        "two components across a slide, an angle and another slide (2 roots)"
+    }
+
+    fn pivot(&self, g: &mut Graph, variables: &Variables) -> Pivot {
+        let t = variables.pair(g, 0);
+        let ([sx, sy], [first, second]) = (self.stroke, self.rows.map(|row| derivative(g, row, t)));
+        let (left, right) = (g.mul(sx, second), g.mul(sy, first));
+        Pivot { value: g.sub(left, right), power: 1 }
+    }
+}

@@ -1,0 +1,137 @@
+//! The chain to be closed: the arm's joints, less a given one, and virtual joints for what the task leaves open.
+
+use super::generic_samples::GenericSamples;
+use super::task::Given;
+use crate::kinematics;
+use crate::model::chain::{Chain, Step};
+use crate::model::{Angle, JointKind, Model};
+use crate::symbolic::{Expr, Graph, Input, Label, Pair, Part, Rigid, transpose};
+
+/// A joint of the closed chain.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoopJoint {
+    /// The arm's joint, from 0; `None` for a virtual one.
+    pub joint: Option<usize>,
+    /// What its symbols are called.
+    pub label: Label,
+    /// Whether it turns.
+    pub turns: bool,
+    /// The row's theta.
+    pub offset: Angle,
+}
+
+impl LoopJoint {
+    /// A virtual joint that turns.
+    pub fn virtual_turn(number: usize) -> LoopJoint {
+        LoopJoint { joint: None, label: Label::Virtual(number), turns: true, offset: Angle::ZERO }
+    }
+}
+
+/// `links[0] joint_0 links[1] joint_1 ... links[n] = target`
+#[derive(Debug, Clone)]
+pub struct LoopChain {
+    /// The arena.
+    pub g: Graph,
+    /// Decides what vanishes.
+    pub generic: GenericSamples,
+    /// The joints in order.
+    pub slots: Vec<LoopJoint>,
+    /// What stands before, between and after them: one more than joints.
+    pub links: Vec<Rigid>,
+    /// Where the last frame has to be.
+    pub target: Rigid,
+    /// The joint whose value is given.
+    pub given: Option<Given>,
+    /// Reach of the arm.
+    pub reach: f64,
+}
+
+impl LoopChain {
+    /// The arm as it is, with the joint whose value is given moved into its link.
+    pub fn new(model: &Model, chain: &Chain, reach: f64, given: Option<usize>) -> LoopChain {
+        let mut g = Graph::default().with_owner("arm");
+        let links: Vec<Rigid> = chain
+            .links()
+            .iter()
+            .map(|steps| {
+                steps.iter().fold(Rigid::identity(), |sum, step| {
+                    let factor = kinematics::step(&mut g, step);
+                    sum.then(&mut g, &factor)
+                })
+            })
+            .collect();
+        let offsets = chain.steps.iter().filter_map(|step| match step {
+            Step::Revolute { offset, .. } => Some(*offset),
+            Step::Prismatic { .. } => Some(Angle::ZERO),
+            _ => None,
+        });
+        let slots = model
+            .joints
+            .iter()
+            .zip(offsets)
+            .enumerate()
+            .map(|(joint, (checked, offset))| LoopJoint {
+                joint: Some(joint),
+                label: Label::Arm(joint),
+                turns: checked.kind == JointKind::Revolute,
+                offset,
+            })
+            .collect();
+        let target = Rigid {
+            r: Input::ROTATION.map(|row| row.map(|entry| g.symbol(entry))),
+            p: Input::POSITION.map(|component| g.symbol(component)),
+        };
+        let mut generic = GenericSamples::new(reach);
+        generic.parameters(&g, model);
+        let mut chain = LoopChain { g, generic, slots, links, target, given: None, reach };
+        if let Some(joint) = given {
+            chain.give(joint);
+        }
+        chain
+    }
+
+    /// Link `i`: before joint `i`.
+    pub fn link(&self, i: usize) -> Rigid {
+        self.links.get(i).copied().unwrap_or_else(Rigid::identity)
+    }
+
+    /// The joint's motion becomes part of its link; its sine and cosine are symbols known beforehand.
+    fn give(&mut self, joint: usize) {
+        let Some(slot) = self.slots.get(joint).cloned() else { return };
+        let g = &mut self.g;
+        let [value, sin, cos] = [Part::Value, Part::Sin, Part::Cos].map(|part| Input::given(joint, part));
+        let motion = if slot.turns {
+            let raw = Pair { sin: g.symbol(sin), cos: g.symbol(cos) };
+            let constant = g.constant_pair(slot.offset, &format!("THETA{}", slot.label));
+            let pair = if slot.offset.is_zero() { raw } else { raw.plus(g, constant) };
+            let columns = Graph::identity().map(|axis| g.rotate_z(pair, axis));
+            Rigid { r: transpose(&columns), ..Rigid::identity() }
+        } else {
+            Rigid { p: [Expr::ZERO, Expr::ZERO, g.symbol(value)], ..Rigid::identity() }
+        };
+        let (before, after) = (self.link(joint), self.link(joint + 1));
+        let before = before.then(&mut self.g, &motion);
+        let merged = before.then(&mut self.g, &after);
+        self.slots.remove(joint);
+        self.links.remove(joint + 1);
+        if let Some(link) = self.links.get_mut(joint) {
+            *link = merged;
+        }
+        self.given = Some(Given::Joint { joint, turns: slot.turns });
+        if slot.turns { self.generic.angle([value, sin, cos]) } else { self.generic.position(value) }
+    }
+
+    /// Adds a joint at the end: the last link goes before it, `after` behind it.
+    pub fn append(&mut self, slot: LoopJoint, before: Rigid, after: Rigid) {
+        if let Some(last) = self.links.last_mut() {
+            *last = last.then(&mut self.g, &before);
+        }
+        self.slots.push(slot);
+        self.links.push(after);
+    }
+
+    /// The last link, which is left out of the chain.
+    pub fn take_tool(&mut self) -> Rigid {
+        self.links.last_mut().map_or_else(Rigid::identity, |last| std::mem::replace(last, Rigid::identity()))
+    }
+}

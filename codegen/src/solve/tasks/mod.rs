@@ -1,0 +1,143 @@
+//! The tasks: each becomes a closed chain in its own file. Here is which one an arm gets.
+
+mod lower_mobility_pose;
+mod planar;
+mod pose;
+mod position;
+mod position_angle;
+mod position_axis;
+mod yaw;
+
+use super::loop_chain::LoopChain;
+use super::plan::Plan;
+use super::swivel;
+use super::task::PlanTask;
+use super::unsupported::{self, Unsupported};
+use crate::model::chain::Chain;
+use crate::model::geometry::{self, Geometry};
+use crate::model::{Convention, Model, Task};
+
+/// The plan for what the file asks, or for the most specific task the arm can do.
+pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, Unsupported> {
+    let request = &model.inverse;
+    let joints = LoopChain::new(model, chain, geometry.reach, request.redundant);
+    if request.arm_angle {
+        let task = PlanTask::new(Task::Pose, None);
+        return match request.task {
+            _ if !model.parameters.is_empty() => Err(Unsupported::new(
+                "an arm angle needs lengths known when the code is generated, not run-time parameters",
+            )),
+            None | Some(Task::Pose) => swivel::plan(joints, chain, task),
+            Some(_) => Err(Unsupported::new("an arm angle belongs to the task `pose`")),
+        };
+    }
+    let failed = match request.task {
+        Some(task) => match attempt(task, model, geometry, &joints) {
+            Ok(plan) => return Ok(plan),
+            Err(refusal) => refusal,
+        },
+        None => {
+            let mut failure = None;
+            for task in most_specific_first(&joints) {
+                match attempt(task, model, geometry, &joints) {
+                    Ok(plan) => return Ok(plan),
+                    // A whole pose is more than most arms of five joints can do: what they lack is told of the next task.
+                    Err(_) if task == Task::Pose && joints.slots.len() == 5 => {}
+                    Err(refusal) => failure = failure.or(Some(refusal)),
+                }
+            }
+            failure.unwrap_or_else(|| unsupported::not_covered(model, None))
+        }
+    };
+    // Another task would hide what is wrong with the table.
+    if let Some(hint) = other_convention(model) {
+        return Err(Unsupported { hint: Some(hint), ..failed });
+    }
+    let alternatives = alternatives(model, chain, geometry);
+    if alternatives.is_empty() && unsupported::is_one_more(model, request.task) {
+        return Err(unsupported::none_to_spare(model, request.task));
+    }
+    Err(failed.or_else(alternatives))
+}
+
+/// What to look at in a table that has what is asked for if its rows are read by the other convention.
+fn other_convention(model: &Model) -> Option<String> {
+    let convention = match model.convention {
+        Convention::Standard => Convention::Modified,
+        Convention::Modified => Convention::Standard,
+    };
+    let other = Model { convention, ..model.clone() };
+    let chain = Chain::of(&other);
+    let geometry = geometry::geometry(&other, &chain);
+    let joints = LoopChain::new(&other, &chain, geometry.reach, model.inverse.redundant);
+    let tasks = model.inverse.task.map_or_else(|| most_specific_first(&joints), |task| vec![task]);
+    let solved = tasks.into_iter().find(|task| attempt(*task, &other, &geometry, &joints).is_ok())?;
+    let name = match convention {
+        Convention::Standard => "standard",
+        Convention::Modified => "modified",
+    };
+    Some(format!(
+        "read as `convention: {name}` the table has an inverse (task {}): look which frames its rows belong to",
+        solved.name()
+    ))
+}
+
+/// The tasks that an arm of so many joints may have.
+fn most_specific_first(joints: &LoopChain) -> Vec<Task> {
+    match joints.slots.len() {
+        6 => vec![Task::Pose],
+        5 => vec![Task::Pose, Task::PositionAxis],
+        4 => vec![Task::PositionAngle, Task::Pose],
+        3 if joints.is_planar() => vec![Task::PlanarPose],
+        3 => vec![Task::Position],
+        2 => vec![Task::PlanarPosition],
+        _ => Vec::new(),
+    }
+}
+
+fn attempt(task: Task, model: &Model, geometry: &Geometry, joints: &LoopChain) -> Result<Plan, Unsupported> {
+    let joints = joints.clone();
+    match (task, joints.slots.len()) {
+        (Task::Pose, 6) => pose::plan(model, geometry, joints),
+        (Task::Pose, 4 | 5) if yaw::yaws_and_pitches(&joints) => lower_mobility_pose::yawing(joints),
+        (Task::Pose, 4) => lower_mobility_pose::upright(joints),
+        (Task::Position, 3) => position::plan(joints),
+        (Task::PositionAxis, 5) => position_axis::plan(model.inverse.axis, joints),
+        (Task::PositionAngle, 4) => position_angle::plan(joints),
+        (Task::PlanarPose, 3) | (Task::PlanarPosition, 2) => planar::plan(task, joints),
+        _ => Err(unsupported::not_covered(model, Some(task))),
+    }
+}
+
+/// The tasks, or the joints to give, with which this arm has an inverse.
+fn alternatives(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<String> {
+    let works = |task: Task, given: Option<usize>| {
+        let joints = LoopChain::new(model, chain, geometry.reach, given);
+        attempt(task, model, geometry, &joints).is_ok()
+    };
+    let request = &model.inverse;
+    let tasks =
+        [Task::Pose, Task::PositionAxis, Task::PositionAngle, Task::Position, Task::PlanarPose, Task::PlanarPosition];
+    let mut found: Vec<String> = tasks
+        .into_iter()
+        .filter(|task| Some(*task) != request.task && works(*task, request.redundant))
+        .map(|task| format!("`task: {}`", task.name()))
+        .collect();
+    let given: Vec<String> = (0..model.joints.len())
+        .filter(|joint| Some(*joint) != request.redundant)
+        .filter(|joint| {
+            tasks.into_iter().any(|task| request.task.is_none_or(|asked| asked == task) && works(task, Some(*joint)))
+        })
+        .filter_map(|joint| model.joints.get(joint))
+        .map(|joint| format!("`redundant: {}`", joint.name))
+        .collect();
+    found.extend(given);
+    let swings =
+        !request.arm_angle && model.parameters.is_empty() && request.task.is_none_or(|task| task == Task::Pose) && {
+            let joints = LoopChain::new(model, chain, geometry.reach, None);
+            let task = PlanTask::new(Task::Pose, None);
+            swivel::plan(joints, chain, task).is_ok()
+        };
+    found.extend(swings.then(|| "`redundant: arm_angle`".to_string()));
+    found
+}

@@ -1,0 +1,28 @@
+//! A point alone, for three joints.
+
+use crate::model::geometry::{Triple, TripleKind};
+use crate::model::{Angle, Task};
+use crate::solve::loop_chain::{LoopChain, LoopJoint};
+use crate::solve::plan::Plan;
+use crate::solve::task::PlanTask;
+use crate::solve::unsupported::Unsupported;
+use crate::solve::{rank, structure};
+use crate::symbolic::{Graph, Rigid, transpose};
+
+/// Three virtual joints about the point, whose axes intersect there, and of which none is wanted.
+///
+/// # Errors
+/// If the joints do not move the point in space.
+pub fn plan(mut chain: LoopChain) -> Result<Plan, Unsupported> {
+    rank::check(&chain, rank::Asked::Point)?;
+    let task = PlanTask::new(Task::Position, chain.given);
+    let link = |g: &mut Graph, degrees: f64| {
+        let pair = g.constant_pair(Angle::degrees(degrees), "VIRTUAL");
+        Rigid { r: transpose(&Graph::identity().map(|axis| g.rotate_x(pair, axis))), ..Rigid::identity() }
+    };
+    let (there, back) = (link(&mut chain.g, 90.0), link(&mut chain.g, -90.0));
+    chain.append(LoopJoint::virtual_turn(1), Rigid::identity(), Rigid::identity());
+    chain.append(LoopJoint::virtual_turn(2), there, Rigid::identity());
+    chain.append(LoopJoint::virtual_turn(3), back, Rigid::identity());
+    structure::around(chain, Triple { first: 3, kind: TripleKind::Intersecting }, &task)
+}

@@ -1,0 +1,52 @@
+//! A point and the direction of an axis of the tool, for five joints.
+
+use crate::model::{Angle, Axis, Task};
+use crate::solve::loop_chain::{LoopChain, LoopJoint};
+use crate::solve::plan::Plan;
+use crate::solve::structure;
+use crate::solve::task::PlanTask;
+use crate::solve::unsupported::Unsupported;
+use crate::symbolic::{Graph, Rigid, transpose};
+
+/// One virtual joint about the tool's axis; without a named one z, or else x, or else y.
+///
+/// # Errors
+/// If no three consecutive joints make a closed form with any of the axes.
+pub fn plan(axis: Option<Axis>, chain: LoopChain) -> Result<Plan, Unsupported> {
+    let wanted = axis.map_or(vec![Axis::Z, Axis::X, Axis::Y], |axis| vec![axis]);
+    let mut failure: Option<Unsupported> = None;
+    for axis in wanted {
+        let mut chain = chain.clone();
+        let passed_over = failure.as_ref().map(|refusal| format!("axis z cannot be asked for: {}", refusal.reason));
+        let task = PlanTask { axis, passed_over, ..PlanTask::new(Task::PositionAxis, chain.given) };
+        let before = onto_z(&mut chain.g, axis);
+        chain.append(LoopJoint::virtual_turn(1), before, Rigid::identity());
+        match structure::cheapest(&chain, &task) {
+            Ok(Some(plan)) => return Ok(plan),
+            Ok(None) => {
+                let refusal =
+                    Unsupported::new("no three consecutive axes (the tool's among them) meet or are parallel");
+                failure = failure.or(Some(refusal));
+            }
+            Err(refusal) => failure = failure.or(Some(refusal)),
+        }
+    }
+    Err(failure.unwrap_or_else(|| Unsupported::new("no axis of the tool can be pointed")))
+}
+
+/// The frame whose z axis is the tool's axis.
+fn onto_z(g: &mut Graph, axis: Axis) -> Rigid {
+    let turn = |g: &mut Graph, degrees: f64| g.constant_pair(Angle::degrees(degrees), "VIRTUAL");
+    let columns = match axis {
+        Axis::Z => Graph::identity(),
+        Axis::X => {
+            let pair = turn(g, 90.0);
+            Graph::identity().map(|v| g.rotate_y(pair, v))
+        }
+        Axis::Y => {
+            let pair = turn(g, -90.0);
+            Graph::identity().map(|v| g.rotate_x(pair, v))
+        }
+    };
+    Rigid { r: transpose(&columns), ..Rigid::identity() }
+}
