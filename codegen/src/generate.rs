@@ -2,8 +2,7 @@
 
 use crate::emit::{self, Arm, Target};
 use crate::error::{Diagnostic, Errors};
-use crate::kinematics::{Wanted, kinematics, link_poses};
-use crate::lower::{self, Function, Inverse, Linked, Margins};
+use crate::lower::{self, Functions, Inverse, Linked, Margins};
 use crate::model::chain::Chain;
 use crate::model::geometry::{Geometry, geometry};
 use crate::model::{self, Bound, Model, Parameter, Sizes};
@@ -75,6 +74,7 @@ struct Analyzed {
     parameters: Vec<Parameter>,
     chain: Chain,
     geometry: Geometry,
+    functions: Functions,
     inverse: Result<Plan, Unsupported>,
     warnings: Vec<Diagnostic>,
 }
@@ -93,8 +93,9 @@ fn analyze(text: &str, file: &str, bound: &Bound, scalar: ScalarKind) -> Result<
     let chain = Chain::of(&model);
     let geometry = geometry(&model, &chain);
     let inverse = plan(&model, &chain, &geometry);
-    warnings.extend(model.inverse.changed_task(&model.joints, inverse.as_ref().ok().map(|plan| plan.task.task)));
-    Ok(Analyzed { model, parameters, chain, geometry, inverse, warnings })
+    warnings.extend(model.inverse.changed_task(&model.joints, inverse.as_ref().ok().map(|plan| plan.task.goal.task())));
+    let functions = Functions::of(&chain, model.joints.len());
+    Ok(Analyzed { model, parameters, chain, geometry, functions, inverse, warnings })
 }
 
 impl Analyzed {
@@ -108,7 +109,8 @@ impl Analyzed {
     }
 
     fn report(&self) -> Report {
-        let costs = [Wanted::Forward, Wanted::Jacobian, Wanted::Both].map(|w| kinematics(&self.chain, w).cost);
+        let Functions { forward, jacobian, both, .. } = &self.functions;
+        let costs = [forward, jacobian, both].map(|function| function.cost);
         let mut report =
             Report::new(&self.model, &self.parameters, &self.geometry, costs, &self.inverse, self.warnings.clone());
         report.lacking = self.lacking();
@@ -122,7 +124,7 @@ impl Analyzed {
 /// Every mistake in the file, with its place; an arm without an inverse whose file requires one.
 pub fn generate(text: &str, file: &str, options: &Options) -> Result<Generated, Errors> {
     let analyzed = analyze(text, file, &options.bound, options.scalar)?;
-    let Analyzed { model, chain, inverse, .. } = &analyzed;
+    let Analyzed { model, functions, inverse, .. } = &analyzed;
     if let Some(mistake) = analyzed.lacking() {
         return Err(Errors::from(mistake));
     }
@@ -130,7 +132,7 @@ pub fn generate(text: &str, file: &str, options: &Options) -> Result<Generated, 
         Errors::from(Diagnostic::error(format!("`{}` is not a name for a Rust type", options.type_name)))
     })?;
     let target = Target { scalar: options.scalar, krate: options.crate_path.to_token_stream(), type_name };
-    let arm = Arm { model, chain, inverse };
+    let arm = Arm { model, functions, inverse };
     Ok(Generated {
         impls: emit::impls(&arm, &target),
         item: emit::item(&arm, &target),
@@ -144,14 +146,8 @@ pub fn generate(text: &str, file: &str, options: &Options) -> Result<Generated, 
 pub struct Program {
     /// The checked arm.
     pub model: Model,
-    /// Pose of the tool: rotation by rows, position.
-    pub forward: Function,
-    /// The geometric Jacobian, by rows.
-    pub jacobian: Function,
-    /// Both, in this order.
-    pub both: Function,
-    /// The pose of every link.
-    pub links: Function,
+    /// Pose, Jacobian and link poses.
+    pub functions: Functions,
     /// The inverse, or why there is none.
     pub inverse: Result<Inverse, String>,
     /// The factors of the Jacobian's determinant, where the task has them.
@@ -171,15 +167,10 @@ pub fn program(text: &str, file: &str) -> Result<Program, Errors> {
     if let Some(mistake) = analyzed.lacking() {
         return Err(Errors::from(mistake));
     }
-    let Analyzed { model, chain, inverse, warnings, .. } = analyzed;
-    let joints = model.joints.len();
-    let function = |wanted| lower::function(&kinematics(&chain, wanted), wanted, joints);
+    let Analyzed { model, functions, inverse, warnings, .. } = analyzed;
     let plan = inverse.as_ref();
     Ok(Program {
-        forward: function(Wanted::Forward),
-        jacobian: function(Wanted::Jacobian),
-        both: function(Wanted::Both),
-        links: lower::link_function(&link_poses(&chain), joints),
+        functions,
         margins: plan.ok().and_then(lower::margins),
         inverse: plan.map(|plan| lower::inverse(&model, plan)).map_err(|refusal| refusal.reason.clone()),
         linked: lower::linked(&model),

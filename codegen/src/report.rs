@@ -4,7 +4,7 @@ use crate::error::Diagnostic;
 use crate::model::geometry::{Geometry, Relation, TripleKind};
 use crate::model::{JointKind, Model, Parameter, Task};
 use crate::settings::{self, plus, short, sum};
-use crate::solve::{Plan, Unsupported, describe};
+use crate::solve::{Goal, Plan, Unsupported, describe};
 use crate::symbolic::Cost;
 use std::fmt;
 
@@ -95,10 +95,10 @@ impl Report {
 
 /// Why this is the task of an arm with four or five joints whose file names none, and this the axis that points.
 fn chosen(model: &Model, plan: &Plan) -> Option<String> {
-    let task = plan.task.task.name();
+    let task = plan.task.goal.task().name();
     match (model.inverse.task, &plan.task.passed_over) {
         (_, Some(passed_over)) => Some(passed_over.clone()),
-        (None, None) if model.joints.len() == 5 && plan.task.task == Task::PositionAxis => Some(format!(
+        (None, None) if model.joints.len() == 5 && plan.task.goal.task() == Task::PositionAxis => Some(format!(
             "the file names no task: `{task}` along the tool's z axis, because these five joints have no `pose`"
         )),
         (None, None) if matches!(model.joints.len(), 4 | 5) => {
@@ -110,7 +110,7 @@ fn chosen(model: &Model, plan: &Plan) -> Option<String> {
 
 /// The angle of `position_angle`, as a sum of joints.
 fn angle(plan: &Plan) -> Option<String> {
-    let (signs, constant) = plan.task.angle.as_ref()?;
+    let Goal::PositionAngle { signs, offset: constant } = &plan.task.goal else { return None };
     let constant = (!constant.is_zero()).then(|| format!("{} deg", short(constant.rad().to_degrees())));
     Some(plus(sum(signs), constant))
 }

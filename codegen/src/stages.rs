@@ -5,7 +5,7 @@ use crate::lower::Block;
 use crate::model::chain::{Chain, Step};
 use crate::model::geometry::Geometry;
 use crate::model::{Angle, Length, Model};
-use crate::solve::{Plan, PlanStep, Unsupported};
+use crate::solve::{Plan, PlanStep, Stage, Unsupported};
 use crate::symbolic::{Expr, Symbol};
 use std::fmt::Write;
 
@@ -81,8 +81,10 @@ fn solution(out: &mut String, plan: &Plan) {
             match step {
                 PlanStep::Stage(stage) => {
                     let joints: Vec<String> = plan.labels(stage).iter().map(|label| format!("q{label}")).collect();
-                    let (joints, kernel, home) = (joints.join(", "), stage.kernel.name(), stage.default_shift.text());
-                    format!("{joints} by {kernel}({inputs}); {:?}, {:?}, home {home}", stage.unit, stage.branching)
+                    let (joints, kernel) = (joints.join(", "), stage.kernel.name());
+                    let shifts: Vec<String> = stage.joints.iter().map(|slot| plan.shift(*slot).text()).collect();
+                    let (shifts, Stage { unit, branching, .. }) = (shifts.join(", "), stage);
+                    format!("{joints} by {kernel}({inputs}); {unit:?}, {branching:?}, shifts {shifts}")
                 }
                 PlanStep::Swivel { .. } => format!("upper arm = swivel({inputs})"),
                 PlanStep::Agreement { .. } => format!("agree({inputs})"),

@@ -66,7 +66,7 @@ impl DynamicArm {
     /// Every mistake in the text, with its place.
     pub fn named(text: &str, file: &str) -> Result<Self, DynamicError> {
         let program = program(text, file)?;
-        let both = Straight::new(&program.both);
+        let both = Straight::new(&program.functions.both);
         let reach = program.inverse.as_ref().map_or(1.0, |inverse| inverse.facts.reach);
         let solver = match &program.inverse {
             Ok(inverse) => solver(inverse, &both),
@@ -77,10 +77,10 @@ impl DynamicArm {
             model::JointKind::Prismatic => JointKind::Prismatic,
         };
         Ok(DynamicArm {
-            forward: Straight::new(&program.forward),
-            jacobian: Straight::new(&program.jacobian),
+            forward: Straight::new(&program.functions.forward),
+            jacobian: Straight::new(&program.functions.jacobian),
             both,
-            links: Straight::new(&program.links),
+            links: Straight::new(&program.functions.links),
             motors: program.linked.as_ref().map(|linked| Motors {
                 to: Straight::linear(&linked.to_motor),
                 from: Straight::linear(&linked.from_motor),

@@ -5,8 +5,8 @@ use super::inverse::{Inverse as InverseCode, inverse};
 use super::margins::margins;
 use super::tokens::integer;
 use super::{Target, actuator, combined_limits, coupling, docs, kinematics, motion, parameters, paths, tables};
+use crate::lower::Functions;
 use crate::model::Model;
-use crate::model::chain::Chain;
 use crate::solve::{Plan, Unsupported};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -18,8 +18,8 @@ pub type Inverse = Result<Plan, Unsupported>;
 pub struct Arm<'a> {
     /// The checked arm.
     pub model: &'a Model,
-    /// Its factors.
-    pub chain: &'a Chain,
+    /// Its kinematic functions.
+    pub functions: &'a Functions,
     /// Its plan, or why there is none.
     pub inverse: &'a Inverse,
 }
@@ -44,10 +44,12 @@ fn impl_doc(arm: &Arm) -> String {
 /// All impls, wrapped so that their constants have names of their own.
 pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     let (model, name) = (arm.model, &target.type_name);
-    let functions = kinematics::functions(model, arm.chain, target);
+    let functions = kinematics::functions(model, arm.functions, target);
     let mut dimensions = Dimensions::default();
     let linked = coupling::linked(model, target);
-    for straight in functions.used.iter().chain(&linked.used) {
+    let Functions { forward, jacobian, both, links } = arm.functions;
+    let used = [forward, jacobian, both, links].map(|function| &function.straight);
+    for straight in used.into_iter().chain(&linked.used) {
         dimensions.collect(straight);
     }
     let inverse_code = match arm.inverse {
@@ -67,7 +69,6 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     let bound = parameters::methods(model, target);
     let counted = motion::counted(model, arm.inverse.as_ref().ok());
     let arm_trait = arm_trait(model, &counted, target);
-    let functions = functions.tokens;
     let motion = motion::methods(model, &counted, target);
     let doc = docs::lines(&impl_doc(arm));
     let body = quote! {

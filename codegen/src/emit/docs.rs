@@ -1,6 +1,5 @@
 //! Doc texts of generated items.
 
-use crate::kinematics::Wanted;
 use crate::model::{JointKind, Model};
 use crate::symbolic::Cost;
 use proc_macro2::TokenStream;
@@ -105,27 +104,37 @@ pub fn cost(cost: &Cost) -> String {
     format!("{} additions, {} multiplications, {} sin_cos.", cost.additions, cost.multiplications, cost.sin_cos)
 }
 
-/// Docs of forward, jacobian and both.
-pub fn kinematics(model: &Model, wanted: Wanted, operations: &Cost) -> String {
+const POSE: &str = "rotation (dimensionless) and position in";
+
+fn rows(model: &Model) -> String {
+    let (n, unit) = (model.joints.len(), model.length_unit.symbol());
+    format!("`vx vy vz` ({unit} per unit of `q`) and `wx wy wz` (rad per unit of `q`), one column a joint, `6 x {n}`.")
+}
+
+/// Docs of `forward`.
+pub fn forward(model: &Model, operations: &Cost) -> String {
     let (n, unit, joints, cost) = (model.joints.len(), model.length_unit.symbol(), joints(model), cost(operations));
-    let pose = format!("rotation (dimensionless) and position in {unit}");
-    let jacobian = format!(
-        "Rows `vx vy vz` ({unit} per unit of `q`) and `wx wy wz` (rad per unit of `q`), one column a joint, `6 x {n}`."
-    );
-    let method = "Method: product of the link transforms, joints with parallel axes turned together, q1 last.";
-    match wanted {
-        Wanted::Forward => {
-            format!("Pose of the tool in the base frame, `^0T_{n}(q)`.\n\n{joints} Returns {pose}.\n{cost}\n\n{method}")
-        }
-        Wanted::Jacobian => format!(
-            "Geometric Jacobian of the tool point in the base frame.\n\n{joints} {jacobian}\n{cost}\n\n\
-             Column of a turning joint: `z_i x (p - o_i)` and `z_i`; of a sliding joint: `z_i` and 0 (Whitney 1972)."
-        ),
-        Wanted::Both => format!(
-            "Pose of the tool and geometric Jacobian, sharing their terms.\n\n{joints} Returns {pose}; {}\n{cost}",
-            jacobian.replacen("Rows", "rows", 1)
-        ),
-    }
+    format!(
+        "Pose of the tool in the base frame, `^0T_{n}(q)`.\n\n{joints} Returns {POSE} {unit}.\n{cost}\n\n\
+         Method: product of the link transforms, joints with parallel axes turned together, q1 last."
+    )
+}
+
+/// Docs of `jacobian`.
+pub fn jacobian(model: &Model, operations: &Cost) -> String {
+    let (joints, rows, cost) = (joints(model), rows(model), cost(operations));
+    format!(
+        "Geometric Jacobian of the tool point in the base frame.\n\n{joints} Rows {rows}\n{cost}\n\n\
+         Column of a turning joint: `z_i x (p - o_i)` and `z_i`; of a sliding joint: `z_i` and 0 (Whitney 1972)."
+    )
+}
+
+/// Docs of `forward_and_jacobian`.
+pub fn both(model: &Model, operations: &Cost) -> String {
+    let (unit, joints, rows, cost) = (model.length_unit.symbol(), joints(model), rows(model), cost(operations));
+    format!(
+        "Pose of the tool and geometric Jacobian, sharing their terms.\n\n{joints} Returns {POSE} {unit}; rows {rows}\n{cost}"
+    )
 }
 
 /// Docs of link_poses.

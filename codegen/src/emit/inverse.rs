@@ -242,7 +242,7 @@ impl Nest<'_> {
             let value = if value.len() > 70 { "...".to_string() } else { value };
             *out = out.replace(&format!("{{{key}}}"), &value);
         };
-        for (key, quantity) in stage.kernel.equation().quantities() {
+        for (key, quantity) in stage.kernel.form().quantities {
             let value = match quantity {
                 Quantity::Value(e) => text(e),
                 Quantity::Coefficient(e) => {

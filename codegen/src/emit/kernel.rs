@@ -31,10 +31,9 @@ fn prepared(nest: &Nest, what: &str, stage: usize) -> Ident {
 /// The expression that gives the stage's roots.
 pub fn call(nest: &Nest, call: &Call) -> TokenStream {
     let krate = &nest.target.krate;
-    let equation = call.kernel.equation();
-    let function = ident(equation.function());
-    let arguments = equation.arguments();
-    let arguments = arguments.iter().map(|of| argument(nest, call, of));
+    let form = call.kernel.form();
+    let function = ident(form.function);
+    let arguments = form.arguments.iter().map(|of| argument(nest, call, of));
     let counted = counted(nest, call);
     quote!(#krate::solve::#function(#(#arguments),*) #counted)
 }

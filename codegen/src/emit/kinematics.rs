@@ -3,10 +3,8 @@
 use super::docs;
 use super::tokens::{Writer, ident, integer};
 use super::{Target, angle};
-use crate::kinematics::{Wanted, kinematics, link_poses};
-use crate::lower::{Function, Slot, Straight, Turned, function, link_function};
+use crate::lower::{Function, Functions, Slot, Turned};
 use crate::model::Model;
-use crate::model::chain::Chain;
 use crate::symbolic::AngleSum;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -14,68 +12,53 @@ use quote::quote;
 /// How many numbers a pose has: rotation and position.
 const POSE: usize = 12;
 
-/// The four kinematic functions as methods, and the expressions they use (for the dimensions to declare).
-pub struct Functions {
-    /// The methods.
-    pub tokens: TokenStream,
-    /// The expressions.
-    pub used: Vec<Straight>,
-}
-
-/// Emits them.
-pub fn functions(model: &Model, chain: &Chain, target: &Target) -> Functions {
+/// The four kinematic functions as methods.
+pub fn functions(model: &Model, functions: &Functions, target: &Target) -> TokenStream {
     let joints = model.joints.len();
-    let n = integer(joints);
-    let mut tokens = TokenStream::new();
-    let mut used = Vec::new();
-    let krate = &target.krate;
-    let scalar = target.scalar.tokens();
+    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(joints));
     let (pose_type, jacobian_type) = (quote!(#krate::Pose<#scalar>), quote!(#krate::Jacobian<#scalar, #n>));
-    for (name, wanted) in
-        [("forward", Wanted::Forward), ("jacobian", Wanted::Jacobian), ("forward_and_jacobian", Wanted::Both)]
-    {
-        let expressions = kinematics(chain, wanted);
-        let function = function(&expressions, wanted, joints);
-        let doc = docs::lines(&docs::kinematics(model, wanted, &expressions.cost));
-        let (returns, body) = match wanted {
-            Wanted::Forward => (pose_type.clone(), body(&function, target, pose)),
-            Wanted::Jacobian => (jacobian_type.clone(), body(&function, target, |w, roots| jacobian(w, roots, joints))),
-            Wanted::Both => {
-                let both = |w: &Writer, roots: &[Slot]| {
-                    let (first, rest) = roots.split_at_checked(POSE).unwrap_or((roots, &[]));
-                    let (pose, jacobian) = (pose(w, first), jacobian(w, rest, joints));
-                    quote!((#pose, #jacobian))
-                };
-                (quote!((#pose_type, #jacobian_type)), body(&function, target, both))
-            }
-        };
-        let name = ident(name);
-        tokens.extend(quote! {
+    let Functions { forward, jacobian, both, links } = functions;
+    let columns = |w: &Writer, roots: &[Slot]| self::jacobian(w, roots, joints);
+    let pose_and_columns = |w: &Writer, roots: &[Slot]| {
+        let (first, rest) = roots.split_at_checked(POSE).unwrap_or((roots, &[]));
+        let (pose, jacobian) = (pose(w, first), columns(w, rest));
+        quote!((#pose, #jacobian))
+    };
+    let poses = |w: &Writer, roots: &[Slot]| {
+        let poses = roots.chunks(POSE).map(|roots| pose(w, roots));
+        quote!([#(#poses),*])
+    };
+    let inline = quote!(#[inline]);
+    let methods = [
+        ("forward", docs::forward(model, &forward.cost), &inline, &pose_type, body(forward, target, pose)),
+        ("jacobian", docs::jacobian(model, &jacobian.cost), &inline, &jacobian_type, body(jacobian, target, columns)),
+        (
+            "forward_and_jacobian",
+            docs::both(model, &both.cost),
+            &inline,
+            &quote!((#pose_type, #jacobian_type)),
+            body(both, target, pose_and_columns),
+        ),
+        (
+            "link_poses",
+            docs::link_poses(model, &links.cost),
+            &TokenStream::new(),
+            &quote!([#pose_type; #n]),
+            body(links, target, poses),
+        ),
+    ];
+    let methods = methods.map(|(name, doc, inline, returns, body)| {
+        let (name, doc) = (ident(name), docs::lines(&doc));
+        quote! {
             #doc
-            #[inline]
+            #inline
             #[must_use]
             pub fn #name(&self, q: &[#scalar; #n]) -> #returns {
                 #body
             }
-        });
-        used.push(function.straight);
-    }
-    let poses = link_poses(chain);
-    let doc = docs::lines(&docs::link_poses(model, &poses.cost));
-    let function = link_function(&poses, joints);
-    let body = body(&function, target, |writer, roots| {
-        let poses = roots.chunks(POSE).map(|roots| pose(writer, roots));
-        quote!([#(#poses),*])
-    });
-    tokens.extend(quote! {
-        #doc
-        #[must_use]
-        pub fn link_poses(&self, q: &[#scalar; #n]) -> [#krate::Pose<#scalar>; #n] {
-            #body
         }
     });
-    used.push(function.straight);
-    Functions { tokens, used }
+    quote!(#(#methods)*)
 }
 
 fn pose(writer: &Writer, roots: &[Slot]) -> TokenStream {

@@ -3,8 +3,8 @@
 use super::constants::Dimensions;
 use super::tokens::{Writer, ident, integer};
 use super::{Target, angle, docs};
-use crate::lower::{self, Factor, Margins, Slot};
-use crate::model::{Model, Task};
+use crate::lower::{self, Factor, Goal, Margins, Slot};
+use crate::model::Model;
 use crate::solve::Plan;
 use crate::symbolic::{Expr, Graph, Input, Label, Node, Part, Symbol, Unknown};
 use proc_macro2::{Ident, TokenStream};
@@ -145,7 +145,7 @@ fn angles(margins: &Margins, target: &Target) -> TokenStream {
 }
 
 fn doc(plan: &Plan, writer: &Writer, factors: &[Factor], reach: &Ident) -> String {
-    let rows = if plan.task.task == Task::Pose { "" } else { ", of what the task asks for," };
+    let rows = if plan.task.goal == Goal::Pose { "" } else { ", of what the task asks for," };
     let column = plan.task.given_joint().map(|joint| format!(" without q{}", joint + 1)).unwrap_or_default();
     let mut text = format!(
         "How far `q` is from each kind of singularity: `det J`{column}{rows} is a constant times the product. Each is 0 \

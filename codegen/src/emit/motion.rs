@@ -3,7 +3,7 @@
 use super::tokens::{integer, number};
 use super::{Target, docs};
 use crate::model::{Axis, Model, Task};
-use crate::solve::Plan;
+use crate::solve::{Goal, Plan};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -22,26 +22,21 @@ pub enum Counted {
 
 /// What is counted by the task that the arm is for: the one of its inverse, else the one its file names.
 pub fn counted(model: &Model, plan: Option<&Plan>) -> Counted {
-    match plan.map(|plan| plan.task.task).or(model.inverse.task) {
-        Some(Task::Position) => Counted::Rows([true, true, true, false, false, false], "`vx vy vz` of the Jacobian"),
-        Some(Task::PlanarPosition) => {
+    match (plan.map(|plan| &plan.task.goal), plan.map(|plan| plan.task.goal.task()).or(model.inverse.task)) {
+        (_, Some(Task::Position)) => {
+            Counted::Rows([true, true, true, false, false, false], "`vx vy vz` of the Jacobian")
+        }
+        (_, Some(Task::PlanarPosition)) => {
             Counted::Rows([true, true, false, false, false, false], "`vx vy` of the Jacobian")
         }
-        Some(Task::PlanarPose) => Counted::Rows([true, true, false, false, false, true], "`vx vy wz` of the Jacobian"),
-        Some(Task::PositionAxis) => {
-            let axis = plan.map(|plan| plan.task.axis).or(model.inverse.axis).unwrap_or(Axis::Z);
-            Counted::Axis(match axis {
-                Axis::X => 0,
-                Axis::Y => 1,
-                Axis::Z => 2,
-            })
+        (_, Some(Task::PlanarPose)) => {
+            Counted::Rows([true, true, false, false, false, true], "`vx vy wz` of the Jacobian")
         }
+        (Some(Goal::PositionAxis { column }), _) => Counted::Axis(*column),
+        (_, Some(Task::PositionAxis)) => Counted::Axis(model.inverse.axis.unwrap_or(Axis::Z).column()),
+        (Some(Goal::PositionAngle { signs, .. }), _) => Counted::Angle(signs.clone()),
         // Without a plan the signs are not known.
-        Some(Task::PositionAngle) => match plan.and_then(|plan| plan.task.angle.as_ref()) {
-            Some((signs, _)) => Counted::Angle(signs.clone()),
-            None => Counted::All,
-        },
-        Some(Task::Pose) | None => Counted::All,
+        (_, Some(Task::PositionAngle | Task::Pose) | None) => Counted::All,
     }
 }
 

@@ -66,19 +66,13 @@ pub fn step(g: &mut Graph, step: &Step) -> Rigid {
 }
 
 /// Names the components of a vector that has just been expressed in frame `frame`, such as `p_1x`.
-pub(super) fn name(g: &mut Graph, v: Vec3, what: &str, frame: usize) -> Vec3 {
-    let [x, y, z] = v;
-    g.name(x, format!("{what}_{frame}x"));
-    g.name(y, format!("{what}_{frame}y"));
-    g.name(z, format!("{what}_{frame}z"));
-    v
+pub(super) fn name(g: &mut Graph, v: Vec3, what: &str, frame: usize) {
+    g.name_each(&v, &format!("{what}_{frame}"));
 }
 
 /// Suggests names for the components of a vector on its way from one frame to the next.
 pub(super) fn suggest(g: &mut Graph, v: Vec3, what: &str, frame: usize) {
-    for (e, axis) in v.into_iter().zip(["x", "y", "z"]) {
-        g.suggest(e, format!("{what}_{frame}{axis}"));
-    }
+    g.suggest_each(&v, &format!("{what}_{frame}"));
 }
 
 /// The joint symbol of a prismatic joint.

@@ -1,8 +1,9 @@
 //! Pose, Jacobian and link poses as functions of the joint vector.
 
 use super::{Slot, Straight};
-use crate::kinematics::{Column, Kinematics, LinkPoses, Wanted};
-use crate::symbolic::{AngleSum, Angles, BoundAngle, Graph, Label, Part, Rigid, Unknown};
+use crate::kinematics::{Column, Kinematics, LinkPoses, Wanted, kinematics, link_poses};
+use crate::model::chain::Chain;
+use crate::symbolic::{AngleSum, Angles, BoundAngle, Cost, Graph, Label, Part, Rigid, Unknown};
 
 /// Sine and cosine of a sum of joint angles.
 #[derive(Debug, Clone)]
@@ -24,10 +25,34 @@ pub struct Function {
     pub turned: Vec<Turned>,
     /// The arithmetic. Its results are of a pose the rotation by rows, then the position; of a Jacobian the rows.
     pub straight: Straight,
+    /// Operations.
+    pub cost: Cost,
+}
+
+/// The kinematic functions of an arm.
+#[derive(Debug, Clone)]
+pub struct Functions {
+    /// Pose of the tool: rotation by rows, position.
+    pub forward: Function,
+    /// The geometric Jacobian, by rows.
+    pub jacobian: Function,
+    /// Both, in this order.
+    pub both: Function,
+    /// The pose of every link.
+    pub links: Function,
+}
+
+impl Functions {
+    /// Those of a chain with so many joints.
+    pub fn of(chain: &Chain, joints: usize) -> Self {
+        let [forward, jacobian, both] = [Wanted::Forward, Wanted::Jacobian, Wanted::Both]
+            .map(|wanted| function(&kinematics(chain, wanted), wanted, joints));
+        Functions { forward, jacobian, both, links: link_function(&link_poses(chain), joints) }
+    }
 }
 
 impl Function {
-    fn new(mut graph: Graph, angles: &Angles, roots: Vec<Slot>, joints: usize) -> Self {
+    fn new(mut graph: Graph, angles: &Angles, roots: Vec<Slot>, joints: usize, cost: Cost) -> Self {
         let mut ordered: Vec<&BoundAngle> = angles.bound.iter().collect();
         ordered.sort_by_key(|bound| bound.sum.terms.clone());
         let turned = ordered
@@ -37,7 +62,7 @@ impl Function {
         let joints: Vec<Slot> =
             (0..joints).map(|joint| graph.symbol(Unknown::of(Label::Arm(joint), Part::Value))).collect();
         let reserved = (1..=joints.len()).map(|i| format!("q{i}")).chain(["q".to_string()]);
-        Function { straight: Straight::new(graph, roots, reserved), joints, turned }
+        Function { straight: Straight::new(graph, roots, reserved), joints, turned, cost }
     }
 
     /// Whether the value of a joint is read, in an angle or as a stroke.
@@ -48,20 +73,20 @@ impl Function {
 }
 
 /// Pose, Jacobian, or both in this order.
-pub fn function(kinematics: &Kinematics, wanted: Wanted, joints: usize) -> Function {
+fn function(kinematics: &Kinematics, wanted: Wanted, joints: usize) -> Function {
     let tool = Rigid { r: kinematics.rotation, p: kinematics.translation };
     let roots = match wanted {
         Wanted::Forward => pose(&tool),
         Wanted::Jacobian => jacobian(&kinematics.columns),
         Wanted::Both => [pose(&tool), jacobian(&kinematics.columns)].concat(),
     };
-    Function::new(kinematics.graph.clone(), &kinematics.angles, roots, joints)
+    Function::new(kinematics.graph.clone(), &kinematics.angles, roots, joints, kinematics.cost)
 }
 
 /// The pose of every link.
-pub fn link_function(poses: &LinkPoses, joints: usize) -> Function {
+fn link_function(poses: &LinkPoses, joints: usize) -> Function {
     let roots = poses.poses.iter().flat_map(pose).collect();
-    Function::new(poses.graph.clone(), &poses.angles, roots, joints)
+    Function::new(poses.graph.clone(), &poses.angles, roots, joints, poses.cost)
 }
 
 fn pose(pose: &Rigid) -> Vec<Slot> {

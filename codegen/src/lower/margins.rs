@@ -2,7 +2,7 @@
 
 use super::{Slot, Straight};
 use crate::model::Angle;
-use crate::solve::{self, Factor, Plan};
+use crate::solve::{self, Factor, Goal, Plan};
 use crate::symbolic::{Graph, Input, Node, Part};
 
 /// Sine and cosine of a kernel's variable.
@@ -81,11 +81,14 @@ pub fn margins(plan: &Plan) -> Option<Margins> {
         }
         joints.push(graph.symbol(plan.value(joint)));
     }
-    let plane = plan.task.angle.clone().map(|(signs, offset)| {
-        let [sin, cos] = [Input::SinAngle, Input::CosAngle].map(|input| graph.symbol(input));
-        known.extend([sin, cos]);
-        Plane { signs, offset, sin, cos }
-    });
+    let plane = match &plan.task.goal {
+        Goal::PositionAngle { signs, offset } => {
+            let [sin, cos] = [Input::SinAngle, Input::CosAngle].map(|input| graph.symbol(input));
+            known.extend([sin, cos]);
+            Some(Plane { signs: signs.clone(), offset: *offset, sin, cos })
+        }
+        _ => None,
+    };
     let plane = plane.filter(|plane| leaves.contains(&plane.sin) || leaves.contains(&plane.cos));
     let pose: Vec<(Slot, Input)> = Input::ROTATION
         .into_iter()

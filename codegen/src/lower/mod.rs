@@ -12,7 +12,6 @@ mod call;
 mod coupling;
 mod facts;
 mod function;
-mod goal;
 mod margins;
 mod nest;
 mod program;
@@ -25,15 +24,14 @@ pub use block::{Block, Names};
 pub use call::{Call, Counted, DefaultValue, RootRange};
 pub use coupling::{Linear, Linked, linked};
 pub use facts::{Facts, limits};
-pub use function::{Function, Turned, function, link_function};
-pub use goal::{Goal, inputs};
+pub use function::{Function, Functions, Turned};
 pub use margins::{Margins, Plane, Variable, constant, margins};
 pub use nest::inverse;
 pub use program::{Each, Inverse, Level, Root, Statement, Trail};
 pub use straight::Straight;
 
 pub use crate::solve::kernel::{self, Kernel, Unit};
-pub use crate::solve::{Branching, Factor, Given, SwivelFacts};
+pub use crate::solve::{Branching, Factor, Given, Goal, SwivelFacts};
 pub use crate::symbolic::{AngleSum, Expr, Graph, Input, Node, Part};
 
 /// A value of a program: a leaf or an expression of its graph.

@@ -1,7 +1,7 @@
 //! The inverse: the plan as nested loops over the roots of its stages.
 
 use super::stage::call;
-use super::{Block, Each, Facts, Goal, Inverse, Level, Root, Slot, Statement, Trail, inputs};
+use super::{Block, Each, Facts, Inverse, Level, Root, Slot, Statement, Trail};
 use crate::model::Model;
 use crate::solve::{Plan, PlanStep, Stage, Unit};
 use crate::symbolic::{Graph, Input, Mat3, Node, Part, Symbol, Unknown};
@@ -54,11 +54,12 @@ pub fn inverse(model: &Model, plan: &Plan) -> Inverse {
     }
     nest.values();
     nest.push();
-    let (goal, given) = (Goal::of(plan), plan.task.given);
     let Nest { mut graph, block, levels, used, agreements, .. } = nest;
     // The value of a given joint goes into every solution.
     let always = |input: &Input| matches!(input, Input::Given(_));
-    let inputs = inputs(&goal, given)
+    let inputs = plan
+        .task
+        .inputs()
         .into_iter()
         .map(|input| (graph.symbol(input), input))
         .filter(|(slot, input)| used.contains(slot) || always(input))
@@ -67,8 +68,8 @@ pub fn inverse(model: &Model, plan: &Plan) -> Inverse {
         graph,
         names: block.bound,
         facts: Facts::of(model, plan),
-        goal,
-        given,
+        goal: plan.task.goal.clone(),
+        given: plan.task.given,
         swivel: plan.task.swivel.clone(),
         inputs,
         levels,
@@ -151,7 +152,7 @@ impl Nest<'_> {
         let deepest = self.deepest();
         self.at(deepest, Statement::Follow { stage: index, before: self.trail });
         self.trail = Trail::Stage(index);
-        if stage.kernel.roots() == 1 {
+        if stage.kernel.form().roots == 1 {
             let roots = self.roots(stage);
             self.at(deepest, Statement::Only { stage: index, roots });
         } else {

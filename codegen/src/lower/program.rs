@@ -1,8 +1,8 @@
 //! The inverse as a program: its statements and loops.
 
-use super::{Call, Facts, Goal, Names, Slot};
+use super::{Call, Facts, Names, Slot};
 use crate::model::Angle;
-use crate::solve::{Branching, Given, SwivelFacts, Unit};
+use crate::solve::{Branching, Given, Goal, SwivelFacts, Unit};
 use crate::symbolic::{Graph, Input, Part};
 
 /// The inverse as a program.

@@ -31,13 +31,8 @@ pub fn call(plan: &Plan, graph: &Graph, index: usize, stage: &Stage) -> (Vec<Sta
 }
 
 fn default_value(plan: &Plan, stage: &Stage, place: usize) -> DefaultValue {
-    let slot = stage.joints.get(place).copied().unwrap_or(0);
-    let shift = if place == 0 || matches!(stage.kernel, Kernel::Flip(_)) {
-        stage.default_shift
-    } else {
-        plan.values.get(slot).map_or(stage.default_shift, |value| value.constant.neg())
-    };
-    DefaultValue { joint: plan.joint(slot), shift }
+    let slot = stage.joints.get(place).or(stage.joints.first()).copied().unwrap_or(0);
+    DefaultValue { joint: plan.joint(slot), shift: plan.shift(slot) }
 }
 
 fn phase(stage: usize, phase: &Phase, before: &mut Vec<Statement>) -> Counted {

@@ -1,7 +1,7 @@
 //! What holds for every program of the arms in `specs/`.
 #![allow(clippy::unwrap_used)]
 
-use super::{Inverse, Node, Root, Slot, Statement, Straight, Trail};
+use super::{Functions, Inverse, Node, Root, Slot, Statement, Straight, Trail};
 use crate::Program;
 use crate::program;
 use crate::symbolic::Graph;
@@ -29,7 +29,8 @@ fn leaves(graph: &Graph, slots: &[Slot]) -> Vec<Slot> {
 #[test]
 fn functions_read_joint_values_and_their_sines_alone() {
     for (name, program) in programs() {
-        for function in [&program.forward, &program.jacobian, &program.both, &program.links] {
+        let Functions { forward, jacobian, both, links } = &program.functions;
+        for function in [forward, jacobian, both, links] {
             let Straight { graph, roots, .. } = &function.straight;
             let sines = function.turned.iter().flat_map(|turned| [turned.sin, turned.cos]);
             let known: HashSet<Slot> = sines.chain(function.joints.iter().copied()).collect();

@@ -17,9 +17,7 @@ pub fn describe(plan: &Plan) -> Vec<String> {
     };
     let mut lines = vec![format!("axes {}, {}, {} {kind}", label(0), label(1), label(2))];
     let steps = plan.steps.iter().filter_map(|step| match step {
-        PlanStep::Stage(stage) => {
-            Some(format!("{}: {}", listed(&plan.labels(stage)), stage.kernel.equation().description()))
-        }
+        PlanStep::Stage(stage) => Some(format!("{}: {}", listed(&plan.labels(stage)), stage.kernel.form().description)),
         PlanStep::Agreement { meaning, .. } => Some(meaning.trim_end_matches('.').to_lowercase()),
         PlanStep::Swivel { .. } => Some("the upper arm's rotation from the wrist center and the arm angle".into()),
         PlanStep::Angle { symbol, .. } => left_of_sum(plan, symbol),

@@ -3,7 +3,7 @@
 //! `R_z(y) B(z) = A(x)`, where A and B are the point W seen from joint y over either side: equal components along y's
 //! axis and equal distances from a point on it are two equations in x and z.
 
-use super::kernel::{Align, Pair, PairSliding, Quadratic, SlideTo, Unit};
+use super::kernel::{Pair, PairSliding, Quadratic, Unit};
 use super::loop_closure::{LoopClosure, WRIST};
 use super::plan::Branching;
 use super::prismatic_pair::{one_slides, still_rows};
@@ -68,8 +68,7 @@ fn turning(c: &mut LoopClosure, y: usize, a: Side, b: Side) -> Result<(), Unsupp
     let meaning = format!(
         "Joint {ny}: turns {w} as seen over joint {nz}, `[{{from}}]`, onto where joint {nx} puts it, `[{{to}}]`."
     );
-    let kernel = Align { from: Side::plane(from), to: Side::plane(to) };
-    c.stage(&[(y, Angle::ZERO)], y, Unit::Length, Branching::None, meaning, kernel);
+    c.align(y, Side::plane(from), Side::plane(to), Unit::Length, meaning);
     Ok(())
 }
 
@@ -81,9 +80,7 @@ fn seen(c: &mut LoopClosure, side: &Side) -> Vec3 {
     // The origin may have been moved along y's axis; components across it are the same.
     let seen = rigid.point(&mut c.g, point);
     let name = if side.undone { "over" } else { "reach" };
-    for (e, axis) in seen.iter().zip(["x", "y", "z"]) {
-        c.g.name(*e, format!("{name}_{axis}"));
-    }
+    c.g.name_each(&seen, &format!("{name}_"));
     seen
 }
 
@@ -95,9 +92,7 @@ fn relative(c: &mut LoopClosure, side: &Side) -> ([Expr; 2], Expr) {
     let rigid = if side.undone { c.link(x).back } else { c.link(y).forward };
     let seen = c.g.apply3(&rigid.r, from);
     let name = if side.undone { "over" } else { "reach" };
-    for (e, axis) in seen.iter().zip(["x", "y", "z"]) {
-        c.g.name(*e, format!("{name}_{axis}"));
-    }
+    c.g.name_each(&seen, &format!("{name}_"));
     (Side::plane(seen), Side::along(seen))
 }
 
@@ -199,7 +194,7 @@ fn together(c: &mut LoopClosure, a: &Side, b: &Side, ny: Label) -> Result<(), Un
         let (p, q) = ([rows_a.array(), square_a.array()], [rows_b.array(), square_b.array()]);
         let kernel = Pair { p, q, across: Some(across), power: 3 };
         let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
-        c.stage(&joints, a.joint, Unit::Length, Branching::Root, meaning, kernel);
+        c.stage(&joints, Unit::Length, Branching::Root, meaning, kernel);
         return Ok(());
     }
     // The slide that is divided by its slope is the one whose slope no target makes vanish.
@@ -227,7 +222,7 @@ fn together(c: &mut LoopClosure, a: &Side, b: &Side, ny: Label) -> Result<(), Un
             turning,
         };
         let joints = [(slides.joint, Angle::ZERO), (other.joint, Angle::ZERO)];
-        c.stage(&joints, slides.joint, Unit::Length, Branching::Root, meaning, kernel);
+        c.stage(&joints, Unit::Length, Branching::Root, meaning, kernel);
         return Ok(());
     }
     // Both slide: u = slides, v = other; slope_u u + k_u = slope_v v + k_v, u^2 + m u + n = v^2 + m' v + n'.
@@ -261,7 +256,7 @@ fn together(c: &mut LoopClosure, a: &Side, b: &Side, ny: Label) -> Result<(), Un
     let meaning =
         format!("Joint {}: equal components along axis {ny} and equal distances from it.", c.label(other.joint));
     let kernel = Quadratic { coefficients: [c.clean(quadratic, Unit::Direction), linear, constant] };
-    c.stage(&[(other.joint, Angle::ZERO)], other.joint, Unit::Length, Branching::Root, meaning, kernel);
+    c.stage(&[(other.joint, Angle::ZERO)], Unit::Length, Branching::Root, meaning, kernel);
     let v = c.position(other.joint);
     // The quadratic was multiplied by su^2; of the two equations it comes from: sv (2 u + m) - su (2 v + m').
     let pivot = {
@@ -360,15 +355,14 @@ fn sliding(c: &mut LoopClosure, y: usize, a: Side, b: Side) -> Result<(), Unsupp
             one_after_the_other(c, [&a, &b], [p, q], alone, ny);
         } else {
             let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
-            c.stage(&joints, a.joint, Unit::Length, Branching::Root, meaning, Pair { p, q, across: None, power: 2 });
+            c.stage(&joints, Unit::Length, Branching::Root, meaning, Pair { p, q, across: None, power: 2 });
         }
     } else {
         one_slides(c, [&a, &b], [across_a, across_b], ny);
     }
     let (from, to) = (seen(c, &b), seen(c, &a));
     let numerator = c.g.sub(Side::along(to), Side::along(from));
-    let kernel = SlideTo { denominator: Expr::ONE, numerator };
     let meaning = format!("Joint {ny}: the difference along its axis.");
-    c.stage(&[(y, Angle::ZERO)], y, Unit::Length, Branching::None, meaning, kernel);
+    c.slide_to(y, Expr::ONE, numerator, meaning);
     Ok(())
 }

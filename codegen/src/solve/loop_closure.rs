@@ -1,7 +1,7 @@
 //! The closed chain around the target, and what is known while it is being solved.
 
 use super::generic_samples::GenericSamples;
-use super::kernel::{Kernel, Phase, Unit};
+use super::kernel::{Align, Kernel, Phase, SlideTo, Unit};
 use super::loop_chain::{LoopChain, LoopJoint};
 use super::plan::{Branching, Plan, PlanStep, Stage, Value};
 use super::task::PlanTask;
@@ -211,19 +211,26 @@ impl LoopClosure {
     pub fn stage(
         &mut self,
         joints: &[(usize, Angle)],
-        free: usize,
         unit: Unit,
         branching: Branching,
         meaning: String,
         kernel: impl Into<Kernel>,
     ) {
         let unknowns = joints.iter().map(|(joint, shift)| self.bind(*joint, *shift)).collect();
-        let shift = joints.iter().find(|(j, _)| *j == free).map_or(Angle::ZERO, |(_, shift)| *shift);
-        let default_shift = self.offset(free).add(shift.neg());
         let joints = joints.iter().map(|(joint, _)| *joint).collect();
-        let kernel = kernel.into();
-        let stage = Stage { joints, unknowns, kernel, unit, meaning, branching, default_shift, pivot: None };
+        let stage = Stage { joints, unknowns, kernel: kernel.into(), unit, meaning, branching, pivot: None };
         self.steps.push(PlanStep::Stage(stage));
+    }
+
+    /// Adds the stage of a joint that turns one plane vector onto another.
+    pub fn align(&mut self, joint: usize, from: [Expr; 2], to: [Expr; 2], unit: Unit, meaning: String) {
+        self.stage(&[(joint, Angle::ZERO)], unit, Branching::None, meaning, Align { from, to });
+    }
+
+    /// Adds the stage of a prismatic joint with `denominator x = numerator`.
+    pub fn slide_to(&mut self, joint: usize, denominator: Expr, numerator: Expr, meaning: String) {
+        let kernel = SlideTo { denominator, numerator };
+        self.stage(&[(joint, Angle::ZERO)], Unit::Length, Branching::None, meaning, kernel);
     }
 
     /// The derivative that tells the singularity of the last stage, where it is not its kernel's own.
@@ -315,7 +322,7 @@ impl LoopClosure {
         let slots = &self.slots;
         let unwanted = |joint: &usize| slots.get(*joint).is_some_and(|slot| slot.joint.is_none());
         while let Some(PlanStep::Stage(stage)) = self.steps.last()
-            && stage.kernel.roots() == 1
+            && stage.kernel.form().roots == 1
             && stage.joints.iter().all(unwanted)
         {
             self.steps.pop();
@@ -337,9 +344,7 @@ impl LoopClosure {
 }
 
 fn name_target(g: &mut Graph, flange: &Rigid) {
-    for (e, axis) in flange.p.iter().zip(["x", "y", "z"]) {
-        g.name(*e, format!("flange_{axis}"));
-    }
+    g.name_each(&flange.p, "flange_");
     for (row, i) in flange.r.iter().zip(1..) {
         for (e, j) in row.iter().zip(1..) {
             g.name(*e, format!("f{i}{j}"));

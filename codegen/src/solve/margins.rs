@@ -29,7 +29,7 @@ pub struct Factor {
 pub fn margins(plan: &Plan) -> (Graph, Vec<Factor>) {
     let mut g = plan.graph.clone();
     let mut factors = Vec::new();
-    if plan.task.overdetermined || plan.task.task == Task::PositionAxis {
+    if plan.task.overdetermined || plan.task.goal.task() == Task::PositionAxis {
         return (g, factors);
     }
     let wanted = |slot: &usize| plan.slots.get(*slot).is_some_and(|slot| slot.joint.is_some());
@@ -38,7 +38,7 @@ pub fn margins(plan: &Plan) -> (Graph, Vec<Factor>) {
         if given_before || !stage.joints.iter().any(wanted) {
             continue;
         }
-        let own = |g: &mut Graph| stage.kernel.equation().pivot(g, &stage.variables());
+        let own = |g: &mut Graph| stage.kernel.pivot(g, &stage.variables());
         let Pivot { value, power } = stage.pivot.map_or_else(|| own(&mut g), |value| Pivot { value, power: 1 });
         if g.constant(value).is_none() {
             let joints: Vec<String> = plan.labels(stage).iter().map(|label| format!("q{label}")).collect();

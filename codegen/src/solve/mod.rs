@@ -35,6 +35,6 @@ pub use description::describe;
 pub use kernel::{Kernel, Unit};
 pub use margins::{Factor, margins};
 pub use plan::{Branching, Plan, PlanStep, Stage};
-pub use task::{Given, SwivelFacts};
+pub use task::{Given, Goal, SwivelFacts};
 pub use tasks::plan;
 pub use unsupported::Unsupported;

@@ -3,7 +3,7 @@
 //! Seen from joint y over either side: `R_z(y) b(z) = a(x)` for the direction h, and equal distances along h between
 //! the triple and joint y's axis. The components along y's axis and those distances are two equations in x and z.
 
-use super::kernel::{Aim, Align, Flip, Pair, SlideTo, Unit};
+use super::kernel::{Aim, Flip, Pair, Unit};
 use super::loop_closure::LoopClosure;
 use super::plan::Branching;
 use super::sides::Side;
@@ -88,9 +88,7 @@ fn seen(c: &mut LoopClosure, side: &Side) -> Vec3 {
     let direction = side.direction(c);
     let rigid = if side.undone { c.link(x).back } else { c.link(y).forward };
     let seen = c.g.apply3(&rigid.r, direction);
-    for (e, axis) in seen.iter().zip(["x", "y", "z"]) {
-        c.g.name(*e, format!("h{}_{axis}", c.label(side.joint)));
-    }
+    c.g.name_each(&seen, &format!("h{}_", c.label(side.joint)));
     seen
 }
 
@@ -172,7 +170,7 @@ fn turning(c: &mut LoopClosure, y: usize, sides: [Side; 2], heights: [Expr; 2]) 
     );
     let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
     let kernel = Pair { p: [p1, p2], q: [q1, q2], across: Some(across), power: 1 };
-    c.stage(&joints, a.joint, Unit::Length, Branching::Root, meaning, kernel);
+    c.stage(&joints, Unit::Length, Branching::Root, meaning, kernel);
     aligned(c, y, a, b);
     Ok(())
 }
@@ -213,8 +211,7 @@ fn by_direction(c: &mut LoopClosure, side: &Side, known: &Side, ny: Label) {
 fn aligned(c: &mut LoopClosure, y: usize, a: &Side, b: &Side) {
     let (from, to) = (seen(c, b), seen(c, a));
     let meaning = format!("Joint {}: turns {H} from `[{{from}}]` to `[{{to}}]`.", c.label(y));
-    let kernel = Align { from: Side::plane(from), to: Side::plane(to) };
-    c.stage(&[(y, Angle::ZERO)], y, Unit::Direction, Branching::None, meaning, kernel);
+    c.align(y, Side::plane(from), Side::plane(to), Unit::Direction, meaning);
 }
 
 /// If h is at right angles to the inner joint and that one to joint y, both follow at once, with two roots half a
@@ -251,7 +248,7 @@ fn flipped(c: &mut LoopClosure, y: usize, inner: &Side, known: &Side) -> bool {
     let meaning =
         format!("Joints {n} and {ny}: point {H}, `[{{m}}]` = `R_z(y) R_y(x) e_z`; with `x = 0` joint {ny} is free.");
     let joints = [(inner.joint, shift), (y, Angle::ZERO)];
-    c.stage(&joints, y, Unit::Direction, Branching::Wrist, meaning, Flip { m });
+    c.stage(&joints, Unit::Direction, Branching::Wrist, meaning, Flip { m });
     true
 }
 
@@ -275,7 +272,7 @@ fn sliding(c: &mut LoopClosure, y: usize, sides: [Side; 2], heights: [Expr; 2]) 
     );
     let joints = [(a.joint, Angle::ZERO), (b.joint, Angle::ZERO)];
     let kernel = Aim { moved: [a.moved, b.moved], frames };
-    c.stage(&joints, a.joint, Unit::Direction, Branching::Shoulder, meaning, kernel);
+    c.stage(&joints, Unit::Direction, Branching::Shoulder, meaning, kernel);
     let (over_a, over_b) = (a.direction(c), b.direction(c));
     let [height_a, height_b] = heights;
     let left = {
@@ -288,8 +285,7 @@ fn sliding(c: &mut LoopClosure, y: usize, sides: [Side; 2], heights: [Expr; 2]) 
     };
     let numerator = c.g.sub(left, right);
     let denominator = c.g.dot3(a.axis, over_a);
-    let kernel = SlideTo { denominator, numerator };
     let meaning = format!("Joint {ny}: closes the distance along {H}.");
-    c.stage(&[(y, Angle::ZERO)], y, Unit::Length, Branching::None, meaning, kernel);
+    c.slide_to(y, denominator, numerator, meaning);
     Ok(())
 }

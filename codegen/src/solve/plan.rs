@@ -45,6 +45,11 @@ impl Plan {
         Unknown::both(Label::Arm(joint), part).map(Symbol::from).to_vec()
     }
 
+    /// What is added to the value of a joint of the closed chain to give its kernel's variable.
+    pub fn shift(&self, slot: usize) -> Angle {
+        self.values.get(slot).map_or(Angle::ZERO, |value| value.constant.neg())
+    }
+
     /// The leaf that stands for the value of a joint of the arm, from 0.
     pub fn value(&self, joint: usize) -> Symbol {
         let given = self.task.given_joint() == Some(joint);
@@ -78,7 +83,7 @@ impl Plan {
 
     /// The largest number of solutions.
     pub fn max_solutions(&self) -> usize {
-        self.stages().map(|stage| stage.kernel.equation().most_roots()).product()
+        self.stages().map(|stage| stage.kernel.form()).map(|form| form.roots + form.extra_roots).product()
     }
 
     /// Whether every stage after a free joint has its roots wherever that joint is.
@@ -112,7 +117,7 @@ impl Plan {
 
     /// A rough cost, to choose among several triples: general pairs are dear, arithmetic breaks ties.
     pub fn effort(&self) -> usize {
-        let stages: usize = self.stages().map(|stage| if stage.kernel.roots() > 2 { 10_000 } else { 100 }).sum();
+        let stages: usize = self.stages().map(|stage| if stage.kernel.form().roots > 2 { 10_000 } else { 100 }).sum();
         stages + crate::symbolic::cost(&self.graph, &self.inputs()).arithmetic()
     }
 
@@ -193,8 +198,6 @@ pub struct Stage {
     pub branching: Branching,
     /// The derivative that tells its singularity, a length, where it is not the kernel's own.
     pub pivot: Option<Expr>,
-    /// What is added to the free joint's value to give its kernel's variable.
-    pub default_shift: Angle,
 }
 
 impl Stage {

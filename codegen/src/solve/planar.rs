@@ -2,9 +2,8 @@
 //!
 //! `J_0 L_0 J_1 L_1 J_2 L_2 = 1`, read cyclically. What is asked for is in one of the links.
 
-use super::kernel::{Align, Distance, ElbowRange, SlideTo, Unit};
+use super::kernel::Unit;
 use super::loop_closure::{Link, LoopClosure};
-use super::plan::Branching;
 use super::sides::Side;
 use super::unsupported::Unsupported;
 use crate::model::Angle;
@@ -53,28 +52,25 @@ fn elbow(c: &mut LoopClosure, [first, second, third]: [usize; 3], [link_a, link_
     }
     let rho = c.g.norm(&wrist);
     c.g.name(rho, format!("rho{nb}"));
-    let (own, other) = (Side::plane(link_b.forward.p), Side::plane(link_a.back.p));
-    let range = ElbowRange { a: c.g.norm(&other), b: c.g.norm(&own), height: Expr::ZERO };
-    for link in [range.a, range.b] {
-        c.g.name(link, "link");
-    }
-    let away = other.map(|e| c.g.neg(e));
-    let (shift, about) = c.between(own, away);
     let meaning = format!(
         "Joint {nb}: {place} is `{{rho}}` from axis {na}, `{{rho}}^2 = a^2 + b^2 + 2 a b cos(t)` with \
          `a = {{a}}`, `b = {{b}}`{{shift}}."
     );
-    let kernel = Distance { rho, range, about };
-    c.stage(&[(second, shift)], second, Unit::Length, Branching::Elbow, meaning, kernel);
+    let side = Side {
+        joint: second,
+        undone: false,
+        turns: true,
+        moved: link_b.forward.p,
+        origin: link_a.back.p,
+        axis: link_a.back.z(),
+    };
+    side.distance(c, rho, true, meaning);
     let pair = c.pair(second);
     let turned = c.g.rotate_z(pair, link_b.forward.p);
     let reach = link_a.forward.point(&mut c.g, turned);
-    for (e, axis) in reach.iter().zip(["x", "y"]) {
-        c.g.name(*e, format!("reach_{axis}"));
-    }
-    let kernel = Align { from: Side::plane(reach), to: wrist };
+    c.g.name_each(&Side::plane(reach), "reach_");
     let meaning = format!("Joint {na}: turns {place} from `[{{from}}]` to `[{{to}}]`.");
-    c.stage(&[(first, Angle::ZERO)], first, Unit::Length, Branching::None, meaning, kernel);
+    c.align(first, Side::plane(reach), wrist, Unit::Length, meaning);
     if !c.is_own(third) {
         return;
     }
@@ -121,9 +117,8 @@ fn stroke(c: &mut LoopClosure, [first, slides, last]: [usize; 3], [link_a, link_
         let [x, y, z] = link_b.forward.p;
         let moved = [x, y, c.g.add(z, along)];
         let from = link_a.forward.point(&mut c.g, moved);
-        let kernel = Align { from: Side::plane(from), to };
         let meaning = format!("Joint {na}: turns {place_c} from `[{{from}}]` to `[{{to}}]`.");
-        c.stage(&[(first, Angle::ZERO)], first, Unit::Length, Branching::None, meaning, kernel);
+        c.align(first, Side::plane(from), to, Unit::Length, meaning);
     }
     if !c.is_own(last) {
         return;
@@ -132,9 +127,8 @@ fn stroke(c: &mut LoopClosure, [first, slides, last]: [usize; 3], [link_a, link_
         let [x, y, z] = link_a.back.p;
         let moved = [x, y, c.g.sub(z, along)];
         let to = link_b.back.point(&mut c.g, moved);
-        let kernel = Align { from: Side::plane(link_c.forward.p), to: Side::plane(to) };
         let meaning = format!("Joint {nc}: turns {place_a} from `[{{from}}]` to `[{{to}}]`.");
-        c.stage(&[(last, Angle::ZERO)], last, Unit::Length, Branching::None, meaning, kernel);
+        c.align(last, Side::plane(link_c.forward.p), Side::plane(to), Unit::Length, meaning);
         return;
     }
     // a + k + s c = total
@@ -190,9 +184,8 @@ fn strokes(
         )));
     }
     for (joint, label, numerator) in [(j1, n1, cross(c, left, second)), (j2, n2, cross(c, first, left))] {
-        let kernel = SlideTo { denominator, numerator };
         let meaning = format!("Joint {label}: slides by what is left in the plane.");
-        c.stage(&[(joint, Angle::ZERO)], joint, Unit::Length, Branching::None, meaning, kernel);
+        c.slide_to(joint, denominator, numerator, meaning);
     }
     Ok(())
 }
@@ -220,9 +213,8 @@ fn strokes_to_point(
     for (joint, label, own, other) in [(j0, n0, along_first, along_second), (j1, n1, along_second, along_first)] {
         let across = c.g.mul(cosine, other);
         let numerator = c.g.sub(own, across);
-        let kernel = SlideTo { denominator, numerator };
         let meaning = format!("Joint {label}: slides by what is left in the plane.");
-        c.stage(&[(joint, Angle::ZERO)], joint, Unit::Length, Branching::None, meaning, kernel);
+        c.slide_to(joint, denominator, numerator, meaning);
     }
     Ok(())
 }

@@ -40,7 +40,7 @@ pub fn one_slides(c: &mut LoopClosure, sides: [&Side; 2], across: [[Vec3; 2]; 2]
         let meaning = format!("Joints {m} and {n} together: {w} has equal components across axis {ny}.");
         let joints = [(other.joint, Angle::ZERO), (slides.joint, Angle::ZERO)];
         let kernel = SlideTurning { stroke, rows };
-        c.stage(&joints, other.joint, Unit::Length, Branching::Shoulder, meaning, kernel);
+        c.stage(&joints, Unit::Length, Branching::Shoulder, meaning, kernel);
         return;
     }
     let [sx, sy] = stroke;

@@ -1,6 +1,6 @@
 //! The two sides of the closure as seen from joint y: what joint x moves, and what joint z moves.
 
-use super::kernel::{Cone, ConeRange, Distance, ElbowRange, Offset, Slide, SlideTo, Unit};
+use super::kernel::{Cone, ConeRange, Distance, ElbowRange, Offset, Slide, Unit};
 use super::loop_closure::LoopClosure;
 use super::plan::Branching;
 use super::sinusoid::{Sinusoid, turned, turned_back};
@@ -80,7 +80,7 @@ impl Side {
             c.between(moved, to)
         };
         let kernel = Distance { rho, range, about };
-        c.stage(&[(self.joint, shift)], self.joint, Unit::Length, Branching::Elbow, meaning, kernel);
+        c.stage(&[(self.joint, shift)], Unit::Length, Branching::Elbow, meaning, kernel);
     }
 
     /// Sliding stage: the joint brings `moved` to distance `rho` from `origin`; with `flat` the parts along y's axis
@@ -98,7 +98,7 @@ impl Side {
         };
         let middle = if self.undone { bz } else { c.g.neg(bz) };
         let kernel = Slide { rho, across, middle };
-        c.stage(&[(self.joint, Angle::ZERO)], self.joint, Unit::Length, Branching::Elbow, meaning, kernel);
+        c.stage(&[(self.joint, Angle::ZERO)], Unit::Length, Branching::Elbow, meaning, kernel);
     }
 
     /// Cone stage: the joint gives `moved` (seen from where y's axis and this joint's meet) the component `d` along
@@ -118,7 +118,7 @@ impl Side {
         let (shift, about) = if self.undone { c.between(axis, moved) } else { c.between(moved, axis) };
         c.g.name(range.across, format!("radius{}", c.label(self.joint)));
         let kernel = Cone { d, rho, range, about };
-        c.stage(&[(self.joint, shift)], self.joint, unit, branching, meaning, kernel);
+        c.stage(&[(self.joint, shift)], unit, branching, meaning, kernel);
     }
 
     /// Offset stage: `row = value` for a turning joint.
@@ -133,13 +133,12 @@ impl Side {
     ) {
         let d = c.g.sub(value, row.k);
         let kernel = Offset { a: row.c, b: row.s, d };
-        c.stage(&[(self.joint, Angle::ZERO)], self.joint, unit, branching, meaning, kernel);
+        c.stage(&[(self.joint, Angle::ZERO)], unit, branching, meaning, kernel);
     }
 
     /// Linear stage: `slope x = value`, for a sliding joint.
     pub fn slide_to(&self, c: &mut LoopClosure, slope: Expr, value: Expr, meaning: String) {
-        let kernel = SlideTo { denominator: slope, numerator: value };
-        c.stage(&[(self.joint, Angle::ZERO)], self.joint, Unit::Length, Branching::None, meaning, kernel);
+        c.slide_to(self.joint, slope, value, meaning);
     }
 
     /// `moved` after the (solved) motion, as a point.

@@ -8,7 +8,7 @@ use super::loop_chain::LoopChain;
 use super::loop_closure::LoopClosure;
 use super::plan::{Branching, Plan, PlanStep};
 use super::sides::Side;
-use super::task::{Given, PlanTask, SwivelFacts};
+use super::task::{Given, Goal, PlanTask, SwivelFacts};
 use super::triple;
 use super::unsupported::Unsupported;
 use crate::model::chain::Chain;
@@ -20,7 +20,7 @@ use crate::symbolic::{Expr, Graph, Rigid, transpose};
 ///
 /// # Errors
 /// If there are not seven joints that turn, three meeting at the shoulder and three at the wrist.
-pub fn plan(mut joints: LoopChain, chain: &Chain, task: PlanTask) -> Result<Plan, Unsupported> {
+pub fn plan(mut joints: LoopChain, chain: &Chain) -> Result<Plan, Unsupported> {
     let triples = joints.triples();
     let meets = |first: usize| triples.contains(&Triple { first, kind: TripleKind::Intersecting });
     let seven = joints.slots.len() == 7 && joints.slots.iter().all(|slot| slot.turns);
@@ -48,9 +48,7 @@ pub fn plan(mut joints: LoopChain, chain: &Chain, task: PlanTask) -> Result<Plan
         origin: c.clean3(upper.back.p, Unit::Length),
         axis: upper.back.z(),
     };
-    for (e, axis) in wrist.iter().zip(["x", "y", "z"]) {
-        c.g.name(*e, format!("wrist_{axis}"));
-    }
+    c.g.name_each(&wrist, "wrist_");
     let rho = c.g.norm(&wrist);
     c.g.name(rho, "rho4");
     let meaning = "Joint 4: the wrist center is `{rho}` from the shoulder, `{rho}^2 = a^2 + b^2 + h^2 + 2 a b cos(t)` \
@@ -85,7 +83,10 @@ pub fn plan(mut joints: LoopChain, chain: &Chain, task: PlanTask) -> Result<Plan
     let seen = c.g.matmul(&transpose(&swung), &flange.r);
     let left = c.g.matmul(&transpose(&fore.r), &seen);
     triple::rotation(&mut c, &left, [4, 5, 6], Branching::Wrist);
-    Ok(c.finish(shoulder, PlanTask { given: Some(Given::ArmAngle), swivel: facts(&numeric, chain), ..task }))
+    Ok(c.finish(
+        shoulder,
+        PlanTask { swivel: facts(&numeric, chain), ..PlanTask::new(Goal::Pose, Some(Given::ArmAngle)) },
+    ))
 }
 
 /// Where shoulder, wrist and elbow axis lie, as numbers.

@@ -1,25 +1,47 @@
 //! What a plan answers: the task with all that belongs to it.
 
 use crate::model::numeric::Transform;
-use crate::model::{Angle, Axis, Task};
+use crate::model::{Angle, Task};
+use crate::symbolic::{Input, Part};
 
 /// What a plan answers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanTask {
-    /// The task.
-    pub task: Task,
+    /// What is asked for.
+    pub goal: Goal,
     /// What is given beside the target.
     pub given: Option<Given>,
-    /// The tool's axis that points, for `position_axis`.
-    pub axis: Axis,
-    /// The joints of the angle by their signs, and the angle at zero, for `position_angle`.
-    pub angle: Option<(Vec<f64>, Angle)>,
     /// Whether the target has more equations than the arm joints.
     pub overdetermined: bool,
     /// Why an axis before this one is not the one that points, where the file names none.
     pub passed_over: Option<String>,
     /// What the arm angle of a joint vector is read from, where that is given.
     pub swivel: Option<SwivelFacts>,
+}
+
+/// What is asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Goal {
+    /// A pose; one that is nearly a rotation stands for the nearest one.
+    Pose,
+    /// A point.
+    Position,
+    /// A point and the direction of an axis of the tool: 0 for x to 2 for z.
+    PositionAxis {
+        /// The axis.
+        column: usize,
+    },
+    /// A point and the sum of the joints by their signs, plus the offset.
+    PositionAngle {
+        /// One for each joint, 0 for those that do not count.
+        signs: Vec<f64>,
+        /// The angle at zero.
+        offset: Angle,
+    },
+    /// A pose in the base frame's xy plane.
+    PlanarPose,
+    /// A point there.
+    PlanarPosition,
 }
 
 /// What is given beside the target.
@@ -49,10 +71,24 @@ pub struct SwivelFacts {
     pub elbow: [f64; 3],
 }
 
+impl Goal {
+    /// The task as the file names it.
+    pub fn task(&self) -> Task {
+        match self {
+            Goal::Pose => Task::Pose,
+            Goal::Position => Task::Position,
+            Goal::PositionAxis { .. } => Task::PositionAxis,
+            Goal::PositionAngle { .. } => Task::PositionAngle,
+            Goal::PlanarPose => Task::PlanarPose,
+            Goal::PlanarPosition => Task::PlanarPosition,
+        }
+    }
+}
+
 impl PlanTask {
-    /// A task without what only some tasks have.
-    pub fn new(task: Task, given: Option<Given>) -> Self {
-        PlanTask { task, given, axis: Axis::Z, angle: None, overdetermined: false, passed_over: None, swivel: None }
+    /// A task without what only some plans have.
+    pub fn new(goal: Goal, given: Option<Given>) -> Self {
+        PlanTask { goal, given, overdetermined: false, passed_over: None, swivel: None }
     }
 
     /// The joint whose value is given, from 0.
@@ -65,13 +101,10 @@ impl PlanTask {
 
     /// The task as the file writes it, with what belongs to it.
     pub fn name(&self) -> String {
-        let mut name = self.task.name().to_string();
-        if self.task == Task::PositionAxis {
-            name += match self.axis {
-                Axis::X => ", axis x",
-                Axis::Y => ", axis y",
-                Axis::Z => ", axis z",
-            };
+        let mut name = self.goal.task().name().to_string();
+        if let Goal::PositionAxis { column } = self.goal {
+            let axis = ["x", "y", "z"].get(column).copied().unwrap_or_default();
+            name += &format!(", axis {axis}");
         }
         match self.given {
             Some(Given::ArmAngle) => name += ", arm angle given",
@@ -79,5 +112,23 @@ impl PlanTask {
             None => {}
         }
         name
+    }
+
+    /// The numbers that there are of the target and of what is given.
+    pub fn inputs(&self) -> Vec<Input> {
+        let rotation = || Input::ROTATION.into_iter().flatten();
+        let position = |count: usize| Input::POSITION.into_iter().take(count);
+        let mut all: Vec<Input> = match self.goal {
+            Goal::Pose | Goal::PositionAxis { .. } => rotation().chain(position(3)).collect(),
+            Goal::Position => position(3).collect(),
+            Goal::PositionAngle { .. } => position(3).chain([Input::Angle, Input::SinAngle, Input::CosAngle]).collect(),
+            Goal::PlanarPose => position(2).chain([Input::Phi, Input::SinPhi, Input::CosPhi]).collect(),
+            Goal::PlanarPosition => position(2).collect(),
+        };
+        if let Some(Given::Joint { joint, turns }) = self.given {
+            let parts: &[Part] = if turns { &[Part::Value, Part::Sin, Part::Cos] } else { &[Part::Value] };
+            all.extend(parts.iter().map(|part| Input::given(joint, *part)));
+        }
+        all
     }
 }

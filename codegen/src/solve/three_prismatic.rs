@@ -1,13 +1,12 @@
 //! Three joints that turn and three that slide: the tool's orientation is a matter of the former alone.
 
-use super::kernel::{SlideTo, Unit};
+use super::kernel::Unit;
 use super::loop_chain::LoopChain;
 use super::loop_closure::LoopClosure;
-use super::plan::{Branching, Plan};
+use super::plan::Plan;
 use super::task::PlanTask;
 use super::triple;
 use super::unsupported::Unsupported;
-use crate::model::Angle;
 use crate::model::geometry::{Triple, TripleKind};
 use crate::symbolic::{Expr, Vec3};
 
@@ -50,9 +49,9 @@ fn displacements(c: &mut LoopClosure) -> Result<(), Unsupported> {
         if let Some(column) = columns.get_mut(place) {
             *column = left;
         }
-        let kernel = SlideTo { denominator, numerator: determinant(c, columns) };
         let meaning = format!("Joint {}: slides by what is left of the tool's place.", c.label(joint));
-        c.stage(&[(joint, Angle::ZERO)], joint, Unit::Length, Branching::None, meaning, kernel);
+        let numerator = determinant(c, columns);
+        c.slide_to(joint, denominator, numerator, meaning);
     }
     Ok(())
 }

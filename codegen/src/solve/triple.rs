@@ -1,6 +1,6 @@
 //! The triple itself, once the joints outside it are known.
 
-use super::kernel::{Align, Cone, ConeRange, Unit, Wrist};
+use super::kernel::{Cone, ConeRange, Unit, Wrist};
 use super::loop_closure::{Link, LoopClosure};
 use super::plan::Branching;
 use super::planar;
@@ -45,7 +45,7 @@ pub fn rotation(c: &mut LoopClosure, m: &Mat3, [first, second, third]: [usize; 3
             "Joints {na}, {nb}, {nc}: three axes at right angles in a point, `R_z(a) R_y(b) R_z(c)` equals the \
              remaining rotation; with `b = 0` joint {na} is free."
         );
-        c.stage(&joints, first, Unit::Direction, sides, meaning, Wrist { m });
+        c.stage(&joints, Unit::Direction, sides, meaning, Wrist { m });
         return;
     }
     oblique(c, m, [first, second, third], [link_a, link_b], sides);
@@ -77,7 +77,7 @@ fn oblique(
     let (shift, about) = c.between(moved_plane, axis_plane);
     let kernel = Cone { d: Side::along(approach), rho, range, about };
     let meaning = format!("Joint {nb}: axes {na} and {nc} have the cosine `{{d}}`{{shift}}.");
-    c.stage(&[(middle.joint, shift)], second, Unit::Direction, sides, meaning, kernel);
+    c.stage(&[(middle.joint, shift)], Unit::Direction, sides, meaning, kernel);
     // G = C_a R_z(b) C_b
     let pair = c.pair(second);
     let columns = [0, 1, 2].map(|j| {
@@ -85,16 +85,14 @@ fn oblique(
         c.g.apply3(&link_a.r, column)
     });
     let [gx, gy, gz] = columns;
-    let kernel = Align { from: Side::plane(gz), to: Side::plane(approach) };
     let meaning = format!("Joint {na}: turns axis {nc} where it has to point.");
-    c.stage(&[(first, Angle::ZERO)], first, Unit::Direction, Branching::None, meaning, kernel);
+    c.align(first, Side::plane(gz), Side::plane(approach), Unit::Direction, meaning);
     // R_z(c) = G^T R_z(-a) M, first column.
     let back = c.pair(first).opposite(&mut c.g);
     let normal = c.g.rotate_z(back, m.map(|[x, _, _]| x));
     let (cos, sin) = (c.g.dot3(gx, normal), c.g.dot3(gy, normal));
-    let kernel = Align { from: [Expr::ONE, Expr::ZERO], to: [cos, sin] };
     let meaning = format!("Joint {nc}: what remains of the rotation.");
-    c.stage(&[(third, Angle::ZERO)], third, Unit::Direction, Branching::None, meaning, kernel);
+    c.align(third, [Expr::ONE, Expr::ZERO], [cos, sin], Unit::Direction, meaning);
 }
 
 /// `link = R_z(f) X R_z(-b)` for axes at a right angle: `f` and `b`.
@@ -195,13 +193,10 @@ fn outward(c: &mut LoopClosure, parts: &[Part], target: usize) -> Rigid {
 
 /// `n_1x`: x of the vector n seen in frame 1.
 fn name(c: &mut LoopClosure, rigid: &Rigid, axes: &[String; 3], origin: &str, frame: &str) {
-    for (column, axis) in transpose(&rigid.r).iter().zip(axes) {
-        for (e, component) in column.iter().zip(["x", "y", "z"]) {
-            c.g.name(*e, format!("{axis}_{frame}{component}"));
-        }
-    }
-    for (e, component) in rigid.p.iter().zip(["x", "y", "z"]) {
-        c.g.name(*e, format!("{origin}_{frame}{component}"));
+    for (column, axis) in
+        transpose(&rigid.r).iter().chain([&rigid.p]).zip(axes.iter().map(String::as_str).chain([origin]))
+    {
+        c.g.name_each(column, &format!("{axis}_{frame}"));
     }
 }
 
@@ -210,9 +205,7 @@ fn suggest(c: &mut LoopClosure, rigid: &Rigid, axes: &[String; 3], origin: &str,
     for (column, axis) in
         transpose(&rigid.r).iter().chain([&rigid.p]).zip(axes.iter().map(String::as_str).chain([origin]))
     {
-        for (e, component) in column.iter().zip(["x", "y", "z"]) {
-            c.g.suggest(*e, format!("t{axis}_{frame}{component}"));
-        }
+        c.g.suggest_each(column, &format!("t{axis}_{frame}"));
     }
 }
 

@@ -35,6 +35,13 @@ pub enum Axis {
     Z,
 }
 
+impl Axis {
+    /// Its column in a rotation, from 0.
+    pub fn column(self) -> usize {
+        self as usize
+    }
+}
+
 /// The request as written.
 #[derive(Debug, Clone, Default)]
 pub struct InverseSpec {

@@ -114,6 +114,13 @@ impl Graph {
         e
     }
 
+    /// Names the components of a vector: the name and x, y or z.
+    pub fn name_each(&mut self, vector: &[Expr], name: &str) {
+        for (e, axis) in vector.iter().zip(["x", "y", "z"]) {
+            self.name(*e, format!("{name}{axis}"));
+        }
+    }
+
     /// The same, replacing an earlier name: for what turns out to have a role of its own.
     pub fn rename(&mut self, e: Expr, name: impl Into<String>) {
         let bare = self.strip(e).0;
@@ -126,6 +133,13 @@ impl Graph {
         let bare = self.strip(e).0;
         if matches!(self.node(bare), Node::Add(..) | Node::Sub(..)) {
             self.suggested.entry(bare).or_insert_with(|| name.into());
+        }
+    }
+
+    /// Suggests names for the components of a vector.
+    pub fn suggest_each(&mut self, vector: &[Expr], name: &str) {
+        for (e, axis) in vector.iter().zip(["x", "y", "z"]) {
+            self.suggest(*e, format!("{name}{axis}"));
         }
     }
 

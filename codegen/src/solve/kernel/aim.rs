@@ -1,7 +1,7 @@
 //! One direction seen from two revolute joints, with a prismatic one between them.
 
 use super::argument::Argument;
-use super::equation::Equation;
+use super::equation::{Equation, Form};
 use super::pivot::{Pivot, Variables};
 use crate::symbolic::{Graph, Mat3, Vec3, transpose};
 
@@ -16,25 +16,19 @@ pub struct Aim {
 }
 
 impl Equation for Aim {
-    fn function(&self) -> &'static str {
-        "aim"
-    }
-
-    fn arguments(&self) -> Vec<Argument> {
+    fn form(&self) -> Form {
         let sights = self.moved.iter().zip(&self.frames).map(|(moved, frame)| {
             let fields = vec![("moved", Argument::numbers(moved)), ("frame", Argument::rows(frame))];
             Argument::Struct("Sight", fields)
         });
-        [Argument::defaults()].into_iter().chain(sights).collect()
-    }
-
-    /// Three where one of the joints is free.
-    fn most_roots(&self) -> usize {
-        3
-    }
-
-    fn description(&self) -> &'static str {
-        "one direction seen over a sliding joint, two cones (2 roots)"
+        Form {
+            extra_roots: 1,
+            ..Form::new(
+                "aim",
+                "one direction seen over a sliding joint, two cones (2 roots)",
+                [Argument::defaults()].into_iter().chain(sights).collect(),
+            )
+        }
     }
 
     /// The triple product of the direction and both axes.

@@ -1,7 +1,7 @@
 //! A joint turns one vector onto another.
 
 use super::argument::{Argument, Quantity};
-use super::equation::Equation;
+use super::equation::{Equation, Form};
 use super::pivot::{Pivot, Variables};
 use crate::symbolic::{Expr, Graph};
 
@@ -15,29 +15,23 @@ pub struct Align {
 }
 
 impl Equation for Align {
-    fn function(&self) -> &'static str {
-        "align"
-    }
-
-    fn arguments(&self) -> Vec<Argument> {
+    fn form(&self) -> Form {
         let [from, to] = [self.from, self.to].map(|vector| Argument::numbers(&vector));
-        vec![Argument::Default(0), Argument::Measure, from, to]
-    }
-
-    fn roots(&self) -> usize {
-        1
-    }
-
-    fn description(&self) -> &'static str {
-        "one vector turned onto another (1 root)"
+        Form {
+            roots: 1,
+            quantities: [("from", self.from), ("to", self.to)]
+                .map(|(key, list)| (key, Quantity::List(list.to_vec())))
+                .to_vec(),
+            ..Form::new(
+                "align",
+                "one vector turned onto another (1 root)",
+                vec![Argument::Default(0), Argument::Measure, from, to],
+            )
+        }
     }
 
     /// The equation gives the angle itself.
     fn pivot(&self, _: &mut Graph, _: &Variables) -> Pivot {
         Pivot::ONE
-    }
-
-    fn quantities(&self) -> Vec<(&'static str, Quantity)> {
-        [("from", self.from), ("to", self.to)].map(|(key, list)| (key, Quantity::List(list.to_vec()))).to_vec()
     }
 }

@@ -1,7 +1,7 @@
 //! A vector that a joint turns takes a given component along another axis.
 
 use super::argument::{Argument, Phase, Quantity};
-use super::equation::Equation;
+use super::equation::{Equation, Form};
 use super::pivot::{Pivot, Variables};
 use crate::symbolic::{Expr, Graph};
 
@@ -33,30 +33,22 @@ pub struct Cone {
 }
 
 impl Equation for Cone {
-    fn function(&self) -> &'static str {
-        "cone"
-    }
-
-    fn arguments(&self) -> Vec<Argument> {
+    fn form(&self) -> Form {
         let ConeRange { along, across, cos, sin } = self.range;
         let range = Argument::Range(vec![along, across, cos, sin]);
         let [d, rho] = [self.d, self.rho].map(Argument::Number);
-        vec![Argument::Default(0), Argument::Measure, d, rho, range]
-    }
-
-    fn about(&self) -> Option<Phase> {
-        self.about
-    }
-
-    fn description(&self) -> &'static str {
-        "a component along another axis (2 roots)"
+        Form {
+            about: self.about,
+            quantities: vec![("d", Quantity::Value(self.d))],
+            ..Form::new(
+                "cone",
+                "a component along another axis (2 roots)",
+                vec![Argument::Default(0), Argument::Measure, d, rho, range],
+            )
+        }
     }
 
     fn pivot(&self, g: &mut Graph, variables: &Variables) -> Pivot {
         variables.about(g, self.about, variables.power())
-    }
-
-    fn quantities(&self) -> Vec<(&'static str, Quantity)> {
-        vec![("d", Quantity::Value(self.d))]
     }
 }

@@ -1,7 +1,7 @@
 //! A point that a joint turns comes to a given distance from another one.
 
 use super::argument::{Argument, Phase, Quantity};
-use super::equation::Equation;
+use super::equation::{Equation, Form};
 use super::pivot::{Pivot, Variables};
 use crate::symbolic::{Expr, Graph};
 
@@ -29,30 +29,23 @@ pub struct Distance {
 }
 
 impl Equation for Distance {
-    fn function(&self) -> &'static str {
-        "distance"
-    }
-
-    fn arguments(&self) -> Vec<Argument> {
+    fn form(&self) -> Form {
         let ElbowRange { a, b, height } = self.range;
         let range = Argument::Range(vec![a, b, height]);
-        vec![Argument::Default(0), Argument::Measure, Argument::Number(self.rho), range]
-    }
-
-    fn about(&self) -> Option<Phase> {
-        self.about
-    }
-
-    fn description(&self) -> &'static str {
-        "two points a given distance apart, law of cosines (2 roots)"
+        Form {
+            about: self.about,
+            quantities: [("rho", self.rho), ("a", a), ("b", b), ("h", height)]
+                .map(|(key, e)| (key, Quantity::Value(e)))
+                .to_vec(),
+            ..Form::new(
+                "distance",
+                "two points a given distance apart, law of cosines (2 roots)",
+                vec![Argument::Default(0), Argument::Measure, Argument::Number(self.rho), range],
+            )
+        }
     }
 
     fn pivot(&self, g: &mut Graph, variables: &Variables) -> Pivot {
         variables.about(g, self.about, 2)
-    }
-
-    fn quantities(&self) -> Vec<(&'static str, Quantity)> {
-        let ElbowRange { a, b, height } = self.range;
-        [("rho", self.rho), ("a", a), ("b", b), ("h", height)].map(|(key, e)| (key, Quantity::Value(e))).to_vec()
     }
 }

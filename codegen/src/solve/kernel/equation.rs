@@ -2,39 +2,45 @@
 
 use super::argument::{Argument, Phase, Quantity};
 use super::pivot::{Pivot, Variables};
-use crate::symbolic::Graph;
+use crate::symbolic::{Expr, Graph};
 
-/// An equation, as the planner, the report, the margins and the code see it.
-pub trait Equation {
+/// What the planner, the report and the code see of an equation.
+#[derive(Debug, Clone)]
+pub struct Form {
     /// The runtime's function that solves it.
-    fn function(&self) -> &'static str;
-
-    /// What it takes, in order.
-    fn arguments(&self) -> Vec<Argument>;
-
+    pub function: &'static str,
+    /// What that takes, in order.
+    pub arguments: Vec<Argument>,
     /// Where its angle is counted from, if that is only known at run time.
-    fn about(&self) -> Option<Phase> {
-        None
-    }
-
+    pub about: Option<Phase>,
     /// The largest number of roots of regular targets.
-    fn roots(&self) -> usize {
-        2
-    }
-
-    /// The same with the roots that there are besides where a joint is free.
-    fn most_roots(&self) -> usize {
-        self.roots()
-    }
-
+    pub roots: usize,
+    /// How many more there are where a joint is free.
+    pub extra_roots: usize,
     /// Its line in a report.
-    fn description(&self) -> &'static str;
+    pub description: &'static str,
+    /// What the text of a stage may name in braces.
+    pub quantities: Vec<(&'static str, Quantity)>,
+}
+
+impl Form {
+    /// That of an equation with two roots.
+    pub fn new(function: &'static str, description: &'static str, arguments: Vec<Argument>) -> Self {
+        Form { function, arguments, about: None, roots: 2, extra_roots: 0, description, quantities: Vec::new() }
+    }
+
+    /// The expressions it reads.
+    pub fn inputs(&self) -> Vec<Expr> {
+        let about = self.about.iter().flat_map(|phase| [phase.y, phase.x]);
+        self.arguments.iter().flat_map(Argument::inputs).chain(about).collect()
+    }
+}
+
+/// An equation.
+pub trait Equation {
+    /// What is seen of it.
+    fn form(&self) -> Form;
 
     /// Its derivative by its joints' variables: the determinant for two of them.
     fn pivot(&self, g: &mut Graph, variables: &Variables) -> Pivot;
-
-    /// What the text of a stage may name in braces.
-    fn quantities(&self) -> Vec<(&'static str, Quantity)> {
-        Vec::new()
-    }
 }

@@ -1,7 +1,7 @@
 //! Two axes at right angles point a direction.
 
 use super::argument::{Argument, Quantity};
-use super::equation::Equation;
+use super::equation::{Equation, Form};
 use super::pivot::{Pivot, Variables};
 use crate::symbolic::{Expr, Graph};
 
@@ -14,23 +14,18 @@ pub struct Flip {
 }
 
 impl Equation for Flip {
-    fn function(&self) -> &'static str {
-        "flip"
-    }
-
-    fn arguments(&self) -> Vec<Argument> {
-        vec![Argument::Default(1), Argument::numbers(&self.m)]
-    }
-
-    fn description(&self) -> &'static str {
-        "two axes at right angles point a direction (2 roots)"
+    fn form(&self) -> Form {
+        Form {
+            quantities: vec![("m", Quantity::List(self.m.to_vec()))],
+            ..Form::new(
+                "flip",
+                "two axes at right angles point a direction (2 roots)",
+                vec![Argument::Default(1), Argument::numbers(&self.m)],
+            )
+        }
     }
 
     fn pivot(&self, g: &mut Graph, variables: &Variables) -> Pivot {
         Pivot { value: variables.pair(g, 0).sin, power: 0 }
-    }
-
-    fn quantities(&self) -> Vec<(&'static str, Quantity)> {
-        vec![("m", Quantity::List(self.m.to_vec()))]
     }
 }

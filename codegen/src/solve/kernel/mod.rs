@@ -28,7 +28,7 @@ pub use align::Align;
 pub use argument::{Argument, Phase, Quantity};
 pub use cone::{Cone, ConeRange};
 pub use distance::{Distance, ElbowRange};
-pub use equation::Equation;
+pub use equation::{Equation, Form};
 pub use flip::Flip;
 pub use offset::Offset;
 pub use offset_of_two::OffsetOfTwo;
@@ -41,7 +41,7 @@ pub use slide_to::SlideTo;
 pub use slide_turning::SlideTurning;
 pub use wrist::Wrist;
 
-use crate::symbolic::Expr;
+use crate::symbolic::{Expr, Graph};
 
 /// The enumeration of all equations, and their common view.
 macro_rules! kernels {
@@ -61,17 +61,16 @@ macro_rules! kernels {
         )*
 
         impl Kernel {
-            /// What all equations have.
-            pub fn equation(&self) -> &dyn Equation {
-                match self {
-                    $(Kernel::$name(kernel) => kernel,)*
-                }
-            }
-
             /// Its name.
             pub fn name(&self) -> &'static str {
                 match self {
                     $(Kernel::$name(_) => stringify!($name),)*
+                }
+            }
+
+            fn equation(&self) -> &dyn Equation {
+                match self {
+                    $(Kernel::$name(kernel) => kernel,)*
                 }
             }
         }
@@ -96,15 +95,18 @@ kernels!(
 );
 
 impl Kernel {
-    /// The largest number of roots of regular targets.
-    pub fn roots(&self) -> usize {
-        self.equation().roots()
+    /// What is seen of its equation.
+    pub fn form(&self) -> Form {
+        self.equation().form()
     }
 
     /// The expressions it reads.
     pub fn inputs(&self) -> Vec<Expr> {
-        let equation = self.equation();
-        let about = equation.about().into_iter().flat_map(|phase| [phase.y, phase.x]);
-        equation.arguments().iter().flat_map(Argument::inputs).chain(about).collect()
+        self.form().inputs()
+    }
+
+    /// The derivative of its equation by its joints' variables.
+    pub fn pivot(&self, g: &mut Graph, variables: &Variables) -> Pivot {
+        self.equation().pivot(g, variables)
     }
 }

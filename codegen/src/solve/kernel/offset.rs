@@ -1,7 +1,7 @@
 //! A point that a joint turns keeps a given distance from a plane.
 
 use super::argument::{Argument, Quantity};
-use super::equation::Equation;
+use super::equation::{Equation, Form};
 use super::pivot::{Pivot, Variables, derivative};
 use crate::symbolic::{Expr, Graph};
 
@@ -17,26 +17,21 @@ pub struct Offset {
 }
 
 impl Equation for Offset {
-    fn function(&self) -> &'static str {
-        "offset"
-    }
-
-    fn arguments(&self) -> Vec<Argument> {
+    fn form(&self) -> Form {
         let [a, b, d] = [self.a, self.b, self.d].map(Argument::Number);
-        vec![Argument::Default(0), Argument::Measure, a, b, d]
-    }
-
-    fn description(&self) -> &'static str {
-        "a point keeps an offset, a cos + b sin = d (2 roots)"
+        let (cos, sin) = (Quantity::Coefficient(self.a), Quantity::Coefficient(self.b));
+        Form {
+            quantities: vec![("a", cos), ("b", sin), ("d", Quantity::Value(self.d))],
+            ..Form::new(
+                "offset",
+                "a point keeps an offset, a cos + b sin = d (2 roots)",
+                vec![Argument::Default(0), Argument::Measure, a, b, d],
+            )
+        }
     }
 
     fn pivot(&self, g: &mut Graph, variables: &Variables) -> Pivot {
         let t = variables.pair(g, 0);
         Pivot { value: derivative(g, [self.a, self.b, self.d], t), power: variables.power() }
-    }
-
-    fn quantities(&self) -> Vec<(&'static str, Quantity)> {
-        let [a, b] = [self.a, self.b].map(Quantity::Coefficient);
-        vec![("a", a), ("b", b), ("d", Quantity::Value(self.d))]
     }
 }

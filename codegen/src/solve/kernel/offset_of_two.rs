@@ -1,7 +1,7 @@
 //! A point and a direction that a joint turns keep given offsets from a plane.
 
 use super::argument::Argument;
-use super::equation::Equation;
+use super::equation::{Equation, Form};
 use super::pivot::{Pivot, Variables};
 use crate::symbolic::{Expr, Graph};
 
@@ -16,17 +16,13 @@ pub struct OffsetOfTwo {
 }
 
 impl Equation for OffsetOfTwo {
-    fn function(&self) -> &'static str {
-        "offset_of_two"
-    }
-
-    fn arguments(&self) -> Vec<Argument> {
+    fn form(&self) -> Form {
         let [length, direction] = [self.length, self.direction].map(|row| Argument::numbers(&row));
-        vec![Argument::Default(0), Argument::Measure, length, direction]
-    }
-
-    fn description(&self) -> &'static str {
-        "a point and a direction keep offsets, a cos + b sin = d (2 roots)"
+        Form::new(
+            "offset_of_two",
+            "a point and a direction keep offsets, a cos + b sin = d (2 roots)",
+            vec![Argument::Default(0), Argument::Measure, length, direction],
+        )
     }
 
     /// There are more equations than joints, so no margins.

@@ -1,7 +1,7 @@
 //! Two equations in two revolute joints.
 
 use super::argument::Argument;
-use super::equation::Equation;
+use super::equation::{Equation, Form};
 use super::pivot::{Pivot, Variables, derivative};
 use crate::symbolic::{Expr, Graph};
 
@@ -20,22 +20,18 @@ pub struct Pair {
 }
 
 impl Equation for Pair {
-    fn function(&self) -> &'static str {
-        if self.across.is_some() { "pair_turning" } else { "pair" }
-    }
-
-    fn arguments(&self) -> Vec<Argument> {
+    fn form(&self) -> Form {
+        let function = if self.across.is_some() { "pair_turning" } else { "pair" };
         let across = self.across.map(|across| Argument::rows(&across.concat()));
         let rows = [Argument::rows(&self.p), Argument::rows(&self.q)];
-        [Argument::defaults(), Argument::Measure].into_iter().chain(rows).chain(across).collect()
-    }
-
-    fn roots(&self) -> usize {
-        4
-    }
-
-    fn description(&self) -> &'static str {
-        "two equations together, a quartic (up to 4 roots)"
+        Form {
+            roots: 4,
+            ..Form::new(
+                function,
+                "two equations together, a quartic (up to 4 roots)",
+                [Argument::defaults(), Argument::Measure].into_iter().chain(rows).chain(across).collect(),
+            )
+        }
     }
 
     fn pivot(&self, g: &mut Graph, variables: &Variables) -> Pivot {

@@ -1,7 +1,7 @@
 //! Two equations in a prismatic and a revolute joint.
 
 use super::argument::Argument;
-use super::equation::Equation;
+use super::equation::{Equation, Form};
 use super::pivot::{Pivot, Variables, derivative};
 use crate::symbolic::{Expr, Graph};
 
@@ -24,23 +24,18 @@ pub struct PairSliding {
 }
 
 impl Equation for PairSliding {
-    fn function(&self) -> &'static str {
-        "pair_sliding"
-    }
-
-    fn arguments(&self) -> Vec<Argument> {
+    fn form(&self) -> Form {
         let (line, scale) = (Argument::numbers(&self.line), Argument::Number(self.scale));
         let (square, q) = (Argument::numbers(&self.square), Argument::numbers(&self.q));
         let across = Argument::Tuple([Argument::rows(&self.sliding), Argument::rows(&self.turning)].map(Box::new));
-        vec![Argument::Measure, line, scale, square, q, across]
-    }
-
-    fn roots(&self) -> usize {
-        4
-    }
-
-    fn description(&self) -> &'static str {
-        "two equations together, a quartic with a slide (up to 4 roots)"
+        Form {
+            roots: 4,
+            ..Form::new(
+                "pair_sliding",
+                "two equations together, a quartic with a slide (up to 4 roots)",
+                vec![Argument::Measure, line, scale, square, q, across],
+            )
+        }
     }
 
     fn pivot(&self, g: &mut Graph, variables: &Variables) -> Pivot {

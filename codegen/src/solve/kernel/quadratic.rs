@@ -1,7 +1,7 @@
 //! Two equations in two prismatic joints, one of them eliminated.
 
 use super::argument::Argument;
-use super::equation::Equation;
+use super::equation::{Equation, Form};
 use super::pivot::{Pivot, Variables};
 use crate::symbolic::{Expr, Graph};
 
@@ -13,16 +13,12 @@ pub struct Quadratic {
 }
 
 impl Equation for Quadratic {
-    fn function(&self) -> &'static str {
-        "quadratic"
-    }
-
-    fn arguments(&self) -> Vec<Argument> {
-        vec![Argument::Measure, Argument::numbers(&self.coefficients)]
-    }
-
-    fn description(&self) -> &'static str {
-        "two equations in two slides, a quadratic (2 roots)"
+    fn form(&self) -> Form {
+        Form::new(
+            "quadratic",
+            "two equations in two slides, a quadratic (2 roots)",
+            vec![Argument::Measure, Argument::numbers(&self.coefficients)],
+        )
     }
 
     fn pivot(&self, g: &mut Graph, variables: &Variables) -> Pivot {

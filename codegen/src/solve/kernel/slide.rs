@@ -1,7 +1,7 @@
 //! A point that a prismatic joint moves comes to a given distance from another one.
 
 use super::argument::{Argument, Quantity};
-use super::equation::Equation;
+use super::equation::{Equation, Form};
 use super::pivot::{Pivot, Variables};
 use crate::symbolic::{Expr, Graph};
 
@@ -17,25 +17,16 @@ pub struct Slide {
 }
 
 impl Equation for Slide {
-    fn function(&self) -> &'static str {
-        "slide"
-    }
-
-    fn arguments(&self) -> Vec<Argument> {
+    fn form(&self) -> Form {
         let [rho, across, middle] = [self.rho, self.across, self.middle].map(Argument::Number);
-        vec![Argument::Measure, rho, across, middle]
-    }
-
-    fn description(&self) -> &'static str {
-        "slides to a given distance (2 roots)"
+        Form {
+            quantities: vec![("rho", Quantity::Value(self.rho))],
+            ..Form::new("slide", "slides to a given distance (2 roots)", vec![Argument::Measure, rho, across, middle])
+        }
     }
 
     fn pivot(&self, g: &mut Graph, variables: &Variables) -> Pivot {
         let position = variables.position(g, 0);
         Pivot { value: g.sub(position, self.middle), power: 1 }
-    }
-
-    fn quantities(&self) -> Vec<(&'static str, Quantity)> {
-        vec![("rho", Quantity::Value(self.rho))]
     }
 }

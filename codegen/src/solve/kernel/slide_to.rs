@@ -1,7 +1,7 @@
 //! A linear equation for a prismatic joint.
 
 use super::argument::Argument;
-use super::equation::Equation;
+use super::equation::{Equation, Form};
 use super::pivot::{Pivot, Variables};
 use crate::symbolic::{Expr, Graph};
 
@@ -15,21 +15,16 @@ pub struct SlideTo {
 }
 
 impl Equation for SlideTo {
-    fn function(&self) -> &'static str {
-        "slide_to"
-    }
-
-    fn arguments(&self) -> Vec<Argument> {
+    fn form(&self) -> Form {
         let [denominator, numerator] = [self.denominator, self.numerator].map(Argument::Number);
-        vec![Argument::Default(0), Argument::Measure, denominator, numerator]
-    }
-
-    fn roots(&self) -> usize {
-        1
-    }
-
-    fn description(&self) -> &'static str {
-        "slides by a given amount (1 root)"
+        Form {
+            roots: 1,
+            ..Form::new(
+                "slide_to",
+                "slides by a given amount (1 root)",
+                vec![Argument::Default(0), Argument::Measure, denominator, numerator],
+            )
+        }
     }
 
     fn pivot(&self, _: &mut Graph, _: &Variables) -> Pivot {

@@ -1,7 +1,7 @@
 //! A revolute and a prismatic joint with a third one between them that is prismatic.
 
 use super::argument::Argument;
-use super::equation::Equation;
+use super::equation::{Equation, Form};
 use super::pivot::{Pivot, Variables, derivative};
 use crate::symbolic::{Expr, Graph};
 
@@ -15,17 +15,13 @@ pub struct SlideTurning {
 }
 
 impl Equation for SlideTurning {
-    fn function(&self) -> &'static str {
-        "slide_turning"
-    }
-
-    fn arguments(&self) -> Vec<Argument> {
+    fn form(&self) -> Form {
         let (stroke, rows) = (Argument::numbers(&self.stroke), Argument::rows(&self.rows));
-        vec![Argument::defaults(), Argument::Measure, stroke, rows]
-    }
-
-    fn description(&self) -> &'static str {
-        "two components across a slide, an angle and another slide (2 roots)"
+        Form::new(
+            "slide_turning",
+            "two components across a slide, an angle and another slide (2 roots)",
+            vec![Argument::defaults(), Argument::Measure, stroke, rows],
+        )
     }
 
     fn pivot(&self, g: &mut Graph, variables: &Variables) -> Pivot {

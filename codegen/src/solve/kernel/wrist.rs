@@ -1,7 +1,7 @@
 //! Three axes at right angles give a rotation.
 
 use super::argument::Argument;
-use super::equation::Equation;
+use super::equation::{Equation, Form};
 use super::pivot::{Pivot, Variables};
 use crate::symbolic::{Graph, Mat3};
 
@@ -13,16 +13,12 @@ pub struct Wrist {
 }
 
 impl Equation for Wrist {
-    fn function(&self) -> &'static str {
-        "wrist"
-    }
-
-    fn arguments(&self) -> Vec<Argument> {
-        vec![Argument::Default(0), Argument::rows(&self.m)]
-    }
-
-    fn description(&self) -> &'static str {
-        "three axes at right angles give a rotation (2 roots)"
+    fn form(&self) -> Form {
+        Form::new(
+            "wrist",
+            "three axes at right angles give a rotation (2 roots)",
+            vec![Argument::Default(0), Argument::rows(&self.m)],
+        )
     }
 
     fn pivot(&self, g: &mut Graph, variables: &Variables) -> Pivot {

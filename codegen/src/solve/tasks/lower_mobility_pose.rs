@@ -1,15 +1,15 @@
 //! A pose for four or five joints: more equations than joints. The rest of them is compared.
 
 use super::yaw::{PITCH, across_plane};
+use crate::model::Angle;
 use crate::model::geometry::{Triple, TripleKind};
-use crate::model::{Angle, Task};
-use crate::solve::kernel::{Align, OffsetOfTwo, SlideTo, Unit};
+use crate::solve::kernel::{OffsetOfTwo, Unit};
 use crate::solve::loop_chain::LoopChain;
 use crate::solve::loop_closure::LoopClosure;
 use crate::solve::plan::{Branching, Plan, PlanStep};
 use crate::solve::sides::Side;
 use crate::solve::sinusoid::{Sinusoid, turned_back};
-use crate::solve::task::PlanTask;
+use crate::solve::task::{Goal, PlanTask};
 use crate::solve::unsupported::Unsupported;
 use crate::solve::{rank, triple};
 use crate::symbolic::Expr;
@@ -17,7 +17,7 @@ use crate::symbolic::Expr;
 /// A whole pose for a yaw joint, three pitch joints and perhaps a roll joint: more equations than joints.
 pub fn yawing(chain: LoopChain) -> Result<Plan, Unsupported> {
     rank::check(&chain, rank::Asked::Pose)?;
-    let task = PlanTask::new(Task::Pose, chain.given);
+    let task = PlanTask::new(Goal::Pose, chain.given);
     let rolls = chain.slots.len() == 5;
     let triple = Triple { first: 1, kind: TripleKind::Parallel };
     let mut c = LoopClosure::new(chain, triple);
@@ -39,23 +39,21 @@ pub fn yawing(chain: LoopChain) -> Result<Plan, Unsupported> {
         let row = |c: &mut LoopClosure, row: Sinusoid, value: Expr| [row.c, row.s, c.g.sub(value, row.k)];
         let kernel = OffsetOfTwo { length: row(&mut c, length, value), direction: row(&mut c, direction, cosine) };
         let meaning = format!("Joint {label}: axis 5 keeps its offset and its angle to the plane of the pitch joints.");
-        c.stage(&[(0, Angle::ZERO)], 0, Unit::Length, Branching::Shoulder, meaning, kernel);
+        c.stage(&[(0, Angle::ZERO)], Unit::Length, Branching::Shoulder, meaning, kernel);
         // The pitch axis as the flange sees it, and as the roll joint does.
         let seen = c.move_by(0, n);
         let seen = c.g.apply3(&flange.transposed(), seen);
         let sign = c.value(Side::along(plane.z())).map_or(1.0, f64::signum);
         let own = c.link(3).back.z().map(|e| if sign < 0.0 { c.g.neg(e) } else { e });
         let meaning = "Joint 5: turns the pitch axis from `[{from}]` to `[{to}]`.".to_string();
-        let kernel = Align { from: Side::plane(seen), to: Side::plane(own) };
-        c.stage(&[(4, Angle::ZERO)], 4, Unit::Direction, Branching::None, meaning, kernel);
+        c.align(4, Side::plane(seen), Side::plane(own), Unit::Direction, meaning);
     } else {
         // The tool has the pitch axis fixed in it.
         let sign = c.value(Side::along(plane.z())).map_or(1.0, f64::signum);
         let axis = flange.z().map(|e| if sign < 0.0 { c.g.neg(e) } else { e });
         let n = c.clean3(c.link(0).forward.z(), Unit::Direction);
-        let kernel = Align { from: Side::plane(n), to: Side::plane(axis) };
         let meaning = format!("Joint {label}: turns the pitch axis from `[{{from}}]` to `[{{to}}]`.");
-        c.stage(&[(0, Angle::ZERO)], 0, Unit::Direction, Branching::None, meaning, kernel);
+        c.align(0, Side::plane(n), Side::plane(axis), Unit::Direction, meaning);
         let miss = c.g.sub(Side::along(axis), Side::along(n));
         agreement(&mut c, "The pitch axis keeps its angle to the first axis.", Unit::Direction, vec![miss]);
         let (n, value) = across_plane(&mut c, PITCH, plane.p);
@@ -71,7 +69,7 @@ pub fn yawing(chain: LoopChain) -> Result<Plan, Unsupported> {
 /// A whole pose for three joints that move in a plane and a stroke across it.
 pub fn upright(chain: LoopChain) -> Result<Plan, Unsupported> {
     let chain = prismatic_last(chain)?;
-    let task = PlanTask::new(Task::Pose, chain.given);
+    let task = PlanTask::new(Goal::Pose, chain.given);
     let triple = Triple { first: 0, kind: TripleKind::Parallel };
     let mut c = LoopClosure::new(chain, triple);
     let flange = c.link(3).back;
@@ -80,10 +78,10 @@ pub fn upright(chain: LoopChain) -> Result<Plan, Unsupported> {
     // The stroke's direction in the frame of the first joint, which no joint turns.
     let own = c.clean3(still.z(), Unit::Direction);
     let (height, before) = (c.g.dot3(own, flange.p), c.g.dot3(own, still.p));
-    let kernel = SlideTo { denominator: Expr::ONE, numerator: c.g.sub(height, before) };
     let label = c.label(3);
     let meaning = format!("Joint {label}: the height of the tool.");
-    c.stage(&[(3, Angle::ZERO)], 3, Unit::Length, Branching::None, meaning, kernel);
+    let numerator = c.g.sub(height, before);
+    c.slide_to(3, Expr::ONE, numerator, meaning);
     let misses = c.g.sub3(flange.z(), own).to_vec();
     agreement(&mut c, "The stroke is parallel to the joints' axes.", Unit::Direction, misses);
     triple::parallel(&mut c)?;

@@ -11,7 +11,7 @@ mod yaw;
 use super::loop_chain::LoopChain;
 use super::plan::Plan;
 use super::swivel;
-use super::task::PlanTask;
+use super::task::Goal;
 use super::unsupported::{self, Unsupported};
 use crate::model::chain::Chain;
 use crate::model::geometry::{self, Geometry};
@@ -22,12 +22,11 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, U
     let request = &model.inverse;
     let joints = LoopChain::new(model, chain, geometry.reach, request.redundant);
     if request.arm_angle {
-        let task = PlanTask::new(Task::Pose, None);
         return match request.task {
             _ if !model.parameters.is_empty() => Err(Unsupported::new(
                 "an arm angle needs lengths known when the code is generated, not run-time parameters",
             )),
-            None | Some(Task::Pose) => swivel::plan(joints, chain, task),
+            None | Some(Task::Pose) => swivel::plan(joints, chain),
             Some(_) => Err(Unsupported::new("an arm angle belongs to the task `pose`")),
         };
     }
@@ -104,7 +103,8 @@ fn attempt(task: Task, model: &Model, geometry: &Geometry, joints: &LoopChain) -
         (Task::Position, 3) => position::plan(joints),
         (Task::PositionAxis, 5) => position_axis::plan(model.inverse.axis, joints),
         (Task::PositionAngle, 4) => position_angle::plan(joints),
-        (Task::PlanarPose, 3) | (Task::PlanarPosition, 2) => planar::plan(task, joints),
+        (Task::PlanarPose, 3) => planar::plan(Goal::PlanarPose, joints),
+        (Task::PlanarPosition, 2) => planar::plan(Goal::PlanarPosition, joints),
         _ => Err(unsupported::not_covered(model, Some(task))),
     }
 }
@@ -135,8 +135,7 @@ fn alternatives(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<String
     let swings =
         !request.arm_angle && model.parameters.is_empty() && request.task.is_none_or(|task| task == Task::Pose) && {
             let joints = LoopChain::new(model, chain, geometry.reach, None);
-            let task = PlanTask::new(Task::Pose, None);
-            swivel::plan(joints, chain, task).is_ok()
+            swivel::plan(joints, chain).is_ok()
         };
     found.extend(swings.then(|| "`redundant: arm_angle`".to_string()));
     found

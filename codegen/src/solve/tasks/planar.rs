@@ -1,11 +1,11 @@
 //! A pose or a point in the base frame's xy plane.
 
+use crate::model::Angle;
 use crate::model::geometry::{Triple, TripleKind};
-use crate::model::{Angle, Task};
 use crate::solve::loop_chain::LoopChain;
 use crate::solve::loop_closure::LoopClosure;
 use crate::solve::plan::Plan;
-use crate::solve::task::PlanTask;
+use crate::solve::task::{Goal, PlanTask};
 use crate::solve::unsupported::Unsupported;
 use crate::solve::{planar, rank};
 use crate::symbolic::{Expr, Graph, Input, Pair, transpose};
@@ -14,14 +14,14 @@ use crate::symbolic::{Expr, Graph, Input, Pair, transpose};
 ///
 /// # Errors
 /// If the joints do not move in the plane, or are singular everywhere.
-pub fn plan(task: Task, mut chain: LoopChain) -> Result<Plan, Unsupported> {
-    let is_pose = task == Task::PlanarPose;
+pub fn plan(goal: Goal, mut chain: LoopChain) -> Result<Plan, Unsupported> {
+    let is_pose = goal == Goal::PlanarPose;
     rank::check(&chain, if is_pose { rank::Asked::Pose } else { rank::Asked::Point })?;
     let twist = if is_pose { chain.tool_twist() } else { Some(Angle::ZERO) };
     let (true, Some(twist)) = (chain.is_planar(), twist) else {
         return Err(Unsupported::new(format!(
             "the task `{}` needs axes parallel to the base z axis (sliding joints across it){}",
-            task.name(),
+            goal.task().name(),
             if is_pose { " and a tool whose x axis lies in the plane" } else { "" }
         )));
     };
@@ -41,7 +41,7 @@ pub fn plan(task: Task, mut chain: LoopChain) -> Result<Plan, Unsupported> {
         chain.append_upright();
     }
     let triple = Triple { first: 0, kind: TripleKind::Parallel };
-    let task = PlanTask::new(task, chain.given);
+    let task = PlanTask::new(goal, chain.given);
     let mut c = LoopClosure::new(chain, triple);
     let links = [c.link(0), c.link(1), c.link(2)];
     planar::solve(&mut c, [0, 1, 2], links)?;

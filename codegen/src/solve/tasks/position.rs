@@ -1,10 +1,10 @@
 //! A point alone, for three joints.
 
+use crate::model::Angle;
 use crate::model::geometry::{Triple, TripleKind};
-use crate::model::{Angle, Task};
 use crate::solve::loop_chain::{LoopChain, LoopJoint};
 use crate::solve::plan::Plan;
-use crate::solve::task::PlanTask;
+use crate::solve::task::{Goal, PlanTask};
 use crate::solve::unsupported::Unsupported;
 use crate::solve::{rank, structure};
 use crate::symbolic::{Graph, Rigid, transpose};
@@ -15,7 +15,7 @@ use crate::symbolic::{Graph, Rigid, transpose};
 /// If the joints do not move the point in space.
 pub fn plan(mut chain: LoopChain) -> Result<Plan, Unsupported> {
     rank::check(&chain, rank::Asked::Point)?;
-    let task = PlanTask::new(Task::Position, chain.given);
+    let task = PlanTask::new(Goal::Position, chain.given);
     let link = |g: &mut Graph, degrees: f64| {
         let pair = g.constant_pair(Angle::degrees(degrees), "VIRTUAL");
         Rigid { r: transpose(&Graph::identity().map(|axis| g.rotate_x(pair, axis))), ..Rigid::identity() }

@@ -1,14 +1,14 @@
 //! A point and the tool's angle in the plane that a joint yaws, for four joints.
 
 use super::yaw;
+use crate::model::Angle;
 use crate::model::geometry::{Triple, TripleKind};
-use crate::model::{Angle, Task};
 use crate::solve::kernel::{Offset, Unit};
 use crate::solve::loop_chain::LoopChain;
 use crate::solve::loop_closure::{Link, LoopClosure};
 use crate::solve::plan::{Branching, Plan};
 use crate::solve::sinusoid::turned_back;
-use crate::solve::task::PlanTask;
+use crate::solve::task::{Goal, PlanTask};
 use crate::solve::unsupported::Unsupported;
 use crate::solve::{planar, rank};
 use crate::symbolic::{Expr, Graph, Input, Pair, Rigid, transpose};
@@ -52,7 +52,7 @@ pub fn plan(mut chain: LoopChain) -> Result<Plan, Unsupported> {
         format!("Joint {label}: the tool point keeps its offset across the plane, `{{a}} cos + {{b}} sin = {{d}}`.");
     let d = c.g.sub(value, row.k);
     let kernel = Offset { a: row.c, b: row.s, d };
-    c.stage(&[(0, Angle::ZERO)], 0, Unit::Length, Branching::Shoulder, meaning, kernel);
+    c.stage(&[(0, Angle::ZERO)], Unit::Length, Branching::Shoulder, meaning, kernel);
     // Rotation of the plane: the angle about the pitch axis, and the constant turns of the links.
     let known = Pair { sin: c.g.symbol(Input::SinAngle), cos: c.g.symbol(Input::CosAngle) };
     let columns = transpose(&plane.r).map(|axis| {
@@ -79,6 +79,6 @@ pub fn plan(mut chain: LoopChain) -> Result<Plan, Unsupported> {
         sign if sign < 0.0 => sum.add(offset.neg()),
         _ => sum.add(*offset),
     });
-    let task = PlanTask { angle: Some((signs, constant)), ..PlanTask::new(Task::PositionAngle, None) };
+    let task = PlanTask::new(Goal::PositionAngle { signs, offset: constant }, None);
     Ok(c.finish(triple, task))
 }

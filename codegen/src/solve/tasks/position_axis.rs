@@ -1,10 +1,10 @@
 //! A point and the direction of an axis of the tool, for five joints.
 
-use crate::model::{Angle, Axis, Task};
+use crate::model::{Angle, Axis};
 use crate::solve::loop_chain::{LoopChain, LoopJoint};
 use crate::solve::plan::Plan;
 use crate::solve::structure;
-use crate::solve::task::PlanTask;
+use crate::solve::task::{Goal, PlanTask};
 use crate::solve::unsupported::Unsupported;
 use crate::symbolic::{Graph, Rigid, transpose};
 
@@ -17,8 +17,9 @@ pub fn plan(axis: Option<Axis>, chain: LoopChain) -> Result<Plan, Unsupported> {
     let mut failure: Option<Unsupported> = None;
     for axis in wanted {
         let mut chain = chain.clone();
+        let goal = Goal::PositionAxis { column: axis.column() };
         let passed_over = failure.as_ref().map(|refusal| format!("axis z cannot be asked for: {}", refusal.reason));
-        let task = PlanTask { axis, passed_over, ..PlanTask::new(Task::PositionAxis, chain.given) };
+        let task = PlanTask { passed_over, ..PlanTask::new(goal, chain.given) };
         let before = onto_z(&mut chain.g, axis);
         chain.append(LoopJoint::virtual_turn(1), before, Rigid::identity());
         match structure::cheapest(&chain, &task) {
