@@ -101,10 +101,10 @@ fn analyze(text: &str, file: &str, bound: &Bound, scalar: ScalarKind) -> Result<
 impl Analyzed {
     /// The mistake of a file that requires an inverse where there is none.
     fn lacking(&self) -> Option<Diagnostic> {
-        let refusal = self.inverse.as_ref().err().filter(|_| self.model.inverse.require)?;
-        let mistake = Diagnostic::error(format!("no inverse kinematics: {}", refusal.reason));
+        let unsupported = self.inverse.as_ref().err().filter(|_| self.model.inverse.require)?;
+        let mistake = Diagnostic::error(format!("no inverse kinematics: {}", unsupported.reason));
         let help = "remove `require: true` to generate forward kinematics and Jacobian alone";
-        let help = refusal.hint.as_ref().map_or(help.to_owned(), |hint| format!("{hint};\n{help}"));
+        let help = unsupported.hint.as_ref().map_or(help.to_owned(), |hint| format!("{hint};\n{help}"));
         Some(mistake.at(self.model.inverse.at.clone()).help(help))
     }
 
@@ -172,7 +172,7 @@ pub fn program(text: &str, file: &str) -> Result<Program, Errors> {
     Ok(Program {
         functions,
         margins: plan.ok().and_then(lower::margins),
-        inverse: plan.map(|plan| lower::inverse(&model, plan)).map_err(|refusal| refusal.reason.clone()),
+        inverse: plan.map(|plan| lower::inverse(&model, plan)).map_err(|unsupported| unsupported.reason.clone()),
         linked: lower::linked(&model),
         warnings,
         model,

@@ -73,9 +73,9 @@ impl Report {
                 lines.extend(angle(plan).map(|angle| format!("  the angle asked for is {angle}")));
                 lines.extend(describe(plan).into_iter().map(|line| format!("  {line}")));
             }
-            Err(refusal) => {
-                lines.push(format!("no inverse: {}", refusal.reason));
-                lines.extend(refusal.hint.iter().map(|hint| format!("  {hint}")));
+            Err(unsupported) => {
+                lines.push(format!("no inverse: {}", unsupported.reason));
+                lines.extend(unsupported.hint.iter().map(|hint| format!("  {hint}")));
                 lines.push("  `denhart::numeric` solves any arm by iteration, one joint vector at a time".into());
             }
         }
@@ -84,7 +84,7 @@ impl Report {
             dof: model.joints.len(),
             task: inverse.as_ref().ok().map(|plan| plan.task.name()),
             max_solutions: inverse.as_ref().ok().map(Plan::max_solutions),
-            refusal: inverse.as_ref().err().map(|refusal| refusal.reason.clone()),
+            refusal: inverse.as_ref().err().map(|unsupported| unsupported.reason.clone()),
             costs,
             lacking: None,
             warnings,

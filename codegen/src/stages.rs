@@ -2,7 +2,7 @@
 
 use crate::emit::Writer;
 use crate::lower::Block;
-use crate::model::chain::{Chain, Step};
+use crate::model::chain::{Chain, Elementary};
 use crate::model::geometry::Geometry;
 use crate::model::{Angle, Length, Model};
 use crate::solve::{Plan, PlanStep, Stage, Unsupported};
@@ -17,7 +17,7 @@ pub fn text(model: &Model, chain: &Chain, geometry: &Geometry, inverse: &Result<
         line(&mut out, format!("{}: {:?} in row {}, {limits}", joint.name, joint.kind, joint.row + 1));
     }
     out += "chain\n";
-    for step in &chain.steps {
+    for step in &chain.transforms {
         line(&mut out, factor(step));
     }
     out += "triples\n";
@@ -26,9 +26,9 @@ pub fn text(model: &Model, chain: &Chain, geometry: &Geometry, inverse: &Result<
     }
     match inverse {
         Ok(plan) => solution(&mut out, plan),
-        Err(refusal) => {
+        Err(unsupported) => {
             out += "no plan\n";
-            line(&mut out, refusal.reason.clone());
+            line(&mut out, unsupported.reason.clone());
         }
     }
     out
@@ -39,15 +39,15 @@ fn line(out: &mut String, text: String) {
     let _ = writeln!(out, "  {text}");
 }
 
-fn factor(step: &Step) -> String {
+fn factor(step: &Elementary) -> String {
     match step {
-        Step::RotateX { angle, name } => format!("Rx({name} = {})", angle.text()),
-        Step::RotateZ { angle, name } => format!("Rz({name} = {})", angle.text()),
-        Step::ShiftX { length, name } => format!("Tx({name} = {})", size(length)),
-        Step::ShiftZ { length, name } => format!("Tz({name} = {})", size(length)),
-        Step::Revolute { joint, offset } => format!("Rz(q{} + {})", joint + 1, offset.text()),
-        Step::Prismatic { joint } => format!("Tz(q{})", joint + 1),
-        Step::Frame { frame, name } => {
+        Elementary::RotateX { angle, name } => format!("Rx({name} = {})", angle.text()),
+        Elementary::RotateZ { angle, name } => format!("Rz({name} = {})", angle.text()),
+        Elementary::ShiftX { length, name } => format!("Tx({name} = {})", size(length)),
+        Elementary::ShiftZ { length, name } => format!("Tz({name} = {})", size(length)),
+        Elementary::Revolute { joint, offset } => format!("Rz(q{} + {})", joint + 1, offset.text()),
+        Elementary::Prismatic { joint } => format!("Tz(q{})", joint + 1),
+        Elementary::Frame { frame, name } => {
             let xyz = frame.xyz.each_ref().map(size).join(", ");
             format!("{name} xyz [{xyz}] rpy {:?}", frame.rpy.map(|angle| angle.text()))
         }
@@ -93,7 +93,7 @@ fn solution(out: &mut String, plan: &Plan) {
         );
     }
     out.push_str("joints from the plan\n");
-    for (slot, value) in plan.slots.iter().zip(&plan.values) {
+    for (slot, value) in plan.loop_joints.iter().zip(&plan.values) {
         line(out, format!("q{} = {}", slot.label, sum(&value.terms, value.constant)));
     }
 }

@@ -32,7 +32,7 @@ impl DynamicArm {
     /// # Errors
     /// As of [`task`](Self::task).
     pub fn given_slides(&self) -> Result<bool, DynamicError> {
-        Ok(matches!(self.inverse_program()?.given, Some(Given::Joint { turns: false, .. })))
+        Ok(matches!(self.inverse_program()?.given, Some(Given::Joint { revolute: false, .. })))
     }
 
     /// The largest number of solutions of a target.

@@ -181,7 +181,7 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
             return;
         }
         let program = &self.nest.program;
-        let turns = matches!(program.given, Some(Given::ArmAngle | Given::Joint { turns: true, .. }));
+        let turns = matches!(program.given, Some(Given::ArmAngle | Given::Joint { revolute: true, .. }));
         let (sin, cos) = if turns { math::sin_cos(asked.given) } else { (f64::NAN, f64::NAN) };
         let mut registers = self.nest.tape.registers();
         for (slot, input) in &program.inputs {

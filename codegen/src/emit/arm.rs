@@ -37,8 +37,9 @@ fn type_doc(arm: &Arm) -> String {
 /// from every door.
 fn impl_doc(arm: &Arm) -> String {
     let comment = arm.model.source.iter().map(|source| docs::escaped(source));
-    let refusal = arm.inverse.as_ref().err().map(|refusal| format!("No inverse kinematics: {}.", refusal.reason));
-    comment.chain(refusal).collect::<Vec<String>>().join("\n\n")
+    let unsupported =
+        arm.inverse.as_ref().err().map(|unsupported| format!("No inverse kinematics: {}.", unsupported.reason));
+    comment.chain(unsupported).collect::<Vec<String>>().join("\n\n")
 }
 
 /// All impls, wrapped so that their constants have names of their own.
@@ -60,7 +61,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
             code.methods.extend(margins);
             code
         }
-        Err(refusal) => refused(model, refusal, target),
+        Err(unsupported) => refused(model, unsupported, target),
     };
     let InverseCode { items, function, methods, trait_impl } = inverse_code;
     let dimensions = dimensions.items(model, target);
@@ -123,17 +124,17 @@ fn arm_trait(model: &Model, counted: &motion::Counted, target: &Target) -> Token
 }
 
 /// An arm without an inverse has the methods all the same: a call says why it does not compile.
-fn refused(model: &Model, refusal: &Unsupported, target: &Target) -> InverseCode {
+fn refused(model: &Model, unsupported: &Unsupported, target: &Target) -> InverseCode {
     let name = &target.type_name;
     let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
     // What it returns lets the rest of the call type-check: the message is the only error.
     let none = quote!(#krate::Solutions<#scalar, #n, 1>);
-    let note = refusal.hint.clone().unwrap_or_else(|| "`denhart::numeric` solves any arm by iteration".to_owned());
-    let message = format!("`{name}` has no inverse kinematics: {}", refusal.reason);
+    let note = unsupported.hint.clone().unwrap_or_else(|| "`denhart::numeric` solves any arm by iteration".to_owned());
+    let message = format!("`{name}` has no inverse kinematics: {}", unsupported.reason);
     let takes_value = model.inverse.redundant.is_some() || model.inverse.arm_angle;
     let given = takes_value.then(|| quote!(, _given: #scalar));
     let solvable = format_ident!("{name}HasInverse");
-    let doc = docs::lines(&format!("Does not compile: {}.", refusal.reason));
+    let doc = docs::lines(&format!("Does not compile: {}.", unsupported.reason));
     InverseCode {
         items: quote! {
             /// Implemented by nothing: its message says why there is no inverse.

@@ -49,11 +49,11 @@ fn given_symbols(program: &lower::Inverse, target: &Target) -> TokenStream {
     };
     match program.given {
         Some(Given::ArmAngle) => quote!(let swing = #krate::math::sin_cos(arm_angle);),
-        Some(Given::Joint { joint, turns: true }) => {
+        Some(Given::Joint { joint, revolute: true }) => {
             let (s, c, q) = (name(Input::SinGiven(joint)), name(Input::CosGiven(joint)), name(Input::Given(joint)));
             quote!(let (#s, #c) = #krate::math::sin_cos(#q);)
         }
-        Some(Given::Joint { turns: false, .. }) | None => TokenStream::new(),
+        Some(Given::Joint { revolute: false, .. }) | None => TokenStream::new(),
     }
 }
 

@@ -22,7 +22,7 @@ pub(super) fn items(model: &Model, program: &Inverse, target: &Target, ranges: T
         .map(|joint| integer(*joint))
         .map(|index| quote!(.union(#krate::JointMask::single(#index))));
     let weights = facts.weights.iter().copied().map(number);
-    let length = worked_out::position_tolerance(facts.reach, model, target);
+    let length = worked_out::position_tolerance(facts, model, target);
     let angle = number(facts.angle);
     let unit = model.length_unit.symbol();
     let reach_doc = format!(" Reach of the arm, {unit}: the scale of every length comparison.");
@@ -282,8 +282,8 @@ fn arm_angle(plan: &Plan, target: &Target) -> Option<TokenStream> {
 fn sample_redundancy(model: &Model, plan: &Plan, target: &Target, task: &TaskCode) -> Option<TokenStream> {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
     let (solutions, asked) = (solutions(plan, target), &task.target);
-    let (joint, turns) = match plan.task.given? {
-        Given::Joint { joint, turns } => (joint, turns),
+    let (joint, revolute) = match plan.task.given? {
+        Given::Joint { joint, revolute } => (joint, revolute),
         Given::ArmAngle => {
             return Some(quote! {
                 /// Walks the arm angle through a whole turn in `n` equal steps and solves for each, the middle of its step.
@@ -299,7 +299,7 @@ fn sample_redundancy(model: &Model, plan: &Plan, target: &Target, task: &TaskCod
             });
         }
     };
-    let whole = match turns {
+    let whole = match revolute {
         true => quote!(<#scalar as #krate::Scalar>::PI),
         false if model.parameters.is_empty() => quote!(REACH),
         false => quote!(reach(self)),
@@ -308,7 +308,7 @@ fn sample_redundancy(model: &Model, plan: &Plan, target: &Target, task: &TaskCod
         "Walks the redundant joint `q{}` through its limits (without limits: {}) in `n` equal steps and solves for each\n\
          value, the middle of its step. Yields the value and its solutions; allocates nothing.",
         joint + 1,
-        if turns { "a whole turn" } else { "plus and minus the reach" }
+        if revolute { "a whole turn" } else { "plus and minus the reach" }
     ));
     let joint = integer(joint);
     Some(quote! {

@@ -1,10 +1,11 @@
 //! Run-time parameters: the fields of the struct, and what is computed from them outside the kinematics.
 
 use super::tokens::{ident, integer, number};
-use super::{Target, angle, docs};
-use crate::model::{Frame, Length, Model, Parameter, RowKind, strokes};
+use super::{Target, angle, docs, worked_out};
+use crate::model::{Frame, Length, Model, Parameter, ReachTerm, RowKind, reach_terms};
 use proc_macro2::TokenStream;
 use quote::quote;
+use std::collections::HashMap;
 
 /// The struct of a written file: a field for each run-time parameter.
 pub fn item(model: &Model, doc: &TokenStream, target: &Target) -> TokenStream {
@@ -149,28 +150,36 @@ fn value(length: &Length, target: &Target) -> TokenStream {
 /// The reach of the arm as it is bound: what `REACH` is where all lengths are numbers.
 pub fn reach(model: &Model, target: &Target) -> TokenStream {
     let (krate, scalar, name) = (&target.krate, target.scalar.tokens(), &target.type_name);
-    let mut constant = strokes(model);
+    let mut constant = 0.0;
     let mut parts: Vec<TokenStream> = Vec::new();
     let size = |length: &Length| {
         let Length::Multiple { factor, parameter, .. } = length else { return None };
         let field = ident(parameter);
         Some(multiple(factor.abs(), &quote!(arm.#field.abs())))
     };
-    for length in model.rows.iter().flat_map(|row| [&row.a, &row.d]) {
-        match size(length) {
-            Some(part) => parts.push(part),
-            None => constant += length.default_value().abs(),
-        }
-    }
-    for frame in [&model.base, &model.tool] {
-        let components: Vec<&Length> = frame.xyz.iter().filter(|length| !length.is_zero()).collect();
-        match components.as_slice() {
-            _ if components.iter().all(|length| length.parameter().is_none()) => {
-                constant += components.iter().map(|length| length.default_value().powi(2)).sum::<f64>().sqrt();
+    let mut terms: Vec<ReachTerm> = reach_terms(model).collect();
+    terms.sort_by_key(|term| !matches!(term, ReachTerm::Displacements(_)));
+    for term in terms {
+        let lengths = match &term {
+            ReachTerm::Displacements(_) => Vec::new(),
+            ReachTerm::Row(lengths) => lengths.to_vec(),
+            ReachTerm::Frame(xyz) => xyz.iter().filter(|length| !length.is_zero()).collect(),
+        };
+        match (&term, lengths.as_slice()) {
+            (ReachTerm::Row(_), lengths) => {
+                for length in lengths {
+                    match size(length) {
+                        Some(part) => parts.push(part),
+                        None => constant += length.default_value().abs(),
+                    }
+                }
             }
-            [one] => parts.extend(size(one)),
-            _ => {
-                let squares = components.iter().map(|length| {
+            (_, lengths) if lengths.iter().all(|length| length.parameter().is_none()) => {
+                constant += term.at(&HashMap::new());
+            }
+            (_, [one]) => parts.extend(size(one)),
+            (_, lengths) => {
+                let squares = lengths.iter().map(|length| {
                     let size = size(length).unwrap_or_else(|| number(length.default_value().abs()));
                     quote!(#size * #size)
                 });
@@ -195,10 +204,7 @@ pub fn reach(model: &Model, target: &Target) -> TokenStream {
 /// The size of the arm as it is bound, and what follows from it: `length`, `facts`.
 pub fn sizes(model: &Model, target: &Target) -> TokenStream {
     let krate = &target.krate;
-    let tolerance = match model.inverse.tolerance_length {
-        Some(length) => number(length),
-        None => quote!(0.000001 * reach),
-    };
+    let tolerance = worked_out::bound_tolerance(model);
     quote! {
         let reach = reach(arm);
         let ::core::option::Option::Some(facts) = FACTS.with_reach(reach, #tolerance) else {

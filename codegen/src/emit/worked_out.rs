@@ -4,7 +4,8 @@
 
 use super::tokens::number;
 use super::{Scalar, Target};
-use crate::model::{Length, Model, beside_rows};
+use crate::lower::Facts;
+use crate::model::{DEFAULT_TOLERANCE, Model, ReachTerm, reach_terms};
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::collections::HashMap;
@@ -37,7 +38,7 @@ pub fn distances([a, b]: [f64; 2], values: [f64; 2], target: &Target) -> [TokenS
     [written(max, a.abs() + b.abs(), sum, target), written(min, long - short, difference, target)]
 }
 
-/// The reach: the lengths of the rows, one after the other, then strokes and frames.
+/// The reach: the lengths of the rows, one after the other, then displacements and frames.
 pub fn reach(reach: f64, model: &Model, target: &Target) -> TokenStream {
     let (mut sum, mut tokens) = (0.0, TokenStream::new());
     let mut add = |term: f64, written: TokenStream| {
@@ -46,29 +47,40 @@ pub fn reach(reach: f64, model: &Model, target: &Target) -> TokenStream {
             sum += term;
         }
     };
-    let value = |length: &Length| length.at(&HashMap::new()).abs();
-    for row in &model.rows {
-        let (a, d) = (value(&row.a), value(&row.d));
-        let [first, second] = [a, d].map(number);
-        let written = match (a == 0.0, d == 0.0) {
-            (true, _) => second,
-            (_, true) => first,
-            _ => quote!((#first + #second)),
+    let defaults = HashMap::new();
+    for term in reach_terms(model) {
+        let value = term.at(&defaults);
+        let written = match term {
+            ReachTerm::Row(lengths) => match lengths.map(|length| length.at(&defaults).abs()) {
+                [a, d] if a != 0.0 && d != 0.0 => {
+                    let [a, d] = [a, d].map(number);
+                    quote!((#a + #d))
+                }
+                _ => number(value),
+            },
+            _ => number(value),
         };
-        add(a + d, written);
-    }
-    for term in beside_rows(model, &HashMap::new()) {
-        add(term, number(term));
+        add(value, written);
     }
     written(reach, sum, tokens, target)
 }
 
-/// The tolerance on a position: that of the file, else a millionth of the reach.
-pub fn position_tolerance(reach: f64, model: &Model, target: &Target) -> TokenStream {
+/// The tolerance on a position: that of the file, else a share of the reach.
+pub fn position_tolerance(facts: &Facts, model: &Model, target: &Target) -> TokenStream {
     match model.inverse.tolerance_length {
         Some(tolerance) => number(tolerance),
-        None => written(1e-6 * reach, 1e-6 * reach, quote!(0.000001 * REACH), target),
+        None => written(facts.length, facts.length, share_of(&quote!(REACH)), target),
     }
+}
+
+/// The tolerance on a position of an arm whose reach is known at run time.
+pub fn bound_tolerance(model: &Model) -> TokenStream {
+    model.inverse.tolerance_length.map_or_else(|| share_of(&quote!(reach)), number)
+}
+
+fn share_of(reach: &TokenStream) -> TokenStream {
+    let share = number(DEFAULT_TOLERANCE);
+    quote!(#share * #reach)
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! Constant factors of the chain as rigid transforms over named dimensions.
 
 use crate::model::Frame;
-use crate::model::chain::Step;
-use crate::symbolic::{Angles, Expr, Graph, Label, Part, Rigid, Unknown, Vec3, transpose};
+use crate::model::chain::Elementary;
+use crate::symbolic::{AngleSum, Angles, Cost, Expr, Graph, Label, Pair, Part, Rigid, Unknown, Vec3, cost, transpose};
 
 /// A constant frame `T(xyz) R_z(yaw) R_y(pitch) R_x(roll)`.
 pub fn frame(g: &mut Graph, frame: &Frame, name: &str) -> Rigid {
@@ -46,21 +46,21 @@ pub fn frame(g: &mut Graph, frame: &Frame, name: &str) -> Rigid {
 }
 
 /// One constant factor; the identity for a joint.
-pub fn step(g: &mut Graph, step: &Step) -> Rigid {
+pub fn elementary(g: &mut Graph, transform: &Elementary) -> Rigid {
     let mut out = Rigid::identity();
-    match step {
-        Step::ShiftX { length, name } => out.p = [g.length(name, length), Expr::ZERO, Expr::ZERO],
-        Step::ShiftZ { length, name } => out.p = [Expr::ZERO, Expr::ZERO, g.length(name, length)],
-        Step::RotateX { angle, name } => {
+    match transform {
+        Elementary::ShiftX { length, name } => out.p = [g.length(name, length), Expr::ZERO, Expr::ZERO],
+        Elementary::ShiftZ { length, name } => out.p = [Expr::ZERO, Expr::ZERO, g.length(name, length)],
+        Elementary::RotateX { angle, name } => {
             let pair = g.constant_pair(*angle, name);
             out.r = transpose(&Graph::identity().map(|axis| g.rotate_x(pair, axis)));
         }
-        Step::RotateZ { angle, name } => {
+        Elementary::RotateZ { angle, name } => {
             let pair = g.constant_pair(*angle, name);
             out.r = transpose(&Graph::identity().map(|axis| g.rotate_z(pair, axis)));
         }
-        Step::Frame { frame: constant, name } => out = frame(g, constant, name),
-        Step::Revolute { .. } | Step::Prismatic { .. } => {}
+        Elementary::Frame { frame: constant, name } => out = frame(g, constant, name),
+        Elementary::Revolute { .. } | Elementary::Prismatic { .. } => {}
     }
     out
 }
@@ -76,11 +76,44 @@ pub(super) fn suggest(g: &mut Graph, v: Vec3, what: &str, frame: usize) {
 }
 
 /// The joint symbol of a prismatic joint.
-pub(super) fn stroke(g: &mut Graph, joint: usize) -> Expr {
+pub(super) fn displacement(g: &mut Graph, joint: usize) -> Expr {
     g.symbol(Unknown::of(Label::Arm(joint), Part::Value))
 }
 
-/// The number of sine and cosine pairs bound.
-pub(super) fn pairs(angles: &Angles) -> usize {
-    angles.bound.len()
+/// A run of revolute joints with parallel axes: the sum of the angles passed, and whether half turns about x have reversed
+/// the axis.
+#[derive(Debug, Clone)]
+pub(super) struct Run {
+    pub sum: AngleSum,
+    pub reversed: bool,
+}
+
+impl Run {
+    /// Before the first joint.
+    pub fn start() -> Self {
+        Run { sum: AngleSum::zero(), reversed: false }
+    }
+
+    /// Passes a transform that keeps the axes parallel.
+    pub fn pass(&mut self, transform: &Elementary) {
+        match transform {
+            Elementary::Revolute { joint, offset } => self.sum.push(Some(*joint), *offset, self.reversed),
+            Elementary::RotateZ { angle, .. } => self.sum.push(None, *angle, self.reversed),
+            Elementary::RotateX { .. } => self.reversed = !self.reversed,
+            _ => {}
+        }
+    }
+
+    /// A vector behind the run, seen from before it.
+    pub fn turn(&self, g: &mut Graph, pair: Pair, [x, y, z]: Vec3) -> Vec3 {
+        let v = if self.reversed { [x, g.neg(y), g.neg(z)] } else { [x, y, z] };
+        g.rotate_z(pair, v)
+    }
+}
+
+/// The operations of a function with these results. Sines and cosines that none of them needs are left out.
+pub(super) fn finish(g: &Graph, angles: &mut Angles, roots: &[Expr]) -> Cost {
+    let used = g.reachable(roots);
+    angles.bound.retain(|b| used.contains(&b.pair.sin) || used.contains(&b.pair.cos));
+    Cost { sin_cos: angles.bound.len(), ..cost(g, roots) }
 }

@@ -4,6 +4,6 @@ mod link;
 mod poses;
 mod sweep;
 
-pub use link::step;
+pub use link::elementary;
 pub use poses::{LinkPoses, link_poses};
 pub use sweep::{Column, Kinematics, Wanted, kinematics};

@@ -4,9 +4,9 @@
 //! frame and turned by one joint after the other, so the rotation by q1 comes last. Runs of joints with parallel axes
 //! turn by the sum of their angles at once (a planar linkage); their link lengths then enter along the partial sums.
 
-use super::link;
-use crate::model::chain::{Chain, Step};
-use crate::symbolic::{AngleSum, Angles, Cost, Expr, Graph, Products, Vec3, cost, transpose};
+use super::link::{self, Run};
+use crate::model::chain::{Chain, Elementary};
+use crate::symbolic::{Angles, Cost, Expr, Graph, Products, Vec3, transpose};
 
 /// Column of the geometric Jacobian in the base frame, at the tool point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -85,18 +85,18 @@ impl Sweep {
             columns: Vec::new(),
             next: 0,
         };
-        let mut end = chain.steps.len();
+        let mut end = chain.transforms.len();
         let mut defer = late;
-        while let Some(step) = end.checked_sub(1).and_then(|i| chain.steps.get(i)) {
+        while let Some(step) = end.checked_sub(1).and_then(|i| chain.transforms.get(i)) {
             if step.joint().is_some() && defer {
                 sweep.defer();
                 defer = false;
             }
             let start = run_start(chain, end);
-            let passed = chain.steps.get(..end).unwrap_or_default();
-            sweep.next = passed.iter().rev().find_map(Step::joint).map_or(0, |joint| joint + 1);
-            match (step, chain.steps.get(start..end)) {
-                (Step::Revolute { .. }, Some(run)) => {
+            let passed = chain.transforms.get(..end).unwrap_or_default();
+            sweep.next = passed.iter().rev().find_map(Elementary::joint).map_or(0, |joint| joint + 1);
+            match (step, chain.transforms.get(start..end)) {
+                (Elementary::Revolute { .. }, Some(run)) => {
                     sweep.planar_run(run);
                     end = start;
                 }
@@ -132,16 +132,16 @@ impl Sweep {
         }
     }
 
-    fn single(&mut self, step: &Step) {
+    fn single(&mut self, step: &Elementary) {
         match step {
-            Step::Prismatic { joint } => {
+            Elementary::Prismatic { joint } => {
                 let z = [Expr::ZERO, Expr::ZERO, Expr::ONE];
                 self.columns.push((*joint, Column { v: z, w: [Expr::ZERO; 3] }));
-                let stroke = link::stroke(&mut self.g, *joint);
-                self.p = self.g.add3(self.p, [Expr::ZERO, Expr::ZERO, stroke]);
+                let displacement = link::displacement(&mut self.g, *joint);
+                self.p = self.g.add3(self.p, [Expr::ZERO, Expr::ZERO, displacement]);
             }
             _ => {
-                let factor = link::step(&mut self.g, step);
+                let factor = link::elementary(&mut self.g, step);
                 self.vectors(|g, v| g.apply3(&factor.r, v));
                 self.suggest("t", self.next);
                 self.p = self.g.add3(self.p, factor.p);
@@ -151,35 +151,25 @@ impl Sweep {
     }
 
     /// Joints with parallel axes, from the last to the first; `run` starts and ends with a revolute joint.
-    fn planar_run(&mut self, run: &[Step]) {
-        // Partial sums up to and including each step, and whether the axis there is reversed by half turns about x.
-        let mut sum = AngleSum::zero();
-        let mut reversed = false;
+    fn planar_run(&mut self, run: &[Elementary]) {
+        // Up to and including each transform.
+        let mut whole = Run::start();
         let mut partial = Vec::with_capacity(run.len());
-        for step in run {
-            match step {
-                Step::Revolute { joint, offset } => sum.push(Some(*joint), *offset, reversed),
-                Step::RotateZ { angle, .. } => sum.push(None, *angle, reversed),
-                Step::RotateX { .. } => reversed = !reversed,
-                _ => {}
-            }
-            partial.push((sum.clone(), reversed));
+        for transform in run {
+            whole.pass(transform);
+            partial.push(whole.clone());
         }
-        let total = self.angles.pair(&mut self.g, &sum);
-        let half_turn = |g: &mut Graph, [x, y, z]: Vec3| [x, g.neg(y), g.neg(z)];
-        self.vectors(|g, v| {
-            let v = if reversed { half_turn(g, v) } else { v };
-            g.rotate_z(total, v)
-        });
-        let frame = run.first().and_then(Step::joint).unwrap_or(0);
+        let total = self.angles.pair(&mut self.g, &whole.sum);
+        self.vectors(|g, v| whole.turn(g, total, v));
+        let frame = run.first().and_then(Elementary::joint).unwrap_or(0);
         self.name_vectors(frame);
-        let last = run.last().and_then(Step::joint).map_or(frame, |joint| joint + 1);
+        let last = run.last().and_then(Elementary::joint).map_or(frame, |joint| joint + 1);
         link::suggest(&mut self.g, self.p, &format!("r{last}"), frame);
-        for (step, (sum, reversed)) in run.iter().zip(partial).rev() {
+        for (step, Run { sum, reversed }) in run.iter().zip(partial).rev() {
             let g = &mut self.g;
             let signed = |g: &mut Graph, e: Expr| if reversed { g.neg(e) } else { e };
             match step {
-                Step::Revolute { joint, .. } => {
+                Elementary::Revolute { joint, .. } => {
                     link::suggest(g, self.p, &format!("r{}", joint + 1), frame);
                     let [x, y, _] = self.p;
                     let back = g.neg(y);
@@ -187,25 +177,25 @@ impl Sweep {
                     let w = [Expr::ZERO, Expr::ZERO, signed(g, Expr::ONE)];
                     self.columns.push((*joint, Column { v, w }));
                 }
-                Step::ShiftX { length, name } => {
+                Elementary::ShiftX { length, name } => {
                     let pair = self.angles.pair(g, &sum);
                     let a = g.length(name, length);
                     let along = g.scale3(a, [pair.cos, pair.sin, Expr::ZERO]);
                     self.p = g.add3(self.p, along);
                 }
-                Step::ShiftZ { length, name } => {
+                Elementary::ShiftZ { length, name } => {
                     let d = g.length(name, length);
                     let d = signed(g, d);
                     self.p = g.add3(self.p, [Expr::ZERO, Expr::ZERO, d]);
                 }
-                Step::Prismatic { joint } => {
+                Elementary::Prismatic { joint } => {
                     let z = [Expr::ZERO, Expr::ZERO, signed(g, Expr::ONE)];
                     self.columns.push((*joint, Column { v: z, w: [Expr::ZERO; 3] }));
-                    let stroke = link::stroke(g, *joint);
-                    let stroke = signed(g, stroke);
-                    self.p = g.add3(self.p, [Expr::ZERO, Expr::ZERO, stroke]);
+                    let displacement = link::displacement(g, *joint);
+                    let displacement = signed(g, displacement);
+                    self.p = g.add3(self.p, [Expr::ZERO, Expr::ZERO, displacement]);
                 }
-                Step::RotateX { .. } | Step::RotateZ { .. } | Step::Frame { .. } => {}
+                Elementary::RotateX { .. } | Elementary::RotateZ { .. } | Elementary::Frame { .. } => {}
             }
         }
         link::name(&mut self.g, self.p, "p", frame);
@@ -249,11 +239,8 @@ impl Sweep {
         if wanted != Wanted::Forward {
             roots.extend(columns.iter().flat_map(|c| c.v.iter().chain(&c.w)));
         }
-        let used = self.g.reachable(&roots);
-        self.angles.bound.retain(|b| used.contains(&b.pair.sin) || used.contains(&b.pair.cos));
-        let mut operations = cost(&self.g, &roots);
-        operations.sin_cos = link::pairs(&self.angles);
-        Kinematics { graph: self.g, angles: self.angles, rotation, translation: self.p, columns, cost: operations }
+        let cost = link::finish(&self.g, &mut self.angles, &roots);
+        Kinematics { graph: self.g, angles: self.angles, rotation, translation: self.p, columns, cost }
     }
 }
 
@@ -261,12 +248,15 @@ impl Sweep {
 /// about z, sliding joints along z, and half turns about x.
 fn run_start(chain: &Chain, end: usize) -> usize {
     let mut start = end.saturating_sub(1);
-    for (index, step) in chain.steps.iter().enumerate().take(end).rev() {
+    for (index, step) in chain.transforms.iter().enumerate().take(end).rev() {
         match step {
-            Step::Revolute { .. } => start = index,
-            Step::ShiftX { .. } | Step::ShiftZ { .. } | Step::RotateZ { .. } | Step::Prismatic { .. } => {}
-            Step::RotateX { angle, .. } if angle.quarter_turns() == Some(2) => {}
-            Step::RotateX { .. } | Step::Frame { .. } => break,
+            Elementary::Revolute { .. } => start = index,
+            Elementary::ShiftX { .. }
+            | Elementary::ShiftZ { .. }
+            | Elementary::RotateZ { .. }
+            | Elementary::Prismatic { .. } => {}
+            Elementary::RotateX { angle, .. } if angle.quarter_turns() == Some(2) => {}
+            Elementary::RotateX { .. } | Elementary::Frame { .. } => break,
         }
     }
     start

@@ -1,6 +1,6 @@
 //! What the search needs to know about an arm.
 
-use crate::model::{JointKind, Model};
+use crate::model::{DEFAULT_TOLERANCE, JointKind, Model};
 use crate::solve::Plan;
 
 /// The numbers of the runtime's `Facts`, of the arm with the lengths of its file.
@@ -43,8 +43,8 @@ impl Facts {
                 .collect(),
             stands_for: is_virtual.then(|| plan.last_solved()),
             reach: plan.reach,
-            length: model.inverse.tolerance_length.unwrap_or(1e-6 * plan.reach),
-            angle: model.inverse.tolerance_angle.unwrap_or(1e-6),
+            length: model.inverse.tolerance_length.unwrap_or(DEFAULT_TOLERANCE * plan.reach),
+            angle: model.inverse.tolerance_angle.unwrap_or(DEFAULT_TOLERANCE),
         }
     }
 }

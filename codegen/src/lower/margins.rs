@@ -115,6 +115,6 @@ fn is_leaf(graph: &Graph, e: Slot) -> bool {
 
 /// What a kernel's variable is less than the joint value.
 pub fn constant(plan: &Plan, joint: usize) -> Angle {
-    let slot = plan.slots.iter().position(|slot| slot.joint == Some(joint));
+    let slot = plan.loop_joints.iter().position(|slot| slot.joint == Some(joint));
     slot.and_then(|slot| plan.values.get(slot)).map_or(Angle::ZERO, |value| value.constant)
 }

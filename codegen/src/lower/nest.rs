@@ -24,7 +24,7 @@ pub fn inverse(model: &Model, plan: &Plan) -> Inverse {
     let read = plan.inputs();
     // Leaves that only a joint value is made from are not in the plan's graph.
     let mut graph = plan.graph.clone();
-    let wanted = plan.values.iter().zip(&plan.slots).filter(|(_, slot)| slot.joint.is_some());
+    let wanted = plan.values.iter().zip(&plan.loop_joints).filter(|(_, slot)| slot.joint.is_some());
     let mut used: HashSet<Slot> =
         wanted.flat_map(|(value, _)| &value.terms).map(|(term, _)| graph.symbol(term.clone())).collect();
     used.extend(plan.graph.reachable(&read).into_iter().filter(|e| matches!(plan.graph.node(*e), Node::Symbol(_))));
@@ -105,7 +105,8 @@ const NAMES: [&str; 13] = [
 const SIZES: [&str; 3] = ["reach", "facts", "length"];
 
 fn reserved(model: &Model, plan: &Plan) -> Vec<String> {
-    let labels = (1..=plan.joints()).map(|i| i.to_string()).chain(plan.slots.iter().map(|slot| slot.label.to_string()));
+    let labels =
+        (1..=plan.joints()).map(|i| i.to_string()).chain(plan.loop_joints.iter().map(|slot| slot.label.to_string()));
     let of_joints = labels.flat_map(|label| PREFIXES.map(|prefix| format!("{prefix}{label}")));
     let sizes: &[&str] = if model.parameters.is_empty() { &[] } else { &SIZES };
     of_joints.chain(NAMES.iter().chain(sizes).map(|name| name.to_string())).collect()
@@ -211,7 +212,7 @@ impl Nest<'_> {
 
     /// Joint values that are not a kernel's value as it is.
     fn values(&mut self) {
-        for (slot, value) in self.plan.slots.iter().zip(&self.plan.values) {
+        for (slot, value) in self.plan.loop_joints.iter().zip(&self.plan.values) {
             let symbol = self.graph.symbol(Unknown::of(slot.label, Part::Value));
             let terms: Vec<(Slot, bool)> =
                 value.terms.iter().map(|(term, negative)| (self.graph.symbol(term.clone()), *negative)).collect();

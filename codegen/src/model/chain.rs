@@ -6,7 +6,7 @@ use super::{Angle, Convention, Frame, Length, Model, RowKind};
 
 /// One factor of `T = base . rows . tool`, with the name its dimension has in the generated code.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Step {
+pub enum Elementary {
     /// `R_x(angle)`
     RotateX {
         /// The twist.
@@ -56,11 +56,11 @@ pub enum Step {
     },
 }
 
-impl Step {
+impl Elementary {
     /// The moving joint, if the step is one.
     pub fn joint(&self) -> Option<usize> {
         match self {
-            Step::Revolute { joint, .. } | Step::Prismatic { joint } => Some(*joint),
+            Elementary::Revolute { joint, .. } | Elementary::Prismatic { joint } => Some(*joint),
             _ => None,
         }
     }
@@ -70,7 +70,7 @@ impl Step {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chain {
     /// The factors, left to right.
-    pub steps: Vec<Step>,
+    pub transforms: Vec<Elementary>,
     /// For every joint the number of steps up to the end of its link: the row of the joint and the fixed rows after.
     pub link_ends: Vec<usize>,
 }
@@ -85,22 +85,22 @@ impl Chain {
             let name = |letter: &str| format!("{letter}{}", index + 1);
             let mut twist = Vec::new();
             if !row.a.is_zero() {
-                twist.push(Step::ShiftX { length: row.a.clone(), name: name("A") });
+                twist.push(Elementary::ShiftX { length: row.a.clone(), name: name("A") });
             }
             if !row.alpha.is_zero() {
-                twist.push(Step::RotateX { angle: row.alpha, name: name("ALPHA") });
+                twist.push(Elementary::RotateX { angle: row.alpha, name: name("ALPHA") });
             }
             let mut motion = Vec::new();
             match (row.kind, row.joint) {
-                (RowKind::Revolute, Some(joint)) => motion.push(Step::Revolute { joint, offset: row.theta }),
-                _ if !row.theta.is_zero() => motion.push(Step::RotateZ { angle: row.theta, name: name("THETA") }),
+                (RowKind::Revolute, Some(joint)) => motion.push(Elementary::Revolute { joint, offset: row.theta }),
+                _ if !row.theta.is_zero() => motion.push(Elementary::RotateZ { angle: row.theta, name: name("THETA") }),
                 _ => {}
             }
             if let (RowKind::Prismatic, Some(joint)) = (row.kind, row.joint) {
-                motion.push(Step::Prismatic { joint });
+                motion.push(Elementary::Prismatic { joint });
             }
             if !row.d.is_zero() {
-                motion.push(Step::ShiftZ { length: row.d.clone(), name: name("D") });
+                motion.push(Elementary::ShiftZ { length: row.d.clone(), name: name("D") });
             }
             match model.convention {
                 Convention::Standard => steps.extend(motion.into_iter().chain(twist)),
@@ -116,28 +116,28 @@ impl Chain {
             }
         }
         push_frame(&mut steps, &model.tool, "TOOL");
-        Chain { steps, link_ends }
+        Chain { transforms: steps, link_ends }
     }
 
     /// The same chain with its parameters at the given values, all lengths numbers.
     pub fn at(&self, values: &HashMap<String, f64>) -> Chain {
         let number = |length: &Length| Length::Constant(length.at(values));
-        let step = |step: &Step| match step.clone() {
-            Step::ShiftX { length, name } => Step::ShiftX { length: number(&length), name },
-            Step::ShiftZ { length, name } => Step::ShiftZ { length: number(&length), name },
-            Step::Frame { frame, name } => {
+        let step = |step: &Elementary| match step.clone() {
+            Elementary::ShiftX { length, name } => Elementary::ShiftX { length: number(&length), name },
+            Elementary::ShiftZ { length, name } => Elementary::ShiftZ { length: number(&length), name },
+            Elementary::Frame { frame, name } => {
                 let xyz = frame.xyz.each_ref().map(number);
-                Step::Frame { frame: Frame { xyz, ..frame }, name }
+                Elementary::Frame { frame: Frame { xyz, ..frame }, name }
             }
             other => other,
         };
-        Chain { steps: self.steps.iter().map(step).collect(), link_ends: self.link_ends.clone() }
+        Chain { transforms: self.transforms.iter().map(step).collect(), link_ends: self.link_ends.clone() }
     }
 
     /// The constant factors before, between and after the joints: one more list than joints.
-    pub fn links(&self) -> Vec<Vec<Step>> {
+    pub fn links(&self) -> Vec<Vec<Elementary>> {
         let mut links = vec![Vec::new()];
-        for step in &self.steps {
+        for step in &self.transforms {
             match (step.joint(), links.last_mut()) {
                 (None, Some(link)) => link.push(step.clone()),
                 _ => links.push(Vec::new()),
@@ -147,9 +147,9 @@ impl Chain {
     }
 }
 
-fn push_frame(steps: &mut Vec<Step>, frame: &Frame, name: &'static str) {
+fn push_frame(steps: &mut Vec<Elementary>, frame: &Frame, name: &'static str) {
     let moves = frame.xyz.iter().any(|x| !x.is_zero()) || frame.rpy.iter().any(|a| !a.is_zero());
     if moves {
-        steps.push(Step::Frame { frame: frame.clone(), name });
+        steps.push(Elementary::Frame { frame: frame.clone(), name });
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Lengths are compared relative to the reach of the arm, angles in rad; see [`TOLERANCE`].
 
-use super::chain::{Chain, Step};
+use super::chain::{Chain, Elementary};
 use super::numeric::{Transform, cross, distance, dot, length, scaled, sub};
 pub use super::reach::reach;
 use super::{JointKind, Model};
@@ -165,10 +165,10 @@ pub fn triples(axes: &[Line], turns: &[bool], reach: f64) -> (Vec<Triple>, Vec<(
 fn axes(chain: &Chain, reach: f64) -> Vec<Line> {
     let mut current = Transform::IDENTITY;
     let mut axes = Vec::new();
-    for step in &chain.steps {
+    for step in &chain.transforms {
         if let Some(joint) = step.joint() {
             axes.push(Line { point: current.p, direction: current.axis(2) });
-            current = current.then(&generic_motion(joint, matches!(step, Step::Revolute { .. }), reach));
+            current = current.then(&generic_motion(joint, matches!(step, Elementary::Revolute { .. }), reach));
         }
         current = current.then(&Transform::of(step));
     }

@@ -24,7 +24,7 @@ pub use combined_limits::CombinedLimit;
 pub use coupling::Coupling;
 pub use looks::advice;
 pub use parameter::{Bound, Parameter};
-pub use reach::{Sizes, beside_rows, strokes};
+pub use reach::{ReachTerm, Sizes, reach_terms};
 
 use crate::error::Location;
 pub use crate::spec::{Axis, Convention, Length, LengthUnit, RowKind, Task};
@@ -137,3 +137,6 @@ pub struct InverseRequest {
     /// Whether the file has `inverse` at all.
     pub present: bool,
 }
+
+/// What a residual may be where the file does not say: of a position relative to the reach, of an orientation in rad.
+pub const DEFAULT_TOLERANCE: f64 = 1e-6;

@@ -1,6 +1,6 @@
 //! Numeric rigid transforms: what the structure of an arm is decided on.
 
-use super::chain::Step;
+use super::chain::Elementary;
 use super::{Frame, Length};
 
 type V = [f64; 3];
@@ -48,15 +48,15 @@ impl Transform {
     }
 
     /// A constant factor of the chain, parameters at their defaults; a joint at zero (with its offset).
-    pub fn of(step: &Step) -> Transform {
+    pub fn of(step: &Elementary) -> Transform {
         match step {
-            Step::RotateX { angle, .. } => Transform::rotate_x(angle.sin(), angle.cos()),
-            Step::RotateZ { angle, .. } => Transform::rotate_z(angle.sin(), angle.cos()),
-            Step::Revolute { offset, .. } => Transform::rotate_z(offset.sin(), offset.cos()),
-            Step::ShiftX { length, .. } => Transform::shift([length.default_value(), 0.0, 0.0]),
-            Step::ShiftZ { length, .. } => Transform::shift([0.0, 0.0, length.default_value()]),
-            Step::Prismatic { .. } => Transform::IDENTITY,
-            Step::Frame { frame, .. } => Transform::frame(frame),
+            Elementary::RotateX { angle, .. } => Transform::rotate_x(angle.sin(), angle.cos()),
+            Elementary::RotateZ { angle, .. } => Transform::rotate_z(angle.sin(), angle.cos()),
+            Elementary::Revolute { offset, .. } => Transform::rotate_z(offset.sin(), offset.cos()),
+            Elementary::ShiftX { length, .. } => Transform::shift([length.default_value(), 0.0, 0.0]),
+            Elementary::ShiftZ { length, .. } => Transform::shift([0.0, 0.0, length.default_value()]),
+            Elementary::Prismatic { .. } => Transform::IDENTITY,
+            Elementary::Frame { frame, .. } => Transform::frame(frame),
         }
     }
 

@@ -48,25 +48,43 @@ impl Sizes {
     }
 }
 
-/// `sum(|a| + |d|) + |base| + |tool| + sum of max |limit|` of the sliding joints, parameters at the given values (else
-/// at their defaults); 1 if that is zero.
-pub fn reach(model: &Model, values: &HashMap<String, f64>) -> f64 {
-    let rows: f64 = model.rows.iter().map(|row| row.a.at(values).abs() + row.d.at(values).abs()).sum();
-    let total = beside_rows(model, values).into_iter().fold(rows, |sum, term| sum + term);
-    if total > 0.0 { total } else { 1.0 }
+/// A term of an arm's reach.
+#[derive(Debug, Clone, Copy)]
+pub enum ReachTerm<'a> {
+    /// Of a row `|a| + |d|`.
+    Row([&'a Length; 2]),
+    /// The longest displacements of all prismatic joints.
+    Displacements(f64),
+    /// Of the base or the tool the distance of its origin.
+    Frame(&'a [Length; 3]),
 }
 
-/// What a reach has beside the lengths of the rows: strokes, base and tool.
-pub fn beside_rows(model: &Model, values: &HashMap<String, f64>) -> [f64; 3] {
-    let frame = |xyz: &[Length; 3]| length(xyz.each_ref().map(|x| x.at(values)));
-    [strokes(model), frame(&model.base.xyz), frame(&model.tool.xyz)]
+impl ReachTerm<'_> {
+    /// Its value with the parameters at these values, else at their defaults.
+    pub fn at(&self, values: &HashMap<String, f64>) -> f64 {
+        match self {
+            ReachTerm::Row([a, d]) => a.at(values).abs() + d.at(values).abs(),
+            ReachTerm::Displacements(value) => *value,
+            ReachTerm::Frame(xyz) => length(xyz.each_ref().map(|x| x.at(values))),
+        }
+    }
 }
 
-/// The longest strokes of the sliding joints together.
-pub fn strokes(model: &Model) -> f64 {
+/// The terms of an arm's reach, `sum(|a| + |d|) + sum of max |limit| + |base| + |tool|`, in the order of their sum. The
+/// limits are those of prismatic joints; where there is none, a displacement counts 0.
+pub fn reach_terms(model: &Model) -> impl Iterator<Item = ReachTerm<'_>> {
     let sliding = model.joints.iter().filter(|joint| joint.kind == JointKind::Prismatic);
     let longest = |ends: [f64; 2]| {
         ends.iter().filter(|end| end.is_finite()).fold(0.0, |longest: f64, end| longest.max(end.abs()))
     };
-    sliding.filter_map(|joint| joint.limits).map(longest).sum()
+    let displacements = sliding.filter_map(|joint| joint.limits).map(longest).sum();
+    let rows = model.rows.iter().map(|row| ReachTerm::Row([&row.a, &row.d]));
+    let frames = [&model.base, &model.tool].map(|frame| ReachTerm::Frame(&frame.xyz));
+    rows.chain([ReachTerm::Displacements(displacements)]).chain(frames)
+}
+
+/// The reach, parameters at the given values (else at their defaults); 1 if that is zero.
+pub fn reach(model: &Model, values: &HashMap<String, f64>) -> f64 {
+    let total = reach_terms(model).fold(0.0, |sum, term| sum + term.at(values));
+    if total > 0.0 { total } else { 1.0 }
 }

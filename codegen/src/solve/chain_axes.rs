@@ -3,7 +3,7 @@
 use super::generic_samples::Sample;
 use super::loop_chain::{LoopChain, LoopJoint};
 use crate::model::Angle;
-use crate::model::chain::{Chain, Step};
+use crate::model::chain::{Chain, Elementary};
 use crate::model::geometry::{Line, TOLERANCE, Triple, generic_motion, triples};
 use crate::model::numeric::{Transform, cross, dot, length};
 use crate::symbolic::{Expr, Graph, Rigid, transpose};
@@ -28,17 +28,20 @@ impl LoopChain {
     }
 
     /// The joint that slides along the direction about which all joints turn that do; the others slide across it.
-    pub fn stroke_along_turns(&self) -> Option<usize> {
+    pub fn prismatic_along_revolute(&self) -> Option<usize> {
         let samples = self.generic.samples().iter();
         let mut strokes = samples.map(|sample| {
             let axes = self.axes(sample);
-            let turning = axes.iter().zip(&self.slots).find(|(_, slot)| slot.turns)?.0.direction;
+            let turning = axes.iter().zip(&self.loop_joints).find(|(_, slot)| slot.revolute)?.0.direction;
             let along = |line: &Line| length(cross(line.direction, turning)) <= TOLERANCE;
             let across = |line: &Line| dot(line.direction, turning).abs() <= TOLERANCE;
             let mut upright =
-                axes.iter().zip(&self.slots).all(|(line, slot)| along(line) || !slot.turns && across(line));
-            let mut strokes =
-                axes.iter().zip(&self.slots).enumerate().filter(|(_, (line, slot))| !slot.turns && along(line));
+                axes.iter().zip(&self.loop_joints).all(|(line, slot)| along(line) || !slot.revolute && across(line));
+            let mut strokes = axes
+                .iter()
+                .zip(&self.loop_joints)
+                .enumerate()
+                .filter(|(_, (line, slot))| !slot.revolute && along(line));
             let stroke = strokes.next().map(|(i, _)| i);
             upright &= strokes.next().is_none();
             stroke.filter(|_| upright)
@@ -50,9 +53,9 @@ impl LoopChain {
     /// Whether every joint moves in the base frame's xy plane.
     pub fn is_planar(&self) -> bool {
         self.generic.samples().iter().all(|sample| {
-            self.axes(sample).iter().zip(&self.slots).all(|(line, slot)| {
+            self.axes(sample).iter().zip(&self.loop_joints).all(|(line, slot)| {
                 let [x, y, z] = line.direction;
-                if slot.turns { x.hypot(y) <= TOLERANCE } else { z.abs() <= TOLERANCE }
+                if slot.revolute { x.hypot(y) <= TOLERANCE } else { z.abs() <= TOLERANCE }
             })
         })
     }
@@ -90,7 +93,7 @@ impl LoopChain {
 
     /// The triples of consecutive joints, for every value of a given joint.
     pub fn triples(&self) -> Vec<Triple> {
-        let turns: Vec<bool> = self.slots.iter().map(|slot| slot.turns).collect();
+        let turns: Vec<bool> = self.loop_joints.iter().map(|slot| slot.revolute).collect();
         let mut samples = self.generic.samples().iter().map(|sample| triples(&self.axes(sample), &turns, self.reach).0);
         let first = samples.next().unwrap_or_default();
         samples.fold(first, |kept, found| kept.into_iter().filter(|triple| found.contains(triple)).collect())
@@ -105,9 +108,9 @@ impl LoopChain {
     pub fn axes_and_tool(&self, sample: &Sample, seed: usize) -> (Vec<Line>, Transform) {
         let mut current = self.numeric(0, sample);
         let mut axes = Vec::new();
-        for (i, slot) in self.slots.iter().enumerate() {
+        for (i, slot) in self.loop_joints.iter().enumerate() {
             axes.push(Line { point: current.p, direction: current.axis(2) });
-            let motion = generic_motion(i + 17 * seed, slot.turns, self.reach);
+            let motion = generic_motion(i + 17 * seed, slot.revolute, self.reach);
             current = current.then(&motion).then(&self.numeric(i + 1, sample));
         }
         (axes, current)
@@ -116,10 +119,10 @@ impl LoopChain {
     /// The pose of the link after joint `i` at the generic configuration, as `link_poses` counts links.
     pub fn body(&self, chain: &Chain, i: usize) -> Transform {
         let end = chain.link_ends.get(i).copied().unwrap_or(0);
-        chain.steps.iter().take(end).fold(Transform::IDENTITY, |sum, step| {
+        chain.transforms.iter().take(end).fold(Transform::IDENTITY, |sum, step| {
             let factor = match step {
-                Step::Revolute { joint, .. } => generic_motion(*joint, true, self.reach),
-                Step::Prismatic { joint } => generic_motion(*joint, false, self.reach),
+                Elementary::Revolute { joint, .. } => generic_motion(*joint, true, self.reach),
+                Elementary::Prismatic { joint } => generic_motion(*joint, false, self.reach),
                 _ => Transform::of(step),
             };
             sum.then(&factor)

@@ -12,9 +12,10 @@ pub fn commuted(chain: &LoopChain) -> Vec<LoopChain> {
     let mut next = 0;
     while let Some(current) = found.get(next).cloned() {
         next += 1;
-        let moved = (0..current.slots.len()).flat_map(|i| [current.slide_later(i), current.slide_earlier(i)]);
+        let moved =
+            (0..current.loop_joints.len()).flat_map(|i| [current.prismatic_later(i), current.prismatic_earlier(i)]);
         for moved in moved.flatten().collect::<Vec<_>>() {
-            if !found.iter().any(|known| known.slots == moved.slots) {
+            if !found.iter().any(|known| known.loop_joints == moved.loop_joints) {
                 found.push(moved);
             }
         }
@@ -25,13 +26,13 @@ pub fn commuted(chain: &LoopChain) -> Vec<LoopChain> {
 impl LoopChain {
     /// The chain with the sliding joint `i` moved past the joint after it: one that slides too, or one that turns about
     /// a parallel axis, `T_z(d) C R_z(t) = C R_z(t) T_z(+-d)`.
-    pub fn slide_later(&self, i: usize) -> Option<LoopChain> {
-        let (slides, next) = (self.slots.get(i)?, self.slots.get(i + 1)?);
-        if slides.turns {
+    pub fn prismatic_later(&self, i: usize) -> Option<LoopChain> {
+        let (slides, next) = (self.loop_joints.get(i)?, self.loop_joints.get(i + 1)?);
+        if slides.revolute {
             return None;
         }
-        if !next.turns {
-            return Some(self.slides_swapped(i));
+        if !next.revolute {
+            return Some(self.prismatic_swapped(i));
         }
         let sign = self.keeps_axis(i + 1)?;
         let mut moved = self.clone();
@@ -39,7 +40,7 @@ impl LoopChain {
         let before = self.link(i).then(g, &self.link(i + 1));
         let (there, back) = flip(g, sign);
         let after = back.then(g, &self.link(i + 2));
-        moved.slots.swap(i, i + 1);
+        moved.loop_joints.swap(i, i + 1);
         for (place, link) in moved.links.iter_mut().skip(i).zip([before, there, after]) {
             *place = link;
         }
@@ -47,14 +48,14 @@ impl LoopChain {
     }
 
     /// The chain with the sliding joints `i` and `i + 1` in the other order.
-    fn slides_swapped(&self, i: usize) -> LoopChain {
+    fn prismatic_swapped(&self, i: usize) -> LoopChain {
         let mut moved = self.clone();
         let g = &mut moved.g;
         let between = self.link(i + 1);
         let before = self.link(i).then(g, &between);
         let after = between.then(g, &self.link(i + 2));
         let back = between.inverse(g);
-        moved.slots.swap(i, i + 1);
+        moved.loop_joints.swap(i, i + 1);
         for (place, link) in moved.links.iter_mut().skip(i).zip([before, back, after]) {
             *place = link;
         }
@@ -62,9 +63,9 @@ impl LoopChain {
     }
 
     /// The chain with the sliding joint `i` moved before the turning joint before it.
-    pub fn slide_earlier(&self, i: usize) -> Option<LoopChain> {
-        let (turns, slides) = (self.slots.get(i.checked_sub(1)?)?, self.slots.get(i)?);
-        if slides.turns || !turns.turns {
+    pub fn prismatic_earlier(&self, i: usize) -> Option<LoopChain> {
+        let (turns, slides) = (self.loop_joints.get(i.checked_sub(1)?)?, self.loop_joints.get(i)?);
+        if slides.revolute || !turns.revolute {
             return None;
         }
         let sign = self.keeps_axis(i)?;
@@ -73,7 +74,7 @@ impl LoopChain {
         let (there, back) = flip(g, sign);
         let before = self.link(i - 1).then(g, &there);
         let after = self.link(i).then(g, &self.link(i + 1));
-        moved.slots.swap(i - 1, i);
+        moved.loop_joints.swap(i - 1, i);
         for (place, link) in moved.links.iter_mut().skip(i - 1).zip([before, back, after]) {
             *place = link;
         }

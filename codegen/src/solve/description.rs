@@ -9,7 +9,7 @@ pub fn describe(plan: &Plan) -> Vec<String> {
     let label = |k: usize| plan.label(plan.triple.first + k);
     let kind = match plan.triple.kind {
         TripleKind::Intersecting => "meet in a point",
-        TripleKind::Parallel if plan.slots.iter().skip(plan.triple.first).take(3).any(|slot| !slot.turns) => {
+        TripleKind::Parallel if plan.loop_joints.iter().skip(plan.triple.first).take(3).any(|slot| !slot.revolute) => {
             "move in a plane"
         }
         TripleKind::Parallel => "are parallel",
@@ -26,8 +26,8 @@ pub fn describe(plan: &Plan) -> Vec<String> {
     let staged = |joint: usize| {
         plan.steps.iter().any(|step| matches!(step, PlanStep::Stage(stage) if stage.joints.contains(&joint)))
     };
-    let own = |joint: usize| plan.slots.get(joint).is_some_and(|slot| slot.joint.is_some());
-    let rest = (0..plan.slots.len()).filter(|joint| own(*joint) && !staged(*joint));
+    let own = |joint: usize| plan.loop_joints.get(joint).is_some_and(|slot| slot.joint.is_some());
+    let rest = (0..plan.loop_joints.len()).filter(|joint| own(*joint) && !staged(*joint));
     for line in steps.chain(rest.filter_map(|joint| left_of_others(plan, joint))) {
         // Two angles that are measured may be parts of one sum.
         if !lines.contains(&line) {
@@ -57,7 +57,7 @@ fn left_of_others(plan: &Plan, joint: usize) -> Option<String> {
     };
     let of = |slot: &usize| plan.label(*slot);
     let joints: Vec<Label> =
-        (0..plan.slots.len()).filter(|slot| *slot == joint || known(of(slot))).map(|slot| of(&slot)).collect();
+        (0..plan.loop_joints.len()).filter(|slot| *slot == joint || known(of(slot))).map(|slot| of(&slot)).collect();
     let label = plan.label(joint);
     Some(match joints.len() {
         1 => format!("q{label}: the direction of the tool in the plane"),

@@ -20,7 +20,7 @@ pub fn outer(c: &mut LoopClosure) -> Result<(), Unsupported> {
     let a = Side {
         joint: x,
         undone: true,
-        turns: c.turns(x),
+        revolute: c.is_revolute(x),
         moved: c.clean3(link_c.back.p, Unit::Length),
         origin: c.clean3(link_x.forward.p, Unit::Length),
         axis: c.clean3(link_x.forward.z(), Unit::Direction),
@@ -28,7 +28,7 @@ pub fn outer(c: &mut LoopClosure) -> Result<(), Unsupported> {
     let b = Side {
         joint: z,
         undone: false,
-        turns: c.turns(z),
+        revolute: c.is_revolute(z),
         moved: c.clean3(link_z.forward.p, Unit::Length),
         origin: c.clean3(link_y.back.p, Unit::Length),
         axis: c.clean3(link_y.back.z(), Unit::Direction),
@@ -37,7 +37,7 @@ pub fn outer(c: &mut LoopClosure) -> Result<(), Unsupported> {
     for (e, axis) in a.moved.iter().chain(&b.moved).zip(["x", "y", "z"].iter().cycle()) {
         c.g.rename(*e, format!("{center}_{axis}"));
     }
-    if c.turns(y) { turning(c, y, a, b) } else { sliding(c, y, a, b) }
+    if c.is_revolute(y) { turning(c, y, a, b) } else { sliding(c, y, a, b) }
 }
 
 fn turning(c: &mut LoopClosure, y: usize, a: Side, b: Side) -> Result<(), Unsupported> {
@@ -102,14 +102,14 @@ fn component(c: &mut LoopClosure, side: &Side) -> Sinusoid {
         let dot = c.g.dot3(side.axis, side.origin);
         c.g.neg(dot)
     };
-    if side.turns {
+    if side.revolute {
         let row = side.row(c, side.axis, k);
         return Sinusoid { c: row.c, s: row.s, k: c.clean(row.k, Unit::Length) };
     }
     let dot = c.g.dot3(side.axis, side.moved);
     let constant = c.g.add(dot, k);
     let slope = Side::along(side.axis);
-    let slope = if side.stroke() { c.g.neg(slope) } else { slope };
+    let slope = if side.undone { c.g.neg(slope) } else { slope };
     Sinusoid { c: slope, s: Expr::ZERO, k: c.clean(constant, Unit::Length) }
 }
 
@@ -121,7 +121,7 @@ fn first_by_component(c: &mut LoopClosure, first: &Side, other: &Side, ny: Label
     let value = component(c, other).k;
     let n = c.label(first.joint);
     let meaning = format!("Joint {n}: {w} keeps its offset along axis {ny}, `{{a}} cos + {{b}} sin = {{d}}`.");
-    if first.turns {
+    if first.revolute {
         first.offset(c, row, value, Unit::Length, Branching::Shoulder, meaning);
     } else {
         let numerator = c.g.sub(value, row.k);
@@ -132,7 +132,7 @@ fn first_by_component(c: &mut LoopClosure, first: &Side, other: &Side, ny: Label
     let rho = c.g.norm(&across);
     c.g.name(rho, format!("rho{}", c.label(other.joint)));
     let m = c.label(other.joint);
-    if other.turns {
+    if other.revolute {
         let meaning = format!(
             "Joint {m}: {w} is `{{rho}}` from axis {ny}, `{{rho}}^2 = a^2 + b^2 + 2 a b cos(t)` with \
              `a = {{a}}`, `b = {{b}}`{{shift}}."
@@ -147,7 +147,7 @@ fn first_by_component(c: &mut LoopClosure, first: &Side, other: &Side, ny: Label
 /// Both sides with the point where y's axis meets the axis of x (or z) as origin, if they meet.
 fn intersection_origin(c: &mut LoopClosure, a: &Side, b: &Side, with_a: bool) -> Option<(Side, Side)> {
     let side = if with_a { a } else { b };
-    if !side.turns {
+    if !side.revolute {
         return None;
     }
     let height = side.intersection_height(c)?;
@@ -166,7 +166,7 @@ fn second_by_distance(c: &mut LoopClosure, still: &Side, other: &Side, ny: Label
     c.g.name(rho, format!("rho{}", c.label(other.joint)));
     let (n, m) = (c.label(still.joint), c.label(other.joint));
     let place = format!("the point where axes {} and {} meet", n.min(ny), n.max(ny));
-    if other.turns {
+    if other.revolute {
         let meaning = format!(
             "Joint {m}: {w} is `{{rho}}` from {place}, \
              `{{rho}}^2 = a^2 + b^2 + h^2 + 2 a b cos(t)` with `a = {{a}}`, `b = {{b}}`, `h = {{h}}`{{shift}}."
@@ -188,7 +188,7 @@ fn together(c: &mut LoopClosure, a: &Side, b: &Side, ny: Label) -> Result<(), Un
     let (rows_a, rows_b) = (component(c, a), component(c, b));
     let (n, m) = (c.label(a.joint), c.label(b.joint));
     let meaning = format!("Joints {n} and {m} together: equal components along axis {ny}, equal distances from it.");
-    if a.turns && b.turns {
+    if a.revolute && b.revolute {
         let (square_a, square_b) = (square(c, a), square(c, b));
         let across = across_rows(c, [a, b]);
         let (p, q) = ([rows_a.array(), square_a.array()], [rows_b.array(), square_b.array()]);
@@ -198,19 +198,19 @@ fn together(c: &mut LoopClosure, a: &Side, b: &Side, ny: Label) -> Result<(), Un
         return Ok(());
     }
     // The slide that is divided by its slope is the one whose slope no target makes vanish.
-    let b_first = a.turns || !b.turns && c.g.constant(rows_a.c).is_none();
+    let b_first = a.revolute || !b.revolute && c.g.constant(rows_a.c).is_none();
     let (slides, other, row, other_row) = if b_first { (b, a, rows_b, rows_a) } else { (a, b, rows_a, rows_b) };
     // slope s + k = other's component: s = (component - k) / slope
-    let [m1, n1] = stroke_square(c, slides);
-    if other.turns {
+    let [m1, n1] = displacement_square(c, slides);
+    if other.revolute {
         let square = square(c, other);
         let k = c.g.sub(other_row.k, row.k);
         let [across_a, across_b] = across(c);
-        let (across_s, across_o) = if a.turns { (across_b, across_a) } else { (across_a, across_b) };
+        let (across_s, across_o) = if a.revolute { (across_b, across_a) } else { (across_a, across_b) };
         let sliding = across_s.map(|direction| {
             let from = c.g.sub3(slides.moved, slides.origin);
             let factor = Side::along(direction);
-            [if slides.stroke() { c.g.neg(factor) } else { factor }, c.g.dot3(direction, from)]
+            [if slides.undone { c.g.neg(factor) } else { factor }, c.g.dot3(direction, from)]
         });
         let turning = still_rows(c, other, across_o, [Expr::ZERO; 2]);
         let kernel = PairSliding {
@@ -226,7 +226,7 @@ fn together(c: &mut LoopClosure, a: &Side, b: &Side, ny: Label) -> Result<(), Un
         return Ok(());
     }
     // Both slide: u = slides, v = other; slope_u u + k_u = slope_v v + k_v, u^2 + m u + n = v^2 + m' v + n'.
-    let [m2, n2] = stroke_square(c, other);
+    let [m2, n2] = displacement_square(c, other);
     let (su, sv) = (row.c, other_row.c);
     let k = c.g.sub(other_row.k, row.k);
     // u = (sv v + k) / su, multiplied through by su^2.
@@ -304,9 +304,9 @@ fn square(c: &mut LoopClosure, side: &Side) -> Sinusoid {
 }
 
 /// `|moved +- s e_z - origin|^2 = s^2 + m s + n` for a sliding joint.
-fn stroke_square(c: &mut LoopClosure, side: &Side) -> [Expr; 2] {
+fn displacement_square(c: &mut LoopClosure, side: &Side) -> [Expr; 2] {
     let from = c.g.sub3(side.moved, side.origin);
-    let two = c.g.number(if side.stroke() { -2.0 } else { 2.0 });
+    let two = c.g.number(if side.undone { -2.0 } else { 2.0 });
     [c.g.mul(two, Side::along(from)), c.g.dot3(from, from)]
 }
 
@@ -347,7 +347,7 @@ fn sliding(c: &mut LoopClosure, y: usize, a: Side, b: Side) -> Result<(), Unsupp
     let (n, m, ny) = (c.label(a.joint), c.label(b.joint), c.label(y));
     let [across_a, across_b] = across(c);
     let meaning = format!("Joints {n} and {m} together: {w} has equal components across axis {ny}.");
-    if a.turns && b.turns {
+    if a.revolute && b.revolute {
         let [p, q] = across_rows(c, [&a, &b]);
         if let Some(alone) = row_of_one(c, &p, &q) {
             one_after_the_other(c, [&b, &a], [q, p], alone, ny);

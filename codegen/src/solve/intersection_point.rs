@@ -14,7 +14,7 @@ impl LoopClosure {
 
     /// The same for any triple, after the joint before it.
     pub fn move_triple_to_intersection(&mut self, [z, a, b, c]: [usize; 4]) {
-        let (on_a, on_c) = (self.meeting(a, false), self.meeting(b, true));
+        let (on_a, on_c) = (self.intersection(a, false), self.intersection(b, true));
         let shift = |g: &mut Graph, link: Link, before: Expr, after: Expr| {
             let along = |e: Expr| Rigid { p: [Expr::ZERO, Expr::ZERO, e], ..Rigid::identity() };
             let opposite = |g: &mut Graph, e: Expr| g.neg(e);
@@ -46,7 +46,7 @@ impl LoopClosure {
     }
 
     /// Where the axes before and after a link meet: its place on the axis before (`far = false`) or after it.
-    fn meeting(&mut self, joint: usize, far: bool) -> Expr {
+    fn intersection(&mut self, joint: usize, far: bool) -> Expr {
         let link = self.link(joint);
         let rigid = if far { link.back } else { link.forward };
         // The other axis is p + t h; it meets the z axis where x and y vanish.

@@ -3,7 +3,7 @@
 use super::generic_samples::GenericSamples;
 use super::task::Given;
 use crate::kinematics;
-use crate::model::chain::{Chain, Step};
+use crate::model::chain::{Chain, Elementary};
 use crate::model::{Angle, JointKind, Model};
 use crate::symbolic::{Expr, Graph, Input, Label, Pair, Part, Rigid, transpose};
 
@@ -15,7 +15,7 @@ pub struct LoopJoint {
     /// What its symbols are called.
     pub label: Label,
     /// Whether it turns.
-    pub turns: bool,
+    pub revolute: bool,
     /// The row's theta.
     pub offset: Angle,
 }
@@ -23,7 +23,7 @@ pub struct LoopJoint {
 impl LoopJoint {
     /// A virtual joint that turns.
     pub fn virtual_turn(number: usize) -> LoopJoint {
-        LoopJoint { joint: None, label: Label::Virtual(number), turns: true, offset: Angle::ZERO }
+        LoopJoint { joint: None, label: Label::Virtual(number), revolute: true, offset: Angle::ZERO }
     }
 }
 
@@ -35,7 +35,7 @@ pub struct LoopChain {
     /// Decides what vanishes.
     pub generic: GenericSamples,
     /// The joints in order.
-    pub slots: Vec<LoopJoint>,
+    pub loop_joints: Vec<LoopJoint>,
     /// What stands before, between and after them: one more than joints.
     pub links: Vec<Rigid>,
     /// Where the last frame has to be.
@@ -55,17 +55,17 @@ impl LoopChain {
             .iter()
             .map(|steps| {
                 steps.iter().fold(Rigid::identity(), |sum, step| {
-                    let factor = kinematics::step(&mut g, step);
+                    let factor = kinematics::elementary(&mut g, step);
                     sum.then(&mut g, &factor)
                 })
             })
             .collect();
-        let offsets = chain.steps.iter().filter_map(|step| match step {
-            Step::Revolute { offset, .. } => Some(*offset),
-            Step::Prismatic { .. } => Some(Angle::ZERO),
+        let offsets = chain.transforms.iter().filter_map(|step| match step {
+            Elementary::Revolute { offset, .. } => Some(*offset),
+            Elementary::Prismatic { .. } => Some(Angle::ZERO),
             _ => None,
         });
-        let slots = model
+        let loop_joints = model
             .joints
             .iter()
             .zip(offsets)
@@ -73,7 +73,7 @@ impl LoopChain {
             .map(|(joint, (checked, offset))| LoopJoint {
                 joint: Some(joint),
                 label: Label::Arm(joint),
-                turns: checked.kind == JointKind::Revolute,
+                revolute: checked.kind == JointKind::Revolute,
                 offset,
             })
             .collect();
@@ -83,7 +83,7 @@ impl LoopChain {
         };
         let mut generic = GenericSamples::new(reach);
         generic.parameters(&g, model);
-        let mut chain = LoopChain { g, generic, slots, links, target, given: None, reach };
+        let mut chain = LoopChain { g, generic, loop_joints, links, target, given: None, reach };
         if let Some(joint) = given {
             chain.give(joint);
         }
@@ -97,10 +97,10 @@ impl LoopChain {
 
     /// The joint's motion becomes part of its link; its sine and cosine are symbols known beforehand.
     fn give(&mut self, joint: usize) {
-        let Some(slot) = self.slots.get(joint).cloned() else { return };
+        let Some(slot) = self.loop_joints.get(joint).cloned() else { return };
         let g = &mut self.g;
         let [value, sin, cos] = [Part::Value, Part::Sin, Part::Cos].map(|part| Input::given(joint, part));
-        let motion = if slot.turns {
+        let motion = if slot.revolute {
             let raw = Pair { sin: g.symbol(sin), cos: g.symbol(cos) };
             let constant = g.constant_pair(slot.offset, &format!("THETA{}", slot.label));
             let pair = if slot.offset.is_zero() { raw } else { raw.plus(g, constant) };
@@ -112,13 +112,13 @@ impl LoopChain {
         let (before, after) = (self.link(joint), self.link(joint + 1));
         let before = before.then(&mut self.g, &motion);
         let merged = before.then(&mut self.g, &after);
-        self.slots.remove(joint);
+        self.loop_joints.remove(joint);
         self.links.remove(joint + 1);
         if let Some(link) = self.links.get_mut(joint) {
             *link = merged;
         }
-        self.given = Some(Given::Joint { joint, turns: slot.turns });
-        if slot.turns { self.generic.angle([value, sin, cos]) } else { self.generic.position(value) }
+        self.given = Some(Given::Joint { joint, revolute: slot.revolute });
+        if slot.revolute { self.generic.angle([value, sin, cos]) } else { self.generic.position(value) }
     }
 
     /// Adds a joint at the end: the last link goes before it, `after` behind it.
@@ -126,7 +126,7 @@ impl LoopChain {
         if let Some(last) = self.links.last_mut() {
             *last = last.then(&mut self.g, &before);
         }
-        self.slots.push(slot);
+        self.loop_joints.push(slot);
         self.links.push(after);
     }
 

@@ -34,7 +34,7 @@ pub struct LoopClosure {
     pub order: [usize; 6],
     /// The link after each joint, by joint.
     pub(super) links: Vec<Link>,
-    slots: Vec<LoopJoint>,
+    loop_joints: Vec<LoopJoint>,
     /// Sine and cosine of each solved joint's angle (its DH theta, offset included).
     pairs: Vec<Option<Pair>>,
     values: Vec<Option<Value>>,
@@ -45,10 +45,10 @@ pub struct LoopClosure {
 impl LoopClosure {
     /// A chain closed around its target.
     pub fn new(chain: LoopChain, triple: Triple) -> LoopClosure {
-        let LoopChain { mut g, generic, slots, links: constants, target, reach, .. } = chain;
+        let LoopChain { mut g, generic, loop_joints, links: constants, target, reach, .. } = chain;
         let constant = |i: usize| constants.get(i).copied().unwrap_or_else(Rigid::identity);
         // The target without base and tool: where the frame of the last joint has to be, in the first joint's frame.
-        let count = slots.len();
+        let count = loop_joints.len();
         let base = constant(0).inverse(&mut g);
         let tool = constant(count).inverse(&mut g);
         let flange = target.then(&mut g, &tool);
@@ -64,7 +64,7 @@ impl LoopClosure {
         // The last one is the joint before the triple.
         let order = [0, 1, 2, 3, 4, count.saturating_sub(1)].map(|k| (triple.first + k) % count.max(1));
         let (pairs, values) = (vec![None; count], vec![None; count]);
-        LoopClosure { g, generic, order, links, slots, pairs, values, steps: Vec::new(), reach }
+        LoopClosure { g, generic, order, links, loop_joints, pairs, values, steps: Vec::new(), reach }
     }
 
     /// Reach of the arm.
@@ -79,24 +79,24 @@ impl LoopClosure {
     }
 
     /// Whether a joint turns.
-    pub fn turns(&self, joint: usize) -> bool {
-        self.slots.get(joint).is_none_or(|slot| slot.turns)
+    pub fn is_revolute(&self, joint: usize) -> bool {
+        self.loop_joints.get(joint).is_none_or(|slot| slot.revolute)
     }
 
     /// Whether none of a triple's joints is the arm's own.
     pub fn is_virtual(&self, triple: Triple) -> bool {
-        self.slots.iter().skip(triple.first).take(3).all(|slot| slot.joint.is_none())
+        self.loop_joints.iter().skip(triple.first).take(3).all(|slot| slot.joint.is_none())
     }
 
     /// Whether a joint is the arm's own.
     pub fn is_own(&self, slot: usize) -> bool {
-        self.slots.get(slot).is_some_and(|slot| slot.joint.is_some())
+        self.loop_joints.get(slot).is_some_and(|slot| slot.joint.is_some())
     }
 
     /// The joints outside the triple in cyclic order.
     pub fn outside(&self) -> Vec<usize> {
         let [first, ..] = self.order;
-        let count = self.slots.len();
+        let count = self.loop_joints.len();
         (3..count).map(|k| (first + k) % count).collect()
     }
 
@@ -143,7 +143,7 @@ impl LoopClosure {
 
     /// What a joint is called: its number.
     pub fn label(&self, joint: usize) -> Label {
-        self.slots.get(joint).map_or(Label::Virtual(0), |slot| slot.label)
+        self.loop_joints.get(joint).map_or(Label::Virtual(0), |slot| slot.label)
     }
 
     /// The value of an expression that does not depend on the target.
@@ -179,7 +179,7 @@ impl LoopClosure {
 
     /// Joint `joint`'s motion applied to a vector (a point if it slides).
     pub fn move_by(&mut self, joint: usize, v: Vec3) -> Vec3 {
-        if self.turns(joint) {
+        if self.is_revolute(joint) {
             let pair = self.pair(joint);
             return self.g.rotate_z(pair, v);
         }
@@ -189,7 +189,7 @@ impl LoopClosure {
 
     /// The inverse motion.
     pub fn move_back(&mut self, joint: usize, v: Vec3) -> Vec3 {
-        if self.turns(joint) {
+        if self.is_revolute(joint) {
             let pair = self.pair(joint).opposite(&mut self.g);
             return self.g.rotate_z(pair, v);
         }
@@ -199,12 +199,12 @@ impl LoopClosure {
 
     /// The same for a direction: a sliding joint leaves it.
     pub fn turn_by(&mut self, joint: usize, v: Vec3) -> Vec3 {
-        if self.turns(joint) { self.move_by(joint, v) } else { v }
+        if self.is_revolute(joint) { self.move_by(joint, v) } else { v }
     }
 
     /// The inverse for a direction.
     pub fn turn_back(&mut self, joint: usize, v: Vec3) -> Vec3 {
-        if self.turns(joint) { self.move_back(joint, v) } else { v }
+        if self.is_revolute(joint) { self.move_back(joint, v) } else { v }
     }
 
     /// Adds a stage. Its kernel's variable for joint `i` is the joint's angle minus `shift`.
@@ -241,13 +241,13 @@ impl LoopClosure {
     }
 
     fn offset(&self, joint: usize) -> Angle {
-        self.slots.get(joint).map_or(Angle::ZERO, |slot| slot.offset)
+        self.loop_joints.get(joint).map_or(Angle::ZERO, |slot| slot.offset)
     }
 
     /// The leaves of a joint's root: value, sine and cosine of the kernel's variable.
     fn bind(&mut self, joint: usize, shift: Angle) -> [Unknown; 3] {
         let label = self.label(joint);
-        let prismatic = !self.turns(joint);
+        let prismatic = !self.is_revolute(joint);
         let constant = if prismatic { Angle::ZERO } else { shift.add(self.offset(joint).neg()) };
         // A quarter turn is folded into the sine and cosine of the joint value.
         let of_variable = !shift.is_zero() && shift.quarter_turns().is_none();
@@ -319,8 +319,8 @@ impl LoopClosure {
 
     /// The plan. A last stage that gives a virtual joint alone is left out.
     pub fn finish(mut self, triple: Triple, task: PlanTask) -> Plan {
-        let slots = &self.slots;
-        let unwanted = |joint: &usize| slots.get(*joint).is_some_and(|slot| slot.joint.is_none());
+        let loop_joints = &self.loop_joints;
+        let unwanted = |joint: &usize| loop_joints.get(*joint).is_some_and(|slot| slot.joint.is_none());
         while let Some(PlanStep::Stage(stage)) = self.steps.last()
             && stage.kernel.form().roots == 1
             && stage.joints.iter().all(unwanted)
@@ -335,7 +335,7 @@ impl LoopClosure {
             graph: self.g,
             steps: self.steps,
             values: values.collect(),
-            slots: self.slots,
+            loop_joints: self.loop_joints,
             triple,
             reach: self.reach,
             task,

@@ -21,10 +21,10 @@ pub fn outer(c: &mut LoopClosure) -> Result<(), Unsupported> {
     let (link_c, link_x, link_y, link_z) = (c.link(third), c.link(x), c.link(y), c.link(z));
     // h in the frames of joints a, b and c, from one of them that turns. What slides slides across h.
     let upright = [Expr::ZERO, Expr::ZERO, Expr::ONE];
-    let (h_a, h_c) = if c.turns(first) {
+    let (h_a, h_c) = if c.is_revolute(first) {
         let h_b = c.g.apply3(&link_a.back.r, upright);
         (upright, c.g.apply3(&link_b.back.r, h_b))
-    } else if c.turns(second) {
+    } else if c.is_revolute(second) {
         (link_a.forward.z(), c.g.apply3(&link_b.back.r, upright))
     } else {
         let h_b = link_b.forward.z();
@@ -38,7 +38,7 @@ pub fn outer(c: &mut LoopClosure) -> Result<(), Unsupported> {
     let a = Side {
         joint: x,
         undone: true,
-        turns: c.turns(x),
+        revolute: c.is_revolute(x),
         moved: c.clean3(h, Unit::Direction),
         origin: c.clean3(link_x.forward.p, Unit::Length),
         axis: c.clean3(link_x.forward.z(), Unit::Direction),
@@ -46,7 +46,7 @@ pub fn outer(c: &mut LoopClosure) -> Result<(), Unsupported> {
     let b = Side {
         joint: z,
         undone: false,
-        turns: c.turns(z),
+        revolute: c.is_revolute(z),
         moved: {
             let moved = c.g.apply3(&link_z.forward.r, h_a);
             c.clean3(moved, Unit::Direction)
@@ -58,25 +58,25 @@ pub fn outer(c: &mut LoopClosure) -> Result<(), Unsupported> {
     let height_a = c.g.sub(height_c, rise);
     let height_b = c.g.dot3(b.moved, link_z.forward.p);
     let heights = [c.clean(height_a, Unit::Length), c.clean(height_b, Unit::Length)];
-    if c.turns(y) { turning(c, y, [a, b], heights) } else { sliding(c, y, [a, b], heights) }
+    if c.is_revolute(y) { turning(c, y, [a, b], heights) } else { sliding(c, y, [a, b], heights) }
 }
 
 /// `-origin . (turned h) + height`: the distance along h from y's origin to the triple. For a sliding joint the slope
 /// is in `c`.
 fn distance_row(c: &mut LoopClosure, side: &Side, height: Expr) -> Sinusoid {
     let back = side.origin.map(|e| c.g.neg(e));
-    if side.turns {
+    if side.revolute {
         let row = side.row(c, back, height);
         return Sinusoid { c: c.clean(row.c, Unit::Length), s: c.clean(row.s, Unit::Length), k: row.k };
     }
     let dot = c.g.dot3(back, side.moved);
     let slope = Side::along(side.moved);
-    let slope = if side.stroke() { c.g.neg(slope) } else { slope };
+    let slope = if side.undone { c.g.neg(slope) } else { slope };
     Sinusoid { c: slope, s: Expr::ZERO, k: c.g.add(dot, height) }
 }
 
 fn direction_row(c: &mut LoopClosure, side: &Side) -> Sinusoid {
-    if side.turns {
+    if side.revolute {
         return side.row(c, side.axis, Expr::ZERO);
     }
     Sinusoid { c: Expr::ZERO, s: Expr::ZERO, k: c.g.dot3(side.axis, side.moved) }
@@ -94,8 +94,8 @@ fn seen(c: &mut LoopClosure, side: &Side) -> Vec3 {
 
 /// Whether the joint of a side enters the distance along h, and the component of h along y's axis.
 fn enters(c: &LoopClosure, side: &Side) -> (bool, bool) {
-    let turned = side.turns && !c.vanish(&Side::plane(side.moved), Unit::Direction);
-    let distance = if side.turns {
+    let turned = side.revolute && !c.vanish(&Side::plane(side.moved), Unit::Direction);
+    let distance = if side.revolute {
         turned && !c.vanish(&Side::plane(side.origin), Unit::Length)
     } else {
         !c.vanish(&[Side::along(side.moved)], Unit::Direction)
@@ -107,7 +107,7 @@ fn enters(c: &LoopClosure, side: &Side) -> (bool, bool) {
 fn intersection_origin(c: &mut LoopClosure, sides: [Side; 2], with_a: bool) -> Option<[Side; 2]> {
     let [a, b] = sides;
     let side = if with_a { &a } else { &b };
-    if !side.turns {
+    if !side.revolute {
         return None;
     }
     let height = side.intersection_height(c)?;
@@ -145,7 +145,7 @@ fn turning(c: &mut LoopClosure, y: usize, sides: [Side; 2], heights: [Expr; 2]) 
             return Ok(());
         }
     }
-    if !(a.turns && b.turns && direction_a && direction_b && (distance_a || distance_b)) {
+    if !(a.revolute && b.revolute && direction_a && direction_b && (distance_a || distance_b)) {
         return Err(Unsupported::new(format!(
             "the arm is singular everywhere: joints {}, {ny} and {} leave {H} or its distance unchanged",
             c.label(a.joint),
@@ -189,7 +189,7 @@ fn by_distance(c: &mut LoopClosure, side: &Side, (other, solved): (&Side, bool),
     };
     let value = c.clean(value, Unit::Length);
     let n = c.label(side.joint);
-    if side.turns {
+    if side.revolute {
         let meaning = format!("Joint {n}: axis {ny} keeps its offset along {H}, `{{a}} cos + {{b}} sin = {{d}}`.");
         side.offset(c, row, value, Unit::Length, Branching::Shoulder, meaning);
     } else {
@@ -257,10 +257,10 @@ fn flipped(c: &mut LoopClosure, y: usize, inner: &Side, known: &Side) -> bool {
 fn sliding(c: &mut LoopClosure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> Result<(), Unsupported> {
     let [a, b] = &sides;
     let ny = c.label(y);
-    if !(a.turns && b.turns) {
+    if !(a.revolute && b.revolute) {
         return Err(Unsupported::new(format!(
             "the arm is singular everywhere: with joints {ny} and {} sliding, {H} has too few joints to turn it",
-            if a.turns { c.label(b.joint) } else { c.label(a.joint) }
+            if a.revolute { c.label(b.joint) } else { c.label(a.joint) }
         )));
     }
     let [_, _, _, x, _, _] = c.order;

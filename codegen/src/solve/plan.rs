@@ -17,7 +17,7 @@ pub struct Plan {
     /// How each joint follows from the symbols of the stages, by joint.
     pub values: Vec<Value>,
     /// The joints of the closed chain, virtual ones too.
-    pub slots: Vec<LoopJoint>,
+    pub loop_joints: Vec<LoopJoint>,
     /// The triple that makes it possible.
     pub triple: Triple,
     /// What is asked for.
@@ -29,7 +29,7 @@ pub struct Plan {
 impl Plan {
     /// What a joint of the closed chain is called.
     pub fn label(&self, slot: usize) -> Label {
-        self.slots.get(slot).map_or(Label::Virtual(0), |slot| slot.label)
+        self.loop_joints.get(slot).map_or(Label::Virtual(0), |slot| slot.label)
     }
 
     /// What the joints of a stage are called.
@@ -58,7 +58,7 @@ impl Plan {
 
     /// The number of a joint of the closed chain among the arm's joints, from 0; `None` for a virtual joint.
     pub fn joint(&self, slot: usize) -> Option<usize> {
-        self.slots.get(slot).and_then(|slot| slot.joint)
+        self.loop_joints.get(slot).and_then(|slot| slot.joint)
     }
 
     /// The last of the arm's joints to be solved: it moves with every joint that is free.
@@ -70,7 +70,8 @@ impl Plan {
 
     /// The number of the arm's moving joints.
     pub fn joints(&self) -> usize {
-        self.slots.iter().filter(|slot| slot.joint.is_some()).count() + usize::from(self.task.given_joint().is_some())
+        self.loop_joints.iter().filter(|slot| slot.joint.is_some()).count()
+            + usize::from(self.task.given_joint().is_some())
     }
 
     /// The stages, in order.

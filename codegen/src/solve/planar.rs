@@ -22,17 +22,17 @@ struct InPlane {
 /// If the strokes of two sliding joints are parallel, or nothing turns.
 pub fn solve(c: &mut LoopClosure, slots: [usize; 3], links: [Link; 3]) -> Result<(), Unsupported> {
     let ([j0, j1, j2], [l0, l1, l2]) = (slots, links);
-    let turns = slots.map(|slot| c.turns(slot));
+    let turns = slots.map(|slot| c.is_revolute(slot));
     // Read from another joint on, so that what slides stands in a fixed place.
     match turns {
         [true, true, true] => elbow(c, slots, links),
-        [true, false, true] => stroke(c, slots, links),
-        [false, true, true] => stroke(c, [j2, j0, j1], [l2, l0, l1]),
-        [true, true, false] => stroke(c, [j1, j2, j0], [l1, l2, l0]),
-        [true, false, false] => return strokes(c, slots, links),
-        [false, true, false] => return strokes(c, [j1, j2, j0], [l1, l2, l0]),
-        [false, false, true] if !c.is_own(j2) => return strokes_to_point(c, [j0, j1], [l0, l1], l2.back.p),
-        [false, false, true] => return strokes(c, [j2, j0, j1], [l2, l0, l1]),
+        [true, false, true] => prismatic_between(c, slots, links),
+        [false, true, true] => prismatic_between(c, [j2, j0, j1], [l2, l0, l1]),
+        [true, true, false] => prismatic_between(c, [j1, j2, j0], [l1, l2, l0]),
+        [true, false, false] => return two_prismatic(c, slots, links),
+        [false, true, false] => return two_prismatic(c, [j1, j2, j0], [l1, l2, l0]),
+        [false, false, true] if !c.is_own(j2) => return two_prismatic_to_point(c, [j0, j1], [l0, l1], l2.back.p),
+        [false, false, true] => return two_prismatic(c, [j2, j0, j1], [l2, l0, l1]),
         [false, false, false] => {
             return Err(Unsupported::new("no joint turns the tool in the plane"));
         }
@@ -59,7 +59,7 @@ fn elbow(c: &mut LoopClosure, [first, second, third]: [usize; 3], [link_a, link_
     let side = Side {
         joint: second,
         undone: false,
-        turns: true,
+        revolute: true,
         moved: link_b.forward.p,
         origin: link_a.back.p,
         axis: link_a.back.z(),
@@ -94,7 +94,7 @@ fn elbow(c: &mut LoopClosure, [first, second, third]: [usize; 3], [link_a, link_
 }
 
 /// One joint slides between two that turn: its stroke from the distance of the two axes, then the direction.
-fn stroke(c: &mut LoopClosure, [first, slides, last]: [usize; 3], [link_a, link_b, link_c]: [Link; 3]) {
+fn prismatic_between(c: &mut LoopClosure, [first, slides, last]: [usize; 3], [link_a, link_b, link_c]: [Link; 3]) {
     let (na, nb, nc) = (c.label(first), c.label(slides), c.label(last));
     let to = Side::plane(link_c.back.p);
     let rho = c.g.norm(&to);
@@ -102,7 +102,7 @@ fn stroke(c: &mut LoopClosure, [first, slides, last]: [usize; 3], [link_a, link_
     let side = Side {
         joint: slides,
         undone: false,
-        turns: false,
+        revolute: false,
         moved: c.clean3(link_b.forward.p, Unit::Length),
         origin: c.clean3(link_a.back.p, Unit::Length),
         axis: c.clean3(link_a.back.z(), Unit::Direction),
@@ -147,7 +147,7 @@ fn stroke(c: &mut LoopClosure, [first, slides, last]: [usize; 3], [link_a, link_
 }
 
 /// Two joints slide: the one that turns gives the direction, the strokes are linear.
-fn strokes(
+fn two_prismatic(
     c: &mut LoopClosure,
     [turns, j1, j2]: [usize; 3],
     [link_a, link_b, link_c]: [Link; 3],
@@ -167,7 +167,7 @@ fn strokes(
     }
     if link_a.target {
         // Both slide before the joint that turns, which moves no point of its axis.
-        return strokes_to_point(c, [j1, j2], [link_b, link_c], link_a.back.p);
+        return two_prismatic_to_point(c, [j1, j2], [link_b, link_c], link_a.back.p);
     }
     let at = c.move_back(turns, m.p);
     let left = c.g.sub3(at, still.p);
@@ -191,7 +191,7 @@ fn strokes(
 }
 
 /// Two joints slide to a point: `d_0 e_z + L_0 (d_1 e_z + p_1) = point`, both along the plane.
-fn strokes_to_point(
+fn two_prismatic_to_point(
     c: &mut LoopClosure,
     [j0, j1]: [usize; 2],
     [link_a, link_b]: [Link; 2],

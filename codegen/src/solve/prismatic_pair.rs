@@ -25,16 +25,16 @@ pub fn one_slides(c: &mut LoopClosure, sides: [&Side; 2], across: [[Vec3; 2]; 2]
     let [a, b] = sides;
     let [across_a, across_b] = across;
     let (slides, other, across_s, across_o) =
-        if a.turns { (b, a, across_b, across_a) } else { (a, b, across_a, across_b) };
+        if a.revolute { (b, a, across_b, across_a) } else { (a, b, across_a, across_b) };
     // The stroke in the plane across y's axis, and the still parts of both sides.
-    let signed = |c: &mut LoopClosure, side: &Side, e: Expr| if side.stroke() { c.g.neg(e) } else { e };
+    let signed = |c: &mut LoopClosure, side: &Side, e: Expr| if side.undone { c.g.neg(e) } else { e };
     let stroke = across_s.map(|direction| signed(c, slides, Side::along(direction)));
     let still = |c: &mut LoopClosure, side: &Side, directions: [Vec3; 2]| {
         let from = c.g.sub3(side.moved, side.origin);
         directions.map(|direction| c.g.dot3(direction, from))
     };
     let still_s = still(c, slides, across_s);
-    if other.turns && stroke.iter().any(|e| c.g.constant(*e).is_none()) {
+    if other.revolute && stroke.iter().any(|e| c.g.constant(*e).is_none()) {
         let rows = still_rows(c, other, across_o, still_s);
         let (m, n) = (c.label(other.joint), c.label(slides.joint));
         let meaning = format!("Joints {m} and {n} together: {w} has equal components across axis {ny}.");
@@ -54,7 +54,7 @@ pub fn one_slides(c: &mut LoopClosure, sides: [&Side; 2], across: [[Vec3; 2]; 2]
     let value = combine(c, normal, still_s);
     let (m, n) = (c.label(other.joint), c.label(slides.joint));
     let meaning = format!("Joint {m}: {w} has equal components across axes {ny} and {n}.");
-    let plane_of_other = if other.turns {
+    let plane_of_other = if other.revolute {
         let direction = {
             let [first, second] = across_o;
             let [nx, ny] = normal;

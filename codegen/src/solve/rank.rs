@@ -8,7 +8,7 @@ const MISSING: f64 = 1e-9;
 
 /// What a task asks of the tool.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Asked {
+pub enum ToolMotion {
     /// Point and orientation.
     Pose,
     /// The point alone.
@@ -19,10 +19,10 @@ pub enum Asked {
 ///
 /// # Errors
 /// Names the joints that can always move without moving the tool.
-pub fn check(problem: &LoopChain, asked: Asked) -> Result<(), Unsupported> {
+pub fn check(chain: &LoopChain, motion: ToolMotion) -> Result<(), Unsupported> {
     let mut idle = None;
     for seed in 0..4 {
-        let columns = columns(problem, asked, seed);
+        let columns = columns(chain, motion, seed);
         match null_motion(&columns) {
             None => return Ok(()),
             Some(motion) => idle = Some(motion),
@@ -31,7 +31,7 @@ pub fn check(problem: &LoopChain, asked: Asked) -> Result<(), Unsupported> {
     let named: Vec<String> = idle
         .unwrap_or_default()
         .iter()
-        .zip(&problem.slots)
+        .zip(&chain.loop_joints)
         .filter(|(share, _)| share.abs() > 1e-6)
         .map(|(_, slot)| match slot.joint {
             Some(joint) => format!("joint {}", joint + 1),
@@ -45,19 +45,19 @@ pub fn check(problem: &LoopChain, asked: Asked) -> Result<(), Unsupported> {
 }
 
 /// The columns of the Jacobian, lengths over reach.
-fn columns(problem: &LoopChain, asked: Asked, seed: usize) -> Vec<[f64; 6]> {
+fn columns(chain: &LoopChain, motion: ToolMotion, seed: usize) -> Vec<[f64; 6]> {
     use crate::model::numeric::{cross, sub};
-    let Some(sample) = problem.generic.samples().first() else { return Vec::new() };
-    let (axes, tool) = problem.axes_and_tool(sample, seed);
+    let Some(sample) = chain.generic.samples().first() else { return Vec::new() };
+    let (axes, tool) = chain.axes_and_tool(sample, seed);
     axes.iter()
-        .zip(&problem.slots)
+        .zip(&chain.loop_joints)
         .map(|(axis, slot)| {
             let [x, y, z] = axis.direction;
-            if !slot.turns {
+            if !slot.revolute {
                 return [x, y, z, 0.0, 0.0, 0.0];
             }
-            let [u, v, w] = cross(axis.direction, sub(tool.p, axis.point)).map(|e| e / problem.reach);
-            let turn = if asked == Asked::Pose { [x, y, z] } else { [0.0; 3] };
+            let [u, v, w] = cross(axis.direction, sub(tool.p, axis.point)).map(|e| e / chain.reach);
+            let turn = if motion == ToolMotion::Pose { [x, y, z] } else { [0.0; 3] };
             let [x, y, z] = turn;
             [u, v, w, x, y, z]
         })

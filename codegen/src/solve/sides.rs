@@ -18,7 +18,7 @@ pub struct Side {
     /// Whether the motion is undone.
     pub undone: bool,
     /// Whether the joint turns.
-    pub turns: bool,
+    pub revolute: bool,
     /// The vector it moves.
     pub moved: Vec3,
     /// A point on y's axis.
@@ -47,7 +47,7 @@ impl Side {
 
     /// Whether the joint moves the component of `moved` along `n` (a direction in the joint's frame).
     pub fn moves_along(&self, c: &LoopClosure, n: Vec3, unit: Unit) -> bool {
-        if self.turns {
+        if self.revolute {
             !c.vanish(&Self::plane(n), unit) && !c.vanish(&Self::plane(self.moved), Unit::Length)
         } else {
             !c.vanish(&[Self::along(n)], unit)
@@ -149,11 +149,6 @@ impl Side {
     /// `moved` after the (solved) motion, as a direction.
     pub fn direction(&self, c: &mut LoopClosure) -> Vec3 {
         if self.undone { c.turn_back(self.joint, self.moved) } else { c.turn_by(self.joint, self.moved) }
-    }
-
-    /// The unsolved stroke's direction as it enters `moved`: plus or minus z.
-    pub fn stroke(&self) -> bool {
-        self.undone
     }
 
     /// A point on y's axis that this joint does not move: where the axes meet, if they do.

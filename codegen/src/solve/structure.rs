@@ -11,7 +11,7 @@ use crate::model::geometry::{Triple, TripleKind};
 
 /// The cheapest plan among the triples of a closed chain of six joints, wherever its sliding joints are moved.
 pub fn cheapest(chain: &LoopChain, task: &PlanTask) -> Result<Option<Plan>, Unsupported> {
-    rank::check(chain, rank::Asked::Pose)?;
+    rank::check(chain, rank::ToolMotion::Pose)?;
     let mut best: Option<Plan> = None;
     let mut failure = None;
     for chain in commuted(chain) {
@@ -19,7 +19,7 @@ pub fn cheapest(chain: &LoopChain, task: &PlanTask) -> Result<Option<Plan>, Unsu
             match around(chain.clone(), triple, task) {
                 Ok(plan) if best.as_ref().is_none_or(|b| plan.effort() < b.effort()) => best = Some(plan),
                 Ok(_) => {}
-                Err(refusal) => failure = failure.or(Some(refusal)),
+                Err(unsupported) => failure = failure.or(Some(unsupported)),
             }
         }
     }
@@ -30,7 +30,7 @@ pub fn cheapest(chain: &LoopChain, task: &PlanTask) -> Result<Option<Plan>, Unsu
     }
     match (best, failure) {
         (Some(plan), _) => Ok(Some(plan)),
-        (None, Some(refusal)) => Err(refusal),
+        (None, Some(unsupported)) => Err(unsupported),
         (None, None) => Ok(None),
     }
 }
@@ -49,7 +49,7 @@ pub fn around(chain: LoopChain, triple: Triple, task: &PlanTask) -> Result<Plan,
     match triple.kind {
         // Three virtual joints are not wanted.
         TripleKind::Intersecting if c.is_virtual(triple) => {}
-        TripleKind::Intersecting | TripleKind::Turning => triple::meeting(&mut c),
+        TripleKind::Intersecting | TripleKind::Turning => triple::intersecting(&mut c),
         TripleKind::Parallel => triple::parallel(&mut c)?,
     }
     Ok(c.finish(triple, task.clone()))

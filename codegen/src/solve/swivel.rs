@@ -23,7 +23,7 @@ use crate::symbolic::{Expr, Graph, Rigid, transpose};
 pub fn plan(mut joints: LoopChain, chain: &Chain) -> Result<Plan, Unsupported> {
     let triples = joints.triples();
     let meets = |first: usize| triples.contains(&Triple { first, kind: TripleKind::Intersecting });
-    let seven = joints.slots.len() == 7 && joints.slots.iter().all(|slot| slot.turns);
+    let seven = joints.loop_joints.len() == 7 && joints.loop_joints.iter().all(|slot| slot.revolute);
     if !(seven && meets(0) && meets(4)) {
         return Err(Unsupported::new(
             "an arm angle needs seven joints that turn, axes 1, 2, 3 meeting in a point and axes 5, 6, 7 in another",
@@ -43,7 +43,7 @@ pub fn plan(mut joints: LoopChain, chain: &Chain) -> Result<Plan, Unsupported> {
     let elbow = Side {
         joint: 3,
         undone: false,
-        turns: true,
+        revolute: true,
         moved: c.clean3(c.link(3).forward.p, Unit::Length),
         origin: c.clean3(upper.back.p, Unit::Length),
         axis: upper.back.z(),

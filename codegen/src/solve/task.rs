@@ -52,7 +52,7 @@ pub enum Given {
         /// The joint.
         joint: usize,
         /// Whether it turns: then its sine and cosine are read.
-        turns: bool,
+        revolute: bool,
     },
     /// The arm angle, whose sine and cosine the upper arm's rotation is made from.
     ArmAngle,
@@ -125,8 +125,8 @@ impl PlanTask {
             Goal::PlanarPose => position(2).chain([Input::Phi, Input::SinPhi, Input::CosPhi]).collect(),
             Goal::PlanarPosition => position(2).collect(),
         };
-        if let Some(Given::Joint { joint, turns }) = self.given {
-            let parts: &[Part] = if turns { &[Part::Value, Part::Sin, Part::Cos] } else { &[Part::Value] };
+        if let Some(Given::Joint { joint, revolute }) = self.given {
+            let parts: &[Part] = if revolute { &[Part::Value, Part::Sin, Part::Cos] } else { &[Part::Value] };
             all.extend(parts.iter().map(|part| Input::given(joint, *part)));
         }
         all

@@ -12,13 +12,14 @@ use crate::symbolic::{Expr, Vec3};
 
 /// The plan for three turning joints in a row and three sliding ones, wherever the axes are; `None` for other arms.
 pub fn plan(chain: &LoopChain, task: &PlanTask) -> Option<Result<Plan, Unsupported>> {
-    let turning: Vec<usize> = (0..chain.slots.len()).filter(|i| chain.slots.get(*i).is_some_and(|s| s.turns)).collect();
+    let turning: Vec<usize> =
+        (0..chain.loop_joints.len()).filter(|i| chain.loop_joints.get(*i).is_some_and(|s| s.revolute)).collect();
     let [first, second, third] = *turning.as_slice() else { return None };
-    let in_a_row = second == first + 1 && third == second + 1 && chain.slots.len() == 6;
+    let in_a_row = second == first + 1 && third == second + 1 && chain.loop_joints.len() == 6;
     in_a_row.then(|| {
         let triple = Triple { first, kind: TripleKind::Turning };
         let mut c = LoopClosure::new(chain.clone(), triple);
-        triple::meeting(&mut c);
+        triple::intersecting(&mut c);
         displacements(&mut c)?;
         Ok(c.finish(triple, task.clone()))
     })

@@ -9,15 +9,15 @@ use super::unsupported::Unsupported;
 use crate::model::Angle;
 use crate::symbolic::{Expr, Graph, Mat3, Pair, Rigid, Vec3, transpose};
 
-/// A factor of `M = (links and joints from c to the triple)^-1`, left to right.
+/// A element of `M = (links and joints from c to the triple)^-1`, left to right.
 #[derive(Debug, Clone, Copy)]
-enum Factor {
+enum Element {
     Link(usize),
     Joint(usize),
 }
 
 /// `M = R_z(a) C_a R_z(b) C_b R_z(c)` for a triple that meets in a point: only the rotation counts.
-pub fn meeting(c: &mut LoopClosure) {
+pub fn intersecting(c: &mut LoopClosure) {
     let m = triple_rotation(c);
     let [first, second, third, ..] = c.order;
     rotation(c, &m, [first, second, third], Branching::Wrist);
@@ -66,7 +66,7 @@ fn oblique(
     // e_z . C_a R_z(b) C_b e_z
     let axis = transpose(&link_a.r).map(Side::along);
     let moved = link_b.z();
-    let middle = Side { joint: second, undone: false, turns: true, moved, origin: [Expr::ZERO; 3], axis };
+    let middle = Side { joint: second, undone: false, revolute: true, moved, origin: [Expr::ZERO; 3], axis };
     let (moved_plane, axis_plane) = (Side::plane(moved), Side::plane(axis));
     let range = ConeRange {
         along: Side::along(moved),
@@ -105,26 +105,26 @@ fn decomposed(c: &LoopClosure, link: &Rigid) -> Option<[Angle; 2]> {
 
 /// The rotation the triple has to make, with joint turns about parallel axes added up.
 fn triple_rotation(c: &mut LoopClosure) -> Mat3 {
-    let factors = factors(c);
+    let elements = elements(c);
     let (mut parts, mut target) = (Vec::new(), 0);
     let mut index = 0;
-    while let Some(factor) = factors.get(index) {
+    while let Some(element) = elements.get(index) {
         index += 1;
-        match factor {
-            Factor::Link(joint) => {
+        match element {
+            Element::Link(joint) => {
                 let link = c.link(*joint);
                 if link.target {
                     target = parts.len();
                 }
                 parts.push(Part::link(link.back.r, [Expr::ZERO; 3]));
             }
-            Factor::Joint(joint) if c.turns(*joint) => {
+            Element::Joint(joint) if c.is_revolute(*joint) => {
                 let pair = c.pair(*joint);
                 // R_z(-p) K R_z(-q) = R_z(-p -+ q) K for a link K that keeps the axis parallel.
-                if let (Some(Factor::Link(between)), Some(Factor::Joint(next))) =
-                    (factors.get(index), factors.get(index + 1))
+                if let (Some(Element::Link(between)), Some(Element::Joint(next))) =
+                    (elements.get(index), elements.get(index + 1))
                     && let Some(sign) = keeps_parallel(c, *between)
-                    && c.turns(*next)
+                    && c.is_revolute(*next)
                 {
                     let other = c.pair(*next);
                     let other = if sign < 0.0 { other.opposite(&mut c.g) } else { other };
@@ -139,13 +139,13 @@ fn triple_rotation(c: &mut LoopClosure) -> Mat3 {
                     parts.push(Part::turn(c, pair, *joint));
                 }
             }
-            Factor::Joint(_) => {}
+            Element::Joint(_) => {}
         }
     }
     outward(c, &parts, target).r
 }
 
-/// A factor as a transform, with the joint it turns by.
+/// A element as a transform, with the joint it turns by.
 struct Part {
     rigid: Rigid,
     joint: Option<usize>,
@@ -220,11 +220,11 @@ fn keeps_parallel(c: &LoopClosure, joint: usize) -> Option<f64> {
 }
 
 /// What stands between the triple's last joint and its first, going back.
-fn factors(c: &LoopClosure) -> Vec<Factor> {
+fn elements(c: &LoopClosure) -> Vec<Element> {
     let [.., third, _, _, _] = c.order;
     let outside = c.outside();
-    let joints = outside.iter().rev().flat_map(|joint| [Factor::Link(*joint), Factor::Joint(*joint)]);
-    joints.chain([Factor::Link(third)]).collect()
+    let joints = outside.iter().rev().flat_map(|joint| [Element::Link(*joint), Element::Joint(*joint)]);
+    joints.chain([Element::Link(third)]).collect()
 }
 
 /// The triple as a loop in its plane, closed by everything else.
@@ -244,25 +244,25 @@ pub fn parallel(c: &mut LoopClosure) -> Result<(), Unsupported> {
 fn triple_rigid(c: &mut LoopClosure) -> Rigid {
     let [_, _, third, ..] = c.order;
     let (mut parts, mut target) = (Vec::new(), 0);
-    for factor in factors(c) {
-        match factor {
-            Factor::Link(joint) => {
+    for element in elements(c) {
+        match element {
+            Element::Link(joint) => {
                 let link = c.link(joint);
                 let mut p = link.back.p;
                 if link.target {
                     target = parts.len();
-                } else if joint == third && c.turns(third) {
+                } else if joint == third && c.is_revolute(third) {
                     let along = c.g.scale3(Side::along(link.forward.p), link.back.z());
                     let moved = c.g.add3(p, along);
                     p = c.clean3(moved, Unit::Length);
                 }
                 parts.push(Part::link(link.back.r, p));
             }
-            Factor::Joint(joint) if c.turns(joint) => {
+            Element::Joint(joint) if c.is_revolute(joint) => {
                 let pair = c.pair(joint);
                 parts.push(Part::turn(c, pair, joint));
             }
-            Factor::Joint(joint) => {
+            Element::Joint(joint) => {
                 let along = c.position(joint);
                 let back = c.g.neg(along);
                 parts.push(Part::link(Graph::identity(), [Expr::ZERO, Expr::ZERO, back]));

@@ -16,9 +16,9 @@ use crate::symbolic::Expr;
 
 /// A whole pose for a yaw joint, three pitch joints and perhaps a roll joint: more equations than joints.
 pub fn yawing(chain: LoopChain) -> Result<Plan, Unsupported> {
-    rank::check(&chain, rank::Asked::Pose)?;
+    rank::check(&chain, rank::ToolMotion::Pose)?;
     let task = PlanTask::new(Goal::Pose, chain.given);
-    let rolls = chain.slots.len() == 5;
+    let rolls = chain.loop_joints.len() == 5;
     let triple = Triple { first: 1, kind: TripleKind::Parallel };
     let mut c = LoopClosure::new(chain, triple);
     let last = if rolls { 4 } else { 3 };
@@ -95,10 +95,10 @@ fn prismatic_last(mut chain: LoopChain) -> Result<LoopChain, Unsupported> {
             "four joints have `pose` if all turn about and slide along or across one direction, or yaw and pitch thrice",
         )
     };
-    let stroke = chain.stroke_along_turns().ok_or_else(refused)?;
-    rank::check(&chain, rank::Asked::Pose)?;
+    let stroke = chain.prismatic_along_revolute().ok_or_else(refused)?;
+    rank::check(&chain, rank::ToolMotion::Pose)?;
     for i in stroke..3 {
-        chain = chain.slide_later(i).ok_or_else(refused)?;
+        chain = chain.prismatic_later(i).ok_or_else(refused)?;
     }
     Ok(chain)
 }

@@ -33,7 +33,7 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, U
     let failed = match request.task {
         Some(task) => match attempt(task, model, geometry, &joints) {
             Ok(plan) => return Ok(plan),
-            Err(refusal) => refusal,
+            Err(unsupported) => unsupported,
         },
         None => {
             let mut failure = None;
@@ -41,8 +41,8 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, U
                 match attempt(task, model, geometry, &joints) {
                     Ok(plan) => return Ok(plan),
                     // A whole pose is more than most arms of five joints can do: what they lack is told of the next task.
-                    Err(_) if task == Task::Pose && joints.slots.len() == 5 => {}
-                    Err(refusal) => failure = failure.or(Some(refusal)),
+                    Err(_) if task == Task::Pose && joints.loop_joints.len() == 5 => {}
+                    Err(unsupported) => failure = failure.or(Some(unsupported)),
                 }
             }
             failure.unwrap_or_else(|| unsupported::not_covered(model, None))
@@ -83,7 +83,7 @@ fn other_convention(model: &Model) -> Option<String> {
 
 /// The tasks that an arm of so many joints may have.
 fn most_specific_first(joints: &LoopChain) -> Vec<Task> {
-    match joints.slots.len() {
+    match joints.loop_joints.len() {
         6 => vec![Task::Pose],
         5 => vec![Task::Pose, Task::PositionAxis],
         4 => vec![Task::PositionAngle, Task::Pose],
@@ -96,7 +96,7 @@ fn most_specific_first(joints: &LoopChain) -> Vec<Task> {
 
 fn attempt(task: Task, model: &Model, geometry: &Geometry, joints: &LoopChain) -> Result<Plan, Unsupported> {
     let joints = joints.clone();
-    match (task, joints.slots.len()) {
+    match (task, joints.loop_joints.len()) {
         (Task::Pose, 6) => pose::plan(model, geometry, joints),
         (Task::Pose, 4 | 5) if yaw::yaws_and_pitches(&joints) => lower_mobility_pose::yawing(joints),
         (Task::Pose, 4) => lower_mobility_pose::upright(joints),
@@ -126,7 +126,7 @@ fn alternatives(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<String
     let given: Vec<String> = (0..model.joints.len())
         .filter(|joint| Some(*joint) != request.redundant)
         .filter(|joint| {
-            tasks.into_iter().any(|task| request.task.is_none_or(|asked| asked == task) && works(task, Some(*joint)))
+            tasks.into_iter().any(|task| request.task.is_none_or(|named| named == task) && works(task, Some(*joint)))
         })
         .filter_map(|joint| model.joints.get(joint))
         .map(|joint| format!("`redundant: {}`", joint.name))

@@ -16,7 +16,7 @@ use crate::symbolic::{Expr, Graph, Input, Pair, transpose};
 /// If the joints do not move in the plane, or are singular everywhere.
 pub fn plan(goal: Goal, mut chain: LoopChain) -> Result<Plan, Unsupported> {
     let is_pose = goal == Goal::PlanarPose;
-    rank::check(&chain, if is_pose { rank::Asked::Pose } else { rank::Asked::Point })?;
+    rank::check(&chain, if is_pose { rank::ToolMotion::Pose } else { rank::ToolMotion::Point })?;
     let twist = if is_pose { chain.tool_twist() } else { Some(Angle::ZERO) };
     let (true, Some(twist)) = (chain.is_planar(), twist) else {
         return Err(Unsupported::new(format!(

@@ -14,7 +14,7 @@ use crate::symbolic::{Graph, Rigid, transpose};
 /// # Errors
 /// If the joints do not move the point in space.
 pub fn plan(mut chain: LoopChain) -> Result<Plan, Unsupported> {
-    rank::check(&chain, rank::Asked::Point)?;
+    rank::check(&chain, rank::ToolMotion::Point)?;
     let task = PlanTask::new(Goal::Position, chain.given);
     let link = |g: &mut Graph, degrees: f64| {
         let pair = g.constant_pair(Angle::degrees(degrees), "VIRTUAL");

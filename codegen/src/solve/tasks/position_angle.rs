@@ -28,19 +28,19 @@ pub fn plan(mut chain: LoopChain) -> Result<Plan, Unsupported> {
             "the task `position_angle` needs a joint that yaws, and three that move in a plane which it turns",
         ));
     }
-    rank::check(&chain, rank::Asked::Pose)?;
+    rank::check(&chain, rank::ToolMotion::Pose)?;
     // The tool counts with the plane: only a point is given.
     let tool = chain.take_tool();
     chain.generic.angle([Input::Angle, Input::SinAngle, Input::CosAngle]);
     chain.target.r = Graph::identity();
-    let offsets: Vec<Angle> = chain.slots.iter().map(|slot| slot.offset).collect();
+    let offsets: Vec<Angle> = chain.loop_joints.iter().map(|slot| slot.offset).collect();
     let triple = Triple { first: 1, kind: TripleKind::Parallel };
     let mut c = LoopClosure::new(chain, triple);
     let (link_a, link_b) = (c.link(1).forward, c.link(2).forward);
     let plane = link_a.then(&mut c.g, &link_b);
     // The frame of the first pitch joint, in that of joint 1.
     let frames = [Rigid::identity(), link_a, plane].map(|frame| frame.r);
-    let turns = [1, 2, 3].map(|joint| c.turns(joint));
+    let turns = [1, 2, 3].map(|joint| c.is_revolute(joint));
     let upright = frames.iter().zip(turns).find(|(_, turns)| *turns).map_or(Graph::identity(), |(frame, _)| *frame);
     let pitch = upright.map(|[_, _, z]| z);
     let end = plane.point(&mut c.g, tool.p);

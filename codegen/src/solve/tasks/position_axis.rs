@@ -18,18 +18,19 @@ pub fn plan(axis: Option<Axis>, chain: LoopChain) -> Result<Plan, Unsupported> {
     for axis in wanted {
         let mut chain = chain.clone();
         let goal = Goal::PositionAxis { column: axis.column() };
-        let passed_over = failure.as_ref().map(|refusal| format!("axis z cannot be asked for: {}", refusal.reason));
+        let passed_over =
+            failure.as_ref().map(|unsupported| format!("axis z cannot be asked for: {}", unsupported.reason));
         let task = PlanTask { passed_over, ..PlanTask::new(goal, chain.given) };
         let before = onto_z(&mut chain.g, axis);
         chain.append(LoopJoint::virtual_turn(1), before, Rigid::identity());
         match structure::cheapest(&chain, &task) {
             Ok(Some(plan)) => return Ok(plan),
             Ok(None) => {
-                let refusal =
+                let unsupported =
                     Unsupported::new("no three consecutive axes (the tool's among them) meet or are parallel");
-                failure = failure.or(Some(refusal));
+                failure = failure.or(Some(unsupported));
             }
-            Err(refusal) => failure = failure.or(Some(refusal)),
+            Err(unsupported) => failure = failure.or(Some(unsupported)),
         }
     }
     Err(failure.unwrap_or_else(|| Unsupported::new("no axis of the tool can be pointed")))

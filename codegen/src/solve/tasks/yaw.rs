@@ -8,17 +8,17 @@ use crate::symbolic::{Expr, Vec3};
 
 /// A yaw joint and three parallel pitch joints across it, whatever follows.
 pub fn yaws_and_pitches(chain: &LoopChain) -> bool {
-    let turns = chain.slots.iter().take(4).all(|slot| slot.turns);
+    let turns = chain.loop_joints.iter().take(4).all(|slot| slot.revolute);
     let parallel = chain.triples().contains(&Triple { first: 1, kind: TripleKind::Parallel });
-    turns && chain.slots.len() >= 4 && parallel && chain.keeps_axis(1).is_none()
+    turns && chain.loop_joints.len() >= 4 && parallel && chain.keeps_axis(1).is_none()
 }
 
 /// A yaw joint and three that move in a plane which it turns: parallel axes, or some of the joints sliding across them.
 pub fn yaws_a_plane(chain: &LoopChain) -> bool {
-    let yaws = chain.slots.first().is_some_and(|slot| slot.turns);
-    let pitches = (1..4).find(|i| chain.slots.get(*i).is_some_and(|slot| slot.turns));
+    let yaws = chain.loop_joints.first().is_some_and(|slot| slot.revolute);
+    let pitches = (1..4).find(|i| chain.loop_joints.get(*i).is_some_and(|slot| slot.revolute));
     let plane = chain.triples().contains(&Triple { first: 1, kind: TripleKind::Parallel });
-    yaws && chain.slots.len() == 4 && plane && pitches.is_some_and(|pitch| !chain.are_parallel(0, pitch))
+    yaws && chain.loop_joints.len() == 4 && plane && pitches.is_some_and(|pitch| !chain.are_parallel(0, pitch))
 }
 
 /// What the yaw joint leaves of the chain: `n`, the pitch axis before the yaw, and how far along it the chain ends, both
