@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use denhart_codegen::lower::{Each, Given, Inverse, Level, Part, Root, RootRange, Slot, Statement, Trail};
+use denhart_codegen::lower::{Each, Given, Inverse, Level, Part, Root, RootRange, Statement, Trail};
 
 use crate::kernel::Known;
 use crate::tape::{Compiler, Places, Tape};
@@ -41,7 +41,7 @@ impl Nest {
             let mut steps = Vec::new();
             for statement in body {
                 let start = compiler.len();
-                compiler.work_out(&read(statement));
+                compiler.work_out(&statement.reads());
                 define(&mut compiler, statement);
                 if let Statement::Solve(call) = statement
                     && let Some(known) = known.get_mut(call.stage)
@@ -81,22 +81,6 @@ impl Nest {
             Given::Joint { joint, .. } => joint,
             Given::ArmAngle => self.program.joints,
         })
-    }
-}
-
-/// What a statement reads.
-fn read(statement: &Statement) -> Vec<Slot> {
-    match statement {
-        Statement::Let(slot) => vec![*slot],
-        Statement::Phase { y, x, .. } | Statement::Angle { y, x, .. } => vec![*y, *x],
-        Statement::Elbow { a, b, height, line, .. } => [*a, *b, *height].into_iter().chain(*line).collect(),
-        Statement::Cone { along, across, cos, sin, .. } => vec![*along, *across, *cos, *sin],
-        Statement::Solve(call) => call.kernel.inputs(),
-        Statement::Agree { misses, .. } => misses.clone(),
-        Statement::Swivel { vectors, .. } => vectors.concat(),
-        Statement::Value { terms, .. } => terms.iter().map(|(term, _)| *term).collect(),
-        Statement::Push { q, .. } => q.clone(),
-        Statement::Follow { .. } | Statement::Only { .. } => Vec::new(),
     }
 }
 

@@ -76,17 +76,18 @@ impl<'a> Run<'a> {
         match statement {
             // The operations before it are all there is to do.
             Statement::Let(_) => {}
-            Statement::Phase { stage, y, x } => {
-                let phase = Turn::direction(self.value(*y), self.value(*x));
+            Statement::Phase { stage, phase } => {
+                let phase = Turn::direction(self.value(phase.y), self.value(phase.x));
                 self.prepare(*stage, |known| known.phase = phase);
             }
-            Statement::Elbow { stage, a, b, height, line } => {
-                let elbow = Elbow::new(self.value(*a), self.value(*b), self.value(*height));
+            Statement::Elbow { stage, range, line } => {
+                let [a, b, height] = range.inputs().map(|slot| self.value(slot));
+                let elbow = Elbow::new(a, b, height);
                 let elbow = line.map_or(elbow, |line| elbow.signed(self.value(line)));
                 self.prepare(*stage, |known| known.elbow = elbow);
             }
-            Statement::Cone { stage, along, across, cos, sin } => {
-                let [along, across, cos, sin] = [along, across, cos, sin].map(|slot| self.value(*slot));
+            Statement::Cone { stage, range } => {
+                let [along, across, cos, sin] = range.inputs().map(|slot| self.value(slot));
                 let cone = Cone::new(along, across, cos, sin);
                 self.prepare(*stage, |known| known.cone = cone);
             }

@@ -3,7 +3,7 @@
 use super::nest::Nest;
 use super::tokens::{ident, integer, number};
 use super::{angle, worked_out};
-use crate::lower::kernel::Argument;
+use crate::lower::kernel::{Argument, Phase};
 use crate::lower::{Call, Counted, DefaultValue, Kernel, RootRange, Statement, Unit};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -139,19 +139,19 @@ pub fn preparation(nest: &Nest, statement: &Statement) -> TokenStream {
     let krate = &nest.target.krate;
     let writer = nest.writer();
     match statement {
-        Statement::Phase { stage, y, x } => {
+        Statement::Phase { stage, phase: Phase { y, x } } => {
             let (name, y, x) = (prepared(nest, "phase", *stage), writer.write(*y), writer.write(*x));
             quote!(let #name = #krate::solve::Turn::direction(#y, #x);)
         }
-        Statement::Elbow { stage, a, b, height, line } => {
+        Statement::Elbow { stage, range, line } => {
             let name = prepared(nest, "elbow", *stage);
-            let [a, b, height] = [a, b, height].map(|e| writer.write(*e));
+            let [a, b, height] = range.inputs().map(|e| writer.write(e));
             let signed = line.map(|product| writer.write(product)).map(|product| quote!(.signed(#product)));
             quote!(let #name = #krate::solve::Elbow::new(#a, #b, #height) #signed;)
         }
-        Statement::Cone { stage, along, across, cos, sin } => {
+        Statement::Cone { stage, range } => {
             let name = prepared(nest, "cone", *stage);
-            let [along, across, cos, sin] = [along, across, cos, sin].map(|e| writer.write(*e));
+            let [along, across, cos, sin] = range.inputs().map(|e| writer.write(e));
             quote!(let #name = #krate::solve::Cone::new(#along, #across, #cos, #sin);)
         }
         _ => TokenStream::new(),

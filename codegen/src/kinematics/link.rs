@@ -1,4 +1,4 @@
-//! Constant factors of the chain as rigid transforms over named dimensions.
+//! Elementary transforms of the chain over named dimensions, and what all sweeps over them share.
 
 use crate::model::Frame;
 use crate::model::chain::Elementary;
@@ -45,7 +45,7 @@ pub fn frame(g: &mut Graph, frame: &Frame, name: &str) -> Rigid {
     Rigid { r, p }
 }
 
-/// One constant factor; the identity for a joint.
+/// A constant elementary transform; the identity for a joint.
 pub fn elementary(g: &mut Graph, transform: &Elementary) -> Rigid {
     let mut out = Rigid::identity();
     match transform {
@@ -75,7 +75,7 @@ pub(super) fn suggest(g: &mut Graph, v: Vec3, what: &str, frame: usize) {
     g.suggest_each(&v, &format!("{what}_{frame}"));
 }
 
-/// The joint symbol of a prismatic joint.
+/// The displacement of a prismatic joint.
 pub(super) fn displacement(g: &mut Graph, joint: usize) -> Expr {
     g.symbol(Unknown::of(Label::Arm(joint), Part::Value))
 }

@@ -245,7 +245,7 @@ impl Sweep {
 }
 
 /// Start of the run of parallel revolute joints that ends just before `end`: axes stay parallel across shifts, turns
-/// about z, sliding joints along z, and half turns about x.
+/// about z, prismatic joints along z, and half turns about x.
 fn run_start(chain: &Chain, end: usize) -> usize {
     let mut start = end.saturating_sub(1);
     for (index, step) in chain.transforms.iter().enumerate().take(end).rev() {

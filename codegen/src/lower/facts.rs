@@ -14,7 +14,7 @@ pub struct Facts {
     pub combined: Vec<(Vec<f64>, [f64; 2])>,
     /// How much each joint counts in the distance from a reference.
     pub weights: Vec<f64>,
-    /// The sliding joints.
+    /// The prismatic joints.
     pub prismatic: Vec<usize>,
     /// The joint that is named where a virtual one is free.
     pub stands_for: Option<usize>,

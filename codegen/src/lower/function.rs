@@ -65,7 +65,7 @@ impl Function {
         Function { straight: Straight::new(graph, roots, reserved), joints, turned, cost }
     }
 
-    /// Whether the value of a joint is read, in an angle or as a stroke.
+    /// Whether the value of a joint is read, in an angle or as a displacement.
     pub fn reads(&self, joint: usize) -> bool {
         let in_angle = self.turned.iter().flat_map(|turned| &turned.sum.terms).any(|(term, _)| *term == joint);
         in_angle || self.joints.get(joint).is_some_and(|slot| self.straight.reads(*slot))

@@ -146,7 +146,7 @@ impl Nest<'_> {
         let level = self.bind(&stage.kernel.inputs());
         let (before, call) = call(self.plan, &self.graph, index, stage);
         for statement in before {
-            let level = self.level_of(&reads(&statement));
+            let level = self.level_of(&statement.reads());
             self.at(level, statement);
         }
         self.at(level, Statement::Solve(call));
@@ -228,15 +228,5 @@ impl Nest<'_> {
         let q = (0..self.plan.joints()).map(|joint| self.graph.symbol(self.plan.value(joint))).collect();
         let (trail, deepest) = (self.trail, self.deepest());
         self.at(deepest, Statement::Push { trail, q });
-    }
-}
-
-/// The expressions that a preparing statement reads.
-fn reads(statement: &Statement) -> Vec<Slot> {
-    match statement {
-        Statement::Phase { y, x, .. } => vec![*y, *x],
-        Statement::Elbow { a, b, height, line, .. } => [*a, *b, *height].into_iter().chain(*line).collect(),
-        Statement::Cone { along, across, cos, sin, .. } => vec![*along, *across, *cos, *sin],
-        _ => Vec::new(),
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{Call, Facts, Names, Slot};
 use crate::model::Angle;
+use crate::solve::kernel::{ConeRange, ElbowRange, Phase};
 use crate::solve::{Branching, Given, Goal, SwivelFacts, Unit};
 use crate::symbolic::{Graph, Input, Part};
 
@@ -89,25 +90,19 @@ pub enum Trail {
 pub enum Statement {
     /// Works out a shared expression.
     Let(Slot),
-    /// The direction of (`x`, `y`), from which the angle of a stage is counted.
+    /// The direction from which the angle of a stage is counted.
     Phase {
         /// The stage.
         stage: usize,
-        /// Sine times a positive factor.
-        y: Slot,
-        /// Cosine times the same factor.
-        x: Slot,
+        /// The direction.
+        phase: Phase,
     },
     /// The range of a stage's distance.
     Elbow {
         /// The stage.
         stage: usize,
-        /// One link.
-        a: Slot,
-        /// The other.
-        b: Slot,
-        /// How far apart they are along the axis.
-        height: Slot,
+        /// The range.
+        range: ElbowRange,
         /// For links along one line the product whose sign tells stretched from folded.
         line: Option<Slot>,
     },
@@ -115,14 +110,8 @@ pub enum Statement {
     Cone {
         /// The stage.
         stage: usize,
-        /// Component of the vector along the turning axis.
-        along: Slot,
-        /// Component across it.
-        across: Slot,
-        /// Cosine of the other axis to the turning axis.
-        cos: Slot,
-        /// Sine of it.
-        sin: Slot,
+        /// The range.
+        range: ConeRange,
     },
     /// Solves a stage.
     Solve(Call),
@@ -151,7 +140,7 @@ pub enum Statement {
         /// What it is.
         meaning: String,
     },
-    /// Compares equations that no joint can meet.
+    /// Compares equations without a joint.
     Agree {
         /// The place of this comparison among them.
         index: usize,
@@ -191,4 +180,22 @@ pub enum Statement {
         /// The joint values.
         q: Vec<Slot>,
     },
+}
+
+impl Statement {
+    /// What it reads.
+    pub fn reads(&self) -> Vec<Slot> {
+        match self {
+            Statement::Let(slot) => vec![*slot],
+            Statement::Phase { phase: Phase { y, x }, .. } | Statement::Angle { y, x, .. } => vec![*y, *x],
+            Statement::Elbow { range, line, .. } => range.inputs().into_iter().chain(*line).collect(),
+            Statement::Cone { range, .. } => range.inputs().to_vec(),
+            Statement::Solve(call) => call.kernel.inputs(),
+            Statement::Agree { misses, .. } => misses.clone(),
+            Statement::Swivel { vectors, .. } => vectors.concat(),
+            Statement::Value { terms, .. } => terms.iter().map(|(term, _)| *term).collect(),
+            Statement::Push { q, .. } => q.clone(),
+            Statement::Follow { .. } | Statement::Only { .. } => Vec::new(),
+        }
+    }
 }

@@ -39,7 +39,7 @@ fn phase(stage: usize, phase: &Phase, before: &mut Vec<Statement>) -> Counted {
     if phase.y == Expr::ZERO {
         return Counted::TurnedBack(phase.x);
     }
-    before.push(Statement::Phase { stage, y: phase.y, x: phase.x });
+    before.push(Statement::Phase { stage, phase: *phase });
     Counted::FromPhase
 }
 
@@ -50,17 +50,15 @@ fn elbow(
     line: Option<Slot>,
     before: &mut Vec<Statement>,
 ) -> RootRange {
-    let ElbowRange { a, b, height } = *range;
-    if let [Some(a), Some(b), Some(height)] = [a, b, height].map(|e| graph.constant(e)) {
+    if let [Some(a), Some(b), Some(height)] = range.inputs().map(|e| graph.constant(e)) {
         return RootRange::Elbow { links: [a, b], max: (a + b).hypot(height), min: (a - b).hypot(height) };
     }
-    before.push(Statement::Elbow { stage, a, b, height, line });
+    before.push(Statement::Elbow { stage, range: *range, line });
     RootRange::Prepared
 }
 
 fn cone(graph: &Graph, stage: usize, range: &ConeRange, before: &mut Vec<Statement>) -> RootRange {
-    let ConeRange { along, across, cos, sin } = *range;
-    if let [Some(along), Some(across), Some(cos), Some(sin)] = [along, across, cos, sin].map(|e| graph.constant(e)) {
+    if let [Some(along), Some(across), Some(cos), Some(sin)] = range.inputs().map(|e| graph.constant(e)) {
         // Rounding of a product of exact angles must not look like an angle of 1e-17.
         let size = along.hypot(across);
         let clean = |x: f64| if x.abs() <= 1e-15 * size { 0.0 } else { x };
@@ -69,6 +67,6 @@ fn cone(graph: &Graph, stage: usize, range: &ConeRange, before: &mut Vec<Stateme
             min: [along * cos - across * sin, across * cos + along * sin].map(clean),
         };
     }
-    before.push(Statement::Cone { stage, along, across, cos, sin });
+    before.push(Statement::Cone { stage, range: *range });
     RootRange::Prepared
 }

@@ -50,12 +50,12 @@ struct Known {
 
 impl Known {
     fn take(&mut self, roots: &[Root]) {
-        self.loop_joints.extend(roots.iter().flat_map(|Root(parts)| parts).map(|(_, slot)| *slot));
+        self.slots.extend(roots.iter().flat_map(|Root(parts)| parts).map(|(_, slot)| *slot));
     }
 
     fn read(&self, inverse: &Inverse, slots: &[Slot], what: &str) {
         for leaf in leaves(&inverse.graph, slots) {
-            assert!(self.loop_joints.contains(&leaf), "{what}: {:?} has no value yet", inverse.graph.leaf_name(leaf));
+            assert!(self.slots.contains(&leaf), "{what}: {:?} has no value yet", inverse.graph.leaf_name(leaf));
         }
     }
 
@@ -63,16 +63,16 @@ impl Known {
         let what = format!("{name}, {statement:?}");
         match statement {
             Statement::Let(slot) => self.read(inverse, &[*slot], &what),
-            Statement::Phase { stage, y, x } => {
-                self.read(inverse, &[*y, *x], &what);
+            Statement::Phase { stage, phase } => {
+                self.read(inverse, &[phase.y, phase.x], &what);
                 self.prepared.insert(*stage);
             }
-            Statement::Elbow { stage, a, b, height, .. } => {
-                self.read(inverse, &[*a, *b, *height], &what);
+            Statement::Elbow { stage, range, .. } => {
+                self.read(inverse, &[range.a, range.b, range.height], &what);
                 self.prepared.insert(*stage);
             }
-            Statement::Cone { stage, along, across, cos, sin } => {
-                self.read(inverse, &[*along, *across, *cos, *sin], &what);
+            Statement::Cone { stage, range } => {
+                self.read(inverse, &[range.along, range.across, range.cos, range.sin], &what);
                 self.prepared.insert(*stage);
             }
             Statement::Solve(call) => {
@@ -91,7 +91,7 @@ impl Known {
             }
             Statement::Angle { symbol, y, x, .. } => {
                 self.read(inverse, &[*y, *x], &what);
-                self.loop_joints.insert(*symbol);
+                self.slots.insert(*symbol);
             }
             Statement::Agree { index, before, misses, .. } => {
                 self.read(inverse, misses, &what);
@@ -102,12 +102,12 @@ impl Known {
                 self.read(inverse, &vectors.concat(), &what);
                 assert!(self.trails.contains(before), "{what}");
                 self.trails.insert(Trail::Swung);
-                self.loop_joints.extend(symbols.iter().flatten());
+                self.slots.extend(symbols.iter().flatten());
             }
             Statement::Value { symbol, terms, .. } => {
                 let terms: Vec<Slot> = terms.iter().map(|(term, _)| *term).collect();
                 self.read(inverse, &terms, &what);
-                self.loop_joints.insert(*symbol);
+                self.slots.insert(*symbol);
             }
             Statement::Push { trail, q } => {
                 self.read(inverse, q, &what);
@@ -124,7 +124,7 @@ fn everything_has_a_value_before_it_is_read() {
         let Ok(inverse) = &program.inverse else { continue };
         inverses += 1;
         let mut known = Known::default();
-        known.loop_joints.extend(inverse.inputs.iter().map(|(slot, _)| *slot));
+        known.slots.extend(inverse.inputs.iter().map(|(slot, _)| *slot));
         known.trails.insert(Trail::Start);
         for (depth, level) in inverse.levels.iter().enumerate() {
             assert_eq!(level.each.is_some(), depth > 0, "{name}: which levels are loops");

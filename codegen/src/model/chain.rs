@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::{Angle, Convention, Frame, Length, Model, RowKind};
 
-/// One factor of `T = base . rows . tool`, with the name its dimension has in the generated code.
+/// A factor of `T = base . rows . tool`, with the name its dimension has in the generated code.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Elementary {
     /// `R_x(angle)`
@@ -66,12 +66,12 @@ impl Elementary {
     }
 }
 
-/// The factors in order. Factors that change nothing are left out.
+/// The elementary transforms in order, without those that change nothing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chain {
-    /// The factors, left to right.
+    /// The transforms, left to right.
     pub transforms: Vec<Elementary>,
-    /// For every joint the number of steps up to the end of its link: the row of the joint and the fixed rows after.
+    /// For every joint the number of transforms up to the end of its link: the row of the joint and the fixed rows after.
     pub link_ends: Vec<usize>,
 }
 
@@ -134,7 +134,7 @@ impl Chain {
         Chain { transforms: self.transforms.iter().map(step).collect(), link_ends: self.link_ends.clone() }
     }
 
-    /// The constant factors before, between and after the joints: one more list than joints.
+    /// The constant transforms before, between and after the joints: one more list than joints.
     pub fn links(&self) -> Vec<Vec<Elementary>> {
         let mut links = vec![Vec::new()];
         for step in &self.transforms {

@@ -27,7 +27,7 @@ impl LoopChain {
         pair.is_some_and(|(a, b)| length(cross(a.direction, b.direction)) <= TOLERANCE)
     }
 
-    /// The joint that slides along the direction about which all joints turn that do; the others slide across it.
+    /// The prismatic joint along the common direction of all revolute axes, where the other prismatic ones are across it.
     pub fn prismatic_along_revolute(&self) -> Option<usize> {
         let samples = self.generic.samples().iter();
         let mut strokes = samples.map(|sample| {

@@ -24,7 +24,7 @@ pub fn commuted(chain: &LoopChain) -> Vec<LoopChain> {
 }
 
 impl LoopChain {
-    /// The chain with the sliding joint `i` moved past the joint after it: one that slides too, or one that turns about
+    /// The chain with the prismatic joint `i` moved past the joint after it: a prismatic one, or a revolute one about
     /// a parallel axis, `T_z(d) C R_z(t) = C R_z(t) T_z(+-d)`.
     pub fn prismatic_later(&self, i: usize) -> Option<LoopChain> {
         let (slides, next) = (self.loop_joints.get(i)?, self.loop_joints.get(i + 1)?);
@@ -47,7 +47,7 @@ impl LoopChain {
         Some(moved)
     }
 
-    /// The chain with the sliding joints `i` and `i + 1` in the other order.
+    /// The chain with the prismatic joints `i` and `i + 1` in the other order.
     fn prismatic_swapped(&self, i: usize) -> LoopChain {
         let mut moved = self.clone();
         let g = &mut moved.g;
@@ -62,7 +62,7 @@ impl LoopChain {
         moved
     }
 
-    /// The chain with the sliding joint `i` moved before the turning joint before it.
+    /// The chain with the prismatic joint `i` moved before the revolute joint before it.
     pub fn prismatic_earlier(&self, i: usize) -> Option<LoopChain> {
         let (turns, slides) = (self.loop_joints.get(i.checked_sub(1)?)?, self.loop_joints.get(i)?);
         if slides.revolute || !turns.revolute {

@@ -1,4 +1,4 @@
-//! The outer joints x, y, z when the triple meets in a point W.
+//! The outer joints x, y, z when the axes of the triple intersect in a point W.
 //!
 //! `R_z(y) B(z) = A(x)`, where A and B are the point W seen from joint y over either side: equal components along y's
 //! axis and equal distances from a point on it are two equations in x and z.
@@ -96,7 +96,7 @@ fn relative(c: &mut LoopClosure, side: &Side) -> ([Expr; 2], Expr) {
     (Side::plane(seen), Side::along(seen))
 }
 
-/// The component along y's axis as a row of the side's joint; for a sliding joint the slope in `c`.
+/// The component along y's axis as a row of the side's joint; for a prismatic joint the slope in `c`.
 fn component(c: &mut LoopClosure, side: &Side) -> Sinusoid {
     let k = {
         let dot = c.g.dot3(side.axis, side.origin);
@@ -144,7 +144,7 @@ fn first_by_component(c: &mut LoopClosure, first: &Side, other: &Side, ny: Label
     }
 }
 
-/// Both sides with the point where y's axis meets the axis of x (or z) as origin, if they meet.
+/// Both sides with the point as origin where y's axis and the axis of x (or z) intersect, if they do.
 fn intersection_origin(c: &mut LoopClosure, a: &Side, b: &Side, with_a: bool) -> Option<(Side, Side)> {
     let side = if with_a { a } else { b };
     if !side.revolute {
@@ -156,7 +156,7 @@ fn intersection_origin(c: &mut LoopClosure, a: &Side, b: &Side, with_a: bool) ->
     c.vanish(&Side::plane(side.origin), Unit::Length).then_some((a, b))
 }
 
-/// The distance from the meeting point does not depend on `still`: `other` follows from it, then `still` from the
+/// The distance from the intersection does not depend on `still`: `other` follows from it, then `still` from the
 /// component along y's axis.
 fn second_by_distance(c: &mut LoopClosure, still: &Side, other: &Side, ny: Label) {
     let w = c.center();
@@ -197,7 +197,7 @@ fn together(c: &mut LoopClosure, a: &Side, b: &Side, ny: Label) -> Result<(), Un
         c.stage(&joints, Unit::Length, Branching::Root, meaning, kernel);
         return Ok(());
     }
-    // The slide that is divided by its slope is the one whose slope no target makes vanish.
+    // Of two prismatic joints the one is eliminated whose slope vanishes at no target.
     let b_first = a.revolute || !b.revolute && c.g.constant(rows_a.c).is_none();
     let (slides, other, row, other_row) = if b_first { (b, a, rows_b, rows_a) } else { (a, b, rows_a, rows_b) };
     // slope s + k = other's component: s = (component - k) / slope
@@ -225,7 +225,7 @@ fn together(c: &mut LoopClosure, a: &Side, b: &Side, ny: Label) -> Result<(), Un
         c.stage(&joints, Unit::Length, Branching::Root, meaning, kernel);
         return Ok(());
     }
-    // Both slide: u = slides, v = other; slope_u u + k_u = slope_v v + k_v, u^2 + m u + n = v^2 + m' v + n'.
+    // Both are prismatic: u = slides, v = other; slope_u u + k_u = slope_v v + k_v, u^2 + m u + n = v^2 + m' v + n'.
     let [m2, n2] = displacement_square(c, other);
     let (su, sv) = (row.c, other_row.c);
     let k = c.g.sub(other_row.k, row.k);
@@ -282,7 +282,7 @@ fn across(c: &LoopClosure) -> [[Vec3; 2]; 2] {
     [c.link(x).forward, c.link(y).back].map(|link| [link.axis(0), link.axis(1)])
 }
 
-/// The components of W across y's axis, from y's axis, as rows of either (turning) side.
+/// The components of W across y's axis, from y's axis, as rows of either (revolute) side.
 fn across_rows(c: &mut LoopClosure, sides: [&Side; 2]) -> [[[Expr; 3]; 2]; 2] {
     let mut directions = across(c).into_iter();
     sides.map(|side| {
@@ -294,7 +294,7 @@ fn across_rows(c: &mut LoopClosure, sides: [&Side; 2]) -> [[[Expr; 3]; 2]; 2] {
     })
 }
 
-/// `|moved - origin|^2` as a row of the side's (turning) joint.
+/// `|moved - origin|^2` as a row of the side's (revolute) joint.
 fn square(c: &mut LoopClosure, side: &Side) -> Sinusoid {
     let (mm, oo) = (c.g.dot3(side.moved, side.moved), c.g.dot3(side.origin, side.origin));
     let k = c.g.add(mm, oo);
@@ -303,7 +303,7 @@ fn square(c: &mut LoopClosure, side: &Side) -> Sinusoid {
     side.row(c, doubled, k)
 }
 
-/// `|moved +- s e_z - origin|^2 = s^2 + m s + n` for a sliding joint.
+/// `|moved +- s e_z - origin|^2 = s^2 + m s + n` for a prismatic joint.
 fn displacement_square(c: &mut LoopClosure, side: &Side) -> [Expr; 2] {
     let from = c.g.sub3(side.moved, side.origin);
     let two = c.g.number(if side.undone { -2.0 } else { 2.0 });
@@ -341,7 +341,7 @@ fn one_after_the_other(
     second.offset(c, wanted, value, Unit::Length, Branching::Elbow, text);
 }
 
-/// Joint y slides: the components across its axis are equal, and its stroke is the difference along it.
+/// Joint y is prismatic: the components across its axis are equal, and its displacement is the difference along it.
 fn sliding(c: &mut LoopClosure, y: usize, a: Side, b: Side) -> Result<(), Unsupported> {
     let w = c.center();
     let (n, m, ny) = (c.label(a.joint), c.label(b.joint), c.label(y));

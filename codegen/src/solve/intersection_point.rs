@@ -1,11 +1,11 @@
-//! Frames of a triple moved to the point in which its axes meet.
+//! Frames of a triple moved to the point in which its axes intersect.
 
 use super::loop_closure::{Link, LoopClosure};
 use super::sides::{Side, foot};
 use crate::symbolic::{Expr, Graph, Rigid};
 
 impl LoopClosure {
-    /// For a meeting triple, frames are moved along the outer axes of the triple so that both have the meeting point
+    /// Of a triple whose axes intersect, frames are moved along the outer axes of the triple so that both have the intersection
     /// as their origin.
     pub(super) fn move_to_intersection(&mut self) {
         let [a, b, c, .., z] = self.order;
@@ -45,11 +45,11 @@ impl LoopClosure {
         }
     }
 
-    /// Where the axes before and after a link meet: its place on the axis before (`far = false`) or after it.
+    /// Where the axes before and after a link intersect: its place on the axis before (`far = false`) or after it.
     fn intersection(&mut self, joint: usize, far: bool) -> Expr {
         let link = self.link(joint);
         let rigid = if far { link.back } else { link.forward };
-        // The other axis is p + t h; it meets the z axis where x and y vanish.
+        // The other axis is p + t h; it intersects the z axis where x and y vanish.
         let (p, h) = (rigid.p, rigid.z());
         let heights: Vec<[f64; 2]> = self
             .generic

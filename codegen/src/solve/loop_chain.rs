@@ -12,7 +12,7 @@ use crate::symbolic::{Expr, Graph, Input, Label, Pair, Part, Rigid, transpose};
 pub struct LoopJoint {
     /// The arm's joint, from 0; `None` for a virtual one.
     pub joint: Option<usize>,
-    /// What its symbols are called.
+    /// What its unknowns are called.
     pub label: Label,
     /// Whether it turns.
     pub revolute: bool,
@@ -95,7 +95,7 @@ impl LoopChain {
         self.links.get(i).copied().unwrap_or_else(Rigid::identity)
     }
 
-    /// The joint's motion becomes part of its link; its sine and cosine are symbols known beforehand.
+    /// The joint's motion becomes part of its link; its sine and cosine are inputs.
     fn give(&mut self, joint: usize) {
         let Some(slot) = self.loop_joints.get(joint).cloned() else { return };
         let g = &mut self.g;

@@ -135,7 +135,7 @@ impl LoopClosure {
         })
     }
 
-    /// The point in which the triple meets.
+    /// What the point is in which the axes of the triple intersect.
     pub fn center(&self) -> &'static str {
         let [a, b, c, ..] = self.order;
         if [a, b, c].into_iter().any(|slot| self.is_own(slot)) { WRIST } else { "the tool point" }
@@ -171,13 +171,13 @@ impl LoopClosure {
         self.pairs.get(joint).copied().flatten().unwrap_or(Pair { sin: Expr::ZERO, cos: Expr::ONE })
     }
 
-    /// The position symbol of a sliding joint.
+    /// The displacement of a prismatic joint.
     pub fn position(&mut self, joint: usize) -> Expr {
         let label = self.label(joint);
         self.g.symbol(Unknown::of(label, Part::Value))
     }
 
-    /// Joint `joint`'s motion applied to a vector (a point if it slides).
+    /// Joint `joint`'s motion applied to a vector (to a point if it is prismatic).
     pub fn move_by(&mut self, joint: usize, v: Vec3) -> Vec3 {
         if self.is_revolute(joint) {
             let pair = self.pair(joint);
@@ -197,7 +197,7 @@ impl LoopClosure {
         self.g.sub3(v, [Expr::ZERO, Expr::ZERO, along])
     }
 
-    /// The same for a direction: a sliding joint leaves it.
+    /// The same for a direction: a prismatic joint leaves it.
     pub fn turn_by(&mut self, joint: usize, v: Vec3) -> Vec3 {
         if self.is_revolute(joint) { self.move_by(joint, v) } else { v }
     }
@@ -294,6 +294,13 @@ impl LoopClosure {
             Some(Some(value)) => (value.terms.clone(), value.constant.add(self.offset(joint))),
             _ => (Vec::new(), Angle::ZERO),
         }
+    }
+
+    /// `f` and `b` of a constant `link = R_z(f) X R_z(-b)` between axes at a right angle, X the half turn about x + z.
+    pub fn right_angle(&self, link: &Rigid) -> Option<[Angle; 2]> {
+        let ([fx, fy, _], [_, _, [bx, by, _]]) = (link.z(), link.r);
+        let angle = |y: Expr, x: Expr| Some(Angle::of_vector(self.g.constant(y)?, self.g.constant(x)?));
+        Some([angle(fy, fx)?, angle(by, bx)?])
     }
 
     /// The angle of a plane vector: a constant one, or a run-time phase.

@@ -1,10 +1,12 @@
 //! The inverse plan: which equations give which joints, in which order.
 //!
-//! Method: a chain of six joints closes cyclically with the target inside. Three consecutive axes that meet in a point
-//! or are parallel leave two equations in two of the other joints; then the third by turning one vector onto another,
-//! then the triple. Structure is decided here, on exact constants; what is left is a sequence of scalar equations, each
-//! with its own kernel. Smaller tasks become the same closure with virtual joints for what they leave open; a redundant
-//! joint becomes part of its link.
+//! Method (Pieper 1968): a chain of six joints closes cyclically with the target inside. Three consecutive axes that
+//! intersect in a point or are parallel leave two equations in two of the other joints. The third one turns one vector
+//! onto another; then the triple follows. Structure is decided here, on exact constants, so that scalar equations are
+//! left, each with its own kernel. A smaller task closes the same loop, with virtual joints for what it leaves open; a
+//! given joint becomes part of its link.
+//!
+//! One way: `task`, `loop_chain`, `structure` (with `loop_closure`), `plan`, `description`.
 
 mod chain_axes;
 mod commuted;

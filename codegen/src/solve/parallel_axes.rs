@@ -19,7 +19,7 @@ pub fn outer(c: &mut LoopClosure) -> Result<(), Unsupported> {
     let [first, second, third, x, y, z] = c.order;
     let (link_a, link_b) = (c.link(first), c.link(second));
     let (link_c, link_x, link_y, link_z) = (c.link(third), c.link(x), c.link(y), c.link(z));
-    // h in the frames of joints a, b and c, from one of them that turns. What slides slides across h.
+    // h in the frames of joints a, b and c, from one of them that turns. Prismatic joints move across h.
     let upright = [Expr::ZERO, Expr::ZERO, Expr::ONE];
     let (h_a, h_c) = if c.is_revolute(first) {
         let h_b = c.g.apply3(&link_a.back.r, upright);
@@ -61,7 +61,7 @@ pub fn outer(c: &mut LoopClosure) -> Result<(), Unsupported> {
     if c.is_revolute(y) { turning(c, y, [a, b], heights) } else { sliding(c, y, [a, b], heights) }
 }
 
-/// `-origin . (turned h) + height`: the distance along h from y's origin to the triple. For a sliding joint the slope
+/// `-origin . (turned h) + height`: the distance along h from y's origin to the triple. For a prismatic joint the slope
 /// is in `c`.
 fn distance_row(c: &mut LoopClosure, side: &Side, height: Expr) -> Sinusoid {
     let back = side.origin.map(|e| c.g.neg(e));
@@ -103,7 +103,7 @@ fn enters(c: &LoopClosure, side: &Side) -> (bool, bool) {
     (distance, turned && !c.vanish(&Side::plane(side.axis), Unit::Direction))
 }
 
-/// Both sides with the point where y's axis meets the axis of x (or z) as origin, if they meet.
+/// Both sides with the point as origin where y's axis and the axis of x (or z) intersect, if they do.
 fn intersection_origin(c: &mut LoopClosure, sides: [Side; 2], with_a: bool) -> Option<[Side; 2]> {
     let [a, b] = sides;
     let side = if with_a { &a } else { &b };
@@ -224,13 +224,10 @@ fn flipped(c: &mut LoopClosure, y: usize, inner: &Side, known: &Side) -> bool {
     let [_, _, _, x, _, _] = c.order;
     // The link between the inner joint and y, from the inner joint's frame to y's (undone side) or the other way.
     let link = if inner.undone { c.link(x).forward } else { c.link(y).forward };
-    let ([fx, fy, _], [bx, by, _]) = (link.z(), link.transposed().map(Side::along));
-    let values = [fx, fy, bx, by].map(|e| c.g.constant(e));
-    let ([Some(fx), Some(fy), Some(bx), Some(by)], Ok(eta)) = (values, c.direction(Side::plane(inner.moved))) else {
+    // See the runtime's `flip` for the form solved.
+    let (Some([phi, psi]), Ok(eta)) = (c.right_angle(&link), c.direction(Side::plane(inner.moved))) else {
         return false;
     };
-    // link = R_z(phi) X R_z(-psi), X the half turn about x + z; see the runtime's `flip` for the form solved.
-    let (phi, psi) = (Angle::of_vector(fy, fx), Angle::of_vector(by, bx));
     let quarter = Angle::degrees(90.0);
     let seen = seen(c, known);
     let [hx, hy, hz] = seen;
@@ -252,7 +249,7 @@ fn flipped(c: &mut LoopClosure, y: usize, inner: &Side, known: &Side) -> bool {
     true
 }
 
-/// Joint y slides: h itself is equal on both sides and lies on a cone about either turning axis; the stroke closes the
+/// Joint y is prismatic: h itself is equal on both sides and lies on a cone about either revolute axis; the displacement closes the
 /// distance along h.
 fn sliding(c: &mut LoopClosure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> Result<(), Unsupported> {
     let [a, b] = &sides;

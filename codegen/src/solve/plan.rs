@@ -14,7 +14,7 @@ pub struct Plan {
     pub graph: Graph,
     /// The steps; each stage but the first is solved for every root of those before it.
     pub steps: Vec<PlanStep>,
-    /// How each joint follows from the symbols of the stages, by joint.
+    /// How each joint follows from the unknowns of the stages, by joint.
     pub values: Vec<Value>,
     /// The joints of the closed chain, virtual ones too.
     pub loop_joints: Vec<LoopJoint>,
@@ -144,7 +144,7 @@ pub enum PlanStep {
         /// Cosine times the same factor.
         x: Expr,
     },
-    /// Equations without a joint to meet them: what is asked for is beyond the arm unless they hold.
+    /// Equations without a joint: the arm cannot reach the target unless they hold.
     Agreement {
         /// What has to agree.
         meaning: String,

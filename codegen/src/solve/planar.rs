@@ -1,4 +1,4 @@
-//! A closed loop in a plane: three joints whose axes are parallel, or that slide across that direction.
+//! A closed loop in a plane: three joints, revolute about parallel axes or prismatic across them.
 //!
 //! `J_0 L_0 J_1 L_1 J_2 L_2 = 1`, read cyclically. What is asked for is in one of the links.
 
@@ -19,11 +19,11 @@ struct InPlane {
 /// Adds the stages of the three joints.
 ///
 /// # Errors
-/// If the strokes of two sliding joints are parallel, or nothing turns.
+/// If two prismatic joints are parallel, or none of the joints is revolute.
 pub fn solve(c: &mut LoopClosure, slots: [usize; 3], links: [Link; 3]) -> Result<(), Unsupported> {
     let ([j0, j1, j2], [l0, l1, l2]) = (slots, links);
     let turns = slots.map(|slot| c.is_revolute(slot));
-    // Read from another joint on, so that what slides stands in a fixed place.
+    // Read from another joint on, so that a prismatic joint stands in a fixed place.
     match turns {
         [true, true, true] => elbow(c, slots, links),
         [true, false, true] => prismatic_between(c, slots, links),
@@ -93,7 +93,7 @@ fn elbow(c: &mut LoopClosure, [first, second, third]: [usize; 3], [link_a, link_
     c.sum(third, sum.terms, sum.constant);
 }
 
-/// One joint slides between two that turn: its stroke from the distance of the two axes, then the direction.
+/// A prismatic joint between two revolute ones: its displacement from the distance of their axes, then the direction.
 fn prismatic_between(c: &mut LoopClosure, [first, slides, last]: [usize; 3], [link_a, link_b, link_c]: [Link; 3]) {
     let (na, nb, nc) = (c.label(first), c.label(slides), c.label(last));
     let to = Side::plane(link_c.back.p);
@@ -146,7 +146,7 @@ fn prismatic_between(c: &mut LoopClosure, [first, slides, last]: [usize; 3], [li
     c.sum(last, sum.terms, sum.constant);
 }
 
-/// Two joints slide: the one that turns gives the direction, the strokes are linear.
+/// Two prismatic joints: the revolute one gives the direction, and the displacements solve linear equations.
 fn two_prismatic(
     c: &mut LoopClosure,
     [turns, j1, j2]: [usize; 3],
@@ -166,7 +166,7 @@ fn two_prismatic(
         c.sum(turns, angle.terms, angle.constant);
     }
     if link_a.target {
-        // Both slide before the joint that turns, which moves no point of its axis.
+        // Both stand before the revolute joint, which moves no point of its axis.
         return two_prismatic_to_point(c, [j1, j2], [link_b, link_c], link_a.back.p);
     }
     let at = c.move_back(turns, m.p);
@@ -190,7 +190,7 @@ fn two_prismatic(
     Ok(())
 }
 
-/// Two joints slide to a point: `d_0 e_z + L_0 (d_1 e_z + p_1) = point`, both along the plane.
+/// Two prismatic joints bring a point to its place: `d_0 e_z + L_0 (d_1 e_z + p_1) = point`, both along the plane.
 fn two_prismatic_to_point(
     c: &mut LoopClosure,
     [j0, j1]: [usize; 2],

@@ -1,4 +1,5 @@
-//! The outer joints when the middle one slides and another one as well: what is left is in the plane across it.
+//! The outer joints when the middle one and another one are prismatic: the equations are those in the plane across the
+//! middle one.
 
 use super::kernel::{SlideTurning, Unit};
 use super::loop_closure::LoopClosure;
@@ -18,7 +19,7 @@ pub fn still_rows(c: &mut LoopClosure, other: &Side, across: [Vec3; 2], still: [
     })
 }
 
-/// With y and one more joint sliding: the direction across both gives the third joint. With all three sliding both
+/// With y and one more joint prismatic, the direction across both gives the third joint. With all three prismatic both
 /// components are linear.
 pub fn one_slides(c: &mut LoopClosure, sides: [&Side; 2], across: [[Vec3; 2]; 2], ny: Label) {
     let w = c.center();
@@ -26,7 +27,7 @@ pub fn one_slides(c: &mut LoopClosure, sides: [&Side; 2], across: [[Vec3; 2]; 2]
     let [across_a, across_b] = across;
     let (slides, other, across_s, across_o) =
         if a.revolute { (b, a, across_b, across_a) } else { (a, b, across_a, across_b) };
-    // The stroke in the plane across y's axis, and the still parts of both sides.
+    // The displacement in the plane across y's axis, and the still parts of both sides.
     let signed = |c: &mut LoopClosure, side: &Side, e: Expr| if side.undone { c.g.neg(e) } else { e };
     let stroke = across_s.map(|direction| signed(c, slides, Side::along(direction)));
     let still = |c: &mut LoopClosure, side: &Side, directions: [Vec3; 2]| {
@@ -44,7 +45,7 @@ pub fn one_slides(c: &mut LoopClosure, sides: [&Side; 2], across: [[Vec3; 2]; 2]
         return;
     }
     let [sx, sy] = stroke;
-    // n is across the stroke: n . (plane part) does not depend on it.
+    // n is across the displacement: n . (plane part) does not depend on it.
     let normal = [c.g.neg(sy), sx];
     let combine = |c: &mut LoopClosure, n: [Expr; 2], v: [Expr; 2]| {
         let ([nx, ny], [vx, vy]) = (n, v);

@@ -1,4 +1,4 @@
-//! The two sides of the closure as seen from joint y: what joint x moves, and what joint z moves.
+//! The two sides of the loop as seen from joint y: what joint x moves, and what joint z moves.
 
 use super::kernel::{Cone, ConeRange, Distance, ElbowRange, Offset, Slide, Unit};
 use super::loop_closure::LoopClosure;
@@ -84,7 +84,7 @@ impl Side {
     }
 
     /// Sliding stage: the joint brings `moved` to distance `rho` from `origin`; with `flat` the parts along y's axis
-    /// do not count (the stroke is across it).
+    /// do not count (the displacement is across it).
     pub fn slide(&self, c: &mut LoopClosure, rho: Expr, flat: bool, meaning: String) {
         let between = c.g.sub3(self.moved, self.origin);
         let [bx, by, bz] = between;
@@ -101,7 +101,7 @@ impl Side {
         c.stage(&[(self.joint, Angle::ZERO)], Unit::Length, Branching::Elbow, meaning, kernel);
     }
 
-    /// Cone stage: the joint gives `moved` (seen from where y's axis and this joint's meet) the component `d` along
+    /// Cone stage: the joint gives `moved` (seen from where y's axis and this joint's intersect) the component `d` along
     /// y's axis, `rho` across it.
     pub fn cone(&self, c: &mut LoopClosure, d: Expr, rho: Expr, unit: Unit, branching: Branching, meaning: String) {
         let along = match unit {
@@ -121,7 +121,7 @@ impl Side {
         c.stage(&[(self.joint, shift)], unit, branching, meaning, kernel);
     }
 
-    /// Offset stage: `row = value` for a turning joint.
+    /// Offset stage: `row = value` for a revolute joint.
     pub fn offset(
         &self,
         c: &mut LoopClosure,
@@ -136,7 +136,7 @@ impl Side {
         c.stage(&[(self.joint, Angle::ZERO)], unit, branching, meaning, kernel);
     }
 
-    /// Linear stage: `slope x = value`, for a sliding joint.
+    /// Linear stage: `slope x = value`, for a prismatic joint.
     pub fn slide_to(&self, c: &mut LoopClosure, slope: Expr, value: Expr, meaning: String) {
         c.slide_to(self.joint, slope, value, meaning);
     }
@@ -151,7 +151,7 @@ impl Side {
         if self.undone { c.turn_back(self.joint, self.moved) } else { c.turn_by(self.joint, self.moved) }
     }
 
-    /// A point on y's axis that this joint does not move: where the axes meet, if they do.
+    /// A point on y's axis that this joint does not move: where the axes intersect, if they do.
     pub fn intersection_height(&self, c: &mut LoopClosure) -> Option<Expr> {
         let [ox, oy, _] = self.origin.map(|e| c.value(e));
         let [ax, ay, _] = self.axis.map(|e| c.value(e));

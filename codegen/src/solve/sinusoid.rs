@@ -1,4 +1,4 @@
-//! Vectors that turn with one joint, and the rows they give: linear in the joint's cosine and sine.
+//! The component of a vector that one joint turns: linear in the joint's cosine and sine.
 
 use crate::symbolic::{Expr, Graph, Vec3};
 

@@ -9,7 +9,7 @@ use super::unsupported::Unsupported;
 use super::{intersecting_axes, parallel_axes, rank, three_prismatic, triple};
 use crate::model::geometry::{Triple, TripleKind};
 
-/// The cheapest plan among the triples of a closed chain of six joints, wherever its sliding joints are moved.
+/// The cheapest plan among the triples of a closed chain of six joints, wherever its prismatic joints are moved.
 pub fn cheapest(chain: &LoopChain, task: &PlanTask) -> Result<Option<Plan>, Unsupported> {
     rank::check(chain, rank::ToolMotion::Pose)?;
     let mut best: Option<Plan> = None;

@@ -1,4 +1,4 @@
-//! Seven joints whose shoulder and wrist axes meet, with the arm angle given.
+//! Seven joints whose shoulder axes and whose wrist axes intersect, with the arm angle given.
 //!
 //! The elbow follows from the distance between shoulder and wrist; the upper arm's rotation from where the wrist has to
 //! be and the arm angle; the shoulder and the wrist are triples that give a rotation each.
@@ -19,7 +19,7 @@ use crate::symbolic::{Expr, Graph, Rigid, transpose};
 /// The plan, or why the arm has no arm angle.
 ///
 /// # Errors
-/// If there are not seven joints that turn, three meeting at the shoulder and three at the wrist.
+/// If there are not seven joints that turn, three axes intersecting at the shoulder and three at the wrist.
 pub fn plan(mut joints: LoopChain, chain: &Chain) -> Result<Plan, Unsupported> {
     let triples = joints.triples();
     let meets = |first: usize| triples.contains(&Triple { first, kind: TripleKind::Intersecting });
@@ -35,7 +35,7 @@ pub fn plan(mut joints: LoopChain, chain: &Chain) -> Result<Plan, Unsupported> {
     let numeric = joints.clone();
     let mut c = LoopClosure::new(joints, shoulder);
     c.move_to_intersection();
-    // Both triples with their meeting point as origin; the shoulder is done by the closure.
+    // Both triples with their intersection as origin.
     c.move_triple_to_intersection([3, 4, 5, 6]);
     let flange = c.link(6).back;
     let wrist = flange.p;
@@ -115,7 +115,7 @@ fn as_written(v: [f64; 3], scale: f64) -> [f64; 3] {
     })
 }
 
-/// Where two consecutive axes meet.
+/// Where two consecutive axes intersect.
 fn intersection_point(axes: &[Line], first: usize) -> Option<[f64; 3]> {
     foot(axes.get(first)?, axes.get(first + 1)?)
 }

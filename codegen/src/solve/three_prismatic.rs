@@ -1,4 +1,4 @@
-//! Three joints that turn and three that slide: the tool's orientation is a matter of the former alone.
+//! Three revolute and three prismatic joints (decoupled): the revolute ones alone turn the tool.
 
 use super::kernel::Unit;
 use super::loop_chain::LoopChain;
@@ -10,7 +10,7 @@ use super::unsupported::Unsupported;
 use crate::model::geometry::{Triple, TripleKind};
 use crate::symbolic::{Expr, Vec3};
 
-/// The plan for three turning joints in a row and three sliding ones, wherever the axes are; `None` for other arms.
+/// The plan for three revolute joints in a row and three prismatic ones, wherever the axes are; `None` for other arms.
 pub fn plan(chain: &LoopChain, task: &PlanTask) -> Option<Result<Plan, Unsupported>> {
     let turning: Vec<usize> =
         (0..chain.loop_joints.len()).filter(|i| chain.loop_joints.get(*i).is_some_and(|s| s.revolute)).collect();

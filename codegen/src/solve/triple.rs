@@ -9,14 +9,14 @@ use super::unsupported::Unsupported;
 use crate::model::Angle;
 use crate::symbolic::{Expr, Graph, Mat3, Pair, Rigid, Vec3, transpose};
 
-/// A element of `M = (links and joints from c to the triple)^-1`, left to right.
+/// An element of `M = (links and joints from c to the triple)^-1`, left to right.
 #[derive(Debug, Clone, Copy)]
 enum Element {
     Link(usize),
     Joint(usize),
 }
 
-/// `M = R_z(a) C_a R_z(b) C_b R_z(c)` for a triple that meets in a point: only the rotation counts.
+/// `M = R_z(a) C_a R_z(b) C_b R_z(c)` for axes that intersect in a point: only the rotation counts.
 pub fn intersecting(c: &mut LoopClosure) {
     let m = triple_rotation(c);
     let [first, second, third, ..] = c.order;
@@ -29,7 +29,7 @@ pub fn rotation(c: &mut LoopClosure, m: &Mat3, [first, second, third]: [usize; 3
     let (na, nb, nc) = (c.label(first), c.label(second), c.label(third));
     let cosines = [Side::along(link_a.z()), Side::along(link_b.z())];
     if c.vanish(&cosines, Unit::Direction)
-        && let (Some([fa, ba]), Some([fb, bb])) = (decomposed(c, &link_a), decomposed(c, &link_b))
+        && let (Some([fa, ba]), Some([fb, bb])) = (c.right_angle(&link_a), c.right_angle(&link_b))
     {
         // Each link is R_z(f) X R_z(-b), X the half turn about x + z, so M is R_z(a + fa - 90) R_y(b + fb - ba)
         // R_z(c + 90 - bb); the constant turns outside are taken to the other side.
@@ -66,7 +66,6 @@ fn oblique(
     // e_z . C_a R_z(b) C_b e_z
     let axis = transpose(&link_a.r).map(Side::along);
     let moved = link_b.z();
-    let middle = Side { joint: second, undone: false, revolute: true, moved, origin: [Expr::ZERO; 3], axis };
     let (moved_plane, axis_plane) = (Side::plane(moved), Side::plane(axis));
     let range = ConeRange {
         along: Side::along(moved),
@@ -77,7 +76,7 @@ fn oblique(
     let (shift, about) = c.between(moved_plane, axis_plane);
     let kernel = Cone { d: Side::along(approach), rho, range, about };
     let meaning = format!("Joint {nb}: axes {na} and {nc} have the cosine `{{d}}`{{shift}}.");
-    c.stage(&[(middle.joint, shift)], Unit::Direction, sides, meaning, kernel);
+    c.stage(&[(second, shift)], Unit::Direction, sides, meaning, kernel);
     // G = C_a R_z(b) C_b
     let pair = c.pair(second);
     let columns = [0, 1, 2].map(|j| {
@@ -93,14 +92,6 @@ fn oblique(
     let (cos, sin) = (c.g.dot3(gx, normal), c.g.dot3(gy, normal));
     let meaning = format!("Joint {nc}: what remains of the rotation.");
     c.align(third, [Expr::ONE, Expr::ZERO], [cos, sin], Unit::Direction, meaning);
-}
-
-/// `link = R_z(f) X R_z(-b)` for axes at a right angle: `f` and `b`.
-fn decomposed(c: &LoopClosure, link: &Rigid) -> Option<[Angle; 2]> {
-    let [fx, fy, _] = link.z();
-    let [bx, by, _] = transpose(&link.r).map(Side::along);
-    let value = |e: Expr| c.g.constant(e);
-    Some([Angle::of_vector(value(fy)?, value(fx)?), Angle::of_vector(value(by)?, value(bx)?)])
 }
 
 /// The rotation the triple has to make, with joint turns about parallel axes added up.

@@ -97,7 +97,7 @@ pub(super) fn no_triple(model: &Model, geometry: &Geometry) -> Unsupported {
 /// Axes that are off by less than this, rad, were meant to be parallel.
 const NEARLY: f64 = 0.02;
 
-/// Three turning joints in a row whose axes are nearly parallel: the first of them, and the largest angle between two
+/// Three revolute joints in a row whose axes are nearly parallel: the first of them, and the largest angle between two
 /// neighbors, rad.
 fn nearly_parallel(model: &Model, geometry: &Geometry) -> Option<(usize, f64)> {
     let turns = |first: usize| model.joints.iter().skip(first).take(3).all(|joint| joint.kind == JointKind::Revolute);

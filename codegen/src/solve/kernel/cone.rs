@@ -18,6 +18,13 @@ pub struct ConeRange {
     pub sin: Expr,
 }
 
+impl ConeRange {
+    /// The expressions it reads.
+    pub fn inputs(&self) -> [Expr; 4] {
+        [self.along, self.across, self.cos, self.sin]
+    }
+}
+
 /// `d = along cos + across sin cos(t)`: subproblem 4 of IK-Geo, with the other axis as the normal of the plane. The angle
 /// `t` counts from where the vector is nearest to that axis.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,8 +41,7 @@ pub struct Cone {
 
 impl Equation for Cone {
     fn form(&self) -> Form {
-        let ConeRange { along, across, cos, sin } = self.range;
-        let range = Argument::Range(vec![along, across, cos, sin]);
+        let range = Argument::Range(self.range.inputs().to_vec());
         let [d, rho] = [self.d, self.rho].map(Argument::Number);
         Form {
             about: self.about,

@@ -16,6 +16,13 @@ pub struct ElbowRange {
     pub height: Expr,
 }
 
+impl ElbowRange {
+    /// The expressions it reads.
+    pub fn inputs(&self) -> [Expr; 3] {
+        [self.a, self.b, self.height]
+    }
+}
+
 /// `rho^2 = a^2 + b^2 + height^2 + 2 a b cos(t)`: subproblem 3 of Paden and Kahan, and of IK-Geo. The angle `t` counts
 /// from where the links are stretched.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,7 +37,7 @@ pub struct Distance {
 
 impl Equation for Distance {
     fn form(&self) -> Form {
-        let ElbowRange { a, b, height } = self.range;
+        let [a, b, height] = self.range.inputs();
         let range = Argument::Range(vec![a, b, height]);
         Form {
             about: self.about,

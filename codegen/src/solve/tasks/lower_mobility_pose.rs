@@ -66,7 +66,7 @@ pub fn yawing(chain: LoopChain) -> Result<Plan, Unsupported> {
     Ok(c.finish(triple, PlanTask { overdetermined: true, ..task }))
 }
 
-/// A whole pose for three joints that move in a plane and a stroke across it.
+/// A pose for three joints that move in a plane, and a prismatic one across it.
 pub fn upright(chain: LoopChain) -> Result<Plan, Unsupported> {
     let chain = prismatic_last(chain)?;
     let task = PlanTask::new(Goal::Pose, chain.given);
@@ -75,7 +75,7 @@ pub fn upright(chain: LoopChain) -> Result<Plan, Unsupported> {
     let flange = c.link(3).back;
     let (link_a, link_b, link_c) = (c.link(0).forward, c.link(1).forward, c.link(2).forward);
     let still = link_a.then(&mut c.g, &link_b).then(&mut c.g, &link_c);
-    // The stroke's direction in the frame of the first joint, which no joint turns.
+    // The prismatic joint's direction in the frame of the first joint, which no joint turns.
     let own = c.clean3(still.z(), Unit::Direction);
     let (height, before) = (c.g.dot3(own, flange.p), c.g.dot3(own, still.p));
     let label = c.label(3);
@@ -88,7 +88,8 @@ pub fn upright(chain: LoopChain) -> Result<Plan, Unsupported> {
     Ok(c.finish(triple, PlanTask { overdetermined: true, ..task }))
 }
 
-/// An arm whose tool moves in space and turns about one direction, with the stroke along it moved behind the others.
+/// A chain of joints that turn about one direction or slide along or across it. The prismatic joint along that direction
+/// commutes with the others and is moved behind them.
 fn prismatic_last(mut chain: LoopChain) -> Result<LoopChain, Unsupported> {
     let refused = || {
         Unsupported::new(
@@ -103,7 +104,7 @@ fn prismatic_last(mut chain: LoopChain) -> Result<LoopChain, Unsupported> {
     Ok(chain)
 }
 
-/// Equations that no joint can meet. They hold for what the arm can reach, and are kept for what it cannot.
+/// Equations without a joint. They hold for poses that the arm can reach, and for no others.
 fn agreement(c: &mut LoopClosure, meaning: &str, unit: Unit, misses: Vec<Expr>) {
     c.push(PlanStep::Agreement { meaning: meaning.into(), unit, misses });
 }

@@ -13,7 +13,7 @@ pub fn yaws_and_pitches(chain: &LoopChain) -> bool {
     turns && chain.loop_joints.len() >= 4 && parallel && chain.keeps_axis(1).is_none()
 }
 
-/// A yaw joint and three that move in a plane which it turns: parallel axes, or some of the joints sliding across them.
+/// A yaw joint and three that move in a plane which it turns: parallel axes, or some of the joints prismatic across them.
 pub fn yaws_a_plane(chain: &LoopChain) -> bool {
     let yaws = chain.loop_joints.first().is_some_and(|slot| slot.revolute);
     let pitches = (1..4).find(|i| chain.loop_joints.get(*i).is_some_and(|slot| slot.revolute));
