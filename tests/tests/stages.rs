@@ -9,8 +9,7 @@ use std::path::Path;
 const STAGES: [&str; 7] = ["spec", "model", "symbolic", "kinematics", "solve", "lower", "emit"];
 
 /// Folders without a circle, and the module of the crate that each one is.
-const FOLDERS: [(&str, &[&str]); 8] = [
-    ("codegen/src/model", &["model"]),
+const FOLDERS: [(&str, &[&str]); 7] = [
     ("codegen/src/symbolic", &["symbolic"]),
     ("codegen/src/kinematics", &["kinematics"]),
     ("codegen/src/solve", &["solve"]),
@@ -99,9 +98,12 @@ fn paths(tokens: &[String]) -> Vec<(Vec<String>, bool)> {
             let token = tokens.get(at).map_or("", String::as_str);
             if token == "{" {
                 at += 1;
-                while tokens.get(at).is_some_and(|token| token != "}") {
-                    let after = tree(tokens, at, &path, found);
-                    at = after.max(at + 1);
+                while let Some(token) = tokens.get(at).filter(|token| *token != "}") {
+                    at = match token.as_str() {
+                        "," => at + 1,
+                        "as" => at + 2,
+                        _ => tree(tokens, at, &path, found).max(at + 1),
+                    };
                 }
                 return at + 1;
             }
@@ -165,8 +167,15 @@ fn imports(modules: &BTreeMap<Module, String>, root: &[&str]) -> BTreeMap<Module
         let tokens = tokens(code);
         for (path, exported) in paths(&tokens) {
             let (Some(target), Some(name)) = (target(modules, root, module, &path), path.last()) else { continue };
-            // What a module passes on and uses itself, it imports.
-            let used = tokens.iter().filter(|token| *token == name).count() > 1;
+            // What a module passes on and uses itself, it imports. A module of the same name is another thing.
+            let is_module = modules.contains_key(&[module.as_slice(), &[name.clone()]].concat());
+            let stands = |at: &usize| {
+                let around =
+                    |at: Option<usize>, sign: &str| at.and_then(|at| tokens.get(at)).is_some_and(|x| x == sign);
+                let names_module = around(at.checked_sub(1), "mod") || is_module && around(Some(at + 1), "::");
+                tokens[*at] == *name && !names_module
+            };
+            let used = (0..tokens.len()).filter(stands).count() > 1;
             if exported {
                 passed_on.insert([module.as_slice(), &[name.clone()]].concat(), target.clone());
             }
@@ -177,10 +186,19 @@ fn imports(modules: &BTreeMap<Module, String>, root: &[&str]) -> BTreeMap<Module
     }
     let mut edges: BTreeMap<Module, BTreeSet<Module>> = BTreeMap::new();
     for (module, mut target) in all {
-        while let Some(end) = (1..=target.len()).find(|end| passed_on.contains_key(&target[..*end])) {
-            target = [passed_on[&target[..end]].as_slice(), &target[end..]].concat();
+        // The module that the path leads into; from there on where the name comes from that it passes on.
+        loop {
+            let end = (0..=target.len()).rev().find(|end| modules.contains_key(&target[..*end])).unwrap_or(0);
+            match target.get(..=end).and_then(|name| passed_on.get(name)) {
+                Some(origin) if !origin.starts_with(&target) => {
+                    target = [origin.as_slice(), &target[end + 1..]].concat();
+                }
+                _ => {
+                    target.truncate(end);
+                    break;
+                }
+            }
         }
-        while !modules.contains_key(&target) && target.pop().is_some() {}
         if target != module {
             edges.entry(module).or_default().insert(target);
         }
@@ -253,6 +271,9 @@ fn a_planted_circle_is_found() {
         assert_eq!(planted(&[head, a, ("b", b)]), None, "{b}");
     }
     // A folder that uses what it passes on imports it.
-    let head = ("mod", "mod a;\npub use a::A;\npub struct Shared;\nfn f(a: A) {}");
-    assert_eq!(planted(&[head, ("a", "use super::Shared;")]).as_deref(), Some(".rs -> a.rs -> .rs"));
+    for own in ["fn f(a: A) {}", "fn f() { A::new() }"] {
+        let head = format!("mod a;\npub use a::A;\npub struct Shared;\n{own}");
+        let planted = planted(&[("mod", &head), ("a", "use super::Shared;")]);
+        assert_eq!(planted.as_deref(), Some(".rs -> a.rs -> .rs"), "{own}");
+    }
 }
