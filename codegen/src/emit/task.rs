@@ -10,7 +10,7 @@ use quote::quote;
 
 /// The target of a plan's task.
 pub struct TaskCode {
-    /// Type of the target without the value of a locked joint.
+    /// Type of the target, without what is given beside it.
     pub target: TokenStream,
     /// One sentence about it.
     pub doc: String,

@@ -3,7 +3,7 @@
 use super::{Slot, Straight};
 use crate::model::Angle;
 use crate::solve::{self, Factor, Goal, Plan};
-use crate::symbolic::{Graph, Input, Node, Part};
+use crate::symbolic::{Graph, Input, Label, Node, Part};
 
 /// Sine and cosine of a kernel's variable.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -115,6 +115,6 @@ fn is_leaf(graph: &Graph, e: Slot) -> bool {
 
 /// What a kernel's variable is less than the joint value.
 pub fn constant(plan: &Plan, joint: usize) -> Angle {
-    let slot = plan.loop_joints.iter().position(|slot| slot.joint == Some(joint));
+    let slot = plan.loop_joints.iter().position(|slot| slot.label == Label::Arm(joint));
     slot.and_then(|slot| plan.values.get(slot)).map_or(Angle::ZERO, |value| value.constant)
 }

@@ -24,7 +24,7 @@ pub fn inverse(model: &Model, plan: &Plan) -> Inverse {
     let read = plan.inputs();
     // Leaves that only a joint value is made from are not in the plan's graph.
     let mut graph = plan.graph.clone();
-    let wanted = plan.values.iter().zip(&plan.loop_joints).filter(|(_, slot)| slot.joint.is_some());
+    let wanted = plan.values.iter().zip(&plan.loop_joints).filter(|(_, slot)| slot.label.arm().is_some());
     let mut used: HashSet<Slot> =
         wanted.flat_map(|(value, _)| &value.terms).map(|(term, _)| graph.symbol(term.clone())).collect();
     used.extend(plan.graph.reachable(&read).into_iter().filter(|e| matches!(plan.graph.node(*e), Node::Symbol(_))));
@@ -216,7 +216,7 @@ impl Nest<'_> {
             let symbol = self.graph.symbol(Unknown::of(slot.label, Part::Value));
             let terms: Vec<(Slot, bool)> =
                 value.terms.iter().map(|(term, negative)| (self.graph.symbol(term.clone()), *negative)).collect();
-            if slot.joint.is_none() || terms.iter().any(|(term, _)| *term == symbol) {
+            if slot.label.arm().is_none() || terms.iter().any(|(term, _)| *term == symbol) {
                 continue;
             }
             let level = terms.iter().filter_map(|(term, _)| self.known.get(term)).max().copied().unwrap_or(0);

@@ -26,7 +26,7 @@ pub fn describe(plan: &Plan) -> Vec<String> {
     let staged = |joint: usize| {
         plan.steps.iter().any(|step| matches!(step, PlanStep::Stage(stage) if stage.joints.contains(&joint)))
     };
-    let own = |joint: usize| plan.loop_joints.get(joint).is_some_and(|slot| slot.joint.is_some());
+    let own = |joint: usize| plan.loop_joints.get(joint).is_some_and(|slot| slot.label.arm().is_some());
     let rest = (0..plan.loop_joints.len()).filter(|joint| own(*joint) && !staged(*joint));
     for line in steps.chain(rest.filter_map(|joint| left_of_others(plan, joint))) {
         // Two angles that are measured may be parts of one sum.

@@ -10,9 +10,7 @@ use crate::symbolic::{Expr, Graph, Input, Label, Pair, Part, Rigid, transpose};
 /// A joint of the closed chain.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoopJoint {
-    /// The arm's joint, from 0; `None` for a virtual one.
-    pub joint: Option<usize>,
-    /// What its unknowns are called.
+    /// Which one it is, and what its unknowns are called.
     pub label: Label,
     /// Whether it turns.
     pub revolute: bool,
@@ -23,7 +21,7 @@ pub struct LoopJoint {
 impl LoopJoint {
     /// A virtual joint that turns.
     pub fn virtual_turn(number: usize) -> LoopJoint {
-        LoopJoint { joint: None, label: Label::Virtual(number), revolute: true, offset: Angle::ZERO }
+        LoopJoint { label: Label::Virtual(number), revolute: true, offset: Angle::ZERO }
     }
 }
 
@@ -71,7 +69,6 @@ impl LoopChain {
             .zip(offsets)
             .enumerate()
             .map(|(joint, (checked, offset))| LoopJoint {
-                joint: Some(joint),
                 label: Label::Arm(joint),
                 revolute: checked.kind == JointKind::Revolute,
                 offset,

@@ -85,12 +85,12 @@ impl LoopClosure {
 
     /// Whether none of a triple's joints is the arm's own.
     pub fn is_virtual(&self, triple: Triple) -> bool {
-        self.loop_joints.iter().skip(triple.first).take(3).all(|slot| slot.joint.is_none())
+        self.loop_joints.iter().skip(triple.first).take(3).all(|slot| slot.label.arm().is_none())
     }
 
     /// Whether a joint is the arm's own.
     pub fn is_own(&self, slot: usize) -> bool {
-        self.loop_joints.get(slot).is_some_and(|slot| slot.joint.is_some())
+        self.loop_joints.get(slot).is_some_and(|slot| slot.label.arm().is_some())
     }
 
     /// The joints outside the triple in cyclic order.
@@ -254,7 +254,7 @@ impl LoopClosure {
         let value = Unknown { joint: label, part: Part::Value, shifted: !constant.is_zero() };
         let [sin, cos] = [Part::Sin, Part::Cos].map(|part| Unknown { joint: label, part, shifted: of_variable });
         if let Some(slot) = self.values.get_mut(joint) {
-            *slot = Some(Value { terms: vec![(value.into(), false)], constant, prismatic });
+            *slot = Some(Value { terms: vec![(value.into(), false)], constant });
         }
         if prismatic {
             return [value, sin, cos];
@@ -284,7 +284,7 @@ impl LoopClosure {
     pub fn sum(&mut self, joint: usize, terms: Vec<(Symbol, bool)>, constant: Angle) {
         let constant = constant.add(self.offset(joint).neg());
         if let Some(slot) = self.values.get_mut(joint) {
-            *slot = Some(Value { terms, constant, prismatic: false });
+            *slot = Some(Value { terms, constant });
         }
     }
 
@@ -327,17 +327,15 @@ impl LoopClosure {
     /// The plan. A last stage that gives a virtual joint alone is left out.
     pub fn finish(mut self, triple: Triple, task: PlanTask) -> Plan {
         let loop_joints = &self.loop_joints;
-        let unwanted = |joint: &usize| loop_joints.get(*joint).is_some_and(|slot| slot.joint.is_none());
+        let unwanted = |joint: &usize| loop_joints.get(*joint).is_some_and(|slot| slot.label.arm().is_none());
         while let Some(PlanStep::Stage(stage)) = self.steps.last()
             && stage.kernel.form().roots == 1
             && stage.joints.iter().all(unwanted)
         {
             self.steps.pop();
         }
-        let values = self
-            .values
-            .into_iter()
-            .map(|value| value.unwrap_or(Value { terms: Vec::new(), constant: Angle::ZERO, prismatic: true }));
+        let values =
+            self.values.into_iter().map(|value| value.unwrap_or(Value { terms: Vec::new(), constant: Angle::ZERO }));
         Plan {
             graph: self.g,
             steps: self.steps,

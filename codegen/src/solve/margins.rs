@@ -32,7 +32,7 @@ pub fn margins(plan: &Plan) -> (Graph, Vec<Factor>) {
     if plan.task.overdetermined || plan.task.goal.task() == Task::PositionAxis {
         return (g, factors);
     }
-    let wanted = |slot: &usize| plan.loop_joints.get(*slot).is_some_and(|slot| slot.joint.is_some());
+    let wanted = |slot: &usize| plan.loop_joints.get(*slot).is_some_and(|slot| slot.label.arm().is_some());
     for (index, stage) in plan.stages().enumerate() {
         let given_before = index > 0 && only_follows(plan, stage);
         if given_before || !stage.joints.iter().any(wanted) {

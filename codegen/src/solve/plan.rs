@@ -58,7 +58,7 @@ impl Plan {
 
     /// The number of a joint of the closed chain among the arm's joints, from 0; `None` for a virtual joint.
     pub fn joint(&self, slot: usize) -> Option<usize> {
-        self.loop_joints.get(slot).and_then(|slot| slot.joint)
+        self.loop_joints.get(slot).and_then(|slot| slot.label.arm())
     }
 
     /// The last of the arm's joints to be solved: it moves with every joint that is free.
@@ -70,7 +70,7 @@ impl Plan {
 
     /// The number of the arm's moving joints.
     pub fn joints(&self) -> usize {
-        self.loop_joints.iter().filter(|slot| slot.joint.is_some()).count()
+        self.loop_joints.iter().filter(|slot| slot.label.arm().is_some()).count()
             + usize::from(self.task.given_joint().is_some())
     }
 
@@ -230,6 +230,4 @@ pub struct Value {
     pub terms: Vec<(Symbol, bool)>,
     /// The constant part.
     pub constant: Angle,
-    /// A prismatic joint: the symbol as it is.
-    pub prismatic: bool,
 }

@@ -33,7 +33,7 @@ pub fn check(chain: &LoopChain, motion: ToolMotion) -> Result<(), Unsupported> {
         .iter()
         .zip(&chain.loop_joints)
         .filter(|(share, _)| share.abs() > 1e-6)
-        .map(|(_, slot)| match slot.joint {
+        .map(|(_, slot)| match slot.label.arm() {
             Some(joint) => format!("joint {}", joint + 1),
             None => "the turn that the task leaves open".to_string(),
         })

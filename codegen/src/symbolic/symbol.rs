@@ -74,6 +74,16 @@ pub enum Label {
     Virtual(usize),
 }
 
+impl Label {
+    /// The joint of the arm, from 0; `None` for a virtual one.
+    pub fn arm(self) -> Option<usize> {
+        match self {
+            Label::Arm(joint) => Some(joint),
+            Label::Virtual(_) => None,
+        }
+    }
+}
+
 impl fmt::Display for Label {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
