@@ -7,7 +7,7 @@ use super::kernel::{Pair, PairSliding, Quadratic, Unit};
 use super::loop_closure::{LoopClosure, WRIST};
 use super::plan::Branching;
 use super::prismatic_pair::{one_slides, still_rows};
-use super::sides::Side;
+use super::sides::{self, Side, from_intersection};
 use super::sinusoid::Sinusoid;
 use super::unsupported::Unsupported;
 use crate::model::Angle;
@@ -15,24 +15,8 @@ use crate::symbolic::{Expr, Label, Vec3};
 
 /// Adds the stages for x, z and y.
 pub fn outer(c: &mut LoopClosure) -> Result<(), Unsupported> {
-    let [_, _, third, x, y, z] = c.order;
-    let (link_c, link_x, link_y, link_z) = (c.link(third), c.link(x), c.link(y), c.link(z));
-    let a = Side {
-        joint: x,
-        undone: true,
-        revolute: c.is_revolute(x),
-        moved: c.clean3(link_c.back.p, Unit::Length),
-        origin: c.clean3(link_x.forward.p, Unit::Length),
-        axis: c.clean3(link_x.forward.z(), Unit::Direction),
-    };
-    let b = Side {
-        joint: z,
-        undone: false,
-        revolute: c.is_revolute(z),
-        moved: c.clean3(link_z.forward.p, Unit::Length),
-        origin: c.clean3(link_y.back.p, Unit::Length),
-        axis: c.clean3(link_y.back.z(), Unit::Direction),
-    };
+    let [_, _, third, _, y, z] = c.order;
+    let [a, b] = sides::both(c, [c.link(third).back.p, c.link(z).forward.p], Unit::Length);
     let center = if c.center() == WRIST { "wrist" } else { "tool" };
     for (e, axis) in a.moved.iter().chain(&b.moved).zip(["x", "y", "z"].iter().cycle()) {
         c.g.rename(*e, format!("{center}_{axis}"));
@@ -54,10 +38,10 @@ fn turning(c: &mut LoopClosure, y: usize, a: Side, b: Side) -> Result<(), Unsupp
     } else if !moves_a {
         first_by_component(c, &b, &a, ny);
         (a, b)
-    } else if let Some((a, b)) = intersection_origin(c, &a, &b, true) {
+    } else if let Some([a, b]) = from_intersection(c, [a, b], true) {
         second_by_distance(c, &a, &b, ny);
         (a, b)
-    } else if let Some((a, b)) = intersection_origin(c, &a, &b, false) {
+    } else if let Some([a, b]) = from_intersection(c, [a, b], false) {
         second_by_distance(c, &b, &a, ny);
         (a, b)
     } else {
@@ -142,18 +126,6 @@ fn first_by_component(c: &mut LoopClosure, first: &Side, other: &Side, ny: Label
         let meaning = format!("Joint {m}: slides until {w} is `{{rho}}` from axis {ny}.");
         other.slide(c, rho, true, meaning);
     }
-}
-
-/// Both sides with the point as origin where y's axis and the axis of x (or z) intersect, if they do.
-fn intersection_origin(c: &mut LoopClosure, a: &Side, b: &Side, with_a: bool) -> Option<(Side, Side)> {
-    let side = if with_a { a } else { b };
-    if !side.revolute {
-        return None;
-    }
-    let height = side.intersection_height(c)?;
-    let (a, b) = (a.at_height(c, height), b.at_height(c, height));
-    let side = if with_a { &a } else { &b };
-    c.vanish(&Side::plane(side.origin), Unit::Length).then_some((a, b))
 }
 
 /// The distance from the intersection does not depend on `still`: `other` follows from it, then `still` from the

@@ -6,7 +6,7 @@
 use super::kernel::{Aim, Flip, Pair, Unit};
 use super::loop_closure::LoopClosure;
 use super::plan::Branching;
-use super::sides::Side;
+use super::sides::{self, Side, from_intersection};
 use super::sinusoid::Sinusoid;
 use super::unsupported::Unsupported;
 use crate::model::Angle;
@@ -16,9 +16,9 @@ const H: &str = "the direction of the parallel axes";
 
 /// Adds the stages for x, z and y.
 pub fn outer(c: &mut LoopClosure) -> Result<(), Unsupported> {
-    let [first, second, third, x, y, z] = c.order;
+    let [first, second, third, _, y, z] = c.order;
     let (link_a, link_b) = (c.link(first), c.link(second));
-    let (link_c, link_x, link_y, link_z) = (c.link(third), c.link(x), c.link(y), c.link(z));
+    let (link_c, link_z) = (c.link(third), c.link(z));
     // h in the frames of joints a, b and c, from one of them that turns. Prismatic joints move across h.
     let upright = [Expr::ZERO, Expr::ZERO, Expr::ONE];
     let (h_a, h_c) = if c.is_revolute(first) {
@@ -35,25 +35,8 @@ pub fn outer(c: &mut LoopClosure) -> Result<(), Unsupported> {
     // How far the origin of c is from that of a along h.
     let from_a = link_a.forward.point(&mut c.g, link_b.forward.p);
     let rise = c.g.dot3(h_a, from_a);
-    let a = Side {
-        joint: x,
-        undone: true,
-        revolute: c.is_revolute(x),
-        moved: c.clean3(h, Unit::Direction),
-        origin: c.clean3(link_x.forward.p, Unit::Length),
-        axis: c.clean3(link_x.forward.z(), Unit::Direction),
-    };
-    let b = Side {
-        joint: z,
-        undone: false,
-        revolute: c.is_revolute(z),
-        moved: {
-            let moved = c.g.apply3(&link_z.forward.r, h_a);
-            c.clean3(moved, Unit::Direction)
-        },
-        origin: c.clean3(link_y.back.p, Unit::Length),
-        axis: c.clean3(link_y.back.z(), Unit::Direction),
-    };
+    let moved_b = c.g.apply3(&link_z.forward.r, h_a);
+    let [a, b] = sides::both(c, [h, moved_b], Unit::Direction);
     let height_c = c.g.dot3(a.moved, link_c.back.p);
     let height_a = c.g.sub(height_c, rise);
     let height_b = c.g.dot3(b.moved, link_z.forward.p);
@@ -103,23 +86,10 @@ fn enters(c: &LoopClosure, side: &Side) -> (bool, bool) {
     (distance, turned && !c.vanish(&Side::plane(side.axis), Unit::Direction))
 }
 
-/// Both sides with the point as origin where y's axis and the axis of x (or z) intersect, if they do.
-fn intersection_origin(c: &mut LoopClosure, sides: [Side; 2], with_a: bool) -> Option<[Side; 2]> {
-    let [a, b] = sides;
-    let side = if with_a { &a } else { &b };
-    if !side.revolute {
-        return None;
-    }
-    let height = side.intersection_height(c)?;
-    let (a, b) = (a.at_height(c, height), b.at_height(c, height));
-    let side = if with_a { &a } else { &b };
-    c.vanish(&Side::plane(side.origin), Unit::Length).then_some([a, b])
-}
-
 fn turning(c: &mut LoopClosure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> Result<(), Unsupported> {
     let ny = c.label(y);
     for with_a in [true, false] {
-        let sides = intersection_origin(c, sides, with_a).unwrap_or(sides);
+        let sides = from_intersection(c, sides, with_a).unwrap_or(sides);
         let [a, b] = &sides;
         let (still, other) = if with_a { (a, b) } else { (b, a) };
         let (distance_still, direction_still) = enters(c, still);

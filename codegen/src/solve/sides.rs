@@ -5,7 +5,7 @@ use super::loop_closure::LoopClosure;
 use super::plan::Branching;
 use super::sinusoid::{Sinusoid, turned, turned_back};
 use crate::model::Angle;
-use crate::symbolic::{Expr, Graph, Vec3};
+use crate::symbolic::{Expr, Graph, Rigid, Vec3};
 
 /// One side: joint `joint` moves the vector `moved`; joint y sees it from `origin`, along `axis`.
 ///
@@ -25,6 +25,33 @@ pub struct Side {
     pub origin: Vec3,
     /// The direction of y's axis.
     pub axis: Vec3,
+}
+
+/// Both sides, of joint x and of joint z, with the vectors that these move.
+pub fn both(c: &LoopClosure, moved: [Vec3; 2], unit: Unit) -> [Side; 2] {
+    let [_, _, _, x, y, z] = c.order;
+    let mut sides = [(x, true, c.link(x).forward), (z, false, c.link(y).back)].into_iter();
+    moved.map(|moved| {
+        let (joint, undone, frame) = sides.next().unwrap_or((x, true, Rigid::identity()));
+        Side {
+            joint,
+            undone,
+            revolute: c.is_revolute(joint),
+            moved: c.clean3(moved, unit),
+            origin: c.clean3(frame.p, Unit::Length),
+            axis: c.clean3(frame.z(), Unit::Direction),
+        }
+    })
+}
+
+/// Both sides with the point as origin where y's axis and the axis of x (`with_x`) or z intersect, if they do.
+pub fn from_intersection(c: &mut LoopClosure, [a, b]: [Side; 2], with_x: bool) -> Option<[Side; 2]> {
+    let side = if with_x { a } else { b };
+    let height = side.revolute.then(|| side.intersection_height(c)).flatten()?;
+    let moved = [a, b].map(|side| side.at_height(c, height));
+    let [a, b] = moved;
+    let side = if with_x { a } else { b };
+    c.vanish(&Side::plane(side.origin), Unit::Length).then_some(moved)
 }
 
 impl Side {
@@ -152,7 +179,7 @@ impl Side {
     }
 
     /// A point on y's axis that this joint does not move: where the axes intersect, if they do.
-    pub fn intersection_height(&self, c: &mut LoopClosure) -> Option<Expr> {
+    fn intersection_height(&self, c: &mut LoopClosure) -> Option<Expr> {
         let [ox, oy, _] = self.origin.map(|e| c.value(e));
         let [ax, ay, _] = self.axis.map(|e| c.value(e));
         let (ax, ay) = (ax?, ay?);
@@ -169,7 +196,7 @@ impl Side {
     }
 
     /// The same side with another point on y's axis as origin.
-    pub fn at_height(&self, c: &mut LoopClosure, height: Expr) -> Side {
+    fn at_height(&self, c: &mut LoopClosure, height: Expr) -> Side {
         let along = c.g.scale3(height, self.axis);
         let origin = c.g.add3(self.origin, along);
         Side { origin: c.clean3(origin, Unit::Length), ..*self }
