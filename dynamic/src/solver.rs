@@ -86,6 +86,7 @@ struct Evaluator<const N: usize>(Straight);
 
 impl<const N: usize> Evaluate<f64, N> for Evaluator<N> {
     fn evaluate(&self, q: &[f64; N]) -> (Pose<f64>, Jacobian<f64, N>) {
+        denhart::effort::evaluation();
         let (mut pose, mut jacobian) = (Pose::identity(), Jacobian::zero());
         let places = pose.rotation.iter_mut().flatten().chain(&mut pose.translation);
         let mut places = places.chain(jacobian.rows.iter_mut().flatten());

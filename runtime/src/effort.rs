@@ -34,7 +34,8 @@ mod counted {
         EFFORT.with(|effort| effort.set(Effort { cascades: effort.get().cascades + 1, ..effort.get() }));
     }
 
-    pub(crate) fn evaluation() {
+    /// Counts an evaluation: for what implements `Evaluate` by itself.
+    pub fn evaluation() {
         EFFORT.with(|effort| effort.set(Effort { evaluations: effort.get().evaluations + 1, ..effort.get() }));
     }
 
@@ -47,14 +48,18 @@ mod counted {
 }
 
 #[cfg(feature = "count")]
-pub use counted::{Effort, effort_of};
+pub(crate) use counted::cascade;
 #[cfg(feature = "count")]
-pub(crate) use counted::{cascade, evaluation};
+#[doc(hidden)]
+pub use counted::evaluation;
+#[cfg(feature = "count")]
+pub use counted::{Effort, effort_of};
 
 #[cfg(not(feature = "count"))]
 #[inline(always)]
 pub(crate) fn cascade() {}
 
 #[cfg(not(feature = "count"))]
+#[doc(hidden)]
 #[inline(always)]
-pub(crate) fn evaluation() {}
+pub fn evaluation() {}

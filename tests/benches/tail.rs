@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use denhart::effort::{Effort, effort_of};
 use denhart::{Arm, DhTable, InverseKinematics};
-use denhart_tests::poses::{Space, singular_surface};
+use denhart_tests::poses::{SURFACE, Space, singular_surface};
 use denhart_tests::random::Random;
 use denhart_tests::subject::{Specified, Subject};
 use denhart_tests::task::{Asked, EQUATIONS, Goal, Kind, Task};
@@ -132,7 +132,7 @@ fn families<const N: usize>(
         space.two_special(random),
         space.three_special(random),
         space.all_special(random),
-        singular_surface(subject, random),
+        singular_surface(subject, SURFACE, random),
     ];
     for family in singular.iter().filter(|family| !family.poses.is_empty()) {
         families.push((family.name, (0..count).map(|_| random.pick(&family.poses)).collect()));

@@ -1,13 +1,15 @@
 //! Targets that mean nothing, targets that mean the same in other words, and targets that are right up to a little.
 
 use denhart::{InverseKinematics, PlanarPose, PointAngle, PointAxis, Pose, Status};
+use denhart_dynamic::DynamicTarget;
 
+use crate::inverse::{Answer, Derived, Inverse, Request};
 use crate::poses::Space;
 use crate::random::Random;
 use crate::recover::{self, Form};
 use crate::report::Report;
 use crate::singular::Svd;
-use crate::subject::{Answer, Specified, Subject};
+use crate::subject::{Specified, Subject};
 use crate::task::{Asked, Goal};
 
 use nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion};
@@ -17,7 +19,7 @@ use std::f64::consts::TAU;
 const NO_NUMBERS: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
 /// A target that can be spoiled.
-pub trait Spoil: Asked + Clone {
+pub trait Spoil: Clone + std::fmt::Debug {
     /// Copies that cannot be meant, each with what is wrong about it.
     fn spoiled(&self) -> Vec<(String, Self)>;
 
@@ -161,29 +163,106 @@ impl<T: Spoil> Spoil for (T, f64) {
     }
 }
 
-/// What cannot be meant is a BadTarget without solutions, and so is a reference that is not finite. What means the same
-/// has the same solutions. A pose that is off by little stands for the one with the nearest rotation.
+/// Applies a function to the target of each task.
+macro_rules! each_task {
+    ($target:expr, $inner:ident, $make:ident => $result:expr) => {
+        match $target {
+            DynamicTarget::Pose($inner) => {
+                let $make = DynamicTarget::Pose;
+                $result
+            }
+            DynamicTarget::Position($inner) => {
+                let $make = DynamicTarget::Position;
+                $result
+            }
+            DynamicTarget::PositionAxis($inner) => {
+                let $make = DynamicTarget::PositionAxis;
+                $result
+            }
+            DynamicTarget::PositionAngle($inner) => {
+                let $make = DynamicTarget::PositionAngle;
+                $result
+            }
+            DynamicTarget::PlanarPose($inner) => {
+                let $make = DynamicTarget::PlanarPose;
+                $result
+            }
+            DynamicTarget::PlanarPosition($inner) => {
+                let $make = DynamicTarget::PlanarPosition;
+                $result
+            }
+        }
+    };
+}
+pub(crate) use each_task;
+
+/// The target alone, or with the given value.
+impl Spoil for Request {
+    fn spoiled(&self) -> Vec<(String, Self)> {
+        let given = self.given;
+        each_task!(&self.target, target, make => match given {
+            None => target.spoiled().into_iter().map(|(what, t)| (what, Self { target: make(t), given })).collect(),
+            Some(value) => (*target, value)
+                .spoiled()
+                .into_iter()
+                .map(|(what, (t, value))| (what, Self { target: make(t), given: Some(value) }))
+                .collect(),
+        })
+    }
+
+    fn same(&self) -> Vec<Self> {
+        each_task!(&self.target, target, make => {
+            target.same().into_iter().map(|target| Self { target: make(target), ..*self }).collect()
+        })
+    }
+
+    fn almost(&self, size: f64, random: &mut Random) -> Option<(Self, Isometry3<f64>)> {
+        each_task!(&self.target, target, make => {
+            target.almost(size, random).map(|(target, nearest)| (Self { target: make(target), ..*self }, nearest))
+        })
+    }
+
+    fn is_bad_beside_a_reference(&self) -> bool {
+        self.given.is_none_or(f64::is_finite)
+    }
+}
+
+/// Joint vectors of an arm that the suites make bad targets of.
+const POSES: usize = 20;
+
+/// [`check_some`] of a generated arm.
 pub fn check<A, const N: usize>()
 where
-    A: Specified<N> + InverseKinematics<f64, N, Target: Spoil>,
+    A: Specified<N> + InverseKinematics<f64, N, Target: Asked + Spoil>,
 {
-    let subject = &Subject::new::<A>();
-    let arm = A::default();
-    let answer =
-        |solutions: &A::Solutions| Answer { solutions: solutions.as_ref().to_vec(), status: A::status(solutions) };
+    let subject = Subject::new::<A>();
+    let mut report = Report::new(&subject.name);
+    let mut random = Random::named(&subject.name);
+    let inverse = Derived { arm: A::default(), kind: A::TASK.kind };
+    check_some(&subject, &inverse, POSES, &mut random, &mut report);
+    report.assert_empty();
+}
+
+/// What cannot be meant is a BadTarget without solutions, and so is a reference that is not finite. What means the same
+/// has the same solutions. A pose that is off by little stands for the one with the nearest rotation.
+pub fn check_some<I: Inverse<N, Target: Spoil>, const N: usize>(
+    subject: &Subject<N>,
+    inverse: &I,
+    poses: usize,
+    random: &mut Random,
+    report: &mut Report,
+) {
     let is_bad = |answer: &Answer<N>| answer.status == Status::BadTarget && answer.solutions.is_empty();
-    let mut report = Report::new(subject.name);
-    let mut random = Random::named(subject.name);
     let space = Space::of(subject);
-    for _ in 0..20 {
-        let q = space.random(&mut random);
+    for _ in 0..poses {
+        let q = space.random(random);
         let goal = subject.goal(&q);
-        let target = A::Target::of(subject.task.kind, &goal);
+        let target = inverse.target(&goal);
         for (what, spoiled) in target.spoiled() {
-            report.count();
-            let mut answers = vec![answer(&arm.inverse(&spoiled))];
+            report.count(&q);
+            let mut answers = vec![inverse.all(&spoiled)];
             if spoiled.is_bad_beside_a_reference() {
-                answers.push(answer(&arm.inverse_near(&spoiled, &q)));
+                answers.push(inverse.near(&spoiled, &q));
             }
             for answer in answers.iter().filter(|answer| !is_bad(answer)) {
                 report.fail("bad targets", "not a BadTarget", || format!("{what}: {spoiled:?}\n      {answer}"));
@@ -193,7 +272,7 @@ where
             for value in NO_NUMBERS {
                 let mut q_ref = q;
                 q_ref[joint] = value;
-                let answer = answer(&arm.inverse_near(&target, &q_ref));
+                let answer = inverse.near(&target, &q_ref);
                 if !is_bad(&answer) {
                     report.fail("bad references", "not a BadTarget", || format!("{q_ref:?}\n      {answer}"));
                 }
@@ -204,8 +283,8 @@ where
         }
         let plain = subject.inverse(&goal);
         for same in target.same() {
-            report.count();
-            let answer = answer(&arm.inverse(&same));
+            report.count(&q);
+            let answer = inverse.all(&same);
             let is_there = |q: &[f64; N]| answer.exact().any(|s| subject.distance(&s.q, q, |_| true) < 1e-9);
             if answer.solutions.len() != plain.solutions.len() || !plain.exact().all(|s| is_there(&s.q)) {
                 report
@@ -214,9 +293,9 @@ where
         }
         // As printed with four digits, five, six, or rounded to single precision.
         for size in [5e-5, 5e-6, 5e-7, 6e-8, 1e-9, 1e-13] {
-            let Some((almost, nearest)) = target.almost(size, &mut random) else { continue };
-            let (stands_for, answer) = (Goal { pose: nearest, ..goal }, answer(&arm.inverse(&almost)));
-            recover::examine(subject, &mut report, "almost rotations", &stands_for, &answer, Form::Principal);
+            let Some((almost, nearest)) = target.almost(size, random) else { continue };
+            let (stands_for, answer) = (Goal { pose: nearest, ..goal }, inverse.all(&almost));
+            recover::examine(subject, report, "almost rotations", &stands_for, &answer, Form::Principal);
             // The joints follow the target by its deviation over the least singular value, and some more where they bend.
             // An arm with fewer joints than equations cannot follow.
             let follows = subject.task.equations() == N;
@@ -230,5 +309,4 @@ where
             }
         }
     }
-    report.assert_empty();
 }

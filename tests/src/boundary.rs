@@ -44,7 +44,7 @@ impl Carried {
 
 /// The point where the last three axes meet, in the tool frame, if they do. Every joint is revolute.
 fn wrist_center<const N: usize>(subject: &Subject<N>) -> Option<Point3<f64>> {
-    let q = Space::of(subject).random(&mut Random::named(subject.name));
+    let q = Space::of(subject).random(&mut Random::named(&subject.name));
     let jacobian = subject.chain.jacobian(&q).expect("the chain has as many joints as the arm");
     let tool = subject.pose(&q);
     let axes: [(Vector3<f64>, Vector3<f64>); 3] = std::array::from_fn(|k| {
@@ -112,15 +112,16 @@ fn outermost<const N: usize>(
 pub fn check_outermost<const N: usize>(
     subject: &Subject<N>,
     carried: &Carried,
+    directions: usize,
     random: &mut Random,
     report: &mut Report,
 ) {
     const FAMILY: &str = "pushed out of the outermost boundary";
-    for _ in 0..12 {
+    for _ in 0..directions {
         let direction = direction(subject, random);
         let q = outermost(subject, carried, &direction, random);
         for digits in 3..=12 {
-            report.count();
+            report.count(&q);
             let push = 10.0_f64.powi(-digits);
             let mut target = subject.goal(&q);
             target.pose.translation.vector += push * subject.reach * direction;
@@ -166,12 +167,17 @@ pub fn check_outermost<const N: usize>(
 /// Pushes targets across folds of the singular surface, outward by `1e-12 .. 1e-3`: below the tolerance the branch that
 /// ends there is still listed and comes as close as the fold itself, up to the conditioning of the arm. For tasks with
 /// as many equations as joints.
-pub fn check_folds<const N: usize>(subject: &Subject<N>, random: &mut Random, report: &mut Report) {
+pub fn check_folds<const N: usize>(
+    subject: &Subject<N>,
+    attempts: usize,
+    random: &mut Random,
+    report: &mut Report,
+) {
     const FAMILY: &str = "pushed across a fold";
-    for (q, _) in singular::surface(subject, random, 120) {
+    for (q, _) in singular::surface(subject, random, attempts) {
         let Some(outward) = fold(subject, &q) else { continue };
         for digits in 3..=12 {
-            report.count();
+            report.count(&q);
             let push = 10.0_f64.powi(-digits);
             let target = subject.moved(&subject.goal(&q), &outward, push);
             let answer = subject.inverse(&target);
@@ -188,18 +194,24 @@ pub fn check_folds<const N: usize>(subject: &Subject<N>, random: &mut Random, re
 
 /// Moves targets by `1e-12 .. 1e-3` in ways that an arm with fewer joints than equations cannot follow: below the
 /// tolerance the branch is still listed and comes as close, up to the conditioning of the arm.
-pub fn check_leftover<const N: usize>(subject: &Subject<N>, random: &mut Random, report: &mut Report) {
+pub fn check_leftover<const N: usize>(
+    subject: &Subject<N>,
+    count: usize,
+    random: &mut Random,
+    report: &mut Report,
+) {
     const FAMILY: &str = "beside what the arm can do";
     let space = Space::of(subject);
     let regular = std::iter::repeat_with(|| (space.random(random), [random.direction(), random.direction()]))
+        .take(1000 * count)
         .filter(|(q, _)| Svd::at(subject, q).least() > 0.05)
-        .take(120);
+        .take(count);
     for (q, [shift, turn]) in regular.collect::<Vec<_>>() {
         let mut twist = [0.0; EQUATIONS];
         twist[..3].copy_from_slice(&shift);
         twist[3..6].copy_from_slice(&turn);
         for digits in 3..=12 {
-            report.count();
+            report.count(&q);
             let push = 10.0_f64.powi(-digits);
             let target = subject.moved(&subject.goal(&q), &twist, push);
             for (answer, form) in
@@ -249,12 +261,12 @@ fn direction<const N: usize>(subject: &Subject<N>, random: &mut Random) -> Vecto
 
 /// Targets far out of reach, up to where squares overflow: a status, never a number that is none, never EXACT. With
 /// prismatic joints that have no stops some of them are in reach; then they close.
-pub fn check_far<const N: usize>(subject: &Subject<N>, random: &mut Random, report: &mut Report) {
+pub fn check_far<const N: usize>(subject: &Subject<N>, count: usize, random: &mut Random, report: &mut Report) {
     const FAMILY: &str = "far out of reach";
     for exponent in [0, 1, 2, 3, 6, 12, 100, 150, 160, 300] {
-        for _ in 0..20 {
-            report.count();
+        for _ in 0..count {
             let q = Space::of(subject).random(random);
+            report.count(&q);
             let mut target = subject.goal(&q);
             target.pose.translation.vector = direction(subject, random) * subject.reach * 10.0_f64.powi(exponent) * 2.5;
             for answer in [subject.inverse(&target), subject.inverse_near(&target, &q)] {

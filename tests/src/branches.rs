@@ -41,7 +41,7 @@ pub fn check<const N: usize>(subject: &Subject<N>) {
         add(subject);
     }
     let file = read();
-    let counted = file.get(subject.name).unwrap_or_else(|| panic!("{}: branches not counted yet", subject.name));
+    let counted = file.get(&subject.name).unwrap_or_else(|| panic!("{}: branches not counted yet", subject.name));
     assert_eq!(counted.len(), TARGETS);
     for Counted { q, branches } in counted {
         let q: [f64; N] = q.as_slice().try_into().expect("a value a joint");
@@ -66,10 +66,10 @@ fn parse() -> BTreeMap<String, Vec<Counted>> {
 
 /// Counts the branches of an arm that is not in the file.
 fn add<const N: usize>(subject: &Subject<N>) {
-    if read().contains_key(subject.name) {
+    if read().contains_key(&subject.name) {
         return;
     }
-    let mut random = Random::named(subject.name);
+    let mut random = Random::named(&subject.name);
     let space = Space::of(subject);
     let mut counted = Vec::new();
     while counted.len() < TARGETS {
@@ -86,7 +86,7 @@ fn add<const N: usize>(subject: &Subject<N>) {
     }
     let _alone = FILE.lock();
     let mut file = parse();
-    file.insert(subject.name.into(), counted);
+    file.insert(subject.name.clone(), counted);
     let line = |(name, counted)| format!("  {name:?}: {}", serde_json::to_string(counted).expect("numbers"));
     let lines: Vec<String> = file.iter().map(line).collect();
     std::fs::write(path(), format!("{{\n{}\n}}\n", lines.join(",\n"))).expect("the file can be written");

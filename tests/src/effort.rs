@@ -2,8 +2,11 @@
 
 use denhart::effort::{Effort, MOST_CASCADES, MOST_EVALUATIONS, effort_of};
 use denhart::{Branch, InverseKinematics, PlanarPose, PointAngle, PointAxis, Pose, Solution, Status};
+use denhart_dynamic::DynamicTarget;
 
-use crate::poses::{Space, singular_surface};
+use crate::bad_targets::each_task;
+use crate::inverse::{Derived, Inverse, Request};
+use crate::poses::{SURFACE, Space, singular_surface};
 use crate::random::Random;
 use crate::report::Report;
 use crate::subject::{Specified, Subject};
@@ -19,7 +22,7 @@ pub fn bounded<R>(call: impl FnOnce() -> R) -> R {
 }
 
 /// A target made of any bits.
-pub trait Absurd: Asked {
+pub trait Absurd {
     /// A copy with some of its numbers replaced.
     fn absurd(&self, random: &mut Random) -> Self;
 }
@@ -51,10 +54,7 @@ impl Absurd for Pose<f64> {
     }
 }
 
-impl<const K: usize> Absurd for [f64; K]
-where
-    Self: Asked,
-{
+impl<const K: usize> Absurd for [f64; K] {
     fn absurd(&self, random: &mut Random) -> Self {
         let mut target = *self;
         spoil(&mut target, random);
@@ -97,68 +97,95 @@ impl<A: Absurd> Absurd for (A, f64) {
     }
 }
 
-/// Every function of the arm keeps to the bound at random, grid, singular, pushed and absurd targets, and answers each
-/// with a status and with numbers.
-///
-/// Singular: two and three joints at special values, zeros of det J by bisection. Each target is also pushed in a random
-/// direction of what is asked for, by 1e-13 to 1e-2 of reach or rad.
+impl Absurd for Request {
+    fn absurd(&self, random: &mut Random) -> Self {
+        let target = each_task!(&self.target, target, make => make(target.absurd(random)));
+        let given = self.given.map(|given| {
+            let mut given = [given];
+            spoil(&mut given, random);
+            given[0]
+        });
+        Self { target, given }
+    }
+}
+
+/// Joint vectors of each family that the suites ask for.
+const POSES: usize = 250;
+
+/// [`check_some`] of a generated arm.
 pub fn check<A, const N: usize>()
 where
-    A: Specified<N> + InverseKinematics<f64, N, Target: Absurd>,
+    A: Specified<N> + InverseKinematics<f64, N, Target: Asked + Absurd>,
 {
-    let (subject, arm) = (Subject::new::<A>(), A::default());
-    let mut report = Report::new(subject.name);
-    let mut random = Random::named(subject.name);
-    let space = Space::of(&subject);
-    let sampled = |poses: Vec<[f64; N]>, random: &mut Random| -> Vec<[f64; N]> {
-        (0..250.min(poses.len())).map(|_| random.pick(&poses)).collect()
+    let subject = Subject::new::<A>();
+    let inverse = Derived { arm: A::default(), kind: A::TASK.kind };
+    let mut report = Report::new(&subject.name);
+    let mut random = Random::named(&subject.name);
+    let most = check_some(&subject, &inverse, POSES, SURFACE, &mut random, &mut report);
+    // For whoever looks: `cargo test .. -- effort --nocapture`.
+    println!("{}: {most:?}", subject.name);
+    report.assert_empty();
+}
+
+/// Every function of the arm keeps to the bound at random, grid, singular, pushed and absurd targets, and answers each
+/// with a status and with numbers; the most that a call took.
+///
+/// Singular: two and three joints at special values, zeros of det J by bisection, found in so many attempts. Each target
+/// is also pushed in a random direction of what is asked for, by 1e-13 to 1e-2 of reach or rad.
+pub fn check_some<I: Inverse<N, Target: Absurd>, const N: usize>(
+    subject: &Subject<N>,
+    inverse: &I,
+    poses: usize,
+    attempts: usize,
+    random: &mut Random,
+    report: &mut Report,
+) -> Effort {
+    let space = Space::of(subject);
+    let sampled = |family: Vec<[f64; N]>, random: &mut Random| -> Vec<[f64; N]> {
+        (0..poses.min(family.len())).map(|_| random.pick(&family)).collect()
     };
     let mut families = vec![
-        ("random", (0..250).map(|_| space.random(&mut random)).collect()),
-        ("90 degree grid", space.grid_samples(4, 250, &mut random)),
-        ("45 degree grid", space.grid_samples(8, 250, &mut random)),
+        ("random", (0..poses).map(|_| space.random(random)).collect()),
+        ("90 degree grid", space.grid_samples(4, poses, random)),
+        ("45 degree grid", space.grid_samples(8, poses, random)),
     ];
     let awkward = [
-        space.two_special(&mut random),
-        space.three_special(&mut random),
-        space.all_special(&mut random),
-        singular_surface(&subject, &mut random),
+        space.two_special(random),
+        space.three_special(random),
+        space.all_special(random),
+        singular_surface(subject, attempts, random),
     ];
-    families.extend(awkward.map(|family| (family.name, sampled(family.poses, &mut random))));
+    families.extend(awkward.map(|family| (family.name, sampled(family.poses, random))));
     let mut most = Effort::default();
     for (family, q) in families.iter().flat_map(|(family, poses)| poses.iter().map(move |q| (*family, q))) {
         let goal = subject.goal(q);
         let twist: [f64; EQUATIONS] = std::array::from_fn(|_| random.uniform(-1.0, 1.0));
         let push = 10.0_f64.powi(random.below(12) as i32 - 13);
         for goal in [goal, subject.moved(&goal, &twist, push)] {
-            let target = A::Target::of(subject.task.kind, &goal);
-            ask(&arm, &mut report, family, &mut most, &target, q);
+            let target = inverse.target(&goal);
+            ask(inverse, report, family, &mut most, &target, q);
             let mut q_ref = *q;
-            spoil(&mut q_ref, &mut random);
-            ask(&arm, &mut report, "absurd", &mut most, &target.absurd(&mut random), &q_ref);
+            spoil(&mut q_ref, random);
+            ask(inverse, report, "absurd", &mut most, &target.absurd(random), &q_ref);
         }
     }
-    // For whoever looks: `cargo test .. -- effort --nocapture`.
-    println!("{}: {most:?}", subject.name);
-    report.assert_empty();
+    most
 }
 
 /// Asks every inverse function.
-fn ask<A, const N: usize>(
-    arm: &A,
+fn ask<I: Inverse<N>, const N: usize>(
+    inverse: &I,
     report: &mut Report,
     family: &'static str,
     most: &mut Effort,
-    target: &A::Target,
+    target: &I::Target,
     q_ref: &[f64; N],
-) where
-    A: Specified<N> + InverseKinematics<f64, N, Target: Absurd>,
-{
-    report.count();
-    let (all, effort) = effort_of(|| arm.inverse(target));
-    let (near, effort_near) = effort_of(|| arm.inverse_near(target, q_ref));
-    let branch = all.as_ref().last().map_or(Branch::NONE, |solution| solution.branch);
-    let (_, effort_one) = effort_of(|| arm.inverse_branch(target, branch));
+) {
+    report.count(q_ref);
+    let (all, effort) = effort_of(|| inverse.all(target));
+    let (near, effort_near) = effort_of(|| inverse.near(target, q_ref));
+    let branch = all.solutions.last().map_or(Branch::NONE, |solution| solution.branch);
+    let (_, effort_one) = effort_of(|| inverse.branch(target, branch));
     for Effort { cascades, evaluations } in [effort, effort_near, effort_one] {
         most.cascades = most.cascades.max(cascades);
         most.evaluations = most.evaluations.max(evaluations);
@@ -168,17 +195,16 @@ fn ask<A, const N: usize>(
             });
         }
     }
-    for solutions in [&all, &near] {
+    for answer in [&all, &near] {
         let numbers = |s: &Solution<f64, N>| s.q.iter().all(|x| x.is_finite());
-        let listed = solutions.as_ref();
-        let honest = match A::status(solutions) {
-            Status::Reachable => listed.iter().any(Solution::is_exact),
-            Status::Unreachable { residual } => residual > 0.0 && !listed.iter().any(Solution::is_exact),
-            Status::BadTarget => listed.is_empty(),
+        let honest = match answer.status {
+            Status::Reachable => answer.exact().next().is_some(),
+            Status::Unreachable { residual } => residual > 0.0 && answer.exact().next().is_none(),
+            Status::BadTarget => answer.solutions.is_empty(),
         };
-        if !honest || !listed.iter().all(numbers) {
+        if !honest || !answer.solutions.iter().all(numbers) {
             report.fail(family, "wrong status or solution", || {
-                format!("{target:?}, {q_ref:?}: {:?}", A::status(solutions))
+                format!("{target:?}, {q_ref:?}: {:?}", answer.status)
             });
         }
     }

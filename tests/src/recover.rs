@@ -37,7 +37,7 @@ pub enum Form<'a, const N: usize> {
 /// - where two singular values are below the root of rounding, a solution with free joints counts as all of its family;
 /// - always: `inverse_near` with reference `q` contains `q` within 1e-6.
 pub fn check<const N: usize>(subject: &Subject<N>, report: &mut Report, family: &'static str, q: &[f64; N]) {
-    report.count();
+    report.count(q);
     let target = subject.goal(q);
     let answer = subject.inverse(&target);
     examine(subject, report, family, &target, &answer, Form::Principal);

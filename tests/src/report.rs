@@ -9,26 +9,51 @@ const SHOWN: usize = 2;
 /// The failures of one arm.
 #[derive(Debug)]
 pub struct Report {
-    arm: &'static str,
+    arm: String,
     poses: usize,
+    /// The joint vector of the pose that is being checked.
+    at: Vec<f64>,
     failures: BTreeMap<(&'static str, &'static str), Failures>,
 }
 
+/// Failures of one family and rule.
 #[derive(Debug, Default)]
-struct Failures {
-    count: usize,
-    shown: Vec<String>,
+pub struct Failures {
+    /// How many.
+    pub count: usize,
+    /// The first ones.
+    pub shown: Vec<Shown>,
+}
+
+/// One failure.
+#[derive(Debug)]
+pub struct Shown {
+    /// The joint vector that the target was made from.
+    pub q: Vec<f64>,
+    /// What went wrong.
+    pub detail: String,
 }
 
 impl Report {
     /// An empty report.
-    pub fn new(arm: &'static str) -> Self {
-        Self { arm, poses: 0, failures: BTreeMap::new() }
+    pub fn new(arm: &str) -> Self {
+        Self { arm: arm.to_owned(), poses: 0, at: Vec::new(), failures: BTreeMap::new() }
     }
 
-    /// Counts a pose that is being checked.
-    pub fn count(&mut self) {
+    /// Counts a pose that is being checked: that of a joint vector, or a target made from it.
+    pub fn count(&mut self, q: &[f64]) {
         self.poses += 1;
+        self.at = q.to_vec();
+    }
+
+    /// Number of poses.
+    pub fn poses(&self) -> usize {
+        self.poses
+    }
+
+    /// The failures, by family and rule.
+    pub fn failures(&self) -> impl Iterator<Item = (&'static str, &'static str, &Failures)> {
+        self.failures.iter().map(|((family, rule), failures)| (*family, *rule, failures))
     }
 
     /// Records that `rule` does not hold for a pose of `family`.
@@ -36,7 +61,7 @@ impl Report {
         let failures = self.failures.entry((family, rule)).or_default();
         failures.count += 1;
         if failures.shown.len() < SHOWN {
-            failures.shown.push(detail());
+            failures.shown.push(Shown { q: self.at.clone(), detail: detail() });
         }
     }
 
@@ -58,7 +83,7 @@ impl fmt::Display for Report {
         writeln!(f, "{}: {} failures in {} poses", self.arm, self.failed(), self.poses)?;
         for ((family, rule), failures) in &self.failures {
             writeln!(f, "  {:>7} x {family}: {rule}", failures.count)?;
-            for detail in &failures.shown {
+            for Shown { detail, .. } in &failures.shown {
                 writeln!(f, "    {detail}")?;
             }
         }

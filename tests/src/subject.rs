@@ -1,11 +1,10 @@
-//! An arm under test: its generated inverse beside the chain that judges it.
+//! An arm under test: its inverse beside the chain that judges it.
 
-use std::fmt;
-
-use denhart::{Chain, DhTable, InverseKinematics, JointKind, Solution, Status};
+use denhart::{Chain, DhFrame, DhRow, DhTable, InverseKinematics, JointKind};
 use nalgebra::{Isometry3, Matrix6xX, Translation3, UnitQuaternion, Vector3};
 
-use crate::effort;
+use crate::inverse::{Derived, Inverse, Solver};
+pub use crate::inverse::Answer;
 use crate::task::{Asked, EQUATIONS, Goal, Kind, Pitch, Task, across, heading, tool_axis};
 
 /// The constants of a derived arm, for code that is generic over the arm.
@@ -18,62 +17,9 @@ pub trait Specified<const N: usize>: denhart::Arm<f64, N> + Default + Send + Syn
     const TASK: Task = Task::new(Kind::Pose);
 }
 
-/// What a call of an inverse gave.
-#[derive(Debug, Clone)]
-pub struct Answer<const N: usize> {
-    pub solutions: Vec<Solution<f64, N>>,
-    pub status: Status<f64>,
-}
-
-impl<const N: usize> Answer<N> {
-    /// The solutions that claim to reach the target.
-    pub fn exact(&self) -> impl Iterator<Item = &Solution<f64, N>> {
-        self.solutions.iter().filter(|solution| solution.is_exact())
-    }
-}
-
-/// One solution a line: joint values, flags, free joints, branch, residual.
-impl<const N: usize> fmt::Display for Answer<N> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} solutions, {:?}", self.solutions.len(), self.status)?;
-        for s in &self.solutions {
-            write!(f, "\n      {:?} {} {} ({}) {}", s.q, s.flags, s.free, s.branch, s.residual)?;
-        }
-        Ok(())
-    }
-}
-
-/// The two inverse functions behind a pointer, so that the rules compile once and not once an arm.
-trait Solver<const N: usize>: Send + Sync {
-    fn inverse(&self, goal: &Goal) -> Answer<N>;
-    fn inverse_near(&self, goal: &Goal, q_ref: &[f64; N]) -> Answer<N>;
-}
-
-struct Derived<A> {
-    arm: A,
-    kind: Kind,
-}
-
-impl<A, const N: usize> Solver<N> for Derived<A>
-where
-    A: InverseKinematics<f64, N, Target: Asked> + Send + Sync,
-{
-    fn inverse(&self, goal: &Goal) -> Answer<N> {
-        let target = A::Target::of(self.kind, goal);
-        let solutions = effort::bounded(|| self.arm.inverse(&target));
-        Answer { solutions: solutions.as_ref().to_vec(), status: A::status(&solutions) }
-    }
-
-    fn inverse_near(&self, goal: &Goal, q_ref: &[f64; N]) -> Answer<N> {
-        let target = A::Target::of(self.kind, goal);
-        let solutions = effort::bounded(|| self.arm.inverse_near(&target, q_ref));
-        Answer { solutions: solutions.as_ref().to_vec(), status: A::status(&solutions) }
-    }
-}
-
 /// An arm under test.
 pub struct Subject<const N: usize> {
-    pub name: &'static str,
+    pub name: String,
     /// The judge.
     pub chain: Chain,
     /// Sum of `|a| + |d|`, base and tool offset, and the longest travel of the prismatic joints; 1 if that is 0. Every
@@ -94,27 +40,32 @@ impl<const N: usize> Subject<N> {
     where
         A: Specified<N> + InverseKinematics<f64, N, Target: Asked>,
     {
-        let chain = Chain::from(A::TABLE);
-        let pitch = if A::TASK.kind == Kind::PositionAngle { Pitch::of(&chain) } else { Pitch::NONE };
-        Self {
-            name: A::NAME,
-            chain,
-            reach: reach(&A::TABLE, &A::LIMITS),
-            kinds: A::JOINT_KINDS,
-            limits: A::LIMITS,
-            max_solutions: A::MAX_SOLUTIONS,
-            task: A::TASK,
-            pitch,
-            solver: Box::new(Derived { arm: A::default(), kind: A::TASK.kind }),
-        }
+        let inverse = Derived { arm: A::default(), kind: A::TASK.kind };
+        let reach = reach(&A::TABLE, &A::LIMITS);
+        Self::of(A::NAME, Chain::from(A::TABLE), reach, A::LIMITS, A::TASK, A::MAX_SOLUTIONS, inverse)
     }
 
-    /// Every branch, by the generated code.
+    /// An arm from its parts; `reach` as [`length`] has it.
+    pub fn of(
+        name: &str,
+        chain: Chain,
+        reach: f64,
+        limits: [[f64; 2]; N],
+        task: Task,
+        max_solutions: usize,
+        inverse: impl Inverse<N> + 'static,
+    ) -> Self {
+        let pitch = if task.kind == Kind::PositionAngle { Pitch::of(&chain) } else { Pitch::NONE };
+        let kinds = chain.kinds().try_into().expect("the chain has as many joints as the arm");
+        Self { name: name.to_owned(), chain, reach, kinds, limits, max_solutions, task, pitch, solver: Box::new(inverse) }
+    }
+
+    /// Every branch, by the arm under test.
     pub fn inverse(&self, goal: &Goal) -> Answer<N> {
         self.solver.inverse(goal)
     }
 
-    /// Every branch next to `q_ref`, by the generated code.
+    /// Every branch next to `q_ref`, by the arm under test.
     pub fn inverse_near(&self, goal: &Goal, q_ref: &[f64; N]) -> Answer<N> {
         self.solver.inverse_near(goal, q_ref)
     }
@@ -308,16 +259,21 @@ pub fn wrap(angle: f64) -> f64 {
 
 /// The length that tolerances are relative to, see [`Subject::reach`].
 pub fn reach<const N: usize>(table: &DhTable, limits: &[[f64; 2]; N]) -> f64 {
+    length(table.rows, [&table.base, &table.tool], limits)
+}
+
+/// The same from the parts: rows, base and tool, limits of the joints.
+pub fn length(rows: &[DhRow], frames: [&DhFrame; 2], limits: &[[f64; 2]]) -> f64 {
     let norm = |xyz: [f64; 3]| xyz.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let rows: f64 = table.rows.iter().map(|row| row.a.abs() + row.d.abs()).sum();
-    let moving = table.rows.iter().filter(|row| row.kind != JointKind::Fixed);
+    let links: f64 = rows.iter().map(|row| row.a.abs() + row.d.abs()).sum();
+    let moving = rows.iter().filter(|row| row.kind != JointKind::Fixed);
     let travel: f64 = moving
         .zip(limits)
         .filter(|(row, _)| row.kind == JointKind::Prismatic)
         .map(|(_, [low, high])| low.abs().max(high.abs()))
         .filter(|travel| travel.is_finite())
         .sum();
-    match rows + travel + norm(table.base.xyz) + norm(table.tool.xyz) {
+    match links + travel + frames.iter().map(|frame| norm(frame.xyz)).sum::<f64>() {
         0.0 => 1.0,
         reach => reach,
     }

@@ -3,7 +3,7 @@
 use denhart::{InverseKinematics, JointKind, Target};
 
 use crate::boundary::{self, Carried};
-use crate::poses::{Space, singular_surface};
+use crate::poses::{SURFACE, Space, singular_surface};
 use crate::random::Random;
 use crate::recover;
 use crate::report::Report;
@@ -19,10 +19,17 @@ pub struct Grids {
     pub samples: usize,
 }
 
+/// Directions in which targets are pushed out of the outermost boundary.
+const DIRECTIONS: usize = 12;
+/// Attempts to find a fold, and joint vectors of arms with fewer joints than equations.
+const FOLDS: usize = 120;
+/// Targets at each distance far out.
+const FAR: usize = 20;
+
 /// 2,000 random joint vectors, with references beside them and whole turns away.
 pub fn random_poses<const N: usize>(subject: &Subject<N>) {
-    let mut report = Report::new(subject.name);
-    let mut random = Random::named(subject.name);
+    let mut report = Report::new(&subject.name);
+    let mut random = Random::named(&subject.name);
     let space = Space::of(subject);
     for _ in 0..2000 {
         let q = space.random(&mut random);
@@ -34,8 +41,8 @@ pub fn random_poses<const N: usize>(subject: &Subject<N>) {
 
 /// Grids of 90, 45, 15 and 30 degrees. With `DENHART_FULL_GRID=1` that of 30 degrees is complete.
 pub fn grids<const N: usize>(subject: &Subject<N>, grids: Grids) {
-    let mut report = Report::new(subject.name);
-    let mut random = Random::named(subject.name);
+    let mut report = Report::new(&subject.name);
+    let mut random = Random::named(&subject.name);
     let space = Space::of(subject);
     let full = std::env::var_os("DENHART_FULL_GRID").is_some_and(|value| value == "1");
     for (steps, family) in
@@ -56,8 +63,8 @@ pub fn grids<const N: usize>(subject: &Subject<N>, grids: Grids) {
 
 /// Joints at and beside the values where arms tend to be singular, and where this one is.
 pub fn awkward_poses<const N: usize>(subject: &Subject<N>) {
-    let mut report = Report::new(subject.name);
-    let mut random = Random::named(subject.name);
+    let mut report = Report::new(&subject.name);
+    let mut random = Random::named(&subject.name);
     let space = Space::of(subject);
     let special = [
         space.first_joint_square(&mut random),
@@ -65,7 +72,7 @@ pub fn awkward_poses<const N: usize>(subject: &Subject<N>) {
         space.two_special(&mut random),
         space.all_special(&mut random),
     ];
-    let surface = singular_surface(subject, &mut random);
+    let surface = singular_surface(subject, SURFACE, &mut random);
     // Slides are singular nowhere, nor is one joint that turns a tool whose orientation counts.
     let turning = subject.kinds.iter().filter(|kind| **kind == JointKind::Revolute).count();
     let rigid = turning == 0 || turning == 1 && subject.task.kind == Kind::Pose;
@@ -80,16 +87,16 @@ pub fn awkward_poses<const N: usize>(subject: &Subject<N>) {
 
 /// Targets at the edge of what the arm reaches, and beyond it.
 pub fn out_of_reach<const N: usize>(subject: &Subject<N>) {
-    let mut report = Report::new(subject.name);
-    let mut random = Random::named(subject.name);
+    let mut report = Report::new(&subject.name);
+    let mut random = Random::named(&subject.name);
     if let Some(carried) = Carried::of(subject) {
-        boundary::check_outermost(subject, &carried, &mut random, &mut report);
+        boundary::check_outermost(subject, &carried, DIRECTIONS, &mut random, &mut report);
     }
     match subject.task.equations() {
-        equations if equations == N => boundary::check_folds(subject, &mut random, &mut report),
-        _ => boundary::check_leftover(subject, &mut random, &mut report),
+        equations if equations == N => boundary::check_folds(subject, FOLDS, &mut random, &mut report),
+        _ => boundary::check_leftover(subject, FOLDS, &mut random, &mut report),
     }
-    boundary::check_far(subject, &mut random, &mut report);
+    boundary::check_far(subject, FAR, &mut random, &mut report);
     report.assert_empty();
 }
 
@@ -99,12 +106,12 @@ where
     A: Specified<N> + InverseKinematics<f64, N, Target: Asked + Target<A, f64, N>>,
 {
     let (subject, arm) = (Subject::new::<A>(), A::default());
-    let mut report = Report::new(subject.name);
-    let mut random = Random::named(subject.name);
+    let mut report = Report::new(&subject.name);
+    let mut random = Random::named(&subject.name);
     let space = Space::of(&subject);
     for digits in (0..13).cycle().take(260) {
-        report.count();
         let there = space.random(&mut random);
+        report.count(&there);
         let step = 10.0_f64.powi(-digits);
         let mut q = std::array::from_fn(|j| there[j] + step * subject.unit(j) * random.uniform(-1.0, 1.0));
         if let Some(given) = subject.task.given {

@@ -3,6 +3,7 @@
 //! A [`Goal`] always knows the whole pose; the arm's [`Task`] says which part of it counts, and so what a miss is.
 
 use denhart::{Chain, DhRow, JointKind, PlanarPose, PointAngle, PointAxis, Pose};
+use denhart_dynamic::DynamicTarget;
 use nalgebra::{Isometry3, Vector3};
 
 /// What a task asks of the tool.
@@ -79,7 +80,7 @@ impl From<Isometry3<f64>> for Goal {
 }
 
 /// The type of a target in the generated code.
-pub trait Asked: Sized + std::fmt::Debug {
+pub trait Asked: Sized + Clone + std::fmt::Debug {
     /// The part of the goal that the task looks at.
     fn of(kind: Kind, goal: &Goal) -> Self;
 }
@@ -125,6 +126,19 @@ impl Asked for PlanarPose<f64> {
 impl<A: Asked> Asked for (A, f64) {
     fn of(kind: Kind, goal: &Goal) -> Self {
         (A::of(kind, goal), goal.given)
+    }
+}
+
+impl Asked for DynamicTarget {
+    fn of(kind: Kind, goal: &Goal) -> Self {
+        match kind {
+            Kind::Pose => DynamicTarget::Pose(Asked::of(kind, goal)),
+            Kind::Position => DynamicTarget::Position(Asked::of(kind, goal)),
+            Kind::PositionAxis(_) => DynamicTarget::PositionAxis(Asked::of(kind, goal)),
+            Kind::PositionAngle => DynamicTarget::PositionAngle(Asked::of(kind, goal)),
+            Kind::PlanarPose => DynamicTarget::PlanarPose(Asked::of(kind, goal)),
+            Kind::PlanarPosition => DynamicTarget::PlanarPosition(Asked::of(kind, goal)),
+        }
     }
 }
 

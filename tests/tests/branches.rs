@@ -13,7 +13,7 @@ where
     A: Specified<6> + InverseKinematics<f64, 6, Target = Pose<f64>>,
 {
     let (arm, subject) = (A::default(), Subject::new::<A>());
-    let (space, mut random) = (Space::of(&subject), Random::named(subject.name));
+    let (space, mut random) = (Space::of(&subject), Random::named(&subject.name));
     let mut compared = 0;
     for _ in 0..500 {
         let target = arm.forward(&space.random(&mut random));

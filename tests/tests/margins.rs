@@ -22,7 +22,7 @@ where
     A: Specified<6> + InverseKinematics<f64, 6, Target = Pose<f64>>,
 {
     let subject = Subject::new::<A>();
-    let (space, mut random) = (Space::of(&subject), Random::named(subject.name));
+    let (space, mut random) = (Space::of(&subject), Random::named(&subject.name));
     let product = |q: &[f64; 6]| margins(q).iter().map(|margin| margin.value).product::<f64>();
     let samples: Vec<[f64; 6]> = (0..300).map(|_| space.random(&mut random)).collect();
     let pairs: Vec<[f64; 2]> = samples.iter().map(|q| [determinant(&subject, q), product(q)]).collect();

@@ -5,7 +5,7 @@ use denhart_tests::subject::{Answer, Subject};
 
 /// Every solution that is listed for the reference poses of an arm, by its number.
 fn check_counts(subject: &Subject<6>) {
-    let reference = reference::load(subject.name);
+    let reference = reference::load(&subject.name);
     let counts = reference.counts.pose.expect("a six-joint arm has counts");
     assert_eq!(counts.len(), reference.samples.len());
     let found: Vec<usize> = reference

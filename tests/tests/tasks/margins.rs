@@ -13,7 +13,7 @@ where
     A: Specified<N> + InverseKinematics<f64, N, Target: Asked>,
 {
     let subject = Subject::new::<A>();
-    let (space, mut random) = (Space::of(&subject), Random::named(subject.name));
+    let (space, mut random) = (Space::of(&subject), Random::named(&subject.name));
     let pairs: Vec<[f64; 2]> = (0..300)
         .map(|_| {
             let q = space.random(&mut random);

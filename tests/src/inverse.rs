@@ -1,0 +1,155 @@
+//! The inverse functions of an arm under test: generated, or evaluated from its file at run time.
+
+use std::fmt::{self, Debug};
+
+use denhart::{Branch, InverseKinematics, Solution, Status};
+use denhart_dynamic::{DynamicArm, DynamicError, DynamicSolution, DynamicSolutions, DynamicTarget};
+
+use crate::effort;
+use crate::task::{Asked, Goal, Kind};
+
+/// What a call of an inverse gave.
+#[derive(Debug, Clone)]
+pub struct Answer<const N: usize> {
+    pub solutions: Vec<Solution<f64, N>>,
+    pub status: Status<f64>,
+}
+
+impl<const N: usize> Answer<N> {
+    /// The solutions that claim to reach the target.
+    pub fn exact(&self) -> impl Iterator<Item = &Solution<f64, N>> {
+        self.solutions.iter().filter(|solution| solution.is_exact())
+    }
+}
+
+/// One solution a line: joint values, flags, free joints, branch, residual.
+impl<const N: usize> fmt::Display for Answer<N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} solutions, {:?}", self.solutions.len(), self.status)?;
+        for s in &self.solutions {
+            write!(f, "\n      {:?} {} {} ({}) {}", s.q, s.flags, s.free, s.branch, s.residual)?;
+        }
+        Ok(())
+    }
+}
+
+/// The inverse functions of an arm.
+pub trait Inverse<const N: usize>: Send + Sync {
+    /// What they take: the target of the task, and the given joint's value where there is one.
+    type Target: Debug + Clone;
+
+    /// The part of a goal that the task looks at.
+    fn target(&self, goal: &Goal) -> Self::Target;
+    /// Every branch.
+    fn all(&self, target: &Self::Target) -> Answer<N>;
+    /// Every branch next to a reference.
+    fn near(&self, target: &Self::Target, q_ref: &[f64; N]) -> Answer<N>;
+    /// Whether one branch has a solution.
+    fn branch(&self, target: &Self::Target, branch: Branch) -> bool;
+}
+
+/// The functions behind a pointer, so that the rules compile once and not once an arm. Each keeps to the bound on a call.
+pub(crate) trait Solver<const N: usize>: Send + Sync {
+    fn inverse(&self, goal: &Goal) -> Answer<N>;
+    fn inverse_near(&self, goal: &Goal, q_ref: &[f64; N]) -> Answer<N>;
+}
+
+impl<I: Inverse<N>, const N: usize> Solver<N> for I {
+    fn inverse(&self, goal: &Goal) -> Answer<N> {
+        let target = self.target(goal);
+        effort::bounded(|| self.all(&target))
+    }
+
+    fn inverse_near(&self, goal: &Goal, q_ref: &[f64; N]) -> Answer<N> {
+        let target = self.target(goal);
+        effort::bounded(|| self.near(&target, q_ref))
+    }
+}
+
+/// The generated inverse of the arm `A`.
+#[derive(Debug)]
+pub struct Derived<A> {
+    pub arm: A,
+    pub kind: Kind,
+}
+
+impl<A, const N: usize> Inverse<N> for Derived<A>
+where
+    A: InverseKinematics<f64, N, Target: Asked> + Send + Sync,
+{
+    type Target = A::Target;
+
+    fn target(&self, goal: &Goal) -> A::Target {
+        A::Target::of(self.kind, goal)
+    }
+
+    fn all(&self, target: &A::Target) -> Answer<N> {
+        let solutions = self.arm.inverse(target);
+        Answer { solutions: solutions.as_ref().to_vec(), status: A::status(&solutions) }
+    }
+
+    fn near(&self, target: &A::Target, q_ref: &[f64; N]) -> Answer<N> {
+        let solutions = self.arm.inverse_near(target, q_ref);
+        Answer { solutions: solutions.as_ref().to_vec(), status: A::status(&solutions) }
+    }
+
+    fn branch(&self, target: &A::Target, branch: Branch) -> bool {
+        self.arm.inverse_branch(target, branch).is_ok()
+    }
+}
+
+/// The inverse of an arm that is evaluated.
+#[derive(Debug)]
+pub struct Evaluated {
+    arm: DynamicArm,
+    kind: Kind,
+    /// Whether a joint's value is given.
+    takes: bool,
+}
+
+/// What an evaluated inverse takes: the target, and the given value where there is one.
+#[derive(Debug, Clone, Copy)]
+pub struct Request {
+    pub target: DynamicTarget,
+    pub given: Option<f64>,
+}
+
+impl Evaluated {
+    /// The inverse of `arm`, which has one.
+    pub fn new(arm: DynamicArm, kind: Kind) -> Result<Self, DynamicError> {
+        let takes = arm.given()?.is_some();
+        Ok(Self { arm, kind, takes })
+    }
+}
+
+/// An answer of the arm, which has `N` joints and the task that is asked for.
+fn answer<const N: usize>(solutions: Result<DynamicSolutions, DynamicError>) -> Answer<N> {
+    let solutions = solutions.expect("a target of the arm's task, and a number for each joint");
+    let sized = |s: &DynamicSolution| {
+        let DynamicSolution { q, flags, free, branch, residual } = *s;
+        let q = <[f64; N]>::try_from(&*q).expect("a value a joint");
+        Solution { q, flags, free, branch, residual }
+    };
+    Answer { solutions: solutions.iter().map(sized).collect(), status: solutions.status() }
+}
+
+impl<const N: usize> Inverse<N> for Evaluated {
+    type Target = Request;
+
+    fn target(&self, goal: &Goal) -> Request {
+        Request { target: DynamicTarget::of(self.kind, goal), given: self.takes.then_some(goal.given) }
+    }
+
+    fn all(&self, Request { target, given }: &Request) -> Answer<N> {
+        answer(self.arm.inverse(target, *given))
+    }
+
+    /// As the trait of generated arms has it, the reference says where the given joint is.
+    fn near(&self, Request { target, .. }: &Request, q_ref: &[f64; N]) -> Answer<N> {
+        answer(self.arm.inverse_near(target, q_ref))
+    }
+
+    fn branch(&self, Request { target, given }: &Request, branch: Branch) -> bool {
+        self.arm.inverse_branch(target, *given, branch).expect("as above").is_ok()
+    }
+}
