@@ -167,12 +167,7 @@ pub fn check_outermost<const N: usize>(
 /// Pushes targets across folds of the singular surface, outward by `1e-12 .. 1e-3`: below the tolerance the branch that
 /// ends there is still listed and comes as close as the fold itself, up to the conditioning of the arm. For tasks with
 /// as many equations as joints.
-pub fn check_folds<const N: usize>(
-    subject: &Subject<N>,
-    attempts: usize,
-    random: &mut Random,
-    report: &mut Report,
-) {
+pub fn check_folds<const N: usize>(subject: &Subject<N>, attempts: usize, random: &mut Random, report: &mut Report) {
     const FAMILY: &str = "pushed across a fold";
     for (q, _) in singular::surface(subject, random, attempts) {
         let Some(outward) = fold(subject, &q) else { continue };
@@ -194,12 +189,7 @@ pub fn check_folds<const N: usize>(
 
 /// Moves targets by `1e-12 .. 1e-3` in ways that an arm with fewer joints than equations cannot follow: below the
 /// tolerance the branch is still listed and comes as close, up to the conditioning of the arm.
-pub fn check_leftover<const N: usize>(
-    subject: &Subject<N>,
-    count: usize,
-    random: &mut Random,
-    report: &mut Report,
-) {
+pub fn check_leftover<const N: usize>(subject: &Subject<N>, count: usize, random: &mut Random, report: &mut Report) {
     const FAMILY: &str = "beside what the arm can do";
     let space = Space::of(subject);
     let regular = std::iter::repeat_with(|| (space.random(random), [random.direction(), random.direction()]))

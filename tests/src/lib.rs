@@ -19,5 +19,6 @@ pub mod series;
 pub mod singular;
 pub mod subject;
 pub mod suite;
+pub mod sweep;
 pub mod task;
 pub mod timing;

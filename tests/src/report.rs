@@ -46,6 +46,11 @@ impl Report {
         self.at = q.to_vec();
     }
 
+    /// The joint vector of the pose that is being checked.
+    pub fn at(&self) -> &[f64] {
+        &self.at
+    }
+
     /// Number of poses.
     pub fn poses(&self) -> usize {
         self.poses

@@ -3,8 +3,8 @@
 use denhart::{Chain, DhFrame, DhRow, DhTable, InverseKinematics, JointKind};
 use nalgebra::{Isometry3, Matrix6xX, Translation3, UnitQuaternion, Vector3};
 
-use crate::inverse::{Derived, Inverse, Solver};
 pub use crate::inverse::Answer;
+use crate::inverse::{Derived, Inverse, Solver};
 use crate::task::{Asked, EQUATIONS, Goal, Kind, Pitch, Task, across, heading, tool_axis};
 
 /// The constants of a derived arm, for code that is generic over the arm.
@@ -57,7 +57,17 @@ impl<const N: usize> Subject<N> {
     ) -> Self {
         let pitch = if task.kind == Kind::PositionAngle { Pitch::of(&chain) } else { Pitch::NONE };
         let kinds = chain.kinds().try_into().expect("the chain has as many joints as the arm");
-        Self { name: name.to_owned(), chain, reach, kinds, limits, max_solutions, task, pitch, solver: Box::new(inverse) }
+        Self {
+            name: name.to_owned(),
+            chain,
+            reach,
+            kinds,
+            limits,
+            max_solutions,
+            task,
+            pitch,
+            solver: Box::new(inverse),
+        }
     }
 
     /// Every branch, by the arm under test.

@@ -30,7 +30,9 @@ const STRUCTURES: [(&str, usize, Draw); 26] = [
     ("six axes at random", 2, |style| random(style, 6, 8)),
     ("three of five meet", 5, |style| meeting(style, 5, false)),
     ("three of five parallel", 5, |style| parallel(style, 5, false)),
-    ("five with slides", 4, |style| if style.random.below(2) == 0 { meeting(style, 5, true) } else { parallel(style, 5, true) }),
+    ("five with slides", 4, |style| {
+        if style.random.below(2) == 0 { meeting(style, 5, true) } else { parallel(style, 5, true) }
+    }),
     ("SCARA", 5, scara),
     ("yaw and three pitches", 4, yaw_pitches),
     ("four joints", 3, |style| random(style, 4, 4)),
@@ -40,7 +42,10 @@ const STRUCTURES: [(&str, usize, Draw); 26] = [
     ("planar", 4, planar),
     ("two joints", 2, |style| random(style, 2, 3)),
     ("one joint", 1, |style| random(style, 1, 3)),
-    ("shoulder and wrist of seven", 3, |style| { let given = style.random.below(7); shoulder_and_wrist(style, given) }),
+    ("shoulder and wrist of seven", 3, |style| {
+        let given = style.random.below(7);
+        shoulder_and_wrist(style, given)
+    }),
     ("one more joint than a wrist needs", 5, |style| one_more(style, meeting)),
     ("one more joint than parallel axes need", 4, |style| one_more(style, parallel)),
     ("seven without one given", 1, |style| random(style, 7, 6)),

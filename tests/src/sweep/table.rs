@@ -71,9 +71,8 @@ impl Table {
             d: joint.d,
             theta: angle(joint.theta),
         };
-        let frame = |frame: &Option<Frame>| {
-            frame.map_or(DhFrame::IDENTITY, |[xyz, rpy]| DhFrame { xyz, rpy: rpy.map(angle) })
-        };
+        let frame =
+            |frame: &Option<Frame>| frame.map_or(DhFrame::IDENTITY, |[xyz, rpy]| DhFrame { xyz, rpy: rpy.map(angle) });
         let rows: Vec<DhRow> = self.rows().map(row).collect();
         Chain::new(self.convention, &rows).with_base(frame(&self.base)).with_tool(frame(&self.tool))
     }
@@ -85,7 +84,8 @@ impl Table {
             Convention::Modified => "modified",
         };
         let unit = if self.radians { "rad" } else { "deg" };
-        let mut text = format!("name: {name}\nconvention: {convention}\nunits: {{length: {}, angle: {unit}}}\n", self.unit);
+        let mut text =
+            format!("name: {name}\nconvention: {convention}\nunits: {{length: {}, angle: {unit}}}\n", self.unit);
         // Writing to a string cannot fail.
         if let Some(inverse) = &self.inverse {
             let _ = writeln!(text, "inverse: {inverse}");
