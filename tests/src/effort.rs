@@ -203,7 +203,7 @@ fn ask<I: Inverse<N>, const N: usize>(
             Status::BadTarget => answer.solutions.is_empty(),
         };
         if !honest || !answer.solutions.iter().all(numbers) {
-            report.fail(family, "wrong status or solution", || format!("{target:?}, {q_ref:?}: {:?}", answer.status));
+            report.fail(family, "wrong status or solution", || format!("{target:?}, {q_ref:?}\n      {answer}"));
         }
     }
 }

@@ -57,6 +57,9 @@ fn main() -> ExitCode {
 fn again(file: &Path) -> io::Result<bool> {
     let text = fs::read_to_string(file)?;
     let outcome = replay(&text).map_err(io::Error::other)?;
+    if let Ok(report) = denhart_codegen::check(&text, &file.display().to_string()) {
+        println!("{report}");
+    }
     show(&outcome);
     Ok(!outcome.failures.is_empty())
 }

@@ -17,14 +17,14 @@ use crate::subject::Subject;
 use crate::{bad_targets, effort};
 
 /// Joint vectors and attempts of each kind, so that an arm takes some tens of milliseconds.
-const RANDOM: usize = 12;
-const REFERENCES: usize = 4;
-const GRID: usize = 6;
-const SPECIAL: usize = 10;
-const SURFACE: usize = 6;
-const ON_SURFACE: usize = 16;
-const FOLDS: usize = 4;
-const EFFORT: usize = 2;
+const RANDOM: usize = 40;
+const REFERENCES: usize = 12;
+const GRID: usize = 20;
+const SPECIAL: usize = 40;
+const SURFACE: usize = 20;
+const ON_SURFACE: usize = 80;
+const FOLDS: usize = 12;
+const EFFORT: usize = 5;
 
 /// Examines an arm file. `drawn` is the chain of the numbers that the file was written from, if they are known; `vectors`
 /// are joint vectors that the inverse has to give back besides.

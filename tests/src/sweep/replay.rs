@@ -13,7 +13,13 @@ use super::outcome::{Outcome, VECTOR};
 /// A text that is no arm file.
 pub fn replay(text: &str) -> Result<Outcome, DynamicError> {
     let arm = DynamicArm::from_yaml(text)?;
-    let vectors: Vec<Vec<f64>> = text.lines().filter_map(|line| line.strip_prefix(VECTOR)).filter_map(vector).collect();
+    let vectors: Vec<Vec<f64>> = text
+        .lines()
+        .filter_map(|line| line.strip_prefix(VECTOR))
+        .filter_map(vector)
+        // What is asked for besides joint vectors may be no number.
+        .filter(|q| q.iter().all(|value| value.is_finite()))
+        .collect();
     Ok(examine((&arm.model().name, "replayed"), text.to_owned(), None, &vectors))
 }
 

@@ -36,6 +36,8 @@ pub struct Found {
     pub structures: BTreeMap<&'static str, Tally>,
     /// Failures by family and rule: how many, at how many arms, the first of these.
     pub rules: BTreeMap<(String, String), (usize, usize, String)>,
+    /// Why arms have no inverse, without numbers: how many, the first of them.
+    pub refusals: BTreeMap<String, (usize, String)>,
     /// The arms with failures.
     pub failed: Vec<Outcome>,
     /// The most that a call of the inverse took.
@@ -100,6 +102,20 @@ fn progress(arms: usize) -> ProgressBar {
     bar
 }
 
+/// A reason with `#` for its numbers, and no more of it than fits a line.
+fn pattern(reason: &str) -> String {
+    let mut text = String::new();
+    for letter in reason.trim_start_matches("no inverse kinematics: ").chars().take(160) {
+        let digit = letter.is_ascii_digit();
+        if !digit {
+            text.push(if letter == '\n' { ' ' } else { letter });
+        } else if !text.ends_with('#') {
+            text.push('#');
+        }
+    }
+    text.chars().take(100).collect()
+}
+
 impl Found {
     /// Adds what was found at one more arm.
     pub fn add(&mut self, outcome: Outcome, known: &[Known]) {
@@ -108,6 +124,9 @@ impl Found {
         tally.with_inverse += usize::from(outcome.refused.is_none());
         tally.poses += outcome.poses;
         tally.failed_arms += usize::from(!outcome.failures.is_empty());
+        if let Some(reason) = &outcome.refused {
+            self.refusals.entry(pattern(reason)).or_insert_with(|| (0, outcome.name.clone())).0 += 1;
+        }
         for failure in &outcome.failures {
             tally.failures += failure.count;
             let rule = self.rules.entry((failure.rule.clone(), failure.family.clone()));
@@ -149,6 +168,12 @@ impl Found {
         }
         for ((rule, family), (count, arms, first)) in &self.rules {
             text += &format!("{rule:<60} {family:<38} {count:>8} {arms:>6}  {first}\n");
+        }
+        if !self.refusals.is_empty() {
+            text += &format!("\n{:<100} {:>6}  first\n", "no inverse because", "arms");
+        }
+        for (reason, (arms, first)) in &self.refusals {
+            text += &format!("{reason:<100} {arms:>6}  {first}\n");
         }
         let Effort { cascades, evaluations } = self.most;
         text + &format!("\nthe most of one call: {cascades} runs of the nest, {evaluations} evaluations\n")
