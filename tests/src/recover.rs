@@ -252,6 +252,10 @@ fn next_to(angle: f64, reference: f64, [low, high]: [f64; 2]) -> bool {
     let distance = (angle - reference).abs();
     let near = reference + wrap(angle - reference);
     let inside = |angle: f64, margin: f64| angle >= low - margin && angle <= high + margin;
+    // So far outside, and not much farther, a reference may count as inside or not.
+    if !inside(reference, 5e-10) && distance <= PI + 1e-9 {
+        return true;
+    }
     if inside(near, -1e-9) || !inside(reference, 1e-9) || distance <= PI + 1e-9 && inside(near, 1e-9) {
         return distance <= PI + 1e-9;
     }

@@ -2,9 +2,10 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use denhart::Chain;
 use denhart::effort::Effort;
+use denhart::{Chain, JointKind};
 use denhart_dynamic::DynamicArm;
+use nalgebra::Matrix6xX;
 
 use super::outcome::{Failure, Outcome};
 use super::{arm, beside};
@@ -13,6 +14,7 @@ use crate::poses::{Space, singular_surface};
 use crate::random::Random;
 use crate::recover;
 use crate::report::Report;
+use crate::singular::Svd;
 use crate::subject::Subject;
 use crate::{bad_targets, effort};
 
@@ -93,6 +95,17 @@ fn of_size<const N: usize>(outcome: &mut Outcome, arm: &DynamicArm, drawn: Optio
             }
         }
     }
+    if N == 6 && outcome.refused.as_ref().is_some_and(|reason| reason.contains("singular everywhere")) {
+        for q in (0..4).map(|_| space.random(&mut random)) {
+            report.count(&q);
+            let columns = scaled(read.jacobian(&q).expect("a value a joint"), &kinds, reach);
+            let least = Svd::new(columns).least();
+            // Some thousand roundings.
+            if least > 1e-12 {
+                report.fail("refused", "called singular everywhere", || format!("{least:e} at {q:?}"));
+            }
+        }
+    }
     if let Some((subject, inverse)) = arm::subject::<N>(&outcome.text, arm) {
         let mut family = |name: &'static str, work: &mut dyn FnMut(&mut Report, &mut Random)| {
             if let Err(panic) = guarded(|| work(&mut report, &mut random)) {
@@ -131,6 +144,14 @@ fn of_size<const N: usize>(outcome: &mut Outcome, arm: &DynamicArm, drawn: Optio
     outcome.failures.extend(Failure::all(&report));
 }
 
+/// The columns of a Jacobian with lengths in reaches.
+fn scaled<const N: usize>(jacobian: Matrix6xX<f64>, kinds: &[JointKind; N], reach: f64) -> [[f64; 6]; N] {
+    std::array::from_fn(|joint| {
+        let unit = if kinds[joint] == JointKind::Revolute { 1.0 } else { reach };
+        std::array::from_fn(|row| jacobian[(row, joint)] * if row < 3 { unit / reach } else { unit })
+    })
+}
+
 /// Joint vectors at and beside values where arms tend to be singular, and where this one is.
 fn special<const N: usize>(subject: &Subject<N>, space: &Space<N>, report: &mut Report, random: &mut Random) {
     let families = [
@@ -152,7 +173,7 @@ fn special<const N: usize>(subject: &Subject<N>, space: &Space<N>, report: &mut 
 fn out_of_reach<const N: usize>(subject: &Subject<N>, report: &mut Report, random: &mut Random) {
     // The farthest point takes as long as everything else.
     let outermost = random.below(4) == 0;
-    if let Some(carried) = Carried::of(subject).filter(|_| outermost) {
+    if let Some(carried) = Carried::of(subject).filter(|_| outermost).map(Carried::of_any_arm) {
         boundary::check_outermost(subject, &carried, 1, random, report);
     }
     match subject.task.equations() {
