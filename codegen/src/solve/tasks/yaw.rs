@@ -6,9 +6,9 @@ use crate::solve::loop_chain::LoopChain;
 use crate::solve::loop_closure::LoopClosure;
 use crate::symbolic::{Expr, Vec3};
 
-/// A yaw joint and three parallel pitch joints across it, whatever follows.
+/// A yaw joint, three parallel pitch joints across it, and nothing that slides behind them.
 pub fn yaws_and_pitches(chain: &LoopChain) -> bool {
-    let turns = chain.loop_joints.iter().take(4).all(|slot| slot.revolute);
+    let turns = chain.loop_joints.iter().all(|slot| slot.revolute);
     let parallel = chain.triples().contains(&Triple { first: 1, kind: TripleKind::Parallel });
     turns && chain.loop_joints.len() >= 4 && parallel && chain.keeps_axis(1).is_none()
 }
