@@ -3,12 +3,11 @@
 use std::marker::PhantomData;
 
 use denhart::math;
-use denhart::solve::{
-    Decoupled, Evaluate, Facts, Goal, InPlane, Levels, Locked, Missed, Pointing, Search, nearest_rotation,
-};
+use denhart::solve::{Decoupled, Evaluate, Goal, InPlane, Levels, Locked, Missed, Pointing, Search, nearest_rotation};
 use denhart::{Branch, Jacobian, Pose, Residual, Solutions, Status};
 use denhart_codegen::lower::{self, Given, Input, Inverse};
 
+use crate::facts::Facts;
 use crate::function::Straight;
 use crate::nest::Nest;
 use crate::run::Run;
@@ -75,7 +74,7 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
 #[derive(Debug)]
 struct Solver<const N: usize, const M: usize, P> {
     nest: Nest,
-    facts: Facts<f64, N>,
+    facts: Facts<N>,
     both: Evaluator<N>,
     missed: PhantomData<P>,
 }
@@ -101,7 +100,7 @@ impl<const N: usize> Evaluate<f64, N> for Evaluator<N> {
 
 impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send + Sync + 'static> Solver<N, M, P> {
     fn boxed(program: &Inverse, both: &Straight) -> Option<Box<dyn Solve>> {
-        let facts = crate::facts::facts(&program.facts)?;
+        let facts = Facts::of(&program.facts)?;
         Some(Box::new(Self { nest: Nest::new(program), facts, both: Evaluator(both.clone()), missed: PhantomData }))
     }
 
@@ -177,7 +176,8 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
             Some(locked) => locked,
             None => goal,
         };
-        let mut search = Search::<f64, N, M, P>::new(&self.facts, &self.both, sought, near, solutions);
+        let facts = self.facts.get();
+        let mut search = Search::<f64, N, M, P>::new(&facts, &self.both, sought, near, solutions);
         if !search.begins(near) {
             return;
         }

@@ -5,13 +5,13 @@ use crate::{Arm, CombinedLimit, Jacobian, JointMask, Pose, Residual};
 
 /// What the search needs to know about an arm.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Facts<T: 'static, const N: usize> {
+pub struct Facts<'a, T, const N: usize> {
     /// Lower and upper limit of every joint, infinite where there is none.
-    pub limits: &'static [[T; 2]; N],
+    pub limits: &'a [[T; 2]; N],
     /// Limits of sums of joint values.
-    pub combined: &'static [CombinedLimit<T, N>],
+    pub combined: &'a [CombinedLimit<T, N>],
     /// How much each joint counts in the distance from a reference, the squared norm `sum w (q - q_ref)^2`.
-    pub weights: &'static [T; N],
+    pub weights: &'a [T; N],
     /// Whether any joint has limits.
     pub limited: bool,
     /// The sliding joints.
@@ -24,7 +24,7 @@ pub struct Facts<T: 'static, const N: usize> {
     pub tolerance: Residual<T>,
 }
 
-impl<T: Tolerances, const N: usize> Facts<T, N> {
+impl<T: Tolerances, const N: usize> Facts<'_, T, N> {
     /// The same arm with lengths that are known at run time: its reach, and up to which position residual a solution is
     /// listed. An arm without any length has the reach 1.
     ///

@@ -21,7 +21,7 @@ const MOST_STATES: usize = 8;
 /// One run of the inverse kinematics. `P`: what it remembers of branches that are missed with a free joint at home,
 /// [`Levels`](super::Levels), or [`Decoupled`](super::Decoupled) for an arm that has none.
 pub struct Search<'a, T: 'static, const N: usize, const M: usize, P> {
-    pub(super) facts: &'a Facts<T, N>,
+    pub(super) facts: &'a Facts<'a, T, N>,
     pub(super) arm: &'a dyn Evaluate<T, N>,
     pub(super) goal: &'a dyn Goal<T, N>,
     pub(super) solutions: &'a mut Solutions<T, N, M>,
@@ -47,7 +47,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     /// A search that fills `solutions`.
     #[inline(always)]
     pub fn new(
-        facts: &'a Facts<T, N>,
+        facts: &'a Facts<'a, T, N>,
         arm: &'a dyn Evaluate<T, N>,
         goal: &'a dyn Goal<T, N>,
         near: Option<&[T; N]>,

@@ -21,10 +21,15 @@ pub struct Sweep {
     pub threads: usize,
 }
 
+/// The name of an arm.
+fn name(seed: u64, index: usize) -> String {
+    format!("sweep_{seed}_{index}")
+}
+
 /// The arm of a seed and an index, drawn and examined.
 pub fn one(seed: u64, index: usize) -> Outcome {
     let (structure, table) = draw(seed, index);
-    let name = format!("sweep_{seed}_{index}");
+    let name = name(seed, index);
     let text = table.yaml(&name);
     examine::examine((&name, structure), text, Some(&table.chain()), &[])
 }
@@ -57,6 +62,11 @@ pub struct Tally {
 }
 
 impl Sweep {
+    /// The names of its arms.
+    pub fn names(&self) -> Vec<String> {
+        (self.from..self.from + self.arms).map(|index| name(self.seed, index)).collect()
+    }
+
     /// Examines the arms; `each` sees every outcome in order as soon as those before it are known.
     pub fn run(&self, known: &[Known], mut each: impl FnMut(&Outcome)) -> Found {
         let next = AtomicUsize::new(self.from);
