@@ -20,7 +20,7 @@ pub fn check(arm: &DynamicArm, chain: &Chain, reach: f64, family: &'static str, 
     let tolerance = ROUNDING * size.max(1.0);
     let mut within = |rule: &'static str, error: f64| {
         // An error that is no number is one.
-        if !(error < tolerance) {
+        if error.is_nan() || error >= tolerance {
             report.fail(family, rule, || format!("q = {q:?}: {error:e}"));
         }
     };
