@@ -62,7 +62,7 @@ impl Style<'_> {
                 Twists::Square => self.random.pick(&[90.0, -90.0]),
                 _ => self.angle(),
             };
-            // Axes parallel but for a degree are another arm, drawn by [`nearly`](structure).
+            // Axes parallel but for a degree are another arm, drawn by `nearly`.
             if (1.0..179.0).contains(&angle.abs()) {
                 return angle;
             }

@@ -182,3 +182,44 @@ fn out_of_reach<const N: usize>(subject: &Subject<N>, report: &mut Report, rando
     }
     boundary::check_far(subject, 1, random, report);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::draw;
+    use super::super::replay::replay;
+    use super::*;
+
+    #[test]
+    fn a_chain_with_another_length_is_told_apart() {
+        let mut compared = 0;
+        for index in 0..40 {
+            let (structure, mut table) = draw(3, index);
+            let text = table.yaml("drawn");
+            let outcome = examine(("drawn", structure), text.clone(), Some(&table.chain()), &[]);
+            let forward = |outcome: &Outcome| outcome.failures.iter().any(|failure| failure.family == "forward");
+            assert!(!forward(&outcome), "{:?}\n{text}", outcome.failures);
+            let rows = table.joints.len();
+            if let Some(link) = table.links.get_mut(rows / 2).filter(|link| link.a != 0.0) {
+                link.a *= 1.0 + 1e-9;
+                let other = examine(("drawn", structure), text, Some(&table.chain()), &[]);
+                compared += usize::from(forward(&other));
+            }
+        }
+        assert!(compared > 10, "{compared}");
+    }
+
+    #[test]
+    fn a_failure_is_replayed_at_its_joint_vector() {
+        let (structure, table) = draw(3, 2);
+        let q = vec![0.1 + 0.2, -1e-12, std::f64::consts::PI, 4.0, 5.0, 6.0, 7.0];
+        let q = q[..table.moving()].to_vec();
+        let failure = Failure::of("random", "a rule", &q, String::new());
+        let mut outcome = examine(("drawn", structure), table.yaml("drawn"), None, &[]);
+        let poses = outcome.poses;
+        outcome.failures = vec![failure];
+        let text = outcome.replay();
+        assert!(text.contains(&format!("{q:?}")), "{text}");
+        let again = replay(&text).unwrap();
+        assert_eq!(again.poses, poses + usize::from(outcome.refused.is_none()), "{text}");
+    }
+}
