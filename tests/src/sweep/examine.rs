@@ -14,7 +14,7 @@ use crate::poses::{Space, singular_surface};
 use crate::random::Random;
 use crate::recover;
 use crate::report::Report;
-use crate::singular::Svd;
+use crate::singular::{self, Svd};
 use crate::subject::Subject;
 use crate::{bad_targets, effort};
 
@@ -100,8 +100,7 @@ fn of_size<const N: usize>(outcome: &mut Outcome, arm: &DynamicArm, drawn: Optio
             report.count(&q);
             let columns = scaled(read.jacobian(&q).expect("a value a joint"), &kinds, reach);
             let least = Svd::new(columns).least();
-            // Some thousand roundings.
-            if least > 1e-12 {
+            if least > singular::ZERO {
                 report.fail("refused", "called singular everywhere", || format!("{least:e} at {q:?}"));
             }
         }
