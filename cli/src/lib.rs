@@ -4,6 +4,8 @@ mod arm;
 mod check;
 mod closest;
 mod documents;
+mod export;
+mod files;
 mod forward;
 mod home;
 mod import;
@@ -75,6 +77,8 @@ enum Action {
     /// Mimic joints become the `coupling` of the file where it can say them. The file's poses are compared with the
     /// URDF's own at 1000 random configurations; a difference above 1e-9 is an error.
     Import(import::Options),
+    /// Write the arm as a library for C
+    Export(export::Options),
     /// Write an arm file to start from, with comments
     New(new::Options),
     /// Print the JSON schema of arm files, for editors
@@ -153,6 +157,7 @@ fn act(action: Action, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), F
             false => Err(Failure::NoSolution),
         },
         Action::Import(options) => import::run(&options, out, err).map_err(Failure::Other),
+        Action::Export(options) => export::run(&options, out),
         Action::New(options) => new::run(&options, out),
         Action::Schema => Ok(print(out, &schema::text())?),
         Action::Completions(options) => documents::completions(&options, <Command as CommandFactory>::command(), out),

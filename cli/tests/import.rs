@@ -289,10 +289,31 @@ fn what_no_arm_file_can_say_is_refused_with_a_way_out() {
 fn imported_files_are_checked_without_advice_about_their_own_digits() {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("imported_kr6.yaml");
     let to = path.to_str().unwrap();
-    let (nothing, _) = import("kuka_kr6_r700", &["-o", to]);
+    let (nothing, _) = import("kuka_kr6_r700", &["-o", to, "--force"]);
     assert!(nothing.is_empty());
     let output = run(&["check", to]);
     let said = text(&output.stdout);
     assert!(output.status.success() && said.contains("inverse (task pose): at most 8 solutions"), "{said}");
     assert!(!said.contains("warning"), "{said}");
+}
+
+#[test]
+fn a_file_is_overwritten_only_if_asked_to() {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("kept.yaml");
+    let urdf = format!("{}/tests/urdf/ur5.urdf", env!("CARGO_MANIFEST_DIR"));
+    let command = ["import", &urdf, "-o", path.to_str().unwrap()];
+    std::fs::write(&path, "mine").unwrap();
+    let output = run(&command);
+    let said = text(&output.stderr);
+    assert!(
+        !output.status.success() && said.contains("kept.yaml` is there already\nhelp: --force overwrites it"),
+        "{said}"
+    );
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), "mine");
+    assert!(run(&[&command[..], &["--force"]].concat()).status.success());
+    assert!(std::fs::read_to_string(&path).unwrap().starts_with("# Imported from ur5.urdf"));
+    // The same again is no change.
+    assert!(run(&command).status.success());
+    let output = run(&["import", &urdf, "--force"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
 }

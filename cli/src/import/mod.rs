@@ -20,7 +20,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::arm;
+use crate::{arm, files};
 use axes::{Change, exact, exact_origin};
 use path::Path;
 use proof::{CONFIGURATIONS, Difference, compare, of_chain};
@@ -50,6 +50,9 @@ pub struct Options {
     /// Write to this file instead of the standard output
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
+    /// Overwrite the file of -o if it is there
+    #[arg(long, requires = "output")]
+    force: bool,
 }
 
 /// Writes the arm file, and to `err` what was found on the way.
@@ -78,9 +81,7 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
         let _ = writeln!(err, "{remark}");
     }
     match &options.output {
-        Some(path) => {
-            fs::write(path, &imported.text).map_err(|error| format!("cannot write `{}`: {error}", path.display()))
-        }
+        Some(path) => files::write(&[(path, &imported.text)], options.force),
         None => match out.write_all(imported.text.as_bytes()).and_then(|()| out.flush()) {
             Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(format!("cannot print: {error}")),
             _ => Ok(()),

@@ -1,0 +1,140 @@
+//! What header and library say of an arm.
+
+use denhart_codegen::lower::{Given, Goal};
+use denhart_codegen::model::{JointKind, Model};
+use denhart_codegen::{Program, ScalarKind};
+
+/// The struct in the generated code.
+pub const TYPE: &str = "Robot";
+
+/// What the arm angle is called where it is given.
+pub const ARM_ANGLE: &str = "arm_angle";
+
+/// An arm to export.
+pub struct Arm<'p> {
+    /// The checked file.
+    pub model: &'p Model,
+    /// What the names in C begin with.
+    pub prefix: String,
+    /// Number type of the generated code.
+    pub scalar: ScalarKind,
+    /// The inverse, if there is one.
+    pub inverse: Option<Inverse>,
+}
+
+/// What of an inverse is seen from outside.
+pub struct Inverse {
+    /// What is asked for.
+    pub goal: Goal,
+    /// The name of what is given beside the target, and in words.
+    pub given: Option<(String, String)>,
+    /// The largest number of solutions.
+    pub most: usize,
+}
+
+impl<'p> Arm<'p> {
+    /// Of the programs of an arm.
+    ///
+    /// # Errors
+    /// A prefix that is no name in C.
+    pub fn new(program: &'p Program, scalar: ScalarKind, prefix: Option<&str>) -> Result<Self, String> {
+        let model = &program.model;
+        let prefix = match prefix {
+            Some(prefix) if identifier(prefix) == prefix => prefix.to_owned(),
+            Some(prefix) => {
+                let instead = identifier(prefix);
+                return Err(format!("--prefix: `{prefix}` cannot begin a name in C\nhelp: write `{instead}`"));
+            }
+            None => identifier(&model.name),
+        };
+        let inverse = program.inverse.as_ref().ok().map(|inverse| Inverse {
+            goal: inverse.goal.clone(),
+            given: inverse.given.map(|given| self::given(given, model)),
+            most: inverse.capacity,
+        });
+        Ok(Self { model, prefix, scalar, inverse })
+    }
+
+    /// Number of joints.
+    pub fn joints(&self) -> usize {
+        self.model.joints.len()
+    }
+
+    /// The name of the arm as it may stand in a comment of C and of Rust.
+    pub fn title(&self) -> String {
+        self.model.name.chars().map(|c| if c.is_control() || "*/\\`\"".contains(c) { '_' } else { c }).collect()
+    }
+
+    /// A template of this arm: `@prefix@`, `@PREFIX@`, `@arm@`, `@unit@`, `@joints@`, `@most@`, `@version@`,
+    /// and the number type in Rust and C as `@scalar@` and `@real@`.
+    pub fn fill(&self, template: &str) -> String {
+        let (scalar, real) = match self.scalar {
+            ScalarKind::F32 => ("f32", "float"),
+            ScalarKind::F64 => ("f64", "double"),
+        };
+        let most = self.inverse.as_ref().map_or(0, |inverse| inverse.most);
+        template
+            .replace("@prefix@", &self.prefix)
+            .replace("@PREFIX@", &self.prefix.to_ascii_uppercase())
+            .replace("@unit@", self.model.length_unit.symbol())
+            .replace("@joints@", &self.joints().to_string())
+            .replace("@most@", &most.to_string())
+            .replace("@version@", env!("CARGO_PKG_VERSION"))
+            .replace("@scalar@", scalar)
+            .replace("@real@", real)
+            .replace("@arm@", &self.title())
+    }
+}
+
+fn given(given: Given, model: &Model) -> (String, String) {
+    match given {
+        Given::Joint { joint, .. } => {
+            let name = format!("q{}", joint + 1);
+            let unit = model.joints.get(joint).map_or("rad", |joint| unit(joint.kind, model));
+            let words = format!("value of joint {}, {unit}", joint + 1);
+            (name, words)
+        }
+        Given::ArmAngle => {
+            (ARM_ANGLE.to_owned(), "how far the elbow is swung about the line from shoulder to wrist, rad".to_owned())
+        }
+    }
+}
+
+/// The unit of a joint's values.
+pub fn unit(kind: JointKind, model: &Model) -> &'static str {
+    match kind {
+        JointKind::Revolute => "rad",
+        JointKind::Prismatic => model.length_unit.symbol(),
+    }
+}
+
+/// A name in C, in lower case: letters, digits and `_`, a letter first.
+fn identifier(name: &str) -> String {
+    let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
+    let name: String = name.chars().map(plain).collect();
+    let name = name.trim_matches('_');
+    if name.starts_with(|c: char| c.is_ascii_lowercase()) {
+        name.to_owned()
+    } else {
+        format!("arm_{name}").trim_end_matches('_').to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::identifier;
+
+    #[test]
+    fn names_in_c() {
+        for (name, in_c) in [
+            ("ur5", "ur5"),
+            ("KUKA KR6-R700", "kuka_kr6_r700"),
+            ("2r planar", "arm_2r_planar"),
+            ("_hidden", "hidden"),
+            ("Arm \u{e9}", "arm"),
+            ("\u{e9}", "arm"),
+        ] {
+            assert_eq!(identifier(name), in_c, "{name}");
+        }
+    }
+}
