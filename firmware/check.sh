@@ -23,6 +23,8 @@ export CARGO_TERM_COLOR=never
 unset RUSTFLAGS CARGO_ENCODED_RUSTFLAGS
 tools=${DENHART_FIRMWARE_TOOLCHAIN:-${XDG_CACHE_HOME:-$HOME/.cache}/denhart/firmware}
 target=thumbv7em-none-eabihf
+# Of the repository's own workspace, which has the command `denhart`.
+workspace=$(realpath -m "${CARGO_TARGET_DIR:-../target}")
 built=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 out=$built/check
 rm -rf "$out"
@@ -151,6 +153,24 @@ bits() {
   sed '3s/ [0-9a-f]*$/ 00000000/' "$out/bits/$1.txt" >"$out/bits/$1.wrong"
   refused 'differ between chip and host' host bits "$out/bits/$1.wrong"
 }
+# The arm of specs/salman_rrr.yaml as a library for C, a program in C with it, and its results beside those of Rust.
+in_c() {
+  local crate=$out/c/salman_rrr
+  CARGO_TARGET_DIR=$workspace cargo build --locked --quiet --manifest-path ../Cargo.toml -p denhart-cli
+  "$workspace/debug/denhart" export c ../specs/salman_rrr.yaml -o "$crate" --scalar f32 --crate-path ../runtime
+  # The versions of this repository.
+  cp ../Cargo.lock "$crate/"
+  RUSTC=$tools/bin/rustc CARGO_TARGET_DIR=$built/chip cargo build --quiet --release --target $target \
+    --manifest-path "$crate/Cargo.toml" --features fpu
+  "$tools/bin/arm-none-eabi-gcc" -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -O2 -ffp-contract=off \
+    -std=c99 -Wall -Wextra -Werror -ffreestanding -nostdlib -Wl,--gc-sections,-z,noexecstack -I "$crate/include" -L board -T c/link.ld \
+    c/main.c c/board.c "$(program release libsalman_rrr_c.a)" -o "$out/c/program"
+  run "$out/c/program" >"$out/c/digests.txt" || { tail -n 3 "$out/c/digests.txt"; return 1; }
+  host c "$out/c/digests.txt" | tee "$out/c/equal"
+  # What compares them sees a bit that differs.
+  sed '3s/ [0-9a-f]*$/ 00000000/' "$out/c/digests.txt" >"$out/c/wrong"
+  refused 'differ between C on the chip and Rust' host c "$out/c/wrong"
+}
 control_loop() { run "$out/programs/loop" -icount shift=0,sleep=off >"$out/loop.txt" || { cat "$out/loop.txt"; return 1; }; }
 
 # Runs what `programs` built.
@@ -164,6 +184,7 @@ runs() {
     step "$arm, square root in integers: chip and host" bits "$arm.integer"
   done
   step 'control loop' control_loop
+  step 'the arm in C: chip and Rust' in_c
 }
 
 # Two lanes, one for each profile: cargo builds one program of a profile at a time. Where one fails the others end too.
@@ -185,7 +206,7 @@ wait $lane
 trap - EXIT
 
 echo
-cat "$out"/bits/*.equal
+cat "$out"/bits/*.equal "$out/c/equal"
 cat "$out/loop.txt"
 echo
 host table "$out" measured.txt ../docs/microcontroller.md ${accept[@]+"${accept[@]}"}

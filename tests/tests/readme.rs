@@ -136,6 +136,7 @@ fn every_other_example_is_as_it_is_shown() {
                     let printed = denhart(&pages, page, &words(command), &place);
                     assert_eq!(fence.content.trim_end(), printed.trim_end(), "{place}");
                 }
+                ("c", None, Some(origin)) => compiles(&pages, page, &fence.content, origin, &place),
                 ("text", None, None) => {}
                 ("json", None, _) => drop(serde_json::from_str::<serde_json::Value>(&fence.content).unwrap()),
                 ("toml", None, _) => {
@@ -169,6 +170,26 @@ fn denhart(pages: &[Page], page: &Page, words: &[String], place: &str) -> String
     String::from_utf8(out).unwrap()
 }
 
+/// A piece of C compiles with the header of the arm that it is for, where there is a compiler.
+fn compiles(pages: &[Page], page: &Page, code: &str, arm: &str, place: &str) {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages_in_c");
+    let library = folder.display().to_string();
+    denhart(pages, page, &words(&format!("denhart export c {arm} -o {library} --scalar f32 --force")), place);
+    let file = folder.join("page.c");
+    fs::write(&file, code).unwrap();
+    let mut cc = std::process::Command::new("cc");
+    match cc
+        .args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"])
+        .arg("-I")
+        .arg(folder.join("include"))
+        .arg(file)
+        .output()
+    {
+        Ok(output) => assert!(output.status.success(), "{place}: {}", String::from_utf8_lossy(&output.stderr)),
+        Err(_) => println!("{place}: skipped, there is no C compiler `cc`"),
+    }
+}
+
 /// The features that a manifest asks for.
 fn features(manifest: &str) -> Vec<&str> {
     let lists = manifest.split("features = [").skip(1).filter_map(|rest| rest.split(']').next());
@@ -178,10 +199,13 @@ fn features(manifest: &str) -> Vec<&str> {
 /// A command that writes files is not run: its subcommand and its options are those of its help.
 fn has_its_options(words: &[String], place: &str) {
     let (mut out, mut errors) = (Vec::new(), Vec::new());
-    let status = denhart_cli::run([words[0].as_str(), words[1].as_str(), "--help"], &mut out, &mut errors);
+    // `export` has subcommands of its own.
+    let named = if words[1] == "export" { 3 } else { 2 };
+    let command = words[..named].iter().map(String::as_str).chain(["--help"]);
+    let status = denhart_cli::run(command, &mut out, &mut errors);
     assert_eq!(status, 0, "{place}: {words:?}: {}", String::from_utf8_lossy(&errors));
     let help = String::from_utf8(out).unwrap();
-    for option in words[2..].iter().filter(|word| word.starts_with('-') && word.len() > 1) {
+    for option in words[named..].iter().filter(|word| word.starts_with('-') && word.len() > 1) {
         assert!(help.contains(option.as_str()), "{place}: {words:?}: no {option} in the help:\n{help}");
     }
 }

@@ -3,6 +3,7 @@
 //!
 //! - `arms`: the names of the arms that are measured
 //! - `bits FILE`: computes the digests that the chip wrote to the file, and compares
+//! - `c FILE`: the same for the program in C
 //! - `flash ELF`, `symbols ELF`: bytes of a program, of its largest functions
 //! - `doubles ELF`: fails if the program has a routine of double-precision arithmetic
 //! - `profile ELF FUNCTION`: instructions by symbol, from the emulator's trace on standard input
@@ -10,6 +11,7 @@
 //!   it stands in the page
 
 mod bits;
+mod c;
 mod elf;
 mod page;
 mod profile;
@@ -32,6 +34,7 @@ fn main() -> ExitCode {
             Ok(())
         }
         ["bits", file] => bits::compare(Path::new(file)),
+        ["c", file] => c::compare(Path::new(file)),
         ["flash", file] => elf::Program::read(Path::new(file)).map(|program| println!("{}", program.flash)),
         ["symbols", file] => elf::Program::read(Path::new(file)).map(|program| program.print_symbols(30)),
         ["doubles", file] => elf::Program::read(Path::new(file)).and_then(|program| program.has_no_doubles()),
@@ -41,7 +44,7 @@ fn main() -> ExitCode {
         ["table", folder, committed, page] => table::check(Path::new(folder), Path::new(committed), Path::new(page), false),
         ["table", folder, committed, page, "--accept"] => table::check(Path::new(folder), Path::new(committed), Path::new(page), true),
         _ => Err(
-            "usage: firmware-host arms | bits FILE | flash ELF | symbols ELF | doubles ELF | profile ELF FUNCTION | table FOLDER COMMITTED PAGE [--accept]"
+            "usage: firmware-host arms | bits FILE | c FILE | flash ELF | symbols ELF | doubles ELF | profile ELF FUNCTION | table FOLDER COMMITTED PAGE [--accept]"
                 .into(),
         ),
     };
