@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Generated code on an emulated Cortex-M4F: no panic, no heap, no double precision in f32, the bits of the host, and what
-# it costs, compared with measured.txt. See docs/microcontroller.md.
+# it costs, compared with measured.txt; an exported arm in C, and for other processors. See docs/microcontroller.md.
 #   firmware/check.sh             fails if a number grew by more than 3 %
 #   firmware/check.sh --accept    writes measured.txt
-# On a fresh Debian 12 machine it downloads a cross compiler and an emulator first (150 MB), to
+# On a fresh Debian 12 machine it downloads cross compilers and an emulator first (200 MB), to
 # DENHART_FIRMWARE_TOOLCHAIN or ~/.cache/denhart/firmware. Exit status 77: these cannot be had here (no network, or no
 # Debian), and nothing was checked.
 set -euo pipefail
@@ -73,8 +73,8 @@ if ! cargo fetch --locked >"$out/fetch" 2>&1; then
 fi
 "$tools/bin/rustc" -V >"$out/compiler"
 # What another build of `core` made does not link with this one.
-made_by="$tools of $(stat -c %y "$tools/ready")"
-[[ -f $built/made_by && $(<"$built/made_by") == "$made_by" ]] || rm -rf "$built/chip"
+made_by="$tools of $(stat -c %y "$tools/ready_targets")"
+[[ -f $built/made_by && $(<"$built/made_by") == "$made_by" ]] || rm -rf "$built/chip" "$built/elsewhere"
 echo "$made_by" >"$built/made_by"
 
 # Of the host: the installed toolchain. Of the chip: the private one.
@@ -165,11 +165,40 @@ in_c() {
   "$tools/bin/arm-none-eabi-gcc" -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -O2 -ffp-contract=off \
     -std=c99 -Wall -Wextra -Werror -ffreestanding -nostdlib -Wl,--gc-sections,-z,noexecstack -I "$crate/include" -L board -T c/link.ld \
     c/main.c c/board.c "$(program release libsalman_rrr_c.a)" -o "$out/c/program"
+  host panics "$out/c/program"
   run "$out/c/program" >"$out/c/digests.txt" || { tail -n 3 "$out/c/digests.txt"; return 1; }
   host c "$out/c/digests.txt" | tee "$out/c/equal"
   # What compares them sees a bit that differs.
   sed '3s/ [0-9a-f]*$/ 00000000/' "$out/c/digests.txt" >"$out/c/wrong"
   refused 'differ between C on the chip and Rust' host c "$out/c/wrong"
+}
+# Exported arms on other processors: all their functions link, without a path to a panic.
+elsewhere() {
+  local arm scalar target crate roots features lld
+  lld=$(cd / && rustc --print sysroot)/lib/rustlib/x86_64-unknown-linux-gnu/bin/rust-lld
+  for arm in salman_rrr:f32 puma560:f64; do
+    scalar=${arm#*:} arm=${arm%:*}
+    crate=$out/elsewhere/$arm
+    "$workspace/debug/denhart" export c "../specs/$arm.yaml" -o "$crate" --scalar "$scalar" --crate-path ../runtime
+    cp ../Cargo.lock "$crate/"
+    mapfile -t roots < <(sed -n 's/^int32_t \([a-z0-9_]*\)(.*/--undefined=\1/p' "$crate/include/$arm.h")
+    for target in thumbv6m-none-eabi riscv32imac-unknown-none-elf riscv32imafc-unknown-none-elf; do
+      features=()
+      [[ $target == riscv32imafc* ]] && features=(--features fpu)
+      RUSTC=$tools/bin/rustc CARGO_TARGET_DIR=$built/elsewhere cargo build --quiet --release --target "$target" \
+        --manifest-path "$crate/Cargo.toml" ${features[@]+"${features[@]}"}
+      "$lld" -flavor gnu --gc-sections --entry="${arm}_forward" "${roots[@]}" \
+        "$built/elsewhere/$target/release/lib${arm}_c.a" -o "$crate/$target"
+      host panics "$crate/$target"
+      echo "$arm $scalar $target: $(host flash "$crate/$target") bytes" | tee -a "$out/elsewhere/sizes"
+    done
+  done
+  # What finds a panic finds it where it is: without optimization.
+  CARGO_PROFILE_RELEASE_OPT_LEVEL=0 RUSTC=$tools/bin/rustc CARGO_TARGET_DIR=$built/elsewhere/0 cargo build --quiet --release \
+    --target "$target" --manifest-path "$crate/Cargo.toml"
+  "$lld" -flavor gnu --gc-sections --entry="${arm}_forward" "${roots[@]}" \
+    "$built/elsewhere/0/$target/release/lib${arm}_c.a" -o "$crate/unoptimized"
+  refused 'path to a panic' host panics "$crate/unoptimized"
 }
 control_loop() { run "$out/programs/loop" -icount shift=0,sleep=off >"$out/loop.txt" || { cat "$out/loop.txt"; return 1; }; }
 
@@ -185,6 +214,7 @@ runs() {
   done
   step 'control loop' control_loop
   step 'the arm in C: chip and Rust' in_c
+  step 'thumbv6m, riscv32imac, riscv32imafc: exported arms link without a panic' elsewhere
 }
 
 # Two lanes, one for each profile: cargo builds one program of a profile at a time. Where one fails the others end too.
@@ -206,7 +236,7 @@ wait $lane
 trap - EXIT
 
 echo
-cat "$out"/bits/*.equal "$out/c/equal"
+cat "$out"/bits/*.equal "$out/c/equal" "$out/elsewhere/sizes"
 cat "$out/loop.txt"
 echo
 host table "$out" measured.txt ../docs/microcontroller.md ${accept[@]+"${accept[@]}"}

@@ -7,11 +7,12 @@
 set -euo pipefail
 
 folder=$(realpath -m "${1:?usage: toolchain.sh FOLDER}")
-target=thumbv7em-none-eabihf
+# What is measured, and what else is built for.
+targets=(thumbv7em-none-eabihf thumbv6m-none-eabi riscv32imac-unknown-none-elf riscv32imafc-unknown-none-elf)
 # What is made here changes with this number: an older folder is made anew.
 version=1
 made() { [[ -f $folder/$1 && $(<"$folder/$1") == "$version" ]]; }
-made ready && made ready_c && exit 0
+made ready && made ready_c && made ready_targets && exit 0
 
 cannot() {
   echo "firmware: $*" >&2
@@ -70,21 +71,28 @@ if ! made ready; then
   [[ -x $lld ]] || cannot "no rust-lld in the installed toolchain"
   mkdir -p "$folder/usr/lib/rustlib/x86_64-unknown-linux-gnu/bin"
   ln -sfn "$lld" "$folder/usr/lib/rustlib/x86_64-unknown-linux-gnu/bin/rust-lld"
+  echo "$version" >"$folder/ready"
+fi
 
-  # `core`, once, with object code and bitcode, so that programs link with and without link-time optimization. Building
-  # it is all that needs unstable options.
+# `core`, once for each target, with object code and bitcode, so that programs link with and without link-time optimization.
+# Building it is all that needs unstable options.
+if ! made ready_targets; then
   mkdir -p "$folder/core/src"
   cd "$folder/core"
   echo '#![no_std]' >src/lib.rs
   printf '[package]\nname = "core-only"\nversion = "0.1.0"\nedition = "2024"\n[profile.release]\npanic = "abort"\n[workspace]\n' >Cargo.toml
-  env -u RUSTFLAGS -u CARGO_TARGET_DIR -u CARGO_ENCODED_RUSTFLAGS RUSTC="$folder/bin/rustc" RUSTC_BOOTSTRAP=1 \
-    cargo build -q --release -Zbuild-std=core --target $target --offline --target-dir target \
-    --config 'build.rustflags=["-C","embed-bitcode=yes"]' --config 'source.crates-io.replace-with="vendored"' \
-    --config "source.vendored.directory=\"$folder/usr/lib/rustlib/src/rust/library/vendor\""
-  mkdir -p "$folder/usr/lib/rustlib/$target/lib"
-  cp target/$target/release/deps/lib{core,compiler_builtins}-*.rlib "$folder/usr/lib/rustlib/$target/lib/"
+  for target in "${targets[@]}"; do
+    kept=$folder/usr/lib/rustlib/$target/lib
+    compgen -G "$kept/libcore-*.rlib" >/dev/null && continue
+    env -u RUSTFLAGS -u CARGO_TARGET_DIR -u CARGO_ENCODED_RUSTFLAGS RUSTC="$folder/bin/rustc" RUSTC_BOOTSTRAP=1 \
+      cargo build -q --release -Zbuild-std=core --target "$target" --offline --target-dir target \
+      --config 'build.rustflags=["-C","embed-bitcode=yes"]' --config 'source.crates-io.replace-with="vendored"' \
+      --config "source.vendored.directory=\"$folder/usr/lib/rustlib/src/rust/library/vendor\""
+    mkdir -p "$kept"
+    cp "target/$target/release/deps/"lib{core,compiler_builtins}-*.rlib "$kept/"
+  done
   rm -rf "$folder/core"
-  echo "$version" >"$folder/ready"
+  echo "$version" >"$folder/ready_targets"
 fi
 
 # For C: the compiler alone. Its libraries are not needed; the routines that it calls are in Rust's.

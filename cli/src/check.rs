@@ -9,6 +9,7 @@ use denhart_codegen::{Diagnostic, Report, Severity};
 use serde_json::{Value, json};
 
 use crate::arm::{self, Arm};
+use crate::cost::{Cost, Target};
 use crate::home::{Home, home};
 
 /// What the command takes.
@@ -23,6 +24,9 @@ pub struct Options {
     /// Print an array with an object for each file: what was found, and all messages with their places
     #[arg(long)]
     json: bool,
+    /// Print also what the generated code takes on this processor
+    #[arg(long, value_name = "PROCESSOR")]
+    target: Option<Target>,
 }
 
 /// What is known of one file.
@@ -40,6 +44,7 @@ struct Found {
     report: Report,
     arm: Arm,
     home: Option<Home>,
+    cost: Option<Cost>,
 }
 
 /// Checks all files; whether nothing was wrong.
@@ -47,7 +52,7 @@ struct Found {
 /// # Errors
 /// No way to print.
 pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> std::io::Result<bool> {
-    let checked: Vec<Checked> = options.files.iter().map(|file| check(file)).collect();
+    let checked: Vec<Checked> = options.files.iter().map(|file| check(file, options.target)).collect();
     let failed = |checked: &Checked| {
         let counts = |message: &Diagnostic| options.strict || message.severity == Severity::Error;
         checked.unread.is_some() || checked.messages.iter().any(counts)
@@ -77,7 +82,7 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> std::
     Ok(!checked.iter().any(failed))
 }
 
-fn check(file: &Path) -> Checked {
+fn check(file: &Path, target: Option<Target>) -> Checked {
     let name = file.display().to_string();
     let (text, name) = match arm::text(file) {
         Ok(read) => read,
@@ -89,7 +94,10 @@ fn check(file: &Path) -> Checked {
             let messages = report.warnings.iter().chain(&report.lacking).cloned().collect();
             let found = arm::of_text(&text, &name).ok().map(|arm| {
                 let home = home(&arm);
-                Box::new(Found { report, arm, home })
+                // An arm that lacks a required inverse has no programs; the report says so.
+                let program = target.and_then(|target| Some((denhart_codegen::program(&text, &name).ok()?, target)));
+                let cost = program.map(|(program, target)| Cost::new(&program, target));
+                Box::new(Found { report, arm, home, cost })
             });
             Checked { file: name, found, messages, unread: None }
         }
@@ -98,7 +106,10 @@ fn check(file: &Path) -> Checked {
 
 impl Checked {
     fn text(&self) -> String {
-        let found = self.found.iter().map(|found| format!("{}\n{}", found.report.to_string().trim_end(), found.home()));
+        let found = self.found.iter().map(|found| {
+            let cost = found.cost.as_ref().map_or_else(String::new, |cost| format!("\n{}", cost.text()));
+            format!("{}\n{}{cost}", found.report.to_string().trim_end(), found.home())
+        });
         let messages = self.messages.iter().map(ToString::to_string);
         found.chain(messages).chain(self.unread.clone()).collect::<Vec<String>>().join("\n\n")
     }
@@ -170,7 +181,7 @@ impl Found {
     }
 
     fn json(&self) -> serde_json::Map<String, Value> {
-        let Self { report, arm, home } = self;
+        let Self { report, arm, home, cost } = self;
         let model = &arm.model;
         let kind = |kind: &JointKind| if *kind == JointKind::Revolute { "revolute" } else { "prismatic" };
         let end = |value: f64| if value.is_finite() { json!(value) } else { Value::Null };
@@ -200,6 +211,9 @@ impl Found {
                 .map_or(Value::Null, |task| json!({"task": task, "max_solutions": report.max_solutions})),
         );
         put("no_inverse", json!(report.refusal));
+        if let Some(cost) = cost {
+            put("cortex_m4f", cost.json());
+        }
         if let Some(home) = home {
             let tool =
                 json!({"position": home.tool.translation, "rpy_deg": rpy(&home.tool), "rotation": home.tool.rotation});

@@ -3,6 +3,7 @@
 mod arm;
 mod check;
 mod closest;
+mod cost;
 mod documents;
 mod export;
 mod files;

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use denhart_codegen::model::Angle;
+pub use denhart_codegen::model::numeric::{cross, dot, length, sub};
 
 pub type V = [f64; 3];
 
@@ -128,28 +129,12 @@ fn entry(v: V, index: usize) -> f64 {
     v.get(index).copied().unwrap_or(0.0)
 }
 
-pub fn dot([a, b, c]: V, [d, e, f]: V) -> f64 {
-    a * d + b * e + c * f
-}
-
-pub fn cross([a, b, c]: V, [d, e, f]: V) -> V {
-    [b * f - c * e, c * d - a * f, a * e - b * d]
-}
-
 pub fn add([a, b, c]: V, [d, e, f]: V) -> V {
     [a + d, b + e, c + f]
 }
 
-pub fn sub([a, b, c]: V, [d, e, f]: V) -> V {
-    [a - d, b - e, c - f]
-}
-
 pub fn scale(v: V, k: f64) -> V {
     v.map(|x| k * x)
-}
-
-pub fn length(v: V) -> f64 {
-    dot(v, v).sqrt()
 }
 
 /// The unit vector of `v`; `None` where it has no direction.

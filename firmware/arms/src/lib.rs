@@ -5,6 +5,12 @@
 
 include!(concat!(env!("OUT_DIR"), "/arms.rs"));
 
+/// One more arm, for `sheet.sh`.
+#[cfg(feature = "extra")]
+pub mod extra {
+    include!(concat!(env!("OUT_DIR"), "/extra.rs"));
+}
+
 /// Calls a macro with the module and the scalar of each arm.
 #[macro_export]
 macro_rules! each_arm {

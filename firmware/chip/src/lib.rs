@@ -1,4 +1,4 @@
-//! The arms that a program is built for, chosen by features.
+//! The arms that a program is built for and the functions that it calls, chosen by features.
 
 #![no_std]
 
@@ -22,5 +22,28 @@ macro_rules! chosen {
         $each!(salman_rrr_f32, f32);
         #[cfg(feature = "puma560_f64")]
         $each!(puma560_f64, f64);
+        #[cfg(feature = "extra")]
+        $each!(extra, f32);
     };
+}
+
+/// Calls the chosen functions of an arm's module `call` with a case.
+#[macro_export]
+macro_rules! calls {
+    ($call:path, $case:expr) => {{
+        #[allow(unused_imports)]
+        use $call as call;
+        let case = $case;
+        let _ = case;
+        #[cfg(feature = "forward")]
+        call::forward(case);
+        #[cfg(feature = "forward_and_jacobian")]
+        call::forward_and_jacobian(case);
+        #[cfg(feature = "inverse")]
+        call::inverse(case);
+        #[cfg(feature = "inverse_near")]
+        call::inverse_near(case);
+        #[cfg(feature = "inverse_branch")]
+        call::inverse_branch(case);
+    }};
 }

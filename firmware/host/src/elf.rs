@@ -96,4 +96,12 @@ impl Program {
             .collect();
         if found.is_empty() { Ok(()) } else { Err(format!("double precision: {}", found.join(", ")).into()) }
     }
+
+    /// # Errors
+    /// Names what the program has of panics: the handler is in it only if something calls it.
+    pub fn has_no_panics(&self) -> Result<(), Error> {
+        let names = self.symbols.iter().map(|symbol| symbol.name.as_str());
+        let found: Vec<&str> = names.filter(|name| name.contains("panic") || name.contains("begin_unwind")).collect();
+        if found.is_empty() { Ok(()) } else { Err(format!("a path to a panic: {}", found.join(", ")).into()) }
+    }
 }

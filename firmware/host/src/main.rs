@@ -6,6 +6,7 @@
 //! - `c FILE`: the same for the program in C
 //! - `flash ELF`, `symbols ELF`: bytes of a program, of its largest functions
 //! - `doubles ELF`: fails if the program has a routine of double-precision arithmetic
+//! - `panics ELF`: fails if the program has a path to a panic
 //! - `profile ELF FUNCTION`: instructions by symbol, from the emulator's trace on standard input
 //! - `table FOLDER COMMITTED PAGE [--accept]`: the table of all measurements, compared with the committed one; a short form of
 //!   it stands in the page
@@ -38,13 +39,14 @@ fn main() -> ExitCode {
         ["flash", file] => elf::Program::read(Path::new(file)).map(|program| println!("{}", program.flash)),
         ["symbols", file] => elf::Program::read(Path::new(file)).map(|program| program.print_symbols(30)),
         ["doubles", file] => elf::Program::read(Path::new(file)).and_then(|program| program.has_no_doubles()),
+        ["panics", file] => elf::Program::read(Path::new(file)).and_then(|program| program.has_no_panics()),
         ["profile", file, function] => {
             elf::Program::read(Path::new(file)).and_then(|program| profile::print(&program, function))
         }
         ["table", folder, committed, page] => table::check(Path::new(folder), Path::new(committed), Path::new(page), false),
         ["table", folder, committed, page, "--accept"] => table::check(Path::new(folder), Path::new(committed), Path::new(page), true),
         _ => Err(
-            "usage: firmware-host arms | bits FILE | c FILE | flash ELF | symbols ELF | doubles ELF | profile ELF FUNCTION | table FOLDER COMMITTED PAGE [--accept]"
+            "usage: firmware-host arms | bits FILE | c FILE | flash ELF | symbols ELF | doubles ELF | panics ELF | profile ELF FUNCTION | table FOLDER COMMITTED PAGE [--accept]"
                 .into(),
         ),
     };

@@ -13,31 +13,19 @@ firmware_board::report_panics!();
 /// As `PROFILED` in `firmware-host`.
 const CASES: usize = 100;
 
-macro_rules! calls {
+macro_rules! profile {
     ($arm:ident, $scalar:ident) => {{
-        #[allow(unused_imports)]
-        use firmware_arms::$arm::{Robot, call};
+        use firmware_arms::$arm::Robot;
         let mut maker = Maker::new(1);
         for _ in 0..CASES {
             let case = maker.case::<Robot, $scalar, { Robot::DOF }>(&Robot, Family::Random);
-            let case = black_box(&case);
-            let _ = case;
-            #[cfg(feature = "forward")]
-            call::forward(case);
-            #[cfg(feature = "forward_and_jacobian")]
-            call::forward_and_jacobian(case);
-            #[cfg(feature = "inverse")]
-            call::inverse(case);
-            #[cfg(feature = "inverse_near")]
-            call::inverse_near(case);
-            #[cfg(feature = "inverse_branch")]
-            call::inverse_branch(case);
+            firmware_chip::calls!(firmware_arms::$arm::call, black_box(&case));
         }
     }};
 }
 
 #[firmware_board::entry]
 fn main() -> ! {
-    firmware_chip::chosen!(calls);
+    firmware_chip::chosen!(profile);
     output::exit(true)
 }

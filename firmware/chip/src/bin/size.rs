@@ -8,28 +8,17 @@ use core::hint::black_box;
 
 firmware_board::no_panic!();
 
-macro_rules! calls {
+macro_rules! size {
     ($arm:ident, $scalar:ident) => {{
-        #[allow(unused_imports)]
-        use firmware_arms::$arm::{Case, call};
+        use firmware_arms::$arm::Case;
         let case: &Case = black_box(&Case::BLANK);
-        let _ = case;
-        #[cfg(feature = "forward")]
-        call::forward(case);
-        #[cfg(feature = "forward_and_jacobian")]
-        call::forward_and_jacobian(case);
-        #[cfg(feature = "inverse")]
-        call::inverse(case);
-        #[cfg(feature = "inverse_near")]
-        call::inverse_near(case);
-        #[cfg(feature = "inverse_branch")]
-        call::inverse_branch(case);
+        firmware_chip::calls!(firmware_arms::$arm::call, case);
     }};
 }
 
 #[firmware_board::entry]
 fn main() -> ! {
-    firmware_chip::chosen!(calls);
+    firmware_chip::chosen!(size);
     loop {
         core::hint::spin_loop();
     }

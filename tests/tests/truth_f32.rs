@@ -1,0 +1,269 @@
+//! Single precision beside arithmetic with 50 digits (`data/`), and beside `Chain` in double precision where more joint
+//! vectors are needed: every arm of `specs/`.
+//!
+//! Joint values and targets are rounded before: the pose of the rounded vector, and the rounded pose, are what single
+//! precision is asked for. Lengths are relative to reach.
+//!
+//! Rotations have a bar of their own: a sum of joint values is rounded by up to 2.4e-7 rad beyond 4 rad, by 4.8e-7 beyond 8, by
+//! 9.5e-7 beyond 16, and three parallel joints that turn by 360 degrees reach 18.8.
+#![allow(clippy::unwrap_used)]
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use denhart::{Arm, Chain, DhTable, InverseKinematics, Jacobian, JointKind, Pose};
+use denhart_tests::random::Random;
+use denhart_tests::reference::{self, Sample};
+use denhart_tests::subject::{largest, reach, wrap};
+use nalgebra::DMatrix;
+
+/// The largest error of a position.
+const FORWARD: f64 = 2e-7;
+/// The largest error of an entry of a rotation.
+const ROTATION: f64 = 1e-6;
+/// The largest error of an entry of the Jacobian.
+const JACOBIAN: f64 = 4e-7;
+/// Arms whose Jacobian misses that bar, by up to 7e-7 in its angular rows: their axes turn by sums of three joint values, see
+/// above. Near zero they keep it, and everywhere the bar of rotations.
+const SUMS_OF_TURNS: [&str; 8] =
+    ["ur3", "ur5", "ur5e", "ur10", "ur16e", "techman_tm5_700", "kuka_youbot", "scorbot_er5"];
+/// Joint values of a fifth keep sums of three within half a turn or little more.
+const NEAR_ZERO: f64 = 0.2;
+/// What the position of solutions called exact misses by: ninety-nine in a hundred, all.
+const MISSED: [f64; 2] = [3e-7, 1e-6];
+/// What their orientation misses by, rad.
+const TURNED: f64 = 1.5e-6;
+/// Random joint vectors.
+const RANDOM: usize = 1_000;
+/// Two joint vectors are one: the threshold `COINCIDENT` in single precision.
+const SAME: f64 = 5.5e-3;
+/// A singular value below this is that of a singular pose of the grid; the others are above 1e-2 there.
+const SINGULAR: f64 = 1e-3;
+
+fn single<const N: usize>(q: [f64; N]) -> [f32; N] {
+    q.map(|x| x as f32)
+}
+
+fn double<const N: usize>(q: [f32; N]) -> [f64; N] {
+    q.map(f64::from)
+}
+
+/// Pose and Jacobian at joint values close to those of a sample: to first order, which leaves 1e-13.
+fn moved<const N: usize>(sample: &Sample, q: &[f64; N]) -> (Pose<f64>, Jacobian<f64, N>) {
+    let by: [f64; N] = std::array::from_fn(|joint| q[joint] - sample.q[joint]);
+    let jacobian =
+        Jacobian { rows: std::array::from_fn(|row| std::array::from_fn(|joint| sample.jacobian[row][joint])) };
+    let [x, y, z, u, v, w] = jacobian.mul(&by);
+    let Pose { rotation, translation: [a, b, c] } = reference::pose(&sample.pose);
+    let turn = |[i, j, k]: [f64; 3]| [v * k - w * j, w * i - u * k, u * j - v * i];
+    let columns: [[f64; 3]; 3] = std::array::from_fn(|column| {
+        let old = rotation.map(|row| row[column]);
+        let change = turn(old);
+        std::array::from_fn(|row| old[row] + change[row])
+    });
+    let rotation = std::array::from_fn(|row| columns.map(|column| column[row]));
+    let change = jacobian.derivative(&by);
+    let rows =
+        std::array::from_fn(|row| std::array::from_fn(|joint| jacobian.rows[row][joint] + change.rows[row][joint]));
+    (Pose { rotation, translation: [a + x, b + y, c + z] }, Jacobian { rows })
+}
+
+/// The largest errors of position, relative to reach, and rotation.
+fn pose_error(pose: &Pose<f32>, truth: &Pose<f64>, reach: f64) -> [f64; 2] {
+    let positions = (0..3).map(|k| (f64::from(pose.translation[k]) - truth.translation[k]) / reach);
+    let rotations = (0..9).map(|k| f64::from(pose.rotation[k / 3][k % 3]) - truth.rotation[k / 3][k % 3]);
+    [largest(positions), largest(rotations)]
+}
+
+fn jacobian_error<const N: usize>(jacobian: &Jacobian<f32, N>, truth: &Jacobian<f64, N>, reach: f64) -> f64 {
+    let entries = (0..6).flat_map(|row| (0..N).map(move |joint| (row, joint)));
+    largest(entries.map(|(row, joint)| {
+        let unit = if row < 3 { reach } else { 1.0 };
+        (f64::from(jacobian.rows[row][joint]) - truth.rows[row][joint]) / unit
+    }))
+}
+
+/// Uniform within the limits.
+fn random_joints<A: Arm<f32, N>, const N: usize>(random: &mut Random) -> [f64; N] {
+    std::array::from_fn(|joint| {
+        let [low, high] = A::LIMITS[joint].map(f64::from);
+        let end = |value: f64, open: f64| if value.is_finite() { value } else { open };
+        random.uniform(end(low, -PI), end(high, PI))
+    })
+}
+
+fn chain_at<const N: usize>(chain: &Chain, q: &[f64; N]) -> (Pose<f64>, Jacobian<f64, N>) {
+    let jacobian = chain.jacobian(q).unwrap();
+    let rows = std::array::from_fn(|row| std::array::from_fn(|joint| jacobian[(row, joint)]));
+    (Pose::from(chain.forward(q).unwrap()), Jacobian { rows })
+}
+
+fn forward<A: Arm<f32, N> + Default, const N: usize>(name: &str, table: &DhTable) {
+    let (arm, chain) = (A::default(), Chain::from(*table));
+    let reach = reach(table, &A::LIMITS.map(|ends| ends.map(f64::from)));
+    let mut errors = [0.0_f64; 3];
+    let hold = |errors: &mut [f64; 3], q: [f32; N], (pose, jacobian): (Pose<f64>, Jacobian<f64, N>)| {
+        let (together, columns) = arm.forward_and_jacobian(&q);
+        for found in [&together, &arm.forward(&q)] {
+            let [position, rotation] = pose_error(found, &pose, reach);
+            errors[0] = errors[0].max(position);
+            errors[1] = errors[1].max(rotation);
+        }
+        for found in [&columns, &arm.jacobian(&q)] {
+            errors[2] = errors[2].max(jacobian_error(found, &jacobian, reach));
+        }
+    };
+    let reference = reference::load(name);
+    assert!(!reference.samples.is_empty());
+    let mut random = Random::named(name);
+    let near: Vec<[f64; N]> =
+        (0..RANDOM).map(|_| random_joints::<A, N>(&mut random).map(|value| NEAR_ZERO * value)).collect();
+    for q in near.into_iter().map(single) {
+        hold(&mut errors, q, chain_at(&chain, &double(q)));
+    }
+    assert!(errors[2] <= JACOBIAN, "{name}, near zero: Jacobian {:.2e}", errors[2]);
+    for sample in &reference.samples {
+        let q = single(std::array::from_fn(|joint| sample.q[joint]));
+        hold(&mut errors, q, moved(sample, &double(q)));
+    }
+    for _ in 0..RANDOM {
+        let q = single(random_joints::<A, N>(&mut random));
+        hold(&mut errors, q, chain_at(&chain, &double(q)));
+    }
+    let said = format!("{name}: position {:.2e}, rotation {:.2e}, Jacobian {:.2e}", errors[0], errors[1], errors[2]);
+    println!("{said}");
+    let jacobian = if SUMS_OF_TURNS.contains(&name) { ROTATION } else { JACOBIAN };
+    assert!(errors[0] <= FORWARD && errors[1] <= ROTATION && errors[2] <= jacobian, "{said}");
+}
+
+/// By how much `q` misses the target: position over reach, angle.
+fn missed<const N: usize>(chain: &Chain, q: &[f32; N], target: &Pose<f32>, reach: f64) -> [f64; 2] {
+    let wanted = Pose { rotation: target.rotation.map(double), translation: double(target.translation) };
+    let wanted = wanted.orthonormalized();
+    let residual = Pose::from(chain.forward(&double(*q)).unwrap()).residual(&wanted);
+    [residual.position / reach, residual.orientation]
+}
+
+fn inverse<A, const N: usize>(name: &str, table: &DhTable)
+where
+    A: InverseKinematics<f32, N, Target = Pose<f32>> + Default,
+{
+    let (arm, chain) = (A::default(), Chain::from(*table));
+    let reach = reach(table, &A::LIMITS.map(|ends| ends.map(f64::from)));
+    let mut targets: Vec<Pose<f64>> =
+        reference::load(name).samples.iter().map(|sample| reference::pose(&sample.pose)).collect();
+    let mut random = Random::named(name);
+    targets.extend((0..RANDOM).map(|_| chain_at(&chain, &random_joints::<A, N>(&mut random)).0));
+    let mut misses = Vec::new();
+    for target in targets {
+        let target = Pose { rotation: target.rotation.map(single), translation: single(target.translation) };
+        let solutions = arm.inverse(&target);
+        assert!(A::status(&solutions).is_reachable(), "{name}: {target}");
+        let exact = solutions.as_ref().iter().filter(|solution| solution.is_exact());
+        misses.extend(exact.map(|solution| missed(&chain, &solution.q, &target, reach)));
+    }
+    let sorted = |part: usize| {
+        let mut all: Vec<f64> = misses.iter().map(|miss: &[f64; 2]| miss[part]).collect();
+        all.sort_by(f64::total_cmp);
+        [0.99, 1.0].map(|share| all[((all.len() - 1) as f64 * share) as usize])
+    };
+    let ([p99, most], [turned, most_turned]) = (sorted(0), sorted(1));
+    let count = misses.len();
+    let said = format!(
+        "{name}: {count} solutions, position p99 {p99:.2e}, at most {most:.2e}; orientation {turned:.2e}, {most_turned:.2e}"
+    );
+    println!("{said}");
+    assert!(p99 <= MISSED[0] && most <= MISSED[1] && most_turned <= TURNED, "{said}");
+}
+
+/// The Jacobian's singular values and the joints that its null space moves, lengths relative to reach.
+fn null_space<const N: usize>(chain: &Chain, q: &[f64; N], reach: f64) -> (usize, [bool; N]) {
+    let mut jacobian = DMatrix::from_fn(6, N, |row, joint| chain.jacobian(q).unwrap()[(row, joint)]);
+    jacobian.rows_mut(0, 3).scale_mut(1.0 / reach);
+    for (joint, kind) in chain.kinds().into_iter().enumerate() {
+        if kind == JointKind::Prismatic {
+            jacobian.column_mut(joint).scale_mut(reach);
+        }
+    }
+    let svd = jacobian.svd(false, true);
+    let vectors = svd.v_t.unwrap();
+    let null: Vec<usize> = (0..N).filter(|&k| svd.singular_values[k] < SINGULAR).collect();
+    (null.len(), std::array::from_fn(|joint| null.iter().any(|&k| vectors[(k, joint)].abs() > SINGULAR)))
+}
+
+/// The rule of singular poses in single precision: an exact solution equals the joint vector that the pose was made from
+/// in every joint that the null space does not move, neither there nor at the solution; at a rank two lower, something
+/// exact is there.
+fn grid<A, const N: usize>(name: &str, table: &DhTable)
+where
+    A: InverseKinematics<f32, N, Target = Pose<f32>> + Default,
+{
+    let (arm, chain) = (A::default(), Chain::from(*table));
+    let reach = reach(table, &A::LIMITS.map(|ends| ends.map(f64::from)));
+    let (mut lost, mut first) = (0, None);
+    let count = 4_usize.pow(N as u32);
+    for index in 0..count {
+        let q: [f64; N] = std::array::from_fn(|joint| {
+            let step = (index / 4_usize.pow(joint as u32) % 4) as f64;
+            match A::JOINT_KINDS[joint] {
+                JointKind::Prismatic => {
+                    let [low, high] = A::LIMITS[joint].map(f64::from);
+                    if low.is_finite() && high.is_finite() {
+                        low + (high - low) * step / 3.0
+                    } else {
+                        step * reach / 4.0
+                    }
+                }
+                _ => (step - 1.0) * FRAC_PI_2,
+            }
+        });
+        let target = Pose::from(chain.forward(&q).unwrap());
+        let target = Pose { rotation: target.rotation.map(single), translation: single(target.translation) };
+        let (free, here) = null_space(&chain, &q, reach);
+        let solutions = arm.inverse(&target);
+        let found = solutions.as_ref().iter().filter(|solution| solution.is_exact()).any(|solution| {
+            let there = null_space(&chain, &double(solution.q), reach).1;
+            free > 1
+                || (0..N).all(|joint| {
+                    let by = f64::from(solution.q[joint]) - q[joint];
+                    let by = if A::JOINT_KINDS[joint] == JointKind::Prismatic { by / reach } else { wrap(by) };
+                    here[joint] || there[joint] || by.abs() < SAME
+                })
+        });
+        if !found {
+            lost += 1;
+            first.get_or_insert((q, free, format!("{:?} {:?}", A::status(&solutions), solutions.as_ref())));
+        }
+    }
+    assert!(lost == 0, "{name}: {lost} of {count} poses lose a branch, first {first:?}");
+}
+
+macro_rules! truth_tests {
+    ($($name:ident $Type:ident $dof:tt $kind:ident $file:literal;)*) => {$(
+        mod $name {
+            #[derive(Debug, Clone, Copy, Default, denhart::Arm)]
+            #[arm(spec = $file, scalar = "f32")]
+            struct Robot;
+
+            #[test]
+            fn forward() {
+                crate::forward::<Robot, $dof>(stringify!($name), &Robot::DH);
+            }
+
+            truth_tests!(@$kind $name $dof);
+        }
+    )*};
+    (@inverse $name:ident $dof:tt) => {
+        #[test]
+        fn inverse() {
+            crate::inverse::<Robot, $dof>(stringify!($name), &Robot::DH);
+        }
+
+        #[test]
+        fn grid() {
+            crate::grid::<Robot, $dof>(stringify!($name), &Robot::DH);
+        }
+    };
+    (@$other:ident $name:ident $dof:tt) => {};
+}
+
+denhart_tests::published_arms!(truth_tests);
