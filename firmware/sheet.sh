@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Measures more arms of specs/ than check.sh, in f32 at opt-level 3, and writes sheet.txt: what the estimates of
 # `denhart check --target cortex-m4f` are fitted to beside measured.txt, and arms that they are not fitted to.
-#   firmware/sheet.sh [ARM ...]    without arms those of sheet.txt
+#   firmware/sheet.sh [ARM ...]    without arms those of sheet.txt; with arms the others stay
 # After firmware/check.sh, whose toolchain and programs it uses. Then the fit:
 #   DENHART_FIT=1 cargo test -p denhart-cli --test cost
 set -euo pipefail
@@ -25,7 +25,7 @@ flash() {
   host flash "$built/chip/$target/release/size"
 }
 rows=$(mktemp)
-trap 'rm -f "$rows"' EXIT
+trap 'rm -f "$rows" "$rows.all"' EXIT
 for arm; do
   export DENHART_FIRMWARE_ARM=$arm
   chip measure ''
@@ -42,9 +42,12 @@ for arm; do
   bytes=$(($(flash ,forward,forward_and_jacobian,inverse,inverse_near) - empty))
   printf '%-22s %-20s %7d %7s %8s %8s\n' "$arm" together "$bytes" - - - | tee -a "$rows"
 done
+kept=$(awk -v arms=" $* " '!/^#/ && $1 != "arm" && !index(arms, " " $1 " ")' sheet.txt)
 {
   echo "# Measured by firmware/sheet.sh as measured.txt is: f32, opt-level 3. stack: the most of all cases; median, p99: of random targets."
   echo "# compiler: $("$tools/bin/rustc" -V)"
   printf '%-22s %-20s %7s %7s %8s %8s\n' arm function flash stack median p99
+  [[ -z $kept ]] || echo "$kept"
   cat "$rows"
-} >sheet.txt
+} >"$rows.all"
+mv "$rows.all" sheet.txt
