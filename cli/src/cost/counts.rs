@@ -25,11 +25,11 @@ pub struct Sheet {
 pub fn counts(program: &Program) -> Sheet {
     let joints = program.model.joints.len();
     let mut functions = vec![
-        ("forward", straight(&program.forward, joints)),
-        ("forward_and_jacobian", straight(&program.both, joints)),
+        ("forward", straight(&program.functions.forward, joints)),
+        ("forward_and_jacobian", straight(&program.functions.both, joints)),
     ];
     let Ok(inverse) = &program.inverse else { return Sheet { functions, kernels: BTreeMap::new(), branches: 0 } };
-    let all = Walk::of(inverse, |kernel| kernel.roots());
+    let all = Walk::of(inverse, |kernel| kernel.form().roots);
     let one = Walk::of(inverse, |_| 1);
     functions.push(("inverse", all.counts(inverse)));
     functions.push(("inverse_near", all.counts(inverse)));
@@ -92,7 +92,7 @@ impl Walk {
             times.push(now);
             known.extend(given(level).into_iter().map(|slot| (slot, index)));
             for statement in &level.body {
-                read.extend(reads(statement));
+                read.extend(statement.reads());
                 match statement {
                     Statement::Solve(call) => {
                         let (name, class) = kind(&call.kernel);
@@ -163,37 +163,22 @@ fn given(level: &Level) -> Vec<Slot> {
     slots
 }
 
-/// What a statement reads.
-fn reads(statement: &Statement) -> Vec<Slot> {
-    match statement {
-        Statement::Let(slot) => vec![*slot],
-        Statement::Phase { y, x, .. } | Statement::Angle { y, x, .. } => vec![*y, *x],
-        Statement::Elbow { a, b, height, line, .. } => [*a, *b, *height].into_iter().chain(*line).collect(),
-        Statement::Cone { along, across, cos, sin, .. } => vec![*along, *across, *cos, *sin],
-        Statement::Solve(call) => call.kernel.inputs(),
-        Statement::Agree { misses, .. } => misses.clone(),
-        Statement::Swivel { vectors, .. } => vectors.iter().flatten().copied().collect(),
-        Statement::Push { q, .. } => q.clone(),
-        Statement::Value { .. } | Statement::Follow { .. } | Statement::Only { .. } => Vec::new(),
-    }
-}
-
 /// The name of a kernel, and its class.
 fn kind(kernel: &Kernel) -> (&'static str, usize) {
     match kernel {
-        Kernel::Align { .. } => ("align", 0),
-        Kernel::SlideTo { .. } => ("slide_to", 0),
-        Kernel::Offset { .. } => ("offset", 1),
-        Kernel::OffsetOfTwo { .. } => ("offset_of_two", 1),
-        Kernel::Distance { .. } => ("distance", 1),
-        Kernel::Cone { .. } => ("cone", 1),
-        Kernel::Flip { .. } => ("flip", 1),
-        Kernel::Slide { .. } => ("slide", 1),
-        Kernel::SlideTurning { .. } => ("slide_turning", 1),
-        Kernel::Aim { .. } => ("aim", 1),
-        Kernel::Quadratic { .. } => ("quadratic", 1),
-        Kernel::Wrist { .. } => ("wrist", 2),
-        Kernel::Pair { .. } => ("pair", 3),
-        Kernel::PairSliding { .. } => ("pair_sliding", 3),
+        Kernel::Align(_) => ("align", 0),
+        Kernel::SlideTo(_) => ("slide_to", 0),
+        Kernel::Offset(_) => ("offset", 1),
+        Kernel::OffsetOfTwo(_) => ("offset_of_two", 1),
+        Kernel::Distance(_) => ("distance", 1),
+        Kernel::Cone(_) => ("cone", 1),
+        Kernel::Flip(_) => ("flip", 1),
+        Kernel::Slide(_) => ("slide", 1),
+        Kernel::SlideTurning(_) => ("slide_turning", 1),
+        Kernel::Aim(_) => ("aim", 1),
+        Kernel::Quadratic(_) => ("quadratic", 1),
+        Kernel::Wrist(_) => ("wrist", 2),
+        Kernel::Pair(_) => ("pair", 3),
+        Kernel::PairSliding(_) => ("pair_sliding", 3),
     }
 }
