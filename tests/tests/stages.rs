@@ -168,7 +168,7 @@ fn imports(modules: &BTreeMap<Module, String>, root: &[&str]) -> BTreeMap<Module
         for (path, exported) in paths(&tokens) {
             let (Some(target), Some(name)) = (target(modules, root, module, &path), path.last()) else { continue };
             // What a module passes on and uses itself, it imports. A module of the same name is another thing.
-            let is_module = modules.contains_key(&[module.as_slice(), &[name.clone()]].concat());
+            let is_module = modules.contains_key(&[module.as_slice(), std::slice::from_ref(name)].concat());
             let stands = |at: &usize| {
                 let around =
                     |at: Option<usize>, sign: &str| at.and_then(|at| tokens.get(at)).is_some_and(|x| x == sign);
@@ -177,7 +177,7 @@ fn imports(modules: &BTreeMap<Module, String>, root: &[&str]) -> BTreeMap<Module
             };
             let used = (0..tokens.len()).filter(stands).count() > 1;
             if exported {
-                passed_on.insert([module.as_slice(), &[name.clone()]].concat(), target.clone());
+                passed_on.insert([module.as_slice(), std::slice::from_ref(name)].concat(), target.clone());
             }
             if !exported || used {
                 all.push((module.clone(), target));

@@ -3,7 +3,7 @@
 use super::open::{LEVELS, Open, same};
 use super::place::{PLACES, stroke, turn};
 use super::roots::{NODES, node};
-use super::stage::{Level, State};
+use super::stage::{Behind, State};
 use super::{Facts, Tolerances};
 use crate::math::wrap;
 use crate::{Branch, JointMask};
@@ -80,7 +80,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
     pub(super) fn remember<const N: usize>(
         &mut self,
         state: &State<T>,
-        levels: &[Level<T>; LEVELS],
+        levels: &[Behind<T>; LEVELS],
         branch: Branch,
         q: &[T; N],
         slack: T,
@@ -110,7 +110,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         &mut self,
         pass: Pass,
         state: &State<T>,
-        levels: &[Level<T>; LEVELS],
+        levels: &[Behind<T>; LEVELS],
         branch: Branch,
         listed: impl Fn(Branch) -> bool,
     ) -> Option<Branch> {
@@ -143,8 +143,8 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
                 let open = self.open_mut().get_mut(index);
                 if let Some(open) = open.filter(|open| open.joints.contains(&state.first)) {
                     let behind = open.moved.and_then(|moved| levels.get(moved + 1..)).unwrap_or(&[]);
-                    if let Some(then) = behind.iter().find(|level| level.value.is_finite()) {
-                        open.roots.keep(node, then);
+                    if let Some(then) = behind.iter().find(|behind| behind.level.value.is_finite()) {
+                        open.roots.keep(node, &then.level);
                     }
                 }
                 None

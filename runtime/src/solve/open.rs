@@ -3,7 +3,7 @@
 use super::Tolerances;
 use super::place::{Sample, Samples};
 use super::roots::Roots;
-use super::stage::Level;
+use super::stage::Behind;
 use crate::{Branch, JointMask};
 
 /// The stages that are looked at behind a free joint: the first ones may not depend on the joint.
@@ -62,9 +62,9 @@ impl<T: Tolerances> Open<T> {
     };
 
     /// Keeps the levels before the free joint moves, `over` what has been kept if it is set.
-    pub(super) fn begin(&mut self, levels: &[Level<T>; LEVELS], over: bool) {
+    pub(super) fn begin(&mut self, levels: &[Behind<T>; LEVELS], over: bool) {
         for (slot, level) in self.before.iter_mut().zip(levels) {
-            slot.keep(level, over);
+            slot.keep(&level.level, over);
         }
     }
 
@@ -74,9 +74,9 @@ impl<T: Tolerances> Open<T> {
     }
 
     /// Keeps a sample of the first level that depends on the free joint, `over` what has been kept there if it is set.
-    pub(super) fn sample(&mut self, place: usize, levels: &[Level<T>; LEVELS], over: bool) {
+    pub(super) fn sample(&mut self, place: usize, levels: &[Behind<T>; LEVELS], over: bool) {
         if self.moved.is_none() {
-            let differs = |(before, level): (&Sample<T>, &Level<T>)| before.differs(&Sample::of(level));
+            let differs = |(before, behind): (&Sample<T>, &Behind<T>)| before.differs(&Sample::of(&behind.level));
             self.moved = self.before.iter().zip(levels).position(differs);
             if let Some(before) = self.moved.and_then(|moved| self.before.get(moved)) {
                 self.samples.fill(place, *before);

@@ -2,7 +2,7 @@
 
 use super::Tolerances;
 use super::circle::{Circle, angles};
-use super::stage::Level;
+use super::stage::{Behind, Level};
 use crate::math::{sin_cos, wrap};
 use core::cmp::Ordering;
 
@@ -86,9 +86,9 @@ impl<T: Tolerances> Samples<T> {
     }
 
     /// Keeps the level at a place; `over` what has been kept there if it is set.
-    pub(super) fn keep(&mut self, place: usize, level: &Level<T>, over: bool) {
+    pub(super) fn keep(&mut self, place: usize, Behind { level, slides }: &Behind<T>, over: bool) {
         if self.values.get_mut(place).is_some_and(|slot| slot.keep(level, over)) {
-            (self.low, self.high, self.slides) = (level.low, level.high, level.slides);
+            (self.low, self.high, self.slides) = (level.low, level.high, *slides);
         }
     }
 

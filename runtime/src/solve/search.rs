@@ -3,7 +3,7 @@
 use super::facts::Evaluate;
 use super::open::LEVELS;
 use super::passes::{Missed, Passes};
-use super::stage::{Level, Met, State};
+use super::stage::{Behind, Level, Met, State};
 use super::{Facts, Goal, Home, Measure, Stage, Tolerances, Trail};
 use crate::effort::MOST_EVALUATIONS;
 use crate::limits::within;
@@ -72,13 +72,14 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     /// Whether there is something to search. Otherwise the solutions get their status: [`Status::BadTarget`] if the
     /// target or the reference is not finite; [`Status::Unreachable`] if the target is so far away, or the given value of
     /// a slide so large, that squares overflow.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn begins(&mut self, near: Option<&[T; N]>) -> bool {
         let [x, y, z] = self.goal.point();
-        let strokes = self.goal.given().iter().filter(|joint| self.facts.prismatic.contains(*joint));
-        let strokes = strokes.filter_map(|joint| self.goal.placed(self.homes).get(joint).copied());
-        let size = strokes.fold(x.abs() + y.abs() + z.abs(), |size, stroke| size + stroke.abs());
+        let mut size = x.abs() + y.abs() + z.abs();
+        if !self.goal.given().is_empty() {
+            size += self.given_strokes();
+        }
         self.far = size > self.facts.reach * T::from_f64(10.0);
         let finite = self.goal.is_finite() && near.is_none_or(|q| self.facts.can_refer(q));
         let begins = finite && size <= T::MAX.sqrt() * T::from_f64(1e-3);
@@ -87,6 +88,14 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
             self.solutions.set_status(status);
         }
         begins
+    }
+
+    /// The given values of slides, as a sum of lengths.
+    #[inline(never)]
+    fn given_strokes(&self) -> T {
+        let strokes = self.goal.given().iter().filter(|joint| self.facts.prismatic.contains(*joint));
+        let placed = self.goal.placed(self.homes);
+        strokes.filter_map(|joint| placed.get(joint)).fold(T::ZERO, |sum, stroke| sum + stroke.abs())
     }
 
     /// The start of every branch.
@@ -121,16 +130,16 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     }
 
     /// The levels of the first stages behind the first joint of a branch that is free or weak, one for each stage, known
-    /// or not. The coefficient of a slide in between is part of the pole.
-    pub(super) fn levels(&self, trail: Trail) -> [Level<T>; LEVELS] {
-        let mut levels = [Level::NONE; LEVELS];
+    /// or not.
+    pub(super) fn levels(&self, trail: Trail) -> [Behind<T>; LEVELS] {
+        let mut levels = [Behind::NONE; LEVELS];
         let (mut pole, mut slides) = (T::ONE, false);
         let (mut places, mut behind) = (levels.iter_mut(), false);
         for state in self.states.iter().take(trail.depth()).flatten() {
             if behind && let Some(place) = places.next() {
                 pole *= state.level.pole;
-                slides |= state.level.slides;
-                *place = Level { pole, slides, ..state.level };
+                slides |= state.level.is_slide();
+                *place = Behind { level: Level { pole, ..state.level }, slides };
             }
             behind = !state.loose().is_empty();
         }

@@ -50,18 +50,16 @@ pub(super) struct Level<T> {
     pub(super) low: T,
     pub(super) high: T,
     pub(super) pole: T,
-    /// Whether a slide stands between.
-    pub(super) slides: bool,
 }
 
 impl<T: Tolerances> Level<T> {
     /// Nothing is known.
-    pub(super) const NONE: Self = Self { value: T::NAN, low: T::NAN, high: T::NAN, pole: T::ONE, slides: false };
+    pub(super) const NONE: Self = Self { value: T::NAN, low: T::NAN, high: T::NAN, pole: T::ONE };
 
     /// Nothing but the coefficient of a slide.
     #[inline]
     pub(super) fn over(pole: T) -> Self {
-        Self { pole, slides: true, ..Self::NONE }
+        Self { pole, low: T::ZERO, ..Self::NONE }
     }
 
     /// The cosine of half the difference of two angles.
@@ -76,6 +74,11 @@ impl<T: Tolerances> Level<T> {
         Self { value, low: T::ZERO, high: T::MAX, ..Self::NONE }
     }
 
+    /// Whether it is that of a slide: the coefficient alone.
+    pub(super) fn is_slide(&self) -> bool {
+        self.low.is_finite() && !self.value.is_finite()
+    }
+
     /// Whether an equation without a joint of its own is met.
     pub(super) fn is_met(&self) -> bool {
         self.low == self.high && self.value.abs() <= T::COINCIDENT
@@ -86,6 +89,18 @@ impl<T: Tolerances> Level<T> {
     pub(super) fn zero(value: T) -> Self {
         Self { value, low: T::ZERO, high: T::ZERO, ..Self::NONE }
     }
+}
+
+/// The level of a stage behind a free joint, and whether a slide stands between, whose coefficient is part of the pole.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Behind<T> {
+    pub(super) level: Level<T>,
+    pub(super) slides: bool,
+}
+
+impl<T: Tolerances> Behind<T> {
+    /// No stage.
+    pub(super) const NONE: Self = Self { level: Level::NONE, slides: false };
 }
 
 /// Where a branch of the cascade is: what generated code hands from stage to stage. What the branch has met is kept in

@@ -210,7 +210,7 @@ mod tests {
     #[test]
     fn a_failure_is_replayed_at_its_joint_vector() {
         let (structure, table) = draw(3, 2);
-        let q = vec![0.1 + 0.2, -1e-12, std::f64::consts::PI, 4.0, 5.0, 6.0, 7.0];
+        let q = [0.1 + 0.2, -1e-12, std::f64::consts::PI, 4.0, 5.0, 6.0, 7.0];
         let q = q[..table.moving()].to_vec();
         let failure = Failure::of("random", "a rule", &q, String::new());
         let mut outcome = examine(("drawn", structure), table.yaml("drawn"), None, &[]);
