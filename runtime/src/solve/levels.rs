@@ -199,8 +199,9 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
     fn locate<const N: usize>(&mut self, facts: &Facts<T, N>, homes: &[T; N], second: bool) {
         let (steps, count) = (self.steps, self.places(second));
         for index in 0..self.len {
-            let (before, rest) = self.open_mut().split_at_mut(index);
-            if let Some((open, after)) = rest.split_first_mut() {
+            if let Some((before, rest)) = self.open_mut().split_at_mut_checked(index)
+                && let Some((open, after)) = rest.split_first_mut()
+            {
                 before.iter().chain(&*after).for_each(|other| open.borrow(other));
             }
         }
