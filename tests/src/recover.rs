@@ -245,6 +245,10 @@ fn broken_rule<const N: usize>(
     None
 }
 
+/// A reference that is farther outside a limit than this is followed. `inverse_near` follows one beyond 7.5e-10, 0.05 times
+/// the root of rounding; joint vectors lie powers of ten beside a limit, so that none is between the two.
+const FOLLOWED: f64 = 8e-10;
+
 /// Whether an angle is on the turn that `inverse_near` has to choose: of those inside the limits the nearest to the
 /// reference, within half a turn of it if none is inside or the reference is not. Within rounding of a limit either will
 /// do.
@@ -252,11 +256,7 @@ fn next_to(angle: f64, reference: f64, [low, high]: [f64; 2]) -> bool {
     let distance = (angle - reference).abs();
     let near = reference + wrap(angle - reference);
     let inside = |angle: f64, margin: f64| angle >= low - margin && angle <= high + margin;
-    // So far outside, and not much farther, a reference may count as inside or not.
-    if !inside(reference, 5e-10) && distance <= PI + 1e-9 {
-        return true;
-    }
-    if inside(near, -1e-9) || !inside(reference, 1e-9) || distance <= PI + 1e-9 && inside(near, 1e-9) {
+    if inside(near, -1e-9) || !inside(reference, FOLLOWED) || distance <= PI + 1e-9 && inside(near, 1e-9) {
         return distance <= PI + 1e-9;
     }
     let windings = (-12..=12).map(|turns| wrap(angle) + TAU * f64::from(turns));

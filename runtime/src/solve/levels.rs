@@ -18,7 +18,7 @@ pub(super) enum Pass {
     Sample { second: bool, place: usize },
     /// A place of one open branch.
     Open { index: usize, round: Round },
-    /// The level of that stage at one of five nodes; nothing is listed.
+    /// The level of a second stage at one of five nodes; nothing is listed.
     Node { index: usize, node: usize },
 }
 
@@ -35,9 +35,9 @@ pub(super) enum Round {
 
 /// The branches on which a joint is free or nearly so, and which are missed with that joint at home. Such a branch has
 /// roots for an interval of the joint, or at one place alone: a stretched elbow that every other place of the joint
-/// would have to stretch more. Three runs of the cascade tell the level of the stage that misses, and with that the
-/// place. Behind a slide the level is of degree 2, and five runs tell it. Five more tell the level of a second stage,
-/// where the first one alone does not lead to a solution.
+/// would have to stretch more. Three runs of the cascade tell the level of the first stage that depends on the joint, and
+/// with that the place. Behind a slide the level is of degree 2, and five runs tell it. Five more tell the level of a
+/// second stage, where the first one alone does not lead to a solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Levels<T, const M: usize> {
     /// Open branches, the first `len`.

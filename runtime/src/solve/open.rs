@@ -15,12 +15,13 @@ pub(super) struct Open<T> {
     pub(super) branch: Branch,
     /// The first joint that is free or nearly so, and another one.
     pub(super) joints: [JointMask; 2],
-    /// The levels behind the free joint before that moves, and the first one that depends on it.
+    /// The levels behind the free joint before the joint moves, and the place among them of the first one that depends on
+    /// the joint.
     pub(super) before: [Sample<T>; LEVELS],
     pub(super) moved: Option<usize>,
     /// Samples of that level.
     pub(super) samples: Samples<T>,
-    /// Those of the stage after that, and the interval in which the first one has roots.
+    /// Those of the next stage, and the interval in which the first stage has roots.
     pub(super) roots: Roots<T>,
     pub(super) span: [T; 2],
     /// Another such interval.
@@ -101,7 +102,7 @@ impl<T: Tolerances> Open<T> {
         }
     }
 
-    /// Whether the stage that misses has roots in an interval.
+    /// Whether the first stage that depends on the joint has roots in an interval.
     pub(super) fn spans(&self) -> bool {
         let [_, half] = self.span;
         half > T::COINCIDENT
