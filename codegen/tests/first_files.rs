@@ -128,3 +128,34 @@ fn position_angle_does_not_ask_for_a_joint_and_then_refuse_it() {
     let plain = refused("inverse: {task: position_angle}");
     assert!(!plain.contains("name the one whose value is given"), "{plain}");
 }
+
+#[test]
+fn a_structure_that_an_arm_misses_by_more_than_rounding_is_verified() {
+    let rows = |right: &str, wrist: &str| {
+        [
+            format!("a: 0, alpha: {right}, d: 0.6, theta: 0"),
+            "a: 0.4, alpha: 0, d: 0, theta: 0".into(),
+            format!("a: 0.1, alpha: -{right}, d: 0.2, theta: 0"),
+            format!("a: 0, alpha: {right}, d: 0.4, theta: 0"),
+            format!("a: {wrist}, alpha: -{right}, d: 0, theta: 0"),
+            "a: 0, alpha: 0, d: 0, theta: 0".into(),
+        ]
+    };
+    let code = |right: &str, wrist: &str| {
+        let rows: String = rows(right, wrist).iter().map(|row| format!("  - {{{row}}}\n")).collect();
+        let text = format!("name: first\nconvention: standard\nunits: {{length: m, angle: deg}}\njoints:\n{rows}");
+        let report = denhart_codegen::check(&text, "first.yaml").unwrap().to_string();
+        let options = denhart_codegen::Options::new("First");
+        (report, denhart_codegen::generate(&text, "first.yaml", &options).unwrap().to_file().unwrap())
+    };
+    for (right, wrist) in [("90", "0"), ("1.5707963267948966 rad", "0"), ("90", "1e-15")] {
+        let (report, code) = code(right, wrist);
+        assert!(!report.contains("miss this structure") && !code.contains("in_doubt"), "{right} {wrist}: {report}");
+    }
+    // Ten decimals of an angle, and a wrist whose axes nearly meet.
+    for (right, wrist) in [("1.57079632679 rad", "0"), ("90", "3e-12")] {
+        let (report, code) = code(right, wrist);
+        assert!(report.contains("the axes miss this structure by "), "{right} {wrist}: {report}");
+        assert!(code.contains(".in_doubt()") && code.contains("every branch is verified"), "{right} {wrist}: {code}");
+    }
+}

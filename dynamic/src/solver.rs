@@ -177,7 +177,8 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
             None => goal,
         };
         let facts = self.facts.get();
-        let mut search = Search::<f64, N, M, P>::new(&facts, &self.both, sought, near, solutions);
+        let search = Search::<f64, N, M, P>::new(&facts, &self.both, sought, near, solutions);
+        let mut search = if self.nest.program.in_doubt { search.in_doubt() } else { search };
         if !search.begins(near) {
             return;
         }

@@ -32,6 +32,8 @@ found! {
     sweep_1_1142
     // A given slide of 1e308.
     sweep_1_433
+    // Axes that miss the structure by 1e-11: every branch is verified.
+    sweep_1_4073
     // A fifth joint that slides where a pose needs one that rolls.
     sweep_1_4652
 }

@@ -118,6 +118,10 @@ pub(super) fn function(
     };
     let search_doc = docs::lines(search_doc);
     let passes = docs::lines(passes);
+    let (missed_doc, in_doubt) = plan.missed.map_or_else(Default::default, |by| {
+        let missed = format!("The axes miss the structure of the equations by {by:.0e}: every branch is verified.");
+        (docs::lines(&missed), quote!(.in_doubt()))
+    });
     // Without a choice between roots there is nothing to select.
     let wanted = ident(if program.capacity > 1 { "wanted" } else { "_wanted" });
     quote! {
@@ -135,7 +139,8 @@ pub(super) fn function(
             let mut solutions = #krate::Solutions::new(#krate::Status::BadTarget);
             #sizes
             #goal
-            let mut search = InverseSearch::new(#facts, arm, #sought, near, &mut solutions);
+            #missed_doc
+            let mut search = InverseSearch::new(#facts, arm, #sought, near, &mut solutions) #in_doubt;
             if search.begins(near) {
                 #unpack
                 #given_symbols

@@ -78,6 +78,7 @@ pub fn inverse(model: &Model, plan: &Plan) -> Inverse {
         joints: plan.joints(),
         capacity: plan.max_solutions(),
         decoupled: plan.is_decoupled(),
+        in_doubt: plan.missed.is_some(),
     }
 }
 

@@ -37,6 +37,8 @@ pub struct Inverse {
     /// Whether every stage after a free joint has its roots wherever that joint is: the search then looks for other
     /// places of two free joints only.
     pub decoupled: bool,
+    /// Whether every branch is verified, because the arm misses the structure by more than rounding.
+    pub in_doubt: bool,
 }
 
 impl Inverse {

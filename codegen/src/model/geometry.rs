@@ -6,10 +6,36 @@ use super::chain::{Chain, Elementary};
 use super::numeric::{Transform, cross, distance, dot, length, scaled, sub};
 pub use super::reach::reach;
 use super::{JointKind, Model};
+use std::cell::Cell;
 use std::collections::HashMap;
 
 /// Structure is decided within this, relative to reach for lengths and in rad for angles.
 pub const TOLERANCE: f64 = 1e-10;
+
+/// A structure that an arm misses by no more than this holds to rounding: 64 units of it, as the generated code has it.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// Decides on numbers whether a structure holds, and remembers by how much an arm misses those that do.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Decisions {
+    largest: Cell<f64>,
+}
+
+impl Decisions {
+    /// Whether a number is as good as zero; a length is given relative to reach.
+    pub fn vanishes(&self, miss: f64) -> bool {
+        let vanishes = miss.abs() <= TOLERANCE;
+        if vanishes {
+            self.largest.set(self.largest.get().max(miss.abs()));
+        }
+        vanishes
+    }
+
+    /// By how much the arm misses a structure that was said to hold, if by more than rounding.
+    pub fn missed(&self) -> Option<f64> {
+        Some(self.largest.get()).filter(|miss| *miss > ROUNDING)
+    }
+}
 
 /// A joint axis as a line in the base frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -120,14 +146,16 @@ impl Relation {
 
 fn analyzed(model: &Model, chain: &Chain, reach: f64) -> Geometry {
     let axes = axes(chain, reach);
-    let relations: Vec<Relation> = axes.iter().zip(axes.iter().skip(1)).map(|(a, b)| relation(a, b, reach)).collect();
+    let decisions = Decisions::default();
+    let pairs = axes.iter().zip(axes.iter().skip(1));
+    let relations: Vec<Relation> = pairs.map(|(a, b)| relation(a, b, reach, &decisions)).collect();
     let turns: Vec<bool> = model.joints.iter().map(|joint| joint.kind == JointKind::Revolute).collect();
-    let (triples, misses) = triples(&axes, &turns, reach);
+    let (triples, misses) = triples(&axes, &turns, reach, &decisions);
     Geometry { reach, axes, relations, triples, misses }
 }
 
 /// The triples among axes, some of which turn, and by how much three that turn miss a common point.
-pub fn triples(axes: &[Line], turns: &[bool], reach: f64) -> (Vec<Triple>, Vec<(usize, f64)>) {
+pub fn triples(axes: &[Line], turns: &[bool], reach: f64, decisions: &Decisions) -> (Vec<Triple>, Vec<(usize, f64)>) {
     let mut triples = Vec::new();
     let mut misses = Vec::new();
     for (first, lines) in axes.windows(3).enumerate() {
@@ -136,8 +164,8 @@ pub fn triples(axes: &[Line], turns: &[bool], reach: f64) -> (Vec<Triple>, Vec<(
             lines.iter().zip(turns.iter().skip(first)).filter(|(_, turns)| **turns).map(|(line, _)| line).collect();
         if turning.len() < 3 {
             let sliding = lines.iter().zip(turns.iter().skip(first)).filter(|(_, turns)| !**turns);
-            let along = |u: &Line, v: &Line| length(cross(u.direction, v.direction)) <= TOLERANCE;
-            let across = |u: &Line, v: &Line| dot(u.direction, v.direction).abs() <= TOLERANCE;
+            let along = |u: &Line, v: &Line| decisions.vanishes(length(cross(u.direction, v.direction)));
+            let across = |u: &Line, v: &Line| decisions.vanishes(dot(u.direction, v.direction));
             if let Some(normal) = turning.first()
                 && turning.iter().all(|line| along(line, normal))
                 && sliding.into_iter().all(|(line, _)| across(line, normal))
@@ -146,15 +174,16 @@ pub fn triples(axes: &[Line], turns: &[bool], reach: f64) -> (Vec<Triple>, Vec<(
             }
             continue;
         }
-        let parallel =
-            |u: &Line, v: &Line| matches!(relation(u, v, reach), Relation::Parallel { .. } | Relation::Coincident);
+        let parallel = |u: &Line, v: &Line| {
+            matches!(relation(u, v, reach, decisions), Relation::Parallel { .. } | Relation::Coincident)
+        };
         let miss = common_point_miss(a, b, c);
         if let Some(miss) = miss {
             misses.push((first, miss));
         }
         if parallel(a, b) && parallel(b, c) {
             triples.push(Triple { first, kind: TripleKind::Parallel });
-        } else if miss.is_some_and(|m| m <= TOLERANCE * reach) {
+        } else if miss.is_some_and(|miss| decisions.vanishes(miss / reach)) {
             triples.push(Triple { first, kind: TripleKind::Intersecting });
         }
     }
@@ -186,17 +215,21 @@ pub fn generic_motion(i: usize, turns: bool, reach: f64) -> Transform {
 }
 
 /// The relation of two lines.
-pub fn relation(a: &Line, b: &Line, reach: f64) -> Relation {
+pub fn relation(a: &Line, b: &Line, reach: f64, decisions: &Decisions) -> Relation {
     let between = sub(b.point, a.point);
     let normal = cross(a.direction, b.direction);
     let (sine, cosine) = (length(normal), dot(a.direction, b.direction));
-    if sine <= TOLERANCE {
+    if decisions.vanishes(sine) {
         let apart = length(cross(between, a.direction));
-        return if apart <= TOLERANCE * reach { Relation::Coincident } else { Relation::Parallel { distance: apart } };
+        return if decisions.vanishes(apart / reach) {
+            Relation::Coincident
+        } else {
+            Relation::Parallel { distance: apart }
+        };
     }
     let angle = sine.atan2(cosine);
     let apart = dot(between, normal).abs() / sine;
-    if apart <= TOLERANCE * reach {
+    if decisions.vanishes(apart / reach) {
         Relation::Intersecting { angle }
     } else {
         Relation::Skew { distance: apart, angle }

@@ -4,27 +4,25 @@ use super::generic_samples::Sample;
 use super::loop_chain::{LoopChain, LoopJoint};
 use crate::model::Angle;
 use crate::model::chain::{Chain, Elementary};
-use crate::model::geometry::{Line, TOLERANCE, Triple, generic_motion, triples};
+use crate::model::geometry::{Line, Triple, generic_motion, triples};
 use crate::model::numeric::{Transform, cross, dot, length};
 use crate::symbolic::{Expr, Graph, Rigid, transpose};
 
 impl LoopChain {
     /// Whether link `i` keeps the z axis parallel or anti-parallel, for every value of a given joint: its sign.
     pub fn keeps_axis(&self, i: usize) -> Option<f64> {
-        let mut cosines = self.generic.samples().iter().map(|sample| {
-            let [.., [_, _, z]] = self.numeric(i, sample).r;
-            z
-        });
-        let first = cosines.next()?;
-        let parallel = |z: f64| z.abs() >= 1.0 - 0.5 * TOLERANCE * TOLERANCE && z * first > 0.0;
-        (parallel(first) && cosines.all(parallel)).then(|| first.signum())
+        let mut axes = self.generic.samples().iter().map(|sample| self.numeric(i, sample).axis(2));
+        let first = axes.next()?;
+        let [.., sign] = first.map(f64::signum);
+        let parallel = |[x, y, z]: [f64; 3]| self.generic.decisions.vanishes(x.hypot(y)) && z * sign > 0.0;
+        (parallel(first) && axes.all(parallel)).then_some(sign)
     }
 
     /// Whether two axes are parallel at a generic configuration.
     pub fn are_parallel(&self, i: usize, j: usize) -> bool {
         let axes = self.generic.samples().first().map(|sample| self.axes(sample)).unwrap_or_default();
         let pair = axes.get(i).zip(axes.get(j));
-        pair.is_some_and(|(a, b)| length(cross(a.direction, b.direction)) <= TOLERANCE)
+        pair.is_some_and(|(a, b)| self.generic.decisions.vanishes(length(cross(a.direction, b.direction))))
     }
 
     /// The prismatic joint along the common direction of all revolute axes, where the other prismatic ones are across it.
@@ -33,8 +31,8 @@ impl LoopChain {
         let mut strokes = samples.map(|sample| {
             let axes = self.axes(sample);
             let turning = axes.iter().zip(&self.loop_joints).find(|(_, slot)| slot.revolute)?.0.direction;
-            let along = |line: &Line| length(cross(line.direction, turning)) <= TOLERANCE;
-            let across = |line: &Line| dot(line.direction, turning).abs() <= TOLERANCE;
+            let along = |line: &Line| self.generic.decisions.vanishes(length(cross(line.direction, turning)));
+            let across = |line: &Line| self.generic.decisions.vanishes(dot(line.direction, turning));
             let mut upright =
                 axes.iter().zip(&self.loop_joints).all(|(line, slot)| along(line) || !slot.revolute && across(line));
             let mut strokes = axes
@@ -55,7 +53,7 @@ impl LoopChain {
         self.generic.samples().iter().all(|sample| {
             self.axes(sample).iter().zip(&self.loop_joints).all(|(line, slot)| {
                 let [x, y, z] = line.direction;
-                if slot.revolute { x.hypot(y) <= TOLERANCE } else { z.abs() <= TOLERANCE }
+                self.generic.decisions.vanishes(if slot.revolute { x.hypot(y) } else { z })
             })
         })
     }
@@ -64,7 +62,7 @@ impl LoopChain {
     /// that axis leaves the plane.
     pub fn tool_twist(&self) -> Option<Angle> {
         let [_, _, [x, y, z]] = self.tool()?.r;
-        (x.abs() <= TOLERANCE).then(|| Angle::of_vector(y, z))
+        self.generic.decisions.vanishes(x).then(|| Angle::of_vector(y, z))
     }
 
     /// The pose of the tool at a generic configuration.
@@ -76,7 +74,7 @@ impl LoopChain {
     pub fn append_upright(&mut self) {
         let Some(Transform { r: [_, _, [x, y, z]], .. }) = self.tool() else { return };
         let (azimuth, polar) = (Angle::of_vector(y, x), Angle::of_vector(x.hypot(y), z));
-        let upright = x.hypot(y) <= TOLERANCE;
+        let upright = self.generic.decisions.vanishes(x.hypot(y));
         let before = if upright {
             Rigid::identity()
         } else {
@@ -94,7 +92,8 @@ impl LoopChain {
     /// The triples of consecutive joints, for every value of a given joint.
     pub fn triples(&self) -> Vec<Triple> {
         let turns: Vec<bool> = self.loop_joints.iter().map(|slot| slot.revolute).collect();
-        let mut samples = self.generic.samples().iter().map(|sample| triples(&self.axes(sample), &turns, self.reach).0);
+        let found = |sample: &Sample| triples(&self.axes(sample), &turns, self.reach, &self.generic.decisions).0;
+        let mut samples = self.generic.samples().iter().map(found);
         let first = samples.next().unwrap_or_default();
         samples.fold(first, |kept, found| kept.into_iter().filter(|triple| found.contains(triple)).collect())
     }

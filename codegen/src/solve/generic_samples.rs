@@ -2,7 +2,7 @@
 
 use super::kernel::Unit;
 use crate::model::Model;
-use crate::model::geometry::TOLERANCE;
+use crate::model::geometry::Decisions;
 use crate::symbolic::{Expr, Graph, Input, Node, Symbol};
 use std::collections::HashMap;
 
@@ -15,6 +15,8 @@ pub struct GenericSamples {
     samples: Vec<Sample>,
     angles: Vec<Symbol>,
     reach: f64,
+    /// What was decided on them.
+    pub decisions: Decisions,
 }
 
 impl GenericSamples {
@@ -38,7 +40,7 @@ impl GenericSamples {
                 rotation.chain(position).map(|(input, value)| (input.into(), value)).collect()
             })
             .to_vec();
-        GenericSamples { samples, angles: Vec::new(), reach }
+        GenericSamples { samples, angles: Vec::new(), reach, decisions: Decisions::default() }
     }
 
     /// Run-time parameters are symbols with generic values.
@@ -101,7 +103,8 @@ impl GenericSamples {
         if !self.decides(g, expressions) {
             return false;
         }
-        let small = if unit == Unit::Length { TOLERANCE * self.reach } else { TOLERANCE };
-        self.samples.iter().all(|sample| g.evaluate(expressions, sample).iter().all(|value| value.abs() <= small))
+        let scale = if unit == Unit::Length { self.reach } else { 1.0 };
+        let vanishes = |value: &f64| self.decisions.vanishes(value / scale);
+        self.samples.iter().all(|sample| g.evaluate(expressions, sample).iter().all(vanishes))
     }
 }

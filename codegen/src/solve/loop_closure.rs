@@ -343,6 +343,7 @@ impl LoopClosure {
             loop_joints: self.loop_joints,
             triple,
             reach: self.reach,
+            missed: self.generic.decisions.missed(),
             task,
         }
     }

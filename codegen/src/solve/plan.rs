@@ -24,6 +24,8 @@ pub struct Plan {
     pub task: PlanTask,
     /// Reach of the arm.
     pub reach: f64,
+    /// By how much the arm misses the structure, relative to reach and in rad, if by more than rounding.
+    pub missed: Option<f64>,
 }
 
 impl Plan {

@@ -37,8 +37,9 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, P> {
     /// What the branch that is followed has met, one state for each stage in doubt. Branches are followed depth first, so
     /// a state stays until the branches behind it have ended.
     states: [Option<State<T>>; MOST_STATES],
-    /// The target is so far away (a long slide may reach there) that its rounding alone can exceed what closes.
-    far: bool,
+    /// Every branch is verified: the arm misses its structure by more than rounding, or the target is so far away (a long
+    /// slide may reach there) that its rounding alone can exceed what closes.
+    doubt: bool,
     /// What is remembered at a pose that needs further passes.
     pub(super) passes: Option<Passes<T, N, M, P>>,
 }
@@ -64,9 +65,17 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
             nearly: JointMask::NONE,
             left: MOST_EVALUATIONS,
             states: [None; MOST_STATES],
-            far: false,
+            doubt: false,
             passes: None,
         }
+    }
+
+    /// The same search with every branch verified: for an arm whose axes miss the structure of its equations by more than
+    /// rounding, so that their roots do.
+    #[must_use]
+    pub fn in_doubt(mut self) -> Self {
+        self.doubt = true;
+        self
     }
 
     /// Whether there is something to search. Otherwise the solutions get their status: [`Status::BadTarget`] if the
@@ -80,7 +89,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
         if !self.goal.given().is_empty() {
             size += self.given_strokes();
         }
-        self.far = size > self.facts.reach * T::from_f64(10.0);
+        self.doubt |= size > self.facts.reach * T::from_f64(10.0);
         let finite = self.goal.is_finite() && near.is_none_or(|q| self.facts.can_refer(q));
         let begins = finite && size <= T::MAX.sqrt() * T::from_f64(1e-3);
         if !begins {
@@ -102,7 +111,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     #[inline]
     pub fn start(&self) -> Trail {
         crate::effort::cascade();
-        Trail::start(self.far || self.passes.is_some())
+        Trail::start(self.doubt || self.passes.is_some())
     }
 
     /// Where a joint stays if it is free: its reference value; without one 0, or the limit nearest to 0.
