@@ -1,6 +1,6 @@
 //! Doubtful solutions: verified by forward kinematics, refined by a few damped steps, and merged where they coincide.
 
-use super::least_squares::{Iterate, refined};
+use super::least_squares::{Iterate, MOST_STEPS, refined};
 use super::passes::Missed;
 use super::search::VIRTUAL;
 use super::stage::State;
@@ -19,8 +19,8 @@ enum Found {
     Guess,
 }
 
-/// Evaluations kept for the reference of `inverse_near`.
-const RESERVED: usize = 25;
+/// Evaluations kept for the reference of `inverse_near`: the first one, and its steps.
+const RESERVED: usize = MOST_STEPS + 1;
 
 impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, T, N, M, P> {
     /// The end of a branch at an awkward pose.
