@@ -161,6 +161,16 @@ pub fn accepts_moved<const N: usize>(
     false
 }
 
+/// Whether a self-motion passes through `q`: joints that move without moving the tool, not a fold only. `start` is the
+/// decomposition at `q`, of rank `N - 1`.
+pub fn self_motion<const N: usize>(subject: &Subject<N>, q: &[f64; N], start: &Svd<N>) -> bool {
+    let target = subject.goal(q);
+    [1.0, -1.0].into_iter().any(|sign| {
+        let heading = start.vectors[N - 1].map(|v| sign * v);
+        Step { q: *q, heading, clearance: start.values[N - 2] }.ahead(subject, &target, STRIDE).is_some()
+    })
+}
+
 /// How far a step along a self-motion goes, in rad and reaches.
 const STRIDE: f64 = 0.1;
 

@@ -21,8 +21,8 @@ macro_rules! constants {
 }
 
 /// Every constant of the trait.
-const CONSTANTS: [Constant; 12] = constants!(
-    ROUNDING VANISHING WEAK DOUBTFUL EXACT CLOSE COINCIDENT LEAST_SINE MINUS_ONE MOST_WOUND LARGEST_REACH SMALLEST_REACH
+const CONSTANTS: [Constant; 11] = constants!(
+    ROUNDING VANISHING WEAK DOUBTFUL EXACT COINCIDENT LEAST_SINE MINUS_ONE MOST_WOUND LARGEST_REACH SMALLEST_REACH
 );
 
 fn text(path: &str) -> String {
@@ -48,12 +48,34 @@ fn rows<'a>(document: &'a str, heading: &str) -> Vec<(&'a str, Vec<&'a str>)> {
         .collect()
 }
 
-/// A number of the table: `4e-13`, or `64 eps`.
-fn number(text: &str, epsilon: f64) -> f64 {
-    match text.strip_suffix(" eps") {
-        Some(factor) => factor.parse::<f64>().unwrap() * epsilon,
-        None => text.parse().unwrap_or_else(|_| panic!("{text} is no number")),
-    }
+/// The formula of a threshold as the table has it, and its value; `None` for a constant that is a number by itself.
+fn formula(name: &str, epsilon: f64, of: impl Fn(&str) -> f64) -> Option<(&'static str, f64)> {
+    Some(match name {
+        "ROUNDING" => ("64 eps", 64.0 * epsilon),
+        "COINCIDENT" => ("2 sqrt(ROUNDING)", 2.0 * of("ROUNDING").sqrt()),
+        "DOUBTFUL" => ("cbrt(3 eps / COINCIDENT)", (3.0 * epsilon / of("COINCIDENT")).cbrt()),
+        "VANISHING" => ("3 eps / DOUBTFUL", 3.0 * epsilon / of("DOUBTFUL")),
+        "WEAK" => ("sqrt(eps) / DOUBTFUL", epsilon.sqrt() / of("DOUBTFUL")),
+        "EXACT" => ("2 VANISHING", 2.0 * of("VANISHING")),
+        _ => return None,
+    })
+}
+
+/// A constant of one scalar beside its column, and beside its formula if it has one.
+fn compare(name: &str, column: &str, epsilon: f64, of: impl Fn(&str) -> f64) {
+    let value = of(name);
+    let Some((_, derived)) = formula(name, epsilon, of) else {
+        let column: f64 = column.parse().unwrap_or_else(|_| panic!("{column} is no number"));
+        let nearest = if epsilon == f64::EPSILON { column } else { f64::from(column as f32) };
+        assert_eq!(nearest, value, "{name}");
+        return;
+    };
+    assert_eq!(column, format!("{value:.2e}"), "{name}");
+    assert!((value / derived - 1.0).abs() < 8.0 * epsilon, "{name} is {value:e}, its formula {derived:e}");
+}
+
+fn constant(name: &str) -> &'static Constant {
+    CONSTANTS.iter().find(|constant| constant.name == name).unwrap_or_else(|| panic!("the code has no {name}"))
 }
 
 #[test]
@@ -66,13 +88,22 @@ fn the_table_of_thresholds_has_every_constant_and_its_values() {
         assert!(CONSTANTS.iter().any(|constant| constant.name == *name), "{name} is not compared by this test");
         assert_eq!(rows.iter().filter(|(row, _)| row == name).count(), 1, "rows of {name}");
     }
+    let mut derived = 0;
     for (name, columns) in &rows {
-        let constant = CONSTANTS.iter().find(|constant| constant.name == *name);
-        let Constant { double, single, .. } = constant.unwrap_or_else(|| panic!("the code has no {name}"));
-        let [in_double, in_single, ..] = columns[..] else { panic!("the row of {name} has two numbers") };
-        assert_eq!(number(in_double, f64::EPSILON), *double, "{name} in double precision");
-        assert_eq!(number(in_single, f64::from(f32::EPSILON)) as f32, *single, "{name} in single precision");
+        let columns = match formula(name, f64::EPSILON, |name| constant(name).double) {
+            Some((formula, _)) => {
+                derived += 1;
+                assert_eq!(columns[0], formula, "{name}");
+                &columns[1..]
+            }
+            None => &columns[..],
+        };
+        let [in_double, in_single, ..] = columns else { panic!("the row of {name} has two numbers") };
+        compare(name, in_double, f64::EPSILON, |name| constant(name).double);
+        compare(name, in_single, f32::EPSILON.into(), |name| constant(name).single.into());
     }
+    // Six thresholds are enough.
+    assert_eq!(derived, 6);
 }
 
 #[test]

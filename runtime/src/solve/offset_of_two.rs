@@ -26,14 +26,14 @@ pub fn offset_of_two<T: Tolerances>(
         stage.roots.get(root).map_or(T::INFINITY, |[t]| (e * t.cos + f * t.sin - g).abs() / other.scale)
     };
     let [first, second] = [missed(&stage, 0), missed(&stage, 1)];
-    if stage.len == 2 && (first > T::CLOSE) != (second > T::CLOSE) || first.min(second) > T::CLOSE {
+    if stage.len == 2 && (first > T::WEAK) != (second > T::WEAK) || first.min(second) > T::WEAK {
         if second < first {
             stage.roots.swap(0, 1);
         }
         stage.len = 1;
         let left = first.min(second);
         stage.doubt |= left > T::ROUNDING;
-        if left > T::CLOSE && stage.free.is_empty() {
+        if left > T::WEAK && stage.free.is_empty() {
             stage.gap = stage.gap.max(left * other.scale);
             stage.angular = other.is_angular();
             stage.doubt = true;
