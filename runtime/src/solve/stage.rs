@@ -194,11 +194,11 @@ impl<T: Tolerances> State<T> {
         if !doubt {
             return;
         }
-        // What a stage leaves uncertain, the next one magnifies: where nothing but that is left of an amplitude, any value
-        // of the joint is as good. Where two roots have met, refinement still moves the place.
+        // What a stage leaves uncertain, the next one magnifies: where nothing but that is left of an amplitude between
+        // directions, any value of the joint is as good. Where two roots have met, refinement still moves the place.
         let product = self.amplitude * amplitude;
-        let met = self.flags.contains(Flags::BOUNDARY);
-        let free = if free.is_empty() && !met && product < T::VANISHING * T::DOUBTFUL { weak } else { free };
+        let settled = angular && free.is_empty() && !self.flags.contains(Flags::BOUNDARY);
+        let free = if settled && product < T::VANISHING * T::DOUBTFUL { weak } else { free };
         self.amplitude = product.max(T::EPSILON * T::EPSILON);
         self.weak |= weak;
         if self.first.is_empty() {
