@@ -176,7 +176,7 @@ where
     let mut place = root;
     let mut missed = miss(&place);
     let mut size = square(missed);
-    // The rounding of the rows, which are of unit length.
+    // The rounding of the rows, which are of unit length: six products, five sums, and the sines and cosines.
     let floor = T::EPSILON * T::from_f64(8.0);
     let closed = |size: T| size <= floor * floor;
     for _ in 0..4 {

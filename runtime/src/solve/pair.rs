@@ -134,7 +134,7 @@ fn eliminated<T: Tolerances>(
         Stage::solved([[x1, z1], [x2, z2], [x3, z3], [x4, z4]], Measure::DIRECTION)
     };
     // With coefficients of no more than rounding, or without any of z in the rows, every angle is as good. The polynomial
-    // is the difference of the squares of two lengths, one of them `det`.
+    // is the difference of the squares of two lengths, one of them `det`; a coefficient has up to eight products and sums.
     let vanishing = (T::EPSILON * T::from_f64(8.0) * (size + det * det)).max(T::VANISHING * det.abs());
     let anywhere = || {
         let crossings = across.map_or([None; 2], zeros);
