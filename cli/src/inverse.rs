@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{ArgGroup, Args};
 use denhart::{PlanarPose, PointAngle, Pose, Residual, Status};
 use denhart_dynamic::{DynamicArm, DynamicSolution, DynamicSolutions, DynamicTarget};
 use serde_json::{Value, json};
@@ -15,6 +15,7 @@ use crate::numbers::{Units, arm, joints, numbers, outside, pose, short};
 
 /// What the command takes.
 #[derive(Args)]
+#[command(group = ArgGroup::new("target").args(["pose", "q"]).required(true))]
 pub struct Options {
     /// The arm file, YAML; `-` reads the standard input
     file: PathBuf,
@@ -22,13 +23,7 @@ pub struct Options {
     ///
     /// Fewer numbers where the task is smaller: "x y z" for position, "x y z angle" for position_angle, "x y phi" for
     /// planar_pose, "x y" for planar_position.
-    #[arg(
-        long,
-        value_name = "NUMBERS",
-        allow_hyphen_values = true,
-        required_unless_present = "q",
-        conflicts_with = "q"
-    )]
+    #[arg(long, value_name = "NUMBERS", allow_hyphen_values = true)]
     pose: Option<String>,
     /// Where the tool is at these joint values: "0, -90, 90, 0, 0, 0"
     #[arg(long, value_name = "VALUES", allow_hyphen_values = true)]

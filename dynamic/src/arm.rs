@@ -156,12 +156,7 @@ impl DynamicArm {
 
     pub(crate) fn pose(&self, q: &[f64]) -> Pose<f64> {
         let mut pose = Pose::identity();
-        let mut places = pose.rotation.iter_mut().flatten().chain(&mut pose.translation);
-        self.forward.run(q, |value| {
-            if let Some(place) = places.next() {
-                *place = value;
-            }
-        });
+        self.forward.run(q, pose.rotation.iter_mut().flatten().chain(&mut pose.translation));
         pose
     }
 
@@ -173,13 +168,8 @@ impl DynamicArm {
     pub fn link_poses(&self, q: &[f64]) -> Result<Vec<Pose<f64>>, DynamicError> {
         self.counted(q)?;
         let mut poses = vec![Pose::identity(); self.joints()];
-        let mut places =
-            poses.iter_mut().flat_map(|pose| pose.rotation.iter_mut().flatten().chain(&mut pose.translation));
-        self.links.run(q, |value| {
-            if let Some(place) = places.next() {
-                *place = value;
-            }
-        });
+        let places = poses.iter_mut().flat_map(|pose| pose.rotation.iter_mut().flatten().chain(&mut pose.translation));
+        self.links.run(q, places);
         Ok(poses)
     }
 
@@ -190,12 +180,7 @@ impl DynamicArm {
     pub fn jacobian(&self, q: &[f64]) -> Result<DynamicJacobian, DynamicError> {
         self.counted(q)?;
         let mut rows = self.rows();
-        let mut places = rows.iter_mut().flat_map(|row| row.iter_mut());
-        self.jacobian.run(q, |value| {
-            if let Some(place) = places.next() {
-                *place = value;
-            }
-        });
+        self.jacobian.run(q, rows.iter_mut().flat_map(|row| row.iter_mut()));
         Ok(rows)
     }
 
@@ -211,12 +196,8 @@ impl DynamicArm {
         self.counted(q)?;
         let (mut pose, mut rows) = (Pose::identity(), self.rows());
         let places = pose.rotation.iter_mut().flatten().chain(&mut pose.translation);
-        let mut places = places.chain(rows.iter_mut().flat_map(|row| row.iter_mut()));
-        self.both.run(q, |value| {
-            if let Some(place) = places.next() {
-                *place = value;
-            }
-        });
+        let places = places.chain(rows.iter_mut().flat_map(|row| row.iter_mut()));
+        self.both.run(q, places);
         Ok((pose, rows))
     }
 
@@ -261,12 +242,7 @@ impl DynamicArm {
         self.counted(values)?;
         let mut product = Joints::new(values.iter().copied());
         if let Some(function) = function {
-            let mut places = product.iter_mut();
-            function.run(values, |value| {
-                if let Some(place) = places.next() {
-                    *place = value;
-                }
-            });
+            function.run(values, product.iter_mut());
         }
         Ok(product)
     }

@@ -87,8 +87,8 @@ impl Straight {
         Straight { tape, joints, sums: Vec::new(), pairs, results: roots.iter().map(|root| places.of(*root)).collect() }
     }
 
-    /// Evaluates it: gives every result, in order, to `take`.
-    pub fn run(&self, q: &[f64], mut take: impl FnMut(f64)) {
+    /// Evaluates it: puts every result, in order, to its place.
+    pub fn run<'p>(&self, q: &[f64], places: impl IntoIterator<Item = &'p mut f64>) {
         let mut registers = self.tape.registers();
         for (at, value) in self.joints.iter().zip(q) {
             registers.set(*at, *value);
@@ -101,8 +101,8 @@ impl Straight {
             sines(&mut registers, angles.get(..sums.len()).unwrap_or(&[]), pairs);
         }
         self.tape.run(0..self.tape.len(), &mut registers);
-        for at in &self.results {
-            take(registers.get(*at));
+        for (place, at) in places.into_iter().zip(&self.results) {
+            *place = registers.get(*at);
         }
     }
 }

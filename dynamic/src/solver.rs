@@ -88,12 +88,8 @@ impl<const N: usize> Evaluate<f64, N> for Evaluator<N> {
         denhart::effort::evaluation();
         let (mut pose, mut jacobian) = (Pose::identity(), Jacobian::zero());
         let places = pose.rotation.iter_mut().flatten().chain(&mut pose.translation);
-        let mut places = places.chain(jacobian.rows.iter_mut().flatten());
-        self.0.run(q, |value| {
-            if let Some(place) = places.next() {
-                *place = value;
-            }
-        });
+        let places = places.chain(jacobian.rows.iter_mut().flatten());
+        self.0.run(q, places);
         (pose, jacobian)
     }
 }

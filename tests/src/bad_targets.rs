@@ -166,31 +166,17 @@ impl<T: Spoil> Spoil for (T, f64) {
 /// Applies a function to the target of each task.
 macro_rules! each_task {
     ($target:expr, $inner:ident, $make:ident => $result:expr) => {
+        each_task! {
+            $target, $inner, $make => $result;
+            Pose Position PositionAxis PositionAngle PlanarPose PlanarPosition
+        }
+    };
+    ($target:expr, $inner:ident, $make:ident => $result:expr; $($task:ident)*) => {
         match $target {
-            DynamicTarget::Pose($inner) => {
-                let $make = DynamicTarget::Pose;
+            $(DynamicTarget::$task($inner) => {
+                let $make = DynamicTarget::$task;
                 $result
-            }
-            DynamicTarget::Position($inner) => {
-                let $make = DynamicTarget::Position;
-                $result
-            }
-            DynamicTarget::PositionAxis($inner) => {
-                let $make = DynamicTarget::PositionAxis;
-                $result
-            }
-            DynamicTarget::PositionAngle($inner) => {
-                let $make = DynamicTarget::PositionAngle;
-                $result
-            }
-            DynamicTarget::PlanarPose($inner) => {
-                let $make = DynamicTarget::PlanarPose;
-                $result
-            }
-            DynamicTarget::PlanarPosition($inner) => {
-                let $make = DynamicTarget::PlanarPosition;
-                $result
-            }
+            })*
         }
     };
 }

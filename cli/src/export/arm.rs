@@ -55,6 +55,16 @@ impl<'p> Arm<'p> {
         Ok(Self { model, prefix, scalar, inverse })
     }
 
+    /// Whether its numbers are `float` in C.
+    pub fn is_single(&self) -> bool {
+        self.scalar == ScalarKind::F32
+    }
+
+    /// Whether a function has a result that may be null: `gap` of an inverse, `saturated` of pulses.
+    pub fn has_optional_results(&self) -> bool {
+        self.inverse.is_some() || self.model.actuators.is_some()
+    }
+
     /// Number of joints.
     pub fn joints(&self) -> usize {
         self.model.joints.len()
@@ -68,10 +78,7 @@ impl<'p> Arm<'p> {
     /// A template of this arm: `@prefix@`, `@PREFIX@`, `@arm@`, `@unit@`, `@joints@`, `@most@`, `@version@`,
     /// and the number type in Rust and C as `@scalar@` and `@real@`.
     pub fn fill(&self, template: &str) -> String {
-        let (scalar, real) = match self.scalar {
-            ScalarKind::F32 => ("f32", "float"),
-            ScalarKind::F64 => ("f64", "double"),
-        };
+        let (scalar, real) = if self.is_single() { ("f32", "float") } else { ("f64", "double") };
         let most = self.inverse.as_ref().map_or(0, |inverse| inverse.most);
         template
             .replace("@prefix@", &self.prefix)
@@ -108,12 +115,60 @@ pub fn unit(kind: JointKind, model: &Model) -> &'static str {
     }
 }
 
-/// A name in C, in lower case: letters, digits and `_`, a letter first.
+/// Headers of C, whose place the arm's would take, and names that CMake keeps for targets of its own.
+const TAKEN: [&str; 44] = [
+    "assert",
+    "complex",
+    "ctype",
+    "errno",
+    "fenv",
+    "float",
+    "inttypes",
+    "iso646",
+    "limits",
+    "locale",
+    "math",
+    "memory",
+    "setjmp",
+    "signal",
+    "stdalign",
+    "stdarg",
+    "stdatomic",
+    "stdbit",
+    "stdbool",
+    "stdckdint",
+    "stddef",
+    "stdint",
+    "stdio",
+    "stdlib",
+    "stdnoreturn",
+    "string",
+    "strings",
+    "tgmath",
+    "threads",
+    "time",
+    "uchar",
+    "unistd",
+    "wchar",
+    "wctype",
+    "all",
+    "clean",
+    "edit_cache",
+    "help",
+    "install",
+    "package",
+    "package_source",
+    "preinstall",
+    "rebuild_cache",
+    "test",
+];
+
+/// A name in C, in lower case: letters, digits and `_`, a letter first; none of [`TAKEN`].
 fn identifier(name: &str) -> String {
     let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
     let name: String = name.chars().map(plain).collect();
     let name = name.trim_matches('_');
-    if name.starts_with(|c: char| c.is_ascii_lowercase()) {
+    if name.starts_with(|c: char| c.is_ascii_lowercase()) && !TAKEN.contains(&name) {
         name.to_owned()
     } else {
         format!("arm_{name}").trim_end_matches('_').to_owned()
@@ -133,6 +188,8 @@ mod tests {
             ("_hidden", "hidden"),
             ("Arm \u{e9}", "arm"),
             ("\u{e9}", "arm"),
+            ("math", "arm_math"),
+            ("Test", "arm_test"),
         ] {
             assert_eq!(identifier(name), in_c, "{name}");
         }

@@ -1,6 +1,5 @@
 //! The C header.
 
-use denhart_codegen::ScalarKind;
 use denhart_codegen::lower::Goal;
 use denhart_codegen::model::JointKind;
 
@@ -12,7 +11,8 @@ pub fn text(arm: &Arm<'_>) -> String {
     text += KINEMATICS;
     match &arm.inverse {
         Some(inverse) => {
-            text += &self::inverse(inverse);
+            let reserved = if arm.is_single() { "" } else { RESERVED };
+            text += &self::inverse(inverse).replace("@reserved@", reserved);
             if inverse.given.as_ref().is_some_and(|(name, _)| name == ARM_ANGLE) {
                 text += ANGLE;
             }
@@ -55,9 +55,9 @@ fn source(arm: &Arm<'_>) -> String {
     lines.map(|line| format!(" * {}\n", plain(line.trim())).replace(" * \n", " *\n")).collect()
 }
 
-/// A text that ends no comment.
+/// A text that neither ends a comment nor begins one.
 fn plain(text: &str) -> String {
-    text.replace("*/", "* /").replace('@', "(at)")
+    text.replace("*/", "* /").replace("/*", "/ *").replace('@', "(at)")
 }
 
 fn inverse(inverse: &Inverse) -> String {
@@ -98,11 +98,11 @@ fn inverse(inverse: &Inverse) -> String {
 
 /// Checks that C and Rust lay the types out alike.
 fn sizes(arm: &Arm<'_>) -> String {
-    let (joints, real) = (arm.joints(), if arm.scalar == ScalarKind::F32 { 4 } else { 8 });
+    let (joints, real) = (arm.joints(), if arm.is_single() { 4 } else { 8 });
     let mut sizes = vec![("pose", 12 * real), ("jacobian", 6 * joints * real)];
     if let Some(inverse) = &arm.inverse {
         let solution = joints * real + 2 * real + 8;
-        // The count takes a whole place of the number type.
+        // The count, with what is reserved behind it, takes a whole place of the number type.
         sizes.extend([("branch", 4), ("solution", solution), ("solutions", 3 * real + inverse.most * solution)]);
     }
     let lines: String = sizes
@@ -123,7 +123,8 @@ const HEAD: &str = r#"/*
  * Every function returns a status. It allocates nothing, keeps nothing between calls and may be called from several threads
  * or interrupts. Numbers may have any bits; where they are not finite the status or the result says so. A pointer has to
  * be null, or aligned and to memory of its type that nothing else changes during the call; for null the status is
- * @PREFIX@_BAD_ARGUMENT. An output may be the same memory as an input.
+ * @PREFIX@_BAD_ARGUMENT. Then nothing is written; with any other status every output is. An output may be the same memory
+ * as an input.
  */
 #ifndef @PREFIX@_H
 #define @PREFIX@_H
@@ -212,6 +213,11 @@ const NO_INVERSE: &str = r"
 /* The arm has no inverse kinematics in closed form; `denhart check` says why. */
 ";
 
+/// Fills the place that the next number begins at. On some processors it would begin earlier.
+const RESERVED: &str = "
+    /** 0. */
+    int32_t reserved;";
+
 const INVERSE: &str = r"
 /** Largest number of solutions of one target. */
 #define @PREFIX@_MAX_SOLUTIONS @most@
@@ -257,7 +263,7 @@ typedef struct {
 /** The solutions of one target. */
 typedef struct {
     /** How many there are, 0 to @PREFIX@_MAX_SOLUTIONS. */
-    int32_t count;
+    int32_t count;@reserved@
     /** With @PREFIX@_UNREACHABLE the least gap of an equation, @unit@ or rad; not the distance to the workspace. Else 0. */
     @prefix@_real_t gap;
     /** By how much the target's rotation was off; the solutions reach the nearest rotation. */

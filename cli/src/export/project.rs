@@ -81,6 +81,9 @@ publish = false
 
 [lib]
 crate-type = ["staticlib"]
+# A test needs the standard library, which has a panic handler of its own.
+test = false
+doctest = false
 
 [features]
 # The square root of the standard library: for programs of an operating system, with one such library a program.

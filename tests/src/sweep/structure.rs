@@ -101,12 +101,17 @@ fn link(style: &mut Style) -> Link {
     Link { a: style.length(), alpha }
 }
 
+/// Three joints in a row, the first of them anywhere, are made what `make` says; one in `slides` slides.
+fn three(style: &mut Style, joints: usize, slides: usize, make: fn(&mut Style, &mut Skeleton, usize)) -> Skeleton {
+    let mut skeleton = random(style, joints, slides);
+    let at = style.random.below(joints - 2);
+    make(style, &mut skeleton, at);
+    skeleton
+}
+
 /// Three axes in a row meet; of the other joints some slide.
 fn meeting(style: &mut Style, joints: usize, slides: bool) -> Skeleton {
-    let mut skeleton = random(style, joints, if slides { 2 } else { usize::MAX });
-    let at = style.random.below(joints - 2);
-    meet(style, &mut skeleton, at);
-    skeleton
+    three(style, joints, if slides { 2 } else { usize::MAX }, meet)
 }
 
 fn meet(style: &mut Style, skeleton: &mut Skeleton, at: usize) {
@@ -133,10 +138,7 @@ fn spherical_wrist(style: &mut Style) -> Skeleton {
 
 /// Three axes in a row are parallel; of the other joints some slide.
 fn parallel(style: &mut Style, joints: usize, slides: bool) -> Skeleton {
-    let mut skeleton = random(style, joints, if slides { 2 } else { usize::MAX });
-    let at = style.random.below(joints - 2);
-    line_up(style, &mut skeleton, at);
-    skeleton
+    three(style, joints, if slides { 2 } else { usize::MAX }, line_up)
 }
 
 fn line_up(style: &mut Style, skeleton: &mut Skeleton, at: usize) {
@@ -146,7 +148,11 @@ fn line_up(style: &mut Style, skeleton: &mut Skeleton, at: usize) {
     for link in &mut skeleton.links[at + 1..at + 3] {
         *link = Link { a: if equal { first } else { style.link() }, alpha: style.random.pick(&[0.0, 0.0, 180.0]) };
     }
-    // Axes that are not parallel to the three beside them.
+    tilt_beside(style, skeleton, at);
+}
+
+/// The axes beside joint `at` and the two after it are not parallel to these.
+fn tilt_beside(style: &mut Style, skeleton: &mut Skeleton, at: usize) {
     for beside in [at, at + 3] {
         if beside > 0 && beside + 1 < skeleton.links.len() {
             skeleton.links[beside].alpha = style.twist();
@@ -156,15 +162,10 @@ fn line_up(style: &mut Style, skeleton: &mut Skeleton, at: usize) {
 
 /// Three joints move in a plane: axes that turn across it, slides in it.
 fn in_a_plane(style: &mut Style, joints: usize) -> Skeleton {
-    let mut skeleton = random(style, joints, 6);
-    let at = style.random.below(joints - 2);
-    slide_in_plane(style, &mut skeleton, at);
-    for beside in [at, at + 3] {
-        if beside > 0 && beside + 1 < skeleton.links.len() {
-            skeleton.links[beside].alpha = style.twist();
-        }
-    }
-    skeleton
+    three(style, joints, 6, |style, skeleton, at| {
+        slide_in_plane(style, skeleton, at);
+        tilt_beside(style, skeleton, at);
+    })
 }
 
 /// Makes joints `at` and the two after it move in one plane, one or two of them sliding in it.

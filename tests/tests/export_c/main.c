@@ -100,30 +100,80 @@ static void motors(const real *q)
 #endif
 }
 
+/* Bytes that no result has. */
+#define UNTOUCHED 0xa5
+
+static int untouched(const void *from, size_t count)
+{
+    const unsigned char *bytes = from;
+    while (count > 0 && bytes[count - 1] == UNTOUCHED)
+        count--;
+    return count == 0;
+}
+
+/* Bad arguments, which have status 3 each and nothing written. */
 static void arguments(void)
 {
-    real q[EXPORTED_JOINTS + 1] = {0};
+    static const real q[EXPORTED_JOINTS + 1];
     exported_pose_t pose;
-    exported_jacobian_t jacobian;
+    exported_jacobian_t jacobian[2];
     /* One byte out of line. */
     const real *bent = (const real *)(const void *)((const char *)q + 1);
-    printf("arguments %d %d %d %d %d", exported_forward(NULL, &pose), exported_forward(q, NULL), exported_forward(bent, &pose),
-        exported_jacobian(q, NULL), exported_forward_and_jacobian(q, NULL, &jacobian));
+    exported_jacobian_t *askew = (exported_jacobian_t *)(void *)((char *)jacobian + 1);
+    memset(&pose, UNTOUCHED, sizeof pose);
+    memset(jacobian, UNTOUCHED, sizeof jacobian);
+    printf("arguments %d %d %d", exported_forward(NULL, &pose), exported_forward(q, NULL), exported_forward(bent, &pose));
+    printf(" %d %d", exported_jacobian(q, NULL), exported_jacobian(q, askew));
+    printf(" %d %d %d", exported_forward_and_jacobian(q, NULL, jacobian), exported_forward_and_jacobian(q, &pose, NULL),
+        exported_forward_and_jacobian(q, &pose, askew));
+    printf(" %d", untouched(&pose, sizeof pose) && untouched(jacobian, sizeof jacobian) ? 3 : 0);
 #ifdef EXPORTED_MAX_SOLUTIONS
     {
-        real words[WORDS] = {0}, given = 0;
+        static const real words[WORDS], given;
         const void *target = words;
         exported_solutions_t all;
         exported_solution_t one;
+        real gap[2];
+        real *askew_gap = (real *)(void *)((char *)gap + 1);
         exported_branch_t branch = {0, 0, 0, 0}, wrong = {3, 0, 0, 0};
         (void)given;
-        printf(" %d %d %d %d %d %d %d %d", exported_inverse(NULL, GIVEN &all), exported_inverse(target, GIVEN NULL),
-            exported_inverse_near(NULL, q, &all), exported_inverse_near(target, NULL, &all), exported_inverse_near(target, q, NULL),
-            exported_inverse_branch(target, GIVEN NULL, &one, NULL), exported_inverse_branch(target, GIVEN &branch, NULL, NULL),
-            exported_inverse_branch(target, GIVEN &wrong, &one, NULL));
+        memset(&all, UNTOUCHED, sizeof all);
+        memset(&one, UNTOUCHED, sizeof one);
+        memset(gap, UNTOUCHED, sizeof gap);
+        printf(" %d %d", exported_inverse(NULL, GIVEN &all), exported_inverse(target, GIVEN NULL));
+        printf(" %d %d %d", exported_inverse_near(NULL, q, &all), exported_inverse_near(target, NULL, &all),
+            exported_inverse_near(target, q, NULL));
+        printf(" %d %d %d %d", exported_inverse_branch(target, GIVEN NULL, &one, gap),
+            exported_inverse_branch(target, GIVEN &branch, NULL, gap), exported_inverse_branch(target, GIVEN &wrong, &one, gap),
+            exported_inverse_branch(target, GIVEN &branch, &one, askew_gap));
+        printf(" %d", untouched(&all, sizeof all) && untouched(&one, sizeof one) && untouched(gap, sizeof gap) ? 3 : 0);
+    }
+#endif
+#ifdef HAS_PULSES
+    {
+        int32_t pulses[EXPORTED_JOINTS];
+        uint16_t saturated[2];
+        memset(pulses, UNTOUCHED, sizeof pulses);
+        printf(" %d", exported_to_pulses(q, pulses, (uint16_t *)(void *)((char *)saturated + 1)));
+        printf(" %d", untouched(pulses, sizeof pulses) ? 3 : 0);
     }
 #endif
     printf("\n");
+}
+
+/* An output may be the memory of an input. */
+static void in_place(const real *q)
+{
+    union {
+        real q[EXPORTED_JOINTS];
+        exported_pose_t pose;
+    } place;
+    exported_pose_t pose;
+    memcpy(place.q, q, sizeof place.q);
+    exported_forward(q, &pose);
+    exported_forward(place.q, &place.pose);
+    if (memcmp(&pose, &place.pose, sizeof pose) != 0)
+        printf("in place: another pose");
 }
 
 int main(void)
@@ -164,6 +214,7 @@ int main(void)
         }
 #endif
         motors(q);
+        in_place(q);
         printf("\n");
     }
     return 0;
