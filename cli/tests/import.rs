@@ -276,6 +276,9 @@ fn what_no_arm_file_can_say_is_refused_with_a_way_out() {
     let floating = palletizer.replace("name=\"j1\" type=\"revolute\"", "name=\"j1\" type=\"floating\"");
     let said = refused(&floating, &[]);
     assert!(said.contains("joint `j1` is floating") && said.contains("--base column"), "{said}");
+    let misspelt = palletizer.replace("name=\"j1\" type=\"revolute\"", "name=\"j1\" type=\"revolut\"");
+    let said = refused(&misspelt, &[]);
+    assert!(said.contains("joint `j1`: a URDF has no joints of type `revolut`\nhelp: write revolute"), "{said}");
     let said = refused(&palletizer, &["--tool", "flnge"]);
     assert!(said.contains("no link is named `flnge`") && said.contains("flange"), "{said}");
     let fetch = fs::read_to_string(urdf("franka_panda")).unwrap();
@@ -283,6 +286,18 @@ fn what_no_arm_file_can_say_is_refused_with_a_way_out() {
     assert!(said.contains("several chains have 8 moving joints\nhelp: name the last link with --tool: panda_leftfinger, panda_rightfinger"), "{said}");
     let said = refused("<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><xacro:arm/></robot>", &[]);
     assert!(said.contains("xacro robot.urdf.xacro > robot.urdf"), "{said}");
+}
+
+#[test]
+fn a_urdf_in_place_of_an_arm_file_is_named() {
+    let path = urdf("ur5");
+    let path = path.to_str().unwrap();
+    for command in [&["check", path][..], &["forward", path, "--q", "0 0 0 0 0 0"], &["export", "c", path, "-o", "no"]] {
+        let output = run(command);
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{said}");
+        assert!(said.contains(&format!("this is a URDF\nhelp: denhart import {path} -o arm.yaml")), "{said}");
+    }
 }
 
 #[test]

@@ -183,7 +183,7 @@ fn wrong_arguments_have_status_2_and_wrong_files_status_1() {
         (&["forward", "specs/ur5.yaml", "--q", "0, 0"][..], 2, "2 values, one for each joint is needed: q1, "),
         (&["forward", "specs/ur5.yaml", "--q", "0 0 0 0 0 x"], 2, "`x` is not a number"),
         (&["forward", "specs/ur5.yaml"], 2, "--q"),
-        (&["inverse", "specs/ur5.yaml"], 2, "--pose"),
+        (&["inverse", "specs/ur5.yaml"], 2, "<--pose <NUMBERS>|--q <VALUES>>"),
         (&["inverse", "specs/ur5.yaml", "--pose", "1 2"], 2, "needs \"x y z roll pitch yaw\""),
         (&["inverse", "specs/ur5.yaml", "--pose", "1 2 3 4 5 6", "--q", "0"], 2, "cannot be used with"),
         (&["inverse", "specs/gen6r_a.yaml", "--q", "0 0 0 0 0 0"], 1, "no inverse kinematics: "),

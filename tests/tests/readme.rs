@@ -294,3 +294,14 @@ fn the_commands_of_the_readme_are_checked() {
         assert!(check.contains(command) || check.contains(&command.replace("run", "run --quiet")), "{command}");
     }
 }
+
+#[test]
+fn versions_are_those_of_the_workspace() {
+    let read = |name: &str| fs::read_to_string(root().join(name)).unwrap();
+    let manifest = read("Cargo.toml");
+    let version = |key: &str| manifest.split(key).nth(1).and_then(|rest| rest.split('"').next()).unwrap();
+    let rust = format!("Rust has to be {} or later", version("rust-version = \""));
+    assert!(read("README.md").contains(&rust), "{rust}");
+    let nalgebra = format!("with nalgebra {}:", version("nalgebra = { version = \""));
+    assert!(read("docs/generate.md").contains(&nalgebra), "{nalgebra}");
+}

@@ -32,7 +32,12 @@ pub fn find<'r>(robot: &'r Robot, base: Option<&str>, tool: Option<&str>) -> Res
     let joints = between(robot, base, tool);
     if let Some(passed) = joints.iter().find(|passed| matches!(passed.joint.kind, Kind::Other(_))) {
         let Joint { name, kind, .. } = passed.joint;
-        let kind = if let Kind::Other(kind) = kind { kind } else { "" };
+        let kind: &str = if let Kind::Other(kind) = kind { kind } else { "" };
+        if !matches!(kind, "floating" | "planar") {
+            return Err(format!(
+                "joint `{name}`: a URDF has no joints of type `{kind}`\nhelp: write revolute, continuous, prismatic or fixed"
+            ));
+        }
         return Err(format!(
             "joint `{name}` is {kind}, which is no joint of a serial arm\nhelp: begin the chain after it: --base {}",
             if passed.backward { &passed.joint.parent } else { &passed.joint.child }

@@ -5,16 +5,21 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use denhart::{Arm, Pose};
+use denhart::{Arm, Jacobian, Pose};
 
 use crate::bits::{Real, pose, shown};
 use crate::tools::{cc, command, export, library, prints, program, succeeds};
 
-/// What the program in C prints of the kinematics of an arm without inverse at `q`, whatever else it prints there.
-fn kinematics<const N: usize>(q: &[f64; N], alone: &Pose<f64>, jacobian: &[[f64; N]; 6], more: &str) -> [String; 2] {
+/// What the program in C is asked, and what it prints of an arm without inverse: pose, Jacobian, both, and what `more` says.
+fn kinematics<const N: usize>(
+    q: &[f64; N],
+    alone: (Pose<f64>, Jacobian<f64, N>),
+    both: (Pose<f64>, Jacobian<f64, N>),
+    more: &str,
+) -> [String; 2] {
     let input = q.iter().map(|x| format!("{:x} ", x.bits())).collect();
-    let (tool, rows) = (pose(alone), shown(jacobian.iter().flatten()));
-    [input, format!("0{tool} | 0{rows} | 0{tool}{rows}{more}\n")]
+    let [one, two] = [alone, both].map(|(tool, columns)| (pose(&tool), shown(columns.rows.iter().flatten())));
+    [input, format!("0{} | 0{} | 0{}{}{more}\n", one.0, one.1, two.0, two.1)]
 }
 
 /// An arm without inverse has the kinematics alone; a build without optimization, which is one with it, links too.
@@ -28,7 +33,7 @@ fn an_arm_without_inverse() {
     let library = library(&folder, "kinova_jaco", "dev");
     let program = program(&mut cc, &folder, "kinova_jaco", &[], &library);
     let q = [0.1, -0.7, 1.3, 2.0, -1.1, 0.4];
-    let [input, expected] = kinematics(&q, &Jaco.forward(&q), &Jaco.jacobian(&q).rows, "");
+    let [input, expected] = kinematics(&q, (Jaco.forward(&q), Jaco.jacobian(&q)), Jaco.forward_and_jacobian(&q), "");
     prints(&program, &input, &expected);
 }
 
@@ -47,7 +52,8 @@ fn an_arm_with_pulses_alone() {
     let counts: String = pulses.iter().map(|count| format!(" {count}")).collect();
     // The last joint is at the end of what a pulse counter holds.
     let more = format!(" | 0{counts} {}{}", 1 << 5, shown(&Pulses.from_pulses(&pulses)));
-    let [input, expected] = kinematics(&q, &Pulses.forward(&q), &Pulses.jacobian(&q).rows, &more);
+    let [input, expected] =
+        kinematics(&q, (Pulses.forward(&q), Pulses.jacobian(&q)), Pulses.forward_and_jacobian(&q), &more);
     prints(&program, &input, &expected);
     header_is_clean(&folder, "arm_test");
 }
