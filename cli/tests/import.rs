@@ -292,7 +292,8 @@ fn what_no_arm_file_can_say_is_refused_with_a_way_out() {
 fn a_urdf_in_place_of_an_arm_file_is_named() {
     let path = urdf("ur5");
     let path = path.to_str().unwrap();
-    for command in [&["check", path][..], &["forward", path, "--q", "0 0 0 0 0 0"], &["export", "c", path, "-o", "no"]] {
+    for command in [&["check", path][..], &["forward", path, "--q", "0 0 0 0 0 0"], &["export", "c", path, "-o", "no"]]
+    {
         let output = run(command);
         let said = text(&output.stderr);
         assert_eq!(output.status.code(), Some(1), "{said}");

@@ -36,14 +36,14 @@ impl<'p> Arm<'p> {
     /// Of the programs of an arm.
     ///
     /// # Errors
-    /// A prefix that is no name in C.
+    /// A prefix that is no name in C, or is taken.
     pub fn new(program: &'p Program, scalar: ScalarKind, prefix: Option<&str>) -> Result<Self, String> {
         let model = &program.model;
         let prefix = match prefix {
             Some(prefix) if identifier(prefix) == prefix => prefix.to_owned(),
             Some(prefix) => {
                 let instead = identifier(prefix);
-                return Err(format!("--prefix: `{prefix}` cannot begin a name in C\nhelp: write `{instead}`"));
+                return Err(format!("--prefix: `{prefix}` cannot name a library for C\nhelp: write `{instead}`"));
             }
             None => identifier(&model.name),
         };
@@ -115,60 +115,19 @@ pub fn unit(kind: JointKind, model: &Model) -> &'static str {
     }
 }
 
-/// Headers of C, whose place the arm's would take, and names that CMake keeps for targets of its own.
-const TAKEN: [&str; 44] = [
-    "assert",
-    "complex",
-    "ctype",
-    "errno",
-    "fenv",
-    "float",
-    "inttypes",
-    "iso646",
-    "limits",
-    "locale",
-    "math",
-    "memory",
-    "setjmp",
-    "signal",
-    "stdalign",
-    "stdarg",
-    "stdatomic",
-    "stdbit",
-    "stdbool",
-    "stdckdint",
-    "stddef",
-    "stdint",
-    "stdio",
-    "stdlib",
-    "stdnoreturn",
-    "string",
-    "strings",
-    "tgmath",
-    "threads",
-    "time",
-    "uchar",
-    "unistd",
-    "wchar",
-    "wctype",
-    "all",
-    "clean",
-    "edit_cache",
-    "help",
-    "install",
-    "package",
-    "package_source",
-    "preinstall",
-    "rebuild_cache",
-    "test",
-];
+/// Libraries and headers of C, whose place the arm's would take, and names that CMake keeps for targets of its own.
+const TAKEN: &str = "\
+    c dl m pthread rt assert complex ctype errno fenv float inttypes iso646 limits locale math memory setjmp signal \
+    stdalign stdarg stdatomic stdbit stdbool stdckdint stddef stdint stdio stdlib stdnoreturn string \
+    strings tgmath threads time uchar unistd wchar wctype all clean edit_cache help install package \
+    package_source preinstall rebuild_cache test";
 
 /// A name in C, in lower case: letters, digits and `_`, a letter first; none of [`TAKEN`].
 fn identifier(name: &str) -> String {
     let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
     let name: String = name.chars().map(plain).collect();
     let name = name.trim_matches('_');
-    if name.starts_with(|c: char| c.is_ascii_lowercase()) && !TAKEN.contains(&name) {
+    if name.starts_with(|c: char| c.is_ascii_lowercase()) && TAKEN.split(' ').all(|taken| taken != name) {
         name.to_owned()
     } else {
         format!("arm_{name}").trim_end_matches('_').to_owned()

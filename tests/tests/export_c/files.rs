@@ -54,7 +54,8 @@ fn wrong_arguments_are_named() {
     let folder = folder("refused");
     let command = ["export", "c", spec.to_str().unwrap(), "-o", folder.to_str().unwrap()];
     let with = |more: &[&str], says| denhart(&[&command[..], more].concat(), Some(says));
-    with(&["--prefix", "2R-arm"], "`2R-arm` cannot begin a name in C\nhelp: write `arm_2r_arm`");
+    with(&["--prefix", "2R-arm"], "`2R-arm` cannot name a library for C\nhelp: write `arm_2r_arm`");
+    with(&["--prefix", "math"], "`math` cannot name a library for C\nhelp: write `arm_math`");
     with(&["--crate-path", "/no/such/folder"], "--crate-path: cannot read `/no/such/folder/Cargo.toml`");
     let wrong = root().join("codegen");
     with(&["--crate-path", wrong.to_str().unwrap()], "is not the crate denhart");
