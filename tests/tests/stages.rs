@@ -9,7 +9,9 @@ use std::path::Path;
 const STAGES: [&str; 7] = ["spec", "model", "symbolic", "kinematics", "solve", "lower", "emit"];
 
 /// Folders without a circle, and the module of the crate that each one is.
-const FOLDERS: [(&str, &[&str]); 7] = [
+const FOLDERS: [(&str, &[&str]); 9] = [
+    ("codegen/src/spec", &["spec"]),
+    ("codegen/src/model", &["model"]),
     ("codegen/src/symbolic", &["symbolic"]),
     ("codegen/src/kinematics", &["kinematics"]),
     ("codegen/src/solve", &["solve"]),

@@ -1,6 +1,7 @@
 //! Motors that count pulses.
 
-use super::{Angle, Joint, JointKind};
+use super::angle::Angle;
+use super::joint::{Joint, JointKind};
 use crate::error::Diagnostic;
 use crate::spec::{ActuatorSpec, HomeSpec, Spec};
 use std::f64::consts::TAU;

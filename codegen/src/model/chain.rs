@@ -2,7 +2,9 @@
 
 use std::collections::HashMap;
 
-use super::{Angle, Convention, Frame, Length, Model, RowKind};
+use super::angle::Angle;
+use super::arm::{Frame, Model};
+use crate::spec::{Convention, Length, RowKind};
 
 /// A factor of `T = base . rows . tool`, with the name its dimension has in the generated code.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,12 +1,14 @@
 //! From the file as written to the checked chain.
 
 use super::actuator::actuators;
+use super::angle::Angle;
+use super::arm::{Frame, InverseRequest, MOST_JOINTS, Model, Parameter, Row};
 use super::combined_limits::combined_limits;
 use super::coupling::coupling;
+use super::joint::{Joint, JointKind};
 use super::joint_names::named;
 use super::reach::Sizes;
 use super::weights::weights;
-use super::{Angle, Frame, InverseRequest, Joint, JointKind, MOST_JOINTS, Model, Parameter, Row};
 use crate::error::{Diagnostic, Errors};
 use crate::spec::{FrameSpec, LimitsSpec, Place, RowKind, RowSpec, Spec};
 

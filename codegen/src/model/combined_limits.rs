@@ -1,7 +1,7 @@
 //! Ranges of sums of joint values.
 
+use super::joint::{Joint, JointKind};
 use super::joint_names::{referred, value};
-use super::{Joint, JointKind};
 use crate::error::Diagnostic;
 use crate::spec::{CombinedLimitSpec, Spec};
 

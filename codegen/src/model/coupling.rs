@@ -1,8 +1,8 @@
 //! Linked joints: motor = A q + b, and the way back.
 
+use super::joint::{Joint, JointKind};
 use super::joint_names::{referred, value};
 use super::rational::{Matrix, inverse};
-use super::{Joint, JointKind};
 use crate::error::Diagnostic;
 use crate::spec::{CouplingSpec, Factor, MotorSpec, Place, Spec, TermSpec};
 

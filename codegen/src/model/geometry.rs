@@ -2,10 +2,11 @@
 //!
 //! Lengths are compared relative to the reach of the arm, angles in rad; see [`TOLERANCE`].
 
+use super::arm::Model;
 use super::chain::{Chain, Elementary};
+use super::joint::JointKind;
 use super::numeric::{Transform, cross, distance, dot, length, scaled, sub};
 pub use super::reach::reach;
-use super::{JointKind, Model};
 use std::cell::Cell;
 use std::collections::HashMap;
 

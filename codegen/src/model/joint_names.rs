@@ -1,6 +1,7 @@
 //! The joint that a name means.
 
-use super::{Angle, Joint, JointKind};
+use super::angle::Angle;
+use super::joint::{Joint, JointKind};
 use crate::error::Diagnostic;
 use crate::spec::{ANGLE, JointRef, POSITION, Place, Spec, WrittenValue, nearest};
 

@@ -2,9 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use super::{InverseRequest, Joint, JointKind, Model, Task};
+use super::arm::{InverseRequest, Model};
+use super::joint::{Joint, JointKind};
 use crate::error::Diagnostic;
-use crate::spec::{LengthUnit, LimitsSpec, Place, RowSpec, Spec, WrittenAngle};
+use crate::spec::{LengthUnit, LimitsSpec, Place, RowSpec, Spec, Task, WrittenAngle};
 
 /// No link of an arm is as long as this, m.
 const LONG: f64 = 30.0;

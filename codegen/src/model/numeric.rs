@@ -1,7 +1,8 @@
 //! Numeric rigid transforms: what the structure of an arm is decided on.
 
+use super::arm::Frame;
 use super::chain::Elementary;
-use super::{Frame, Length};
+use crate::spec::Length;
 
 type V = [f64; 3];
 

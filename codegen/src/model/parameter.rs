@@ -1,18 +1,10 @@
 //! Parameters: which lengths are bound at run time, and the values their structure is decided on.
 
+use super::arm::{Frame, Model, Parameter};
 use super::chain::Chain;
 use super::reach::reach;
-use super::{Frame, Length, Model};
+use crate::spec::Length;
 use std::collections::HashMap;
-
-/// A name for lengths of the arm.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Parameter {
-    /// Its name, also that of the field that binds it.
-    pub name: String,
-    /// Its value in the file, length unit.
-    pub default: f64,
-}
 
 /// Which parameters of the file are bound at run time, by fields of the arm's struct. The others are their defaults,
 /// as if the file had the numbers.

@@ -1,9 +1,10 @@
 //! The size of an arm, which every length is compared to.
 
+use super::arm::Model;
+use super::joint::JointKind;
 use super::numeric::length;
-use super::{JointKind, Length, Model};
 use crate::error::Diagnostic;
-use crate::spec::Spec;
+use crate::spec::{Length, Spec};
 use std::collections::HashMap;
 
 /// What an arm may measure: the kernels compute fourth powers of lengths, which must stay in the range of the scalar.

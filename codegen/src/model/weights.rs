@@ -1,6 +1,6 @@
 //! Weights of the joints in the distance from a reference.
 
-use super::Joint;
+use super::joint::Joint;
 use super::joint_names::named;
 use crate::error::Diagnostic;
 use crate::spec::{Spec, WeightsSpec};

@@ -4,7 +4,7 @@ use super::angle::{AngleUnit, WrittenAngle};
 use super::angle_field::AngleRole;
 use super::place::Place;
 use super::reader::{Field, Reader};
-use super::row::RowKind;
+use super::row_kind::RowKind;
 
 /// A motor that counts pulses.
 #[derive(Debug, Clone)]

@@ -3,8 +3,8 @@
 use super::angle::WrittenAngle;
 use super::angle_field::AngleRole;
 use super::length::Length;
+use super::parameter::Context;
 use super::reader::{Field, Fields, Reader};
-use super::row::RowContext;
 
 /// A constant frame as written: translation `xyz`, then `Rz(yaw) Ry(pitch) Rx(roll)` with `rpy` = roll, pitch, yaw.
 #[derive(Debug, Clone)]
@@ -17,7 +17,7 @@ pub struct FrameSpec {
 
 impl Reader<'_> {
     /// The frame under `key`, the identity where there is none.
-    pub fn frame(&mut self, root: &Fields<'_>, key: &'static str, context: RowContext<'_>) -> FrameSpec {
+    pub fn frame(&mut self, root: &Fields<'_>, key: &'static str, context: Context<'_>) -> FrameSpec {
         let mut frame = FrameSpec { xyz: [Length::ZERO; 3], rpy: [WrittenAngle::ZERO; 3] };
         let Some(field) = root.get(key) else { return frame };
         let Some(fields) = self.mapping(&field, &format!("`{key}`"), &["xyz", "rpy"]) else { return frame };

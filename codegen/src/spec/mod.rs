@@ -18,6 +18,7 @@ mod place;
 mod range;
 mod reader;
 mod row;
+mod row_kind;
 mod source;
 #[cfg(test)]
 mod tests;
@@ -37,16 +38,17 @@ pub use nearest::nearest;
 pub use parameter::ParameterSpec;
 pub use place::Place;
 pub use range::{ANGLE, POSITION};
-pub use row::{LimitsSpec, RowKind, RowSpec};
+pub use row::{LimitsSpec, RowSpec};
+pub use row_kind::RowKind;
 pub use source::Source;
 pub use units::{Convention, LengthUnit};
 pub use value::{JointRef, WrittenValue};
 pub use weights::WeightsSpec;
 
 use crate::error::{Diagnostic, Errors};
+use parameter::Context;
 use place::Step;
 use reader::{Field, Fields, Reader};
-use row::RowContext;
 use yaml::Node;
 
 /// An arm file as written.
@@ -102,7 +104,7 @@ pub fn read(text: &str, file: &str) -> Result<(Spec, Vec<Diagnostic>), Errors> {
     let Some(fields) = reader.mapping(&field, "an arm file", KEYS) else { return Err(Errors::new(reader.mistakes)) };
     let parameters = reader.parameters(&fields);
     let units = reader.units(&fields);
-    let context = RowContext { angle: units.angle, parameters: parameters.as_deref() };
+    let context = Context { angle: units.angle, parameters: parameters.as_deref() };
     let name = match fields.get("name") {
         Some(field) => reader.text(&field, "the arm's name", "write a name, such as `name: ur5`"),
         None => None,
@@ -112,7 +114,8 @@ pub fn read(text: &str, file: &str) -> Result<(Spec, Vec<Diagnostic>), Errors> {
     let base = reader.frame(&fields, "base", context);
     let tool = reader.frame(&fields, "tool", context);
     let parameters = parameters.unwrap_or_default();
-    reader.unused_parameters(&parameters, &rows, [&base, &tool]);
+    let lengths = rows.iter().flat_map(|row| [&row.a, &row.d]).chain(&base.xyz).chain(&tool.xyz);
+    reader.unused_parameters(&parameters, lengths);
     let inverse = reader.inverse(&fields, units.angle);
     let coupling = reader.coupling(&fields, units.angle);
     let combined_limits = reader.combined_limits(&fields, units.angle);
@@ -179,7 +182,7 @@ fn advice(message: &str, line: &str) -> Option<&'static str> {
 }
 
 impl Reader<'_> {
-    fn rows(&mut self, root: &Fields<'_>, context: RowContext<'_>) -> Vec<RowSpec> {
+    fn rows(&mut self, root: &Fields<'_>, context: Context<'_>) -> Vec<RowSpec> {
         let help = "write one row a joint, such as\njoints:\n  - {type: revolute, a: 0.5, alpha: 0, d: 0, theta: 0}";
         let Some(field) = root.get("joints") else {
             if !root.has("joints") {

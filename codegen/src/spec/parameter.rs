@@ -1,12 +1,12 @@
 //! `parameters:`, names for lengths that may be bound at run time.
 
+use super::angle::AngleUnit;
 use super::length::{Length, factored};
 use super::nearest::nearest;
 use super::place::{Place, Step};
 use super::range;
 use super::reader::{Field, Fields, Reader};
 use super::yaml::Node;
-use super::{FrameSpec, RowSpec};
 
 /// A parameter as written.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,6 +17,15 @@ pub struct ParameterSpec {
     pub default: f64,
     /// Its key.
     pub place: Place,
+}
+
+/// What the lengths and angles of rows and frames are read with.
+#[derive(Clone, Copy)]
+pub struct Context<'c> {
+    /// The unit of plain angles; `None` where the file's unit is a mistake.
+    pub angle: Option<AngleUnit>,
+    /// The parameters; `None` where their list is a mistake.
+    pub parameters: Option<&'c [ParameterSpec]>,
 }
 
 impl Reader<'_> {
@@ -94,9 +103,8 @@ impl Reader<'_> {
         None
     }
 
-    /// Says which parameters no length names.
-    pub fn unused_parameters(&mut self, parameters: &[ParameterSpec], rows: &[RowSpec], frames: [&FrameSpec; 2]) {
-        let lengths = rows.iter().flat_map(|row| [&row.a, &row.d]).chain(frames.into_iter().flat_map(|f| &f.xyz));
+    /// Says which parameters none of the `lengths` names.
+    pub fn unused_parameters<'l>(&mut self, parameters: &[ParameterSpec], lengths: impl Iterator<Item = &'l Length>) {
         let used: Vec<&str> = lengths.filter_map(Length::parameter).collect();
         for parameter in parameters.iter().filter(|parameter| !used.contains(&parameter.name.as_str())) {
             let message = format!("the parameter `{}` is not used", parameter.name);

@@ -1,7 +1,5 @@
 //! The range of the numbers in a file: what the arithmetic of generated code can use, in double precision.
 
-use super::reader::{Field, Reader};
-
 /// Numbers that are 0 or of a size from `least` to `most`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
@@ -35,19 +33,6 @@ impl Range {
             Some(format!("{article} {what} of 0, or not below {least:e}{unit}"))
         } else {
             Some(format!("{article} {what} not beyond {most:e}{unit}"))
-        }
-    }
-}
-
-impl Reader<'_> {
-    /// The value, unless it is beyond the range; `help` says what to write instead.
-    pub fn within(&mut self, range: Range, field: &Field<'_>, value: f64, help: &str) -> Option<f64> {
-        match range.missed(value) {
-            None => Some(value),
-            Some(expected) => {
-                self.unexpected(field, &expected, Some(help.to_owned()));
-                None
-            }
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::meant;
 use super::nearest::nearest;
 use super::place::{Place, Step};
-use super::range;
+use super::range::{self, Range};
 use super::source::Source;
 use super::yaml::Node;
 use crate::error::Diagnostic;
@@ -211,6 +211,17 @@ impl<'s> Reader<'s> {
             _ => self.unexpected(field, "a number in the file's length unit", None),
         }
         None
+    }
+
+    /// The value, unless it is beyond the range; `help` says what to write instead.
+    pub fn within(&mut self, range: Range, field: &Field<'_>, value: f64, help: &str) -> Option<f64> {
+        match range.missed(value) {
+            None => Some(value),
+            Some(expected) => {
+                self.unexpected(field, &expected, Some(help.to_owned()));
+                None
+            }
+        }
     }
 
     /// A list of exactly `N` entries, each with the key of the list.

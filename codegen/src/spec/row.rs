@@ -4,21 +4,11 @@ use super::actuator::ActuatorSpec;
 use super::angle::{AngleUnit, WrittenAngle};
 use super::angle_field::{AngleRole, NO_LIMIT};
 use super::length::Length;
-use super::parameter::ParameterSpec;
+use super::parameter::Context;
 use super::place::Place;
 use super::reader::{Field, Fields, Reader};
+use super::row_kind::{KIND_SYNONYMS, KINDS, RowKind};
 use super::yaml::Node;
-
-/// What the joint of a row does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum RowKind {
-    /// `q` is added to `theta`.
-    Revolute,
-    /// `q` is added to `d`.
-    Prismatic,
-    /// Nothing moves.
-    Fixed,
-}
 
 /// A row as written. What could not be read is zero; the mistake is on record.
 #[derive(Debug, Clone)]
@@ -53,31 +43,10 @@ pub enum LimitsSpec {
 }
 
 const KEYS: &[&str] = &["type", "name", "a", "alpha", "d", "theta", "limits", "actuator"];
-const KINDS: &[(&str, RowKind)] =
-    &[("revolute", RowKind::Revolute), ("prismatic", RowKind::Prismatic), ("fixed", RowKind::Fixed)];
-const KIND_SYNONYMS: &[(&str, &str)] = &[
-    ("r", "revolute"),
-    ("rotary", "revolute"),
-    ("rotational", "revolute"),
-    ("hinge", "revolute"),
-    ("continuous", "revolute"),
-    ("p", "prismatic"),
-    ("linear", "prismatic"),
-    ("sliding", "prismatic"),
-    ("constant", "fixed"),
-];
-
-/// What the rows have in common.
-#[derive(Clone, Copy)]
-pub struct RowContext<'c> {
-    pub angle: Option<AngleUnit>,
-    /// `None` where they are a mistake.
-    pub parameters: Option<&'c [ParameterSpec]>,
-}
 
 impl Reader<'_> {
     /// Reads row `number` (from 1).
-    pub fn row(&mut self, field: &Field<'_>, number: usize, context: RowContext<'_>) -> RowSpec {
+    pub fn row(&mut self, field: &Field<'_>, number: usize, context: Context<'_>) -> RowSpec {
         let mut row = RowSpec {
             kind: RowKind::Revolute,
             name: None,
@@ -130,7 +99,7 @@ impl Reader<'_> {
     }
 
     /// The length under `key`; zero if there is none that can be read.
-    fn length_of(&mut self, fields: &Fields<'_>, key: &str, context: RowContext<'_>) -> Length {
+    fn length_of(&mut self, fields: &Fields<'_>, key: &str, context: Context<'_>) -> Length {
         let length = fields.get(key).and_then(|field| self.length(&field, context.parameters));
         length.unwrap_or(Length::ZERO)
     }

@@ -1,0 +1,108 @@
+//! The checked arm: its table, joints, frames, and what is wanted of its inverse.
+
+use super::actuator::Actuator;
+use super::angle::Angle;
+use super::combined_limits::CombinedLimit;
+use super::coupling::Coupling;
+use super::joint::Joint;
+use crate::error::Location;
+use crate::spec::{Axis, Convention, Length, LengthUnit, RowKind, Task};
+
+/// Most moving joints an arm may have.
+pub const MOST_JOINTS: usize = 10;
+
+/// A checked arm. Lengths are in `length_unit`, joints count from 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Model {
+    /// Free text, not empty.
+    pub name: String,
+    /// The leading comment lines of the file.
+    pub source: Option<String>,
+    /// Which frame a row belongs to.
+    pub convention: Convention,
+    /// The unit of all lengths.
+    pub length_unit: LengthUnit,
+    /// All rows, the fixed ones too.
+    pub rows: Vec<Row>,
+    /// The constant frame before the first row.
+    pub base: Frame,
+    /// The constant frame after the last row.
+    pub tool: Frame,
+    /// The moving joints in order, 1 to [`MOST_JOINTS`].
+    pub joints: Vec<Joint>,
+    /// The names for lengths, in the order of the file.
+    pub parameters: Vec<Parameter>,
+    /// What the inverse is asked for.
+    pub inverse: InverseRequest,
+    /// How motors move joints, where they are linked.
+    pub coupling: Option<Coupling>,
+    /// Ranges of sums of joint values.
+    pub combined_limits: Vec<CombinedLimit>,
+    /// What the motors count, one for each joint, where the file says so.
+    pub actuators: Option<Vec<Actuator>>,
+}
+
+/// A row of the table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// What the joint of the row does.
+    pub kind: RowKind,
+    /// Length.
+    pub a: Length,
+    /// Angle between the axes.
+    pub alpha: Angle,
+    /// Length; the joint's offset where it is prismatic.
+    pub d: Length,
+    /// Angle; the joint's offset where it is revolute.
+    pub theta: Angle,
+    /// The name in the file, if there is one.
+    pub name: Option<String>,
+    /// The index of the row's joint in [`Model::joints`]; `None` for a fixed row.
+    pub joint: Option<usize>,
+}
+
+/// A constant frame: translation `xyz`, rotation `Rz(yaw) Ry(pitch) Rx(roll)`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Frame {
+    /// Length.
+    pub xyz: [Length; 3],
+    /// Roll, pitch, yaw.
+    pub rpy: [Angle; 3],
+}
+
+/// A name for lengths of the arm.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parameter {
+    /// Its name, also that of the field that binds it.
+    pub name: String,
+    /// Its value in the file, length unit.
+    pub default: f64,
+}
+
+/// What the inverse is asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InverseRequest {
+    /// The task, where one is named.
+    pub task: Option<Task>,
+    /// Whether an arm without an inverse is a mistake.
+    pub require: bool,
+    /// The joint whose value is given, an index into [`Model::joints`].
+    pub redundant: Option<usize>,
+    /// Whether the arm angle is given instead of a joint.
+    pub arm_angle: bool,
+    /// The tool's axis for [`Task::PositionAxis`], where one is named.
+    pub axis: Option<Axis>,
+    /// Greatest position residual of an exact solution, length.
+    pub tolerance_length: Option<f64>,
+    /// Greatest orientation residual of an exact solution, rad.
+    pub tolerance_angle: Option<f64>,
+    /// How much each joint counts in the distance from a reference; `None` if all count the same.
+    pub weights: Option<Vec<f64>>,
+    /// Where `inverse.task` or `inverse` stands in the file.
+    pub at: Option<Location>,
+    /// Whether the file has `inverse` at all.
+    pub present: bool,
+}
+
+/// What a residual may be where the file does not say: of a position relative to the reach, of an orientation in rad.
+pub const DEFAULT_TOLERANCE: f64 = 1e-6;
