@@ -6,7 +6,7 @@ use crate::model::chain::{Chain, Elementary};
 use crate::model::geometry::Geometry;
 use crate::model::{Angle, Length, Model};
 use crate::solve::{Plan, PlanStep, Stage, Unsupported};
-use crate::symbolic::{Expr, Symbol};
+use crate::symbolic::{ConstantAngle, Dimension, Expr, Symbol};
 use std::fmt::Write;
 
 /// Model, factors of the chain, triples and plan; one item a line.
@@ -41,15 +41,15 @@ fn line(out: &mut String, text: String) {
 
 fn factor(step: &Elementary) -> String {
     match step {
-        Elementary::RotateX { angle, name } => format!("Rx({name} = {})", angle.text()),
-        Elementary::RotateZ { angle, name } => format!("Rz({name} = {})", angle.text()),
-        Elementary::ShiftX { length, name } => format!("Tx({name} = {})", size(length)),
-        Elementary::ShiftZ { length, name } => format!("Tz({name} = {})", size(length)),
+        Elementary::RotateX { angle, row } => format!("Rx({} = {})", ConstantAngle::Alpha(*row), angle.text()),
+        Elementary::RotateZ { angle, row } => format!("Rz({} = {})", ConstantAngle::Theta(*row), angle.text()),
+        Elementary::ShiftX { length, row } => format!("Tx({} = {})", Dimension::LinkLength(*row), size(length)),
+        Elementary::ShiftZ { length, row } => format!("Tz({} = {})", Dimension::LinkOffset(*row), size(length)),
         Elementary::Revolute { joint, offset } => format!("Rz(q{} + {})", joint + 1, offset.text()),
         Elementary::Prismatic { joint } => format!("Tz(q{})", joint + 1),
-        Elementary::Frame { frame, name } => {
+        Elementary::Frame { frame, end } => {
             let xyz = frame.xyz.each_ref().map(size).join(", ");
-            format!("{name} xyz [{xyz}] rpy {:?}", frame.rpy.map(|angle| angle.text()))
+            format!("{end} xyz [{xyz}] rpy {:?}", frame.rpy.map(|angle| angle.text()))
         }
     }
 }

@@ -221,12 +221,13 @@ impl Places {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use denhart_codegen::lower::Dimension;
 
     #[test]
     fn operations_are_those_of_the_graph() {
         let mut g = Graph::default();
         let [x, y] = ["x", "y"].map(|name| g.symbol(name));
-        let k = g.dimension("K", 0.1);
+        let k = g.dimension(Dimension::LinkLength(0), 0.1);
         let (product, square) = (g.mul(k, x), g.mul(y, y));
         let sum = g.add(product, square);
         let length = g.norm(&[x, y]);

@@ -5,15 +5,15 @@ use super::docs;
 use super::tokens::{ident, number};
 use crate::lower::Straight;
 use crate::model::{Convention, Model};
-use crate::symbolic::{Expr, Graph, Node, Symbol};
+use crate::symbolic::{ConstantAngle, Dimension, Expr, Graph, Node, Symbol};
 use indexmap::IndexMap;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Dimensions in use, by name.
+/// Dimensions in use, and their values.
 #[derive(Debug, Clone, Default)]
 pub struct Dimensions {
-    used: IndexMap<String, f64>,
+    used: IndexMap<Dimension, f64>,
 }
 
 impl Dimensions {
@@ -25,8 +25,8 @@ impl Dimensions {
     /// Adds those the roots of a graph use.
     pub fn collect_from(&mut self, graph: &Graph, roots: &[Expr]) {
         for e in graph.reachable(roots) {
-            if let Node::Symbol(Symbol::Dimension(name, bits)) = graph.node(e) {
-                self.used.insert(name, f64::from_bits(bits));
+            if let Node::Symbol(Symbol::Dimension(dimension, bits)) = graph.node(e) {
+                self.used.insert(dimension, f64::from_bits(bits));
             }
         }
     }
@@ -34,50 +34,77 @@ impl Dimensions {
     /// The constant items, in the order of the rows.
     pub fn items(&self, model: &Model, target: &Target) -> TokenStream {
         let scalar = target.scalar.tokens();
-        let mut sorted: Vec<(&String, f64)> = self.used.iter().map(|(name, value)| (name, *value)).collect();
-        sorted.sort_by_key(|(name, _)| (row(name).unwrap_or(usize::MAX), (*name).clone()));
-        let items = sorted.into_iter().map(|(name, value)| {
-            let doc = docs::lines(&meaning(name, model));
-            let (name, value) = (ident(name), number(value));
+        let mut sorted: Vec<(Dimension, String, f64)> =
+            self.used.iter().map(|(dimension, value)| (*dimension, dimension.to_string(), *value)).collect();
+        sorted.sort_by_cached_key(|(dimension, name, _)| (dimension.number().unwrap_or(usize::MAX), name.clone()));
+        let items = sorted.into_iter().map(|(dimension, name, value)| {
+            let doc = docs::lines(&meaning(dimension, model));
+            let (name, value) = (ident(&name), number(value));
             quote!(#doc const #name: #scalar = #value;)
         });
         quote!(#(#items)*)
     }
 }
 
-fn row(name: &str) -> Option<usize> {
-    let digits: String = name.chars().rev().take_while(char::is_ascii_digit).collect();
-    digits.chars().rev().collect::<String>().parse().ok()
-}
-
-fn meaning(name: &str, model: &Model) -> String {
+fn meaning(dimension: Dimension, model: &Model) -> String {
     let unit = model.length_unit.symbol();
-    let text = |row: usize, what: &str, unit: &str| {
-        let convention = match model.convention {
-            Convention::Standard => "",
-            Convention::Modified => ", modified convention",
-        };
-        format!("{what} of row {row}{convention}{unit}.")
+    let of_row = |row: usize| {
+        let convention = if model.convention == Convention::Modified { ", modified convention" } else { "" };
+        format!("of row {}{convention}", row + 1)
     };
-    let length = format!(", {unit}");
-    let split = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    match (split, row(name)) {
-        ("A", Some(n)) => text(n, "Link length `a`", &length),
-        ("D", Some(n)) => text(n, "Link offset `d`", &length),
-        ("SIN_ALPHA", Some(n)) => text(n, "Sine of the twist `alpha`", ""),
-        ("COS_ALPHA", Some(n)) => text(n, "Cosine of the twist `alpha`", ""),
-        ("SIN_THETA", Some(n)) => text(n, "Sine of `theta`", ""),
-        ("COS_THETA", Some(n)) => text(n, "Cosine of `theta`", ""),
-        ("SIN_PHASE", Some(n)) => format!("Sine of the angle between theta {n} and the angle its equation gives."),
-        ("COS_PHASE", Some(n)) => format!("Cosine of the angle between theta {n} and the angle its equation gives."),
-        ("OFFSET", Some(n)) => format!("Value of motor {n} where all joints are 0, rad (of a sliding joint {unit})."),
-        _ if name.starts_with("BASE") => format!("Of the base frame{}.", frame_unit(name, unit)),
-        _ if name.starts_with("TOOL") => format!("Of the tool frame{}.", frame_unit(name, unit)),
-        _ if name.starts_with("MEET") => format!("Where two axes meet, along one of them, {unit}."),
-        _ => "A constant turn between the frames of two joints.".into(),
+    let of_angle = |what: &str, angle: ConstantAngle| match angle {
+        ConstantAngle::Alpha(row) => format!("{what} of the twist `alpha` {}.", of_row(row)),
+        ConstantAngle::Theta(row) => format!("{what} of `theta` {}.", of_row(row)),
+        ConstantAngle::RollPitchYaw(end, which) => {
+            let angle = ["roll", "pitch", "yaw"].get(which).copied().unwrap_or_default();
+            format!("{what} of the {angle} of the {} frame.", end.to_string().to_lowercase())
+        }
+        ConstantAngle::Phase(joint) => {
+            format!("{what} of the angle between theta {joint} and the angle its equation gives.")
+        }
+        ConstantAngle::Turn(angle) => format!("{what} of {}, a constant turn between two joints.", angle.text()),
+    };
+    match dimension {
+        Dimension::LinkLength(row) => format!("Link length `a` {}, {unit}.", of_row(row)),
+        Dimension::LinkOffset(row) => format!("Link offset `d` {}, {unit}.", of_row(row)),
+        Dimension::Origin(end, _) => format!("Of the {} frame, {unit}.", end.to_string().to_lowercase()),
+        Dimension::Rotation(end, ..) => format!("Of the {} frame, dimensionless.", end.to_string().to_lowercase()),
+        Dimension::Sin(angle) => of_angle("Sine", angle),
+        Dimension::Cos(angle) => of_angle("Cosine", angle),
+        Dimension::Intersection(..) | Dimension::IntersectionOnY => {
+            format!("Where two axes meet, along one of them, {unit}.")
+        }
+        Dimension::MotorOffset(motor) => {
+            format!("Value of motor {} where all joints are 0, rad (of a sliding joint {unit}).", motor + 1)
+        }
     }
 }
 
-fn frame_unit(name: &str, unit: &str) -> String {
-    if name.ends_with(['X', 'Y', 'Z']) { format!(", {unit}") } else { ", dimensionless".into() }
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use crate::{Options, generate};
+
+    /// Joint 1 stands in row 2: its theta is another constant than that of the fixed row 1.
+    #[test]
+    fn each_constant_has_one_value() {
+        let rows = ["90, d: 0.4, theta: 33", "0, d: 0, theta: 0", "90, d: 0, theta: 90", "-90, d: 0.5, theta: 0"];
+        let rows = rows.into_iter().chain(["90, d: 0, theta: 0", "0, d: 0.1, theta: 0"]);
+        let rows: String = rows
+            .zip([0.0, 0.5, 0.0, 0.0, 0.0, 0.0])
+            .fold(String::new(), |text, (row, a)| text + &format!("  - {{a: {a:?}, alpha: {row}}}\n"));
+        let text = format!(
+            "name: mounted\nconvention: standard\nunits: {{length: m, angle: deg}}\ninverse: {{redundant: q1}}\n\
+             joints:\n  - {{type: fixed, a: 0, alpha: 0, d: 0.1, theta: 20}}\n{rows}"
+        );
+        let code = generate(&text, "mounted.yaml", &Options::new("Mounted")).unwrap().impls.to_string();
+        for (name, value) in [("SIN_THETA1", 20.0_f64.to_radians().sin()), ("SIN_THETA2", 33.0_f64.to_radians().sin())]
+        {
+            let found: Vec<f64> = code
+                .match_indices(&format!("const {name} : f64 = "))
+                .filter_map(|(at, start)| code.get(at + start.len()..)?.split_whitespace().next()?.parse().ok())
+                .collect();
+            assert!(matches!(found[..], [one] if (one - value).abs() < 1e-15), "{name}: {found:?}");
+        }
+    }
 }

@@ -1,45 +1,39 @@
 //! Elementary transforms of the chain over named dimensions, and what all sweeps over them share.
 
 use crate::model::Frame;
-use crate::model::chain::Elementary;
-use crate::symbolic::{AngleSum, Angles, Cost, Expr, Graph, Label, Pair, Part, Rigid, Unknown, Vec3, cost, transpose};
+use crate::model::chain::{Elementary, End};
+use crate::symbolic::{
+    AngleSum, Angles, ConstantAngle, Cost, Dimension, Expr, Graph, Label, Pair, Part, Rigid, Unknown, Vec3, cost,
+    transpose,
+};
 
 /// A constant frame `T(xyz) R_z(yaw) R_y(pitch) R_x(roll)`.
-pub fn frame(g: &mut Graph, frame: &Frame, name: &str) -> Rigid {
-    let [roll, pitch, yaw] = frame.rpy;
-    let [x, y, z] = &frame.xyz;
-    let p = [g.length(format!("{name}_X"), x), g.length(format!("{name}_Y"), y), g.length(format!("{name}_Z"), z)];
-    let turns = [roll, pitch, yaw].iter().filter(|a| a.quarter_turns().is_none()).count();
-    let identity = Graph::identity();
-    if turns <= 1 {
+fn frame(g: &mut Graph, Frame { xyz, rpy }: &Frame, end: End) -> Rigid {
+    let mut component = 0..;
+    let p = xyz.each_ref().map(|length| g.length(Dimension::Origin(end, component.next().unwrap_or(0)), length));
+    if rpy.iter().filter(|a| a.quarter_turns().is_none()).count() <= 1 {
         // At most one angle that is not a quarter turn: products of exact zeros and ones stay exact.
-        let (rx, ry, rz) = (
-            g.constant_pair(roll, &format!("{name}_ROLL")),
-            g.constant_pair(pitch, &format!("{name}_PITCH")),
-            g.constant_pair(yaw, &format!("{name}_YAW")),
-        );
-        let columns = identity.map(|axis| {
+        let mut which = 0..;
+        let [rx, ry, rz] =
+            rpy.map(|angle| g.constant_pair(angle, ConstantAngle::RollPitchYaw(end, which.next().unwrap_or(0))));
+        let columns = Graph::identity().map(|axis| {
             let v = g.rotate_x(rx, axis);
             let v = g.rotate_y(ry, v);
             g.rotate_z(rz, v)
         });
         return Rigid { r: transpose(&columns), p };
     }
-    let (sr, cr) = (roll.sin(), roll.cos());
-    let (sp, cp) = (pitch.sin(), pitch.cos());
-    let (sy, cy) = (yaw.sin(), yaw.cos());
+    let [(sr, cr), (sp, cp), (sy, cy)] = rpy.map(|angle| (angle.sin(), angle.cos()));
     let values = [
         [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
         [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
         [-sp, cp * sr, cp * cr],
     ];
-    let mut row = 0;
+    let mut places = (0..3).flat_map(|row| (0..3).map(move |column| (row, column)));
     let r = values.map(|entries| {
-        row += 1;
-        let mut column = 0;
         entries.map(|value| {
-            column += 1;
-            g.dimension(format!("{name}_R{row}{column}"), value)
+            let (row, column) = places.next().unwrap_or((0, 0));
+            g.dimension(Dimension::Rotation(end, row, column), value)
         })
     });
     Rigid { r, p }
@@ -49,17 +43,21 @@ pub fn frame(g: &mut Graph, frame: &Frame, name: &str) -> Rigid {
 pub fn elementary(g: &mut Graph, transform: &Elementary) -> Rigid {
     let mut out = Rigid::identity();
     match transform {
-        Elementary::ShiftX { length, name } => out.p = [g.length(name, length), Expr::ZERO, Expr::ZERO],
-        Elementary::ShiftZ { length, name } => out.p = [Expr::ZERO, Expr::ZERO, g.length(name, length)],
-        Elementary::RotateX { angle, name } => {
-            let pair = g.constant_pair(*angle, name);
+        Elementary::ShiftX { length, row } => {
+            out.p = [g.length(Dimension::LinkLength(*row), length), Expr::ZERO, Expr::ZERO]
+        }
+        Elementary::ShiftZ { length, row } => {
+            out.p = [Expr::ZERO, Expr::ZERO, g.length(Dimension::LinkOffset(*row), length)]
+        }
+        Elementary::RotateX { angle, row } => {
+            let pair = g.constant_pair(*angle, ConstantAngle::Alpha(*row));
             out.r = transpose(&Graph::identity().map(|axis| g.rotate_x(pair, axis)));
         }
-        Elementary::RotateZ { angle, name } => {
-            let pair = g.constant_pair(*angle, name);
+        Elementary::RotateZ { angle, row } => {
+            let pair = g.constant_pair(*angle, ConstantAngle::Theta(*row));
             out.r = transpose(&Graph::identity().map(|axis| g.rotate_z(pair, axis)));
         }
-        Elementary::Frame { frame: constant, name } => out = frame(g, constant, name),
+        Elementary::Frame { frame: constant, end } => out = frame(g, constant, *end),
         Elementary::Revolute { .. } | Elementary::Prismatic { .. } => {}
     }
     out

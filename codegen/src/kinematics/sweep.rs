@@ -6,7 +6,7 @@
 
 use super::link::{self, Run};
 use crate::model::chain::{Chain, Elementary};
-use crate::symbolic::{Angles, Cost, Expr, Graph, Products, Vec3, transpose};
+use crate::symbolic::{Angles, Cost, Dimension, Expr, Graph, Products, Vec3, transpose};
 
 /// Column of the geometric Jacobian in the base frame, at the tool point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -177,14 +177,14 @@ impl Sweep {
                     let w = [Expr::ZERO, Expr::ZERO, signed(g, Expr::ONE)];
                     self.columns.push((*joint, Column { v, w }));
                 }
-                Elementary::ShiftX { length, name } => {
+                Elementary::ShiftX { length, row } => {
                     let pair = self.angles.pair(g, &sum);
-                    let a = g.length(name, length);
+                    let a = g.length(Dimension::LinkLength(*row), length);
                     let along = g.scale3(a, [pair.cos, pair.sin, Expr::ZERO]);
                     self.p = g.add3(self.p, along);
                 }
-                Elementary::ShiftZ { length, name } => {
-                    let d = g.length(name, length);
+                Elementary::ShiftZ { length, row } => {
+                    let d = g.length(Dimension::LinkOffset(*row), length);
                     let d = signed(g, d);
                     self.p = g.add3(self.p, [Expr::ZERO, Expr::ZERO, d]);
                 }

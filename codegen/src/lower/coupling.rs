@@ -2,7 +2,7 @@
 
 use super::{Slot, Straight};
 use crate::model::{Coupling, Model};
-use crate::symbolic::{Expr, Graph};
+use crate::symbolic::{Dimension, Expr, Graph};
 
 /// The three products with the matrix of a coupling and its inverse, each a function of as many values as joints.
 #[derive(Debug, Clone)]
@@ -40,7 +40,7 @@ pub fn linked(model: &Model) -> Option<Linked> {
     };
     let [q, m, j] = ["q", "m", "j"].map(|letter| numbered(&mut graph, letter));
     let offsets: Vec<Expr> =
-        (1..).zip(offset).map(|(number, offset)| graph.dimension(format!("OFFSET{number}"), *offset)).collect();
+        (0..).zip(offset).map(|(motor, offset)| graph.dimension(Dimension::MotorOffset(motor), *offset)).collect();
     let rows = products(&mut graph, matrix, &q);
     let to_motor: Vec<Expr> = rows.iter().zip(&offsets).map(|(row, offset)| graph.add(*row, *offset)).collect();
     let turned: Vec<Expr> = m.iter().zip(&offsets).map(|(motor, offset)| graph.sub(*motor, *offset)).collect();

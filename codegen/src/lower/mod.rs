@@ -32,7 +32,7 @@ pub use straight::Straight;
 
 pub use crate::solve::kernel::{self, Kernel, Unit};
 pub use crate::solve::{Branching, Factor, Given, Goal, SwivelFacts};
-pub use crate::symbolic::{AngleSum, Expr, Graph, Input, Node, Part};
+pub use crate::symbolic::{AngleSum, Dimension, Expr, Graph, Input, Node, Part};
 
 /// A value of a program: a leaf or an expression of its graph.
 pub type Slot = Expr;

@@ -1,60 +1,79 @@
 //! The chain as a product of elementary transforms, the same for both conventions.
 
 use std::collections::HashMap;
+use std::fmt;
 
 use super::angle::Angle;
 use super::arm::{Frame, Model};
 use crate::spec::{Convention, Length, RowKind};
 
-/// A factor of `T = base . rows . tool`, with the name its dimension has in the generated code.
+/// Which end of the arm a constant frame stands at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum End {
+    /// Before the first row.
+    Base,
+    /// After the last row.
+    Tool,
+}
+
+impl fmt::Display for End {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            End::Base => "BASE",
+            End::Tool => "TOOL",
+        })
+    }
+}
+
+/// A factor of `T = base . rows . tool`. Rows and joints count from 0.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Elementary {
     /// `R_x(angle)`
     RotateX {
         /// The twist.
         angle: Angle,
-        /// Its name, such as `ALPHA2`.
-        name: String,
+        /// The row that it belongs to.
+        row: usize,
     },
     /// `R_z(angle)`, constant.
     RotateZ {
         /// The angle.
         angle: Angle,
-        /// Its name, such as `THETA2`.
-        name: String,
+        /// The row that it belongs to.
+        row: usize,
     },
     /// `T_x(length)`
     ShiftX {
         /// In the file's unit.
         length: Length,
-        /// Its name, such as `A2`.
-        name: String,
+        /// The row that it belongs to.
+        row: usize,
     },
     /// `T_z(length)`
     ShiftZ {
         /// In the file's unit.
         length: Length,
-        /// Its name, such as `D4`.
-        name: String,
+        /// The row that it belongs to.
+        row: usize,
     },
     /// `R_z(q + offset)`
     Revolute {
-        /// Which joint, from 0.
+        /// Which joint.
         joint: usize,
         /// The row's theta.
         offset: Angle,
     },
     /// `T_z(q)`
     Prismatic {
-        /// Which joint, from 0.
+        /// Which joint.
         joint: usize,
     },
     /// A general constant frame: base or tool.
     Frame {
         /// The frame.
         frame: Frame,
-        /// `BASE` or `TOOL`.
-        name: &'static str,
+        /// Which of the two.
+        end: End,
     },
 }
 
@@ -82,27 +101,26 @@ impl Chain {
     pub fn of(model: &Model) -> Chain {
         let mut steps = Vec::new();
         let mut link_ends = Vec::new();
-        push_frame(&mut steps, &model.base, "BASE");
+        push_frame(&mut steps, &model.base, End::Base);
         for (index, row) in model.rows.iter().enumerate() {
-            let name = |letter: &str| format!("{letter}{}", index + 1);
             let mut twist = Vec::new();
             if !row.a.is_zero() {
-                twist.push(Elementary::ShiftX { length: row.a.clone(), name: name("A") });
+                twist.push(Elementary::ShiftX { length: row.a.clone(), row: index });
             }
             if !row.alpha.is_zero() {
-                twist.push(Elementary::RotateX { angle: row.alpha, name: name("ALPHA") });
+                twist.push(Elementary::RotateX { angle: row.alpha, row: index });
             }
             let mut motion = Vec::new();
             match (row.kind, row.joint) {
                 (RowKind::Revolute, Some(joint)) => motion.push(Elementary::Revolute { joint, offset: row.theta }),
-                _ if !row.theta.is_zero() => motion.push(Elementary::RotateZ { angle: row.theta, name: name("THETA") }),
+                _ if !row.theta.is_zero() => motion.push(Elementary::RotateZ { angle: row.theta, row: index }),
                 _ => {}
             }
             if let (RowKind::Prismatic, Some(joint)) = (row.kind, row.joint) {
                 motion.push(Elementary::Prismatic { joint });
             }
             if !row.d.is_zero() {
-                motion.push(Elementary::ShiftZ { length: row.d.clone(), name: name("D") });
+                motion.push(Elementary::ShiftZ { length: row.d.clone(), row: index });
             }
             match model.convention {
                 Convention::Standard => steps.extend(motion.into_iter().chain(twist)),
@@ -117,7 +135,7 @@ impl Chain {
                 }
             }
         }
-        push_frame(&mut steps, &model.tool, "TOOL");
+        push_frame(&mut steps, &model.tool, End::Tool);
         Chain { transforms: steps, link_ends }
     }
 
@@ -125,11 +143,11 @@ impl Chain {
     pub fn at(&self, values: &HashMap<String, f64>) -> Chain {
         let number = |length: &Length| Length::Constant(length.at(values));
         let step = |step: &Elementary| match step.clone() {
-            Elementary::ShiftX { length, name } => Elementary::ShiftX { length: number(&length), name },
-            Elementary::ShiftZ { length, name } => Elementary::ShiftZ { length: number(&length), name },
-            Elementary::Frame { frame, name } => {
+            Elementary::ShiftX { length, row } => Elementary::ShiftX { length: number(&length), row },
+            Elementary::ShiftZ { length, row } => Elementary::ShiftZ { length: number(&length), row },
+            Elementary::Frame { frame, end } => {
                 let xyz = frame.xyz.each_ref().map(number);
-                Elementary::Frame { frame: Frame { xyz, ..frame }, name }
+                Elementary::Frame { frame: Frame { xyz, ..frame }, end }
             }
             other => other,
         };
@@ -149,9 +167,9 @@ impl Chain {
     }
 }
 
-fn push_frame(steps: &mut Vec<Elementary>, frame: &Frame, name: &'static str) {
+fn push_frame(steps: &mut Vec<Elementary>, frame: &Frame, end: End) {
     let moves = frame.xyz.iter().any(|x| !x.is_zero()) || frame.rpy.iter().any(|a| !a.is_zero());
     if moves {
-        steps.push(Elementary::Frame { frame: frame.clone(), name });
+        steps.push(Elementary::Frame { frame: frame.clone(), end });
     }
 }

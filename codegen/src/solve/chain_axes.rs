@@ -78,8 +78,7 @@ impl LoopChain {
         let before = if upright {
             Rigid::identity()
         } else {
-            let (polar, azimuth) =
-                (self.g.constant_pair(polar, "TOOL_POLAR"), self.g.constant_pair(azimuth, "TOOL_AZIMUTH"));
+            let (polar, azimuth) = (self.g.turn(polar), self.g.turn(azimuth));
             let columns = Graph::identity().map(|axis| {
                 let axis = self.g.rotate_y(polar, axis);
                 self.g.rotate_z(azimuth, axis)

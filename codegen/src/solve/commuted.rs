@@ -87,7 +87,7 @@ fn flip(g: &mut Graph, sign: f64) -> (Rigid, Rigid) {
     if sign > 0.0 {
         return (Rigid::identity(), Rigid::identity());
     }
-    let half = g.constant_pair(Angle::degrees(180.0), "FLIP");
+    let half = g.turn(Angle::degrees(180.0));
     let columns = Graph::identity().map(|axis| g.rotate_x(half, axis));
     let there = Rigid { r: transpose(&columns), ..Rigid::identity() };
     (there, there)

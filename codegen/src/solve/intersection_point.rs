@@ -2,7 +2,7 @@
 
 use super::loop_closure::{Link, LoopClosure};
 use super::sides::{Side, foot};
-use crate::symbolic::{Expr, Graph, Rigid};
+use crate::symbolic::{Dimension, Expr, Graph, Rigid};
 
 impl LoopClosure {
     /// Of a triple whose axes intersect, frames are moved along the outer axes of the triple so that both have the intersection
@@ -66,16 +66,16 @@ impl LoopClosure {
         if heights.iter().all(|[height, along]| (height - along).abs() <= small) {
             return Side::along(p);
         }
-        let name = format!("MEET{}{}", self.label(joint), if far { "B" } else { "A" });
+        let place = Dimension::Intersection(self.label(joint), far);
         match heights.as_slice() {
             [[first, _], others @ ..] if others.iter().any(|[height, _]| (height - first).abs() > small) => {
                 // It depends on run-time parameters: -(p . h) in the plane, as a share of h, on top of the height of p.
                 let Some(foot) = foot(self, p, h) else { return Expr::ZERO };
                 let rise = self.g.mul(foot, Side::along(h));
                 let height = self.g.add(Side::along(p), rise);
-                self.g.name(height, name.to_lowercase())
+                self.g.name(height, place.to_string().to_lowercase())
             }
-            [[height, _], ..] if height.abs() > small => self.g.dimension(name, *height),
+            [[height, _], ..] if height.abs() > small => self.g.dimension(place, *height),
             _ => Expr::ZERO,
         }
     }

@@ -5,7 +5,7 @@ use super::task::Given;
 use crate::kinematics;
 use crate::model::chain::{Chain, Elementary};
 use crate::model::{Angle, JointKind, Model};
-use crate::symbolic::{Expr, Graph, Input, Label, Pair, Part, Rigid, transpose};
+use crate::symbolic::{ConstantAngle, Expr, Graph, Input, Label, Pair, Part, Rigid, transpose};
 
 /// A joint of the closed chain.
 #[derive(Debug, Clone, PartialEq)]
@@ -81,8 +81,8 @@ impl LoopChain {
         let mut generic = GenericSamples::new(reach);
         generic.parameters(&g, model);
         let mut chain = LoopChain { g, generic, loop_joints, links, target, given: None, reach };
-        if let Some(joint) = given {
-            chain.give(joint);
+        if let Some((joint, checked)) = given.and_then(|joint| Some((joint, model.joints.get(joint)?))) {
+            chain.give(joint, checked.row);
         }
         chain
     }
@@ -92,14 +92,14 @@ impl LoopChain {
         self.links.get(i).copied().unwrap_or_else(Rigid::identity)
     }
 
-    /// The joint's motion becomes part of its link; its sine and cosine are inputs.
-    fn give(&mut self, joint: usize) {
+    /// The motion of a joint, which stands in `row`, becomes part of its link; its sine and cosine are inputs.
+    fn give(&mut self, joint: usize, row: usize) {
         let Some(slot) = self.loop_joints.get(joint).cloned() else { return };
         let g = &mut self.g;
         let [value, sin, cos] = [Part::Value, Part::Sin, Part::Cos].map(|part| Input::given(joint, part));
         let motion = if slot.revolute {
             let raw = Pair { sin: g.symbol(sin), cos: g.symbol(cos) };
-            let constant = g.constant_pair(slot.offset, &format!("THETA{}", slot.label));
+            let constant = g.constant_pair(slot.offset, ConstantAngle::Theta(row));
             let pair = if slot.offset.is_zero() { raw } else { raw.plus(g, constant) };
             let columns = Graph::identity().map(|axis| g.rotate_z(pair, axis));
             Rigid { r: transpose(&columns), ..Rigid::identity() }

@@ -7,7 +7,7 @@ use super::plan::{Branching, Plan, PlanStep, Stage, Value};
 use super::task::PlanTask;
 use crate::model::Angle;
 use crate::model::geometry::Triple;
-use crate::symbolic::{Expr, Graph, Label, Pair, Part, Rigid, Symbol, Unknown, Vec3};
+use crate::symbolic::{ConstantAngle, Expr, Graph, Label, Pair, Part, Rigid, Symbol, Unknown, Vec3};
 
 /// The point in which the axes of a triple intersect.
 pub const WRIST: &str = "the wrist center";
@@ -260,7 +260,7 @@ impl LoopClosure {
             return [value, sin, cos];
         }
         let raw = Pair { sin: self.g.symbol(sin), cos: self.g.symbol(cos) };
-        let constant = self.g.constant_pair(shift, &format!("PHASE{label}"));
+        let constant = self.g.constant_pair(shift, ConstantAngle::Phase(label));
         let pair = if shift.is_zero() { raw } else { raw.plus(&mut self.g, constant) };
         self.g.name(pair.sin, format!("s{label}"));
         self.g.name(pair.cos, format!("c{label}"));

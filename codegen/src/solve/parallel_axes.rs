@@ -203,12 +203,12 @@ fn flipped(c: &mut LoopClosure, y: usize, inner: &Side, known: &Side) -> bool {
     let [hx, hy, hz] = seen;
     let (m, shift) = if inner.undone {
         // h = R_z(-y) R_z(psi - 90) R_y(eta - phi - x) e_z, mirrored so that both angles count forward.
-        let turn = c.g.constant_pair(psi.add(quarter), "FLIP");
+        let turn = c.g.turn(psi.add(quarter));
         let mirrored = [hx, c.g.neg(hy), hz];
         (c.g.rotate_z(turn, mirrored), eta.add(phi.neg()))
     } else {
         // h = R_z(y) R_z(phi - 90) R_y(z + eta - psi) e_z
-        let turn = c.g.constant_pair(quarter.add(phi.neg()), "FLIP");
+        let turn = c.g.turn(quarter.add(phi.neg()));
         (c.g.rotate_z(turn, seen), psi.add(eta.neg()))
     };
     let (n, ny) = (c.label(inner.joint), c.label(y));

@@ -5,7 +5,7 @@ use super::loop_closure::LoopClosure;
 use super::plan::Branching;
 use super::sinusoid::{Sinusoid, turned, turned_back};
 use crate::model::Angle;
-use crate::symbolic::{Expr, Graph, Rigid, Vec3};
+use crate::symbolic::{Dimension, Expr, Graph, Rigid, Vec3};
 
 /// One side: joint `joint` moves the vector `moved`; joint y sees it from `origin`, along `axis`.
 ///
@@ -189,10 +189,14 @@ impl Side {
         }
         let (Some(ox), Some(oy)) = (ox, oy) else {
             let height = foot(c, self.origin, self.axis)?;
-            return Some(c.g.name(height, "meet_y"));
+            return Some(c.g.name(height, Dimension::IntersectionOnY.to_string().to_lowercase()));
         };
         let height = -(ox * ax + oy * ay) / size;
-        Some(if height.abs() <= 1e-12 * c.reach() { Expr::ZERO } else { c.g.dimension("MEET_Y", height) })
+        Some(if height.abs() <= 1e-12 * c.reach() {
+            Expr::ZERO
+        } else {
+            c.g.dimension(Dimension::IntersectionOnY, height)
+        })
     }
 
     /// The same side with another point on y's axis as origin.

@@ -34,8 +34,8 @@ pub fn rotation(c: &mut LoopClosure, m: &Mat3, [first, second, third]: [usize; 3
         // Each link is R_z(f) X R_z(-b), X the half turn about x + z, so M is R_z(a + fa - 90) R_y(b + fb - ba)
         // R_z(c + 90 - bb); the constant turns outside are taken to the other side.
         let quarter = Angle::degrees(90.0);
-        let left = c.g.constant_pair(quarter.add(fa.neg()), "WRIST_LEFT");
-        let right = c.g.constant_pair(bb.add(quarter.neg()), "WRIST_RIGHT");
+        let left = c.g.turn(quarter.add(fa.neg()));
+        let right = c.g.turn(bb.add(quarter.neg()));
         let columns = transpose(m).map(|column| c.g.rotate_z(left, column));
         // R_z(t) on the right turns the rows by -t.
         let right = right.opposite(&mut c.g);

@@ -90,10 +90,7 @@ impl Angles {
     /// Sine and cosine of a sum. Signs and quarter turns are folded, so `sin(q - 90 deg)` is `-c`.
     pub fn pair(&mut self, g: &mut Graph, sum: &AngleSum) -> Pair {
         if sum.terms.is_empty() {
-            // Named by its value: such a constant belongs to no single row.
-            let degrees = format!("{:.6}", sum.constant.rad().to_degrees());
-            let name = degrees.trim_end_matches('0').trim_end_matches('.').replace('-', "M").replace('.', "_");
-            return g.constant_pair(sum.constant, &format!("TURN_{name}"));
+            return g.turn(sum.constant);
         }
         let (mut sum, flipped) = sum.oriented();
         let turns = sum.constant.quarter_turns();

@@ -1,5 +1,6 @@
 //! The folding constructors: `0 x`, `1 x`, signs pulled out, constants first. No pass simplifies afterwards.
 
+use super::dimension::Dimension;
 use super::graph::{Expr, Graph, Node, Products};
 use super::symbol::Symbol;
 use crate::model::Length;
@@ -23,17 +24,17 @@ impl Graph {
     }
 
     /// A named dimension of the arm; zero if its value is zero.
-    pub fn dimension(&mut self, name: impl Into<String>, value: f64) -> Expr {
+    pub fn dimension(&mut self, dimension: Dimension, value: f64) -> Expr {
         if value == 0.0 {
             return Expr::ZERO;
         }
-        self.intern(Node::Symbol(Symbol::Dimension(name.into(), value.to_bits())), Some(value))
+        self.intern(Node::Symbol(Symbol::Dimension(dimension, value.to_bits())), Some(value))
     }
 
     /// A length of the arm: a dimension, or a multiple of a run-time parameter, which is never taken for zero.
-    pub fn length(&mut self, name: impl Into<String>, length: &Length) -> Expr {
+    pub fn length(&mut self, dimension: Dimension, length: &Length) -> Expr {
         match length {
-            Length::Constant(value) => self.dimension(name, *value),
+            Length::Constant(value) => self.dimension(dimension, *value),
             Length::Multiple { factor, parameter, .. } => {
                 let value = self.symbol(self.field(parameter));
                 let factor = self.number(*factor);
@@ -194,23 +195,23 @@ mod tests {
         assert_eq!(g.add(x, ny), g.sub(x, y));
         let d = g.sub(x, y);
         assert_eq!(g.neg(d), g.sub(y, x));
-        let (k, e) = (g.dimension("K", 2.0), g.sub(y, x));
+        let (k, e) = (g.dimension(Dimension::LinkLength(0), 2.0), g.sub(y, x));
         assert_eq!(g.sub(k, d), g.add(k, e));
     }
 
     #[test]
     fn cancelling_dimensions_fold_to_zero() {
         let mut g = Graph::default();
-        let (a, b) = (g.dimension("D4", 0.1), g.dimension("D6", 0.1));
+        let (a, b) = (g.dimension(Dimension::LinkOffset(3), 0.1), g.dimension(Dimension::LinkOffset(5), 0.1));
         assert_eq!(g.sub(a, b), Expr::ZERO);
-        assert_eq!(g.dimension("A1", 0.0), Expr::ZERO);
+        assert_eq!(g.dimension(Dimension::LinkLength(0), 0.0), Expr::ZERO);
     }
 
     #[test]
     fn constants_move_outward_only_when_asked() {
         for (products, shared) in [(Products::AsBuilt, false), (Products::ConstantsOutward, true)] {
             let mut g = Graph::new(products);
-            let (k, x, y) = (g.dimension("D6", 0.3), g.symbol("x"), g.symbol("y"));
+            let (k, x, y) = (g.dimension(Dimension::LinkOffset(5), 0.3), g.symbol("x"), g.symbol("y"));
             let xy = g.mul(x, y);
             let kx = g.mul(k, x);
             let kxy = g.mul(kx, y);

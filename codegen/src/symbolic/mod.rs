@@ -6,8 +6,10 @@
 
 mod angle_sum;
 mod count;
+mod dimension;
 mod fold;
 mod graph;
+mod label;
 mod rigid;
 mod symbol;
 mod vector;
@@ -15,7 +17,9 @@ mod walk;
 
 pub use angle_sum::{AngleSum, Angles, BoundAngle, Pair};
 pub use count::{Cost, cost};
+pub use dimension::{ConstantAngle, Dimension};
 pub use graph::{Expr, Graph, Node, Products};
+pub use label::Label;
 pub use rigid::Rigid;
-pub use symbol::{Input, Label, Part, Symbol, Unknown};
+pub use symbol::{Input, Part, Symbol, Unknown};
 pub use vector::{Mat3, Vec3, transpose};

@@ -1,12 +1,14 @@
 //! The leaves of expressions by what they stand for. The names that they have in generated code follow from that.
 
+use super::dimension::Dimension;
+use super::label::Label;
 use std::fmt;
 
 /// A leaf.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Symbol {
-    /// A dimension of the arm: its name, and the bits of its value, which is known when the code is generated.
-    Dimension(String, u64),
+    /// A dimension of the arm, and the bits of its value, which is known when the code is generated.
+    Dimension(Dimension, u64),
     /// A parameter that is bound at run time: a field of the arm, which the function calls `owner`.
     Parameter {
         /// What the arm is called.
@@ -34,7 +36,8 @@ impl Symbol {
     /// The name in generated code, of a field without its owner.
     pub fn name(&self) -> String {
         match self {
-            Symbol::Dimension(name, _) | Symbol::Named(name) | Symbol::Parameter { field: name, .. } => name.clone(),
+            Symbol::Dimension(dimension, _) => dimension.to_string(),
+            Symbol::Named(name) | Symbol::Parameter { field: name, .. } => name.clone(),
             Symbol::Input(input) => input.name(),
             Symbol::Unknown(unknown) => unknown.to_string(),
         }
@@ -62,34 +65,6 @@ impl From<Input> for Symbol {
 impl From<Unknown> for Symbol {
     fn from(unknown: Unknown) -> Self {
         Symbol::Unknown(unknown)
-    }
-}
-
-/// A joint of a closed chain.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Label {
-    /// A joint of the arm, from 0; written from 1.
-    Arm(usize),
-    /// A virtual joint, from 1.
-    Virtual(usize),
-}
-
-impl Label {
-    /// The joint of the arm, from 0; `None` for a virtual one.
-    pub fn arm(self) -> Option<usize> {
-        match self {
-            Label::Arm(joint) => Some(joint),
-            Label::Virtual(_) => None,
-        }
-    }
-}
-
-impl fmt::Display for Label {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Label::Arm(joint) => write!(f, "{}", joint + 1),
-            Label::Virtual(number) => write!(f, "v{number}"),
-        }
     }
 }
 

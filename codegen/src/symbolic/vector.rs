@@ -1,6 +1,6 @@
 //! Three-vectors and 3x3 matrices over expressions.
 
-use super::{Expr, Graph, Pair};
+use super::{ConstantAngle, Dimension, Expr, Graph, Pair};
 use crate::model::Angle;
 
 /// A vector of three expressions.
@@ -16,15 +16,20 @@ impl Graph {
     }
 
     /// The sine and cosine of a constant angle: exact numbers where the angle is exact, else named dimensions.
-    pub fn constant_pair(&mut self, angle: Angle, name: &str) -> Pair {
+    pub fn constant_pair(&mut self, angle: Angle, what: ConstantAngle) -> Pair {
         let (sin, cos) = (angle.sin(), angle.cos());
         if angle.quarter_turns().is_some() {
             return Pair { sin: self.number(sin), cos: self.number(cos) };
         }
-        let dimension = |g: &mut Graph, name: String, value: f64| {
-            if value.abs() == 0.5 || value.abs() == 1.0 { g.number(value) } else { g.dimension(name, value) }
+        let dimension = |g: &mut Graph, dimension: Dimension, value: f64| {
+            if value.abs() == 0.5 || value.abs() == 1.0 { g.number(value) } else { g.dimension(dimension, value) }
         };
-        Pair { sin: dimension(self, format!("SIN_{name}"), sin), cos: dimension(self, format!("COS_{name}"), cos) }
+        Pair { sin: dimension(self, Dimension::Sin(what), sin), cos: dimension(self, Dimension::Cos(what), cos) }
+    }
+
+    /// The same of an angle that belongs to no single row.
+    pub fn turn(&mut self, angle: Angle) -> Pair {
+        self.constant_pair(angle, ConstantAngle::Turn(angle))
     }
 
     /// `R_z(angle) v`

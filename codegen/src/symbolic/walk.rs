@@ -60,12 +60,13 @@ impl Graph {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Dimension;
     use super::*;
 
     #[test]
     fn evaluation_follows_the_graph() {
         let mut g = Graph::default();
-        let (x, y, k) = (g.symbol("x"), g.symbol("y"), g.dimension("K", 2.0));
+        let (x, y, k) = (g.symbol("x"), g.symbol("y"), g.dimension(Dimension::LinkLength(0), 2.0));
         let sum = g.add(x, y);
         let e = g.mul(k, sum);
         let values = g.evaluate(&[e], &HashMap::from([("x".into(), 3.0), ("y".into(), 4.0)]));

@@ -29,7 +29,7 @@ pub fn plan(goal: Goal, mut chain: LoopChain) -> Result<Plan, Unsupported> {
     if is_pose {
         chain.generic.angle([Input::Phi, Input::SinPhi, Input::CosPhi]);
         let phi = Pair { sin: chain.g.symbol(Input::SinPhi), cos: chain.g.symbol(Input::CosPhi) };
-        let twist = chain.g.constant_pair(twist, "TOOL_TWIST");
+        let twist = chain.g.turn(twist);
         let columns = Graph::identity().map(|axis| {
             let axis = chain.g.rotate_x(twist, axis);
             chain.g.rotate_z(phi, axis)

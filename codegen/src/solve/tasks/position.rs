@@ -17,7 +17,7 @@ pub fn plan(mut chain: LoopChain) -> Result<Plan, Unsupported> {
     rank::check(&chain, rank::ToolMotion::Point)?;
     let task = PlanTask::new(Goal::Position, chain.given);
     let link = |g: &mut Graph, degrees: f64| {
-        let pair = g.constant_pair(Angle::degrees(degrees), "VIRTUAL");
+        let pair = g.turn(Angle::degrees(degrees));
         Rigid { r: transpose(&Graph::identity().map(|axis| g.rotate_x(pair, axis))), ..Rigid::identity() }
     };
     let (there, back) = (link(&mut chain.g, 90.0), link(&mut chain.g, -90.0));

@@ -38,15 +38,14 @@ pub fn plan(axis: Option<Axis>, chain: LoopChain) -> Result<Plan, Unsupported> {
 
 /// The frame whose z axis is the tool's axis.
 fn onto_z(g: &mut Graph, axis: Axis) -> Rigid {
-    let turn = |g: &mut Graph, degrees: f64| g.constant_pair(Angle::degrees(degrees), "VIRTUAL");
     let columns = match axis {
         Axis::Z => Graph::identity(),
         Axis::X => {
-            let pair = turn(g, 90.0);
+            let pair = g.turn(Angle::degrees(90.0));
             Graph::identity().map(|v| g.rotate_y(pair, v))
         }
         Axis::Y => {
-            let pair = turn(g, -90.0);
+            let pair = g.turn(Angle::degrees(-90.0));
             Graph::identity().map(|v| g.rotate_x(pair, v))
         }
     };
