@@ -36,9 +36,9 @@ impl Options {
 /// Generated code and what was found on the way.
 #[derive(Debug, Clone)]
 pub struct Generated {
-    /// The impls, the same from every door.
+    /// The impls, the same for every front end.
     pub impls: TokenStream,
-    /// The type itself, for the doors that write a file.
+    /// The type itself, for front ends that write a file.
     pub item: TokenStream,
     /// Advice.
     pub warnings: Vec<Diagnostic>,

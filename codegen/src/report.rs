@@ -1,7 +1,7 @@
 //! What `denhart check` prints.
 
 use crate::error::Diagnostic;
-use crate::model::geometry::{Geometry, Relation, TripleKind};
+use crate::model::geometry::{Geometry, Relation};
 use crate::model::{JointKind, Model, Parameter, Task};
 use crate::settings::{self, plus, short, sum};
 use crate::solve::{Goal, Plan, Unsupported, describe};
@@ -15,7 +15,7 @@ pub struct Report {
     pub name: String,
     /// Number of moving joints.
     pub dof: usize,
-    /// What the inverse is asked for, with what belongs to it, if there is an inverse.
+    /// The task of the inverse with what belongs to it, if there is an inverse.
     pub task: Option<String>,
     /// The largest number of inverse solutions, if there is an inverse.
     pub max_solutions: Option<usize>,
@@ -45,24 +45,13 @@ impl Report {
         lines.extend(relations(geometry, model.length_unit.symbol()).map(|line| format!("  {line}")));
         for triple in &geometry.triples {
             let first = triple.first + 1;
-            let what = match triple.kind {
-                TripleKind::Intersecting => "meet in a point",
-                TripleKind::Parallel
-                    if model.joints.iter().skip(triple.first).take(3).any(|j| j.kind == JointKind::Prismatic) =>
-                {
-                    "move in a plane"
-                }
-                TripleKind::Parallel => "are parallel",
-                TripleKind::Turning => "turn the tool",
-            };
+            let slides = model.joints.iter().skip(triple.first).take(3).any(|j| j.kind == JointKind::Prismatic);
+            let what = triple.kind.words(slides);
             lines.push(format!("  {}, {}, {} {what}", first, first + 1, first + 2));
         }
         lines.push("operations:".into());
         for (name, cost) in ["forward", "jacobian", "forward_and_jacobian"].iter().zip(&costs) {
-            lines.push(format!(
-                "  {name}: {} additions, {} multiplications, {} sin_cos",
-                cost.additions, cost.multiplications, cost.sin_cos
-            ));
+            lines.push(format!("  {name}: {cost}"));
         }
         match inverse {
             Ok(plan) => {

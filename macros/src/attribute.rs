@@ -25,7 +25,7 @@ pub struct ArmAttribute {
     pub warn: bool,
     /// Whether the attribute says where the crate is.
     pub names_crate: bool,
-    /// The environment variables that `env!` asks for.
+    /// The environment variables that `env!` reads.
     pub environment: Vec<String>,
 }
 

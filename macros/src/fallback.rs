@@ -1,5 +1,5 @@
-//! What is derived for an arm that has a mistake: impls in which the calls a user writes type-check, so that the
-//! mistake is the only error. They are never run, as the crate does not compile; still they are total.
+//! What is derived for an arm with a mistake: impls in which the calls that a user writes type-check. So the mistake is
+//! the only error. They are never run, as the crate does not compile; still they are total.
 
 use denhart_codegen::ScalarKind;
 use proc_macro2::TokenStream;

@@ -15,10 +15,10 @@ mod stub_motors;
 mod tests;
 mod text;
 
-/// Implements the kinematics of the arm in `#[arm(..)]` for a struct: `forward`, `link_poses`, `jacobian`,
-/// `forward_and_jacobian`, and `inverse`, `inverse_near` where the arm has a closed form; the constants `DOF`,
-/// `LIMITS`,
-/// `JOINT_NAMES`, `LENGTH_UNIT`, `DH`, `MAX_SOLUTIONS`; and the trait `denhart::Arm`.
+/// Implements the kinematics of the arm in `#[arm(..)]` for a struct, and the trait `denhart::Arm`.
+///
+/// The methods are `forward`, `link_poses`, `jacobian`, `forward_and_jacobian`, and `inverse`, `inverse_near` where the arm
+/// has a closed form. The constants are `DOF`, `LIMITS`, `JOINT_NAMES`, `LENGTH_UNIT`, `DH`, `MAX_SOLUTIONS`.
 ///
 /// ```text
 /// use denhart::Arm;

@@ -4,8 +4,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::Path;
 
-/// Methods and constants of linked joints and of actuators. `q`: the number of joints, a number or `N`; `any_list`: the
-/// parameter `N` where that is not known, and then `joints` is a number to stand for it.
+/// Methods and constants of linked joints and of actuators. `q`: the number of joints, a number or `N`. `any_list`: the
+/// parameter `N` where the number is not known; `joints` is then a number in its place.
 pub fn motors(
     krate: &Path,
     number: &TokenStream,

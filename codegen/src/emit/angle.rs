@@ -3,7 +3,7 @@
 use super::Target;
 use super::tokens::{ident, number};
 use crate::model::Angle;
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 /// An angle in rad: a constant of `core` where there is one, else a literal.
@@ -23,4 +23,32 @@ pub fn tokens(angle: Angle, target: &Target) -> TokenStream {
         _ => number(angle.rad().abs()),
     };
     if angle.rad() < 0.0 { quote!(-#positive) } else { positive }
+}
+
+/// A sum of `(name, negative)` and a constant.
+pub fn sum(terms: impl IntoIterator<Item = (Ident, bool)>, constant: Angle, target: &Target) -> TokenStream {
+    let mut sum = TokenStream::new();
+    for (term, negative) in terms {
+        sum.extend(match (sum.is_empty(), negative) {
+            (true, false) => quote!(#term),
+            (_, false) => quote!(+ #term),
+            (_, true) => quote!(- #term),
+        });
+    }
+    if !constant.is_zero() {
+        let negative = constant.rad() < 0.0;
+        let size = tokens(if negative { constant.neg() } else { constant }, target);
+        sum.extend(if negative { quote!(- #size) } else { quote!(+ #size) });
+    }
+    sum
+}
+
+/// Sines and cosines of angles in one call: the kernel works on several angles in parallel.
+pub fn sines(sines: &[TokenStream], cosines: &[TokenStream], of: &[TokenStream], target: &Target) -> TokenStream {
+    let krate = &target.krate;
+    match of {
+        [] => TokenStream::new(),
+        [one] => quote!(let (#(#sines),*, #(#cosines),*) = #krate::math::sin_cos(#one);),
+        _ => quote!(let ([#(#sines),*], [#(#cosines),*]) = #krate::math::sin_cos_array([#(#of),*]);),
+    }
 }

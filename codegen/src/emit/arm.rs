@@ -24,7 +24,7 @@ pub struct Arm<'a> {
     pub inverse: &'a Inverse,
 }
 
-/// The struct item, for the doors that write a whole file.
+/// The struct item, for front ends that write a whole file.
 pub fn item(arm: &Arm, target: &Target) -> TokenStream {
     parameters::item(arm.model, &docs::lines(&type_doc(arm)), target)
 }
@@ -33,8 +33,7 @@ fn type_doc(arm: &Arm) -> String {
     format!("The arm `{}`: {} moving joints.\n", arm.model.name, arm.model.joints.len())
 }
 
-/// The head comment of the file, and why there is no inverse if there is none: what the documentation of the type shows
-/// from every door.
+/// What the documentation of the type shows: the head comment of the file, and why there is no inverse if there is none.
 fn impl_doc(arm: &Arm) -> String {
     let comment = arm.model.source.iter().map(|source| docs::escaped(source));
     let unsupported =
@@ -61,7 +60,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
             code.methods.extend(margins);
             code
         }
-        Err(unsupported) => refused(model, unsupported, target),
+        Err(unsupported) => without_inverse(model, unsupported, target),
     };
     let InverseCode { items, function, methods, trait_impl } = inverse_code;
     let dimensions = dimensions.items(model, target);
@@ -124,7 +123,7 @@ fn arm_trait(model: &Model, counted: &motion::Counted, target: &Target) -> Token
 }
 
 /// An arm without an inverse has the methods all the same: a call says why it does not compile.
-fn refused(model: &Model, unsupported: &Unsupported, target: &Target) -> InverseCode {
+fn without_inverse(model: &Model, unsupported: &Unsupported, target: &Target) -> InverseCode {
     let name = &target.type_name;
     let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
     // What it returns lets the rest of the call type-check: the message is the only error.

@@ -99,11 +99,6 @@ pub fn joints(model: &Model) -> String {
     }
 }
 
-/// "22 additions, 39 multiplications, 6 sin_cos."
-pub fn cost(cost: &Cost) -> String {
-    format!("{} additions, {} multiplications, {} sin_cos.", cost.additions, cost.multiplications, cost.sin_cos)
-}
-
 const POSE: &str = "rotation (dimensionless) and position in";
 
 fn rows(model: &Model) -> String {
@@ -112,37 +107,37 @@ fn rows(model: &Model) -> String {
 }
 
 /// Docs of `forward`.
-pub fn forward(model: &Model, operations: &Cost) -> String {
-    let (n, unit, joints, cost) = (model.joints.len(), model.length_unit.symbol(), joints(model), cost(operations));
+pub fn forward(model: &Model, cost: &Cost) -> String {
+    let (n, unit, joints) = (model.joints.len(), model.length_unit.symbol(), joints(model));
     format!(
-        "Pose of the tool in the base frame, `^0T_{n}(q)`.\n\n{joints} Returns {POSE} {unit}.\n{cost}\n\n\
+        "Pose of the tool in the base frame, `^0T_{n}(q)`.\n\n{joints} Returns {POSE} {unit}.\n{cost}.\n\n\
          Method: product of the link transforms, joints with parallel axes turned together, q1 last."
     )
 }
 
 /// Docs of `jacobian`.
-pub fn jacobian(model: &Model, operations: &Cost) -> String {
-    let (joints, rows, cost) = (joints(model), rows(model), cost(operations));
+pub fn jacobian(model: &Model, cost: &Cost) -> String {
+    let (joints, rows) = (joints(model), rows(model));
     format!(
-        "Geometric Jacobian of the tool point in the base frame.\n\n{joints} Rows {rows}\n{cost}\n\n\
+        "Geometric Jacobian of the tool point in the base frame.\n\n{joints} Rows {rows}\n{cost}.\n\n\
          Column of a turning joint: `z_i x (p - o_i)` and `z_i`; of a sliding joint: `z_i` and 0 (Whitney 1972)."
     )
 }
 
 /// Docs of `forward_and_jacobian`.
-pub fn both(model: &Model, operations: &Cost) -> String {
-    let (unit, joints, rows, cost) = (model.length_unit.symbol(), joints(model), rows(model), cost(operations));
+pub fn both(model: &Model, cost: &Cost) -> String {
+    let (unit, joints, rows) = (model.length_unit.symbol(), joints(model), rows(model));
     format!(
-        "Pose of the tool and geometric Jacobian, sharing their terms.\n\n{joints} Returns {POSE} {unit}; rows {rows}\n{cost}"
+        "Pose of the tool and geometric Jacobian, sharing their terms.\n\n{joints} Returns {POSE} {unit}; rows {rows}\n{cost}."
     )
 }
 
 /// Docs of link_poses.
-pub fn link_poses(model: &Model, operations: &Cost) -> String {
-    let (n, unit, joints, cost) = (model.joints.len(), model.length_unit.symbol(), joints(model), cost(operations));
+pub fn link_poses(model: &Model, cost: &Cost) -> String {
+    let (n, unit, joints) = (model.joints.len(), model.length_unit.symbol(), joints(model));
     format!(
         "Poses of the {n} links in the base frame: link i after joint i, with the fixed rows that follow it; the last \
-         without the tool.\n\n{joints} Rotations are dimensionless, positions in {unit}.\n{cost}"
+         without the tool.\n\n{joints} Rotations are dimensionless, positions in {unit}.\n{cost}."
     )
 }
 

@@ -4,11 +4,11 @@ use super::inverse_frame::{function, inverse_trait, items, methods};
 use super::kernel;
 use super::nest::Nest;
 use super::task::task;
-use super::tokens::ident;
+use super::tokens::{array, bound, ident};
 use super::{Target, angle, docs};
 use crate::lower::kernel::Quantity;
-use crate::lower::{self, Branching, Call, Each, Given, Part, Root, Slot, Statement, Trail};
-use crate::model::{Angle, Model};
+use crate::lower::{self, Branching, Call, Each, Given, Part, Root, Statement, Trail};
+use crate::model::Model;
 use crate::solve::{Plan, Stage};
 use crate::symbolic::{Expr, Input};
 use proc_macro2::TokenStream;
@@ -43,10 +43,7 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
 /// Sine and cosine of a joint whose value is given.
 fn given_symbols(program: &lower::Inverse, target: &Target) -> TokenStream {
     let krate = &target.krate;
-    let name = |input: Input| {
-        let name = input.name();
-        if program.reads(input) { ident(&name) } else { ident(&format!("_{name}")) }
-    };
+    let name = |input: Input| bound(&input.name(), program.reads(input));
     match program.given {
         Some(Given::ArmAngle) => quote!(let swing = #krate::math::sin_cos(arm_angle);),
         Some(Given::Joint { joint, revolute: true }) => {
@@ -176,14 +173,8 @@ impl Nest<'_> {
                 quote!(#doc let #agreed = search.agree(&#before, #measure, [#(#entries),*]);)
             }
             Statement::Swivel { symbols, vectors, before, meaning } => {
-                let vectors = vectors.each_ref().map(|vector| {
-                    let entries = vector.iter().map(w);
-                    quote!([#(#entries),*])
-                });
-                let rows = symbols.iter().map(|row| {
-                    let row = row.iter().map(|symbol| self.leaf(*symbol));
-                    quote!([#(#row),*])
-                });
+                let vectors = vectors.each_ref().map(|vector| array(vector.iter().map(w)));
+                let rows = symbols.iter().map(|row| array(row.iter().map(|symbol| self.leaf(*symbol))));
                 let (doc, wrist, before) = (docs::lines(meaning), vectors.first(), self.trail(*before));
                 let swung = self.trail(Trail::Swung);
                 let length = kernel::measure(self, lower::Unit::Length);
@@ -194,7 +185,8 @@ impl Nest<'_> {
                 }
             }
             Statement::Value { symbol, terms, constant } => {
-                let (name, sum) = (self.leaf(*symbol), self.sum(terms, *constant));
+                let terms = terms.iter().map(|(term, negative)| (self.leaf(*term), *negative));
+                let (name, sum) = (self.leaf(*symbol), angle::sum(terms, *constant, self.target));
                 quote!(let #name = #krate::solve::wrap(#sum);)
             }
             Statement::Push { trail, q } => {
@@ -203,24 +195,6 @@ impl Nest<'_> {
                 quote!(let branch = #branch; search.push(&#trail, [#(#q),*], branch);)
             }
         }
-    }
-
-    fn sum(&self, terms: &[(Slot, bool)], constant: Angle) -> TokenStream {
-        let mut sum = TokenStream::new();
-        for (position, (term, negative)) in terms.iter().enumerate() {
-            let term = self.leaf(*term);
-            sum.extend(match (position, negative) {
-                (0, false) => quote!(#term),
-                (_, false) => quote!(+ #term),
-                (_, true) => quote!(- #term),
-            });
-        }
-        if !constant.is_zero() {
-            let negative = constant.rad() < 0.0;
-            let size = angle::tokens(if negative { constant.neg() } else { constant }, self.target);
-            sum.extend(if negative { quote!(- #size) } else { quote!(+ #size) });
-        }
-        sum
     }
 
     /// The stage's explanation with its quantities filled in.

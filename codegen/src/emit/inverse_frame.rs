@@ -1,7 +1,7 @@
 //! What surrounds the loops of an inverse: constants, the function's frame, and the two methods.
 
 use super::task::TaskCode;
-use super::tokens::{ident, integer, number};
+use super::tokens::{array, ident, integer, number};
 use super::{Target, combined_limits, docs, parameters, worked_out};
 use crate::lower::Inverse;
 use crate::model::{JointKind, Model};
@@ -258,11 +258,8 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
 fn arm_angle(plan: &Plan, target: &Target) -> Option<TokenStream> {
     let facts = plan.task.swivel.as_ref()?;
     let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(plan.joints()));
-    let vector = |v: [f64; 3]| {
-        let entries = v.map(number);
-        quote!([#(#entries),*])
-    };
-    let rows = facts.shoulder.r.map(vector);
+    let vector = |v: [f64; 3]| array(v.map(number));
+    let rows = array(facts.shoulder.r.map(vector));
     let (origin, wrist, axis, elbow) =
         (vector(facts.shoulder.p), vector(facts.wrist), vector(facts.axis), vector(facts.elbow));
     Some(quote! {
@@ -272,7 +269,7 @@ fn arm_angle(plan: &Plan, target: &Target) -> Option<TokenStream> {
         #[must_use]
         pub fn arm_angle(&self, q: &[#scalar; #n]) -> #scalar {
             let swivel = #krate::solve::Swivel::<#scalar> {
-                shoulder: #krate::Pose { rotation: [#(#rows),*], translation: #origin },
+                shoulder: #krate::Pose { rotation: #rows, translation: #origin },
                 wrist: #wrist,
                 axis: #axis,
                 elbow: #elbow,

@@ -1,7 +1,7 @@
 //! A stage as a call of its kernel.
 
 use super::nest::Nest;
-use super::tokens::{ident, integer, number};
+use super::tokens::{array, ident, integer, number};
 use super::{angle, worked_out};
 use crate::lower::kernel::{Argument, Phase};
 use crate::lower::{Call, Counted, DefaultValue, Kernel, RootRange, Statement, Unit};
@@ -45,10 +45,7 @@ fn argument(nest: &Nest, call: &Call, of: &Argument) -> TokenStream {
         }
         Argument::Measure => measure(nest, call.unit),
         Argument::Number(e) => nest.writer().write(*e),
-        Argument::Array(items) => {
-            let items = items.iter().map(|item| argument(nest, call, item));
-            quote!([#(#items),*])
-        }
+        Argument::Array(items) => array(items.iter().map(|item| argument(nest, call, item))),
         Argument::Tuple(items) => {
             let items = items.iter().map(|item| argument(nest, call, item));
             quote!((#(#items),*))

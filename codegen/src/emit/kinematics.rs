@@ -1,11 +1,10 @@
 //! forward, link_poses, jacobian and both together.
 
 use super::docs;
-use super::tokens::{Writer, ident, integer};
+use super::tokens::{Writer, array, bound, ident, integer};
 use super::{Target, angle};
 use crate::lower::{Function, Functions, Slot, Turned};
 use crate::model::Model;
-use crate::symbolic::AngleSum;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -24,10 +23,7 @@ pub fn functions(model: &Model, functions: &Functions, target: &Target) -> Token
         let (pose, jacobian) = (pose(w, first), columns(w, rest));
         quote!((#pose, #jacobian))
     };
-    let poses = |w: &Writer, roots: &[Slot]| {
-        let poses = roots.chunks(POSE).map(|roots| pose(w, roots));
-        quote!([#(#poses),*])
-    };
+    let poses = |w: &Writer, roots: &[Slot]| array(roots.chunks(POSE).map(|roots| pose(w, roots)));
     let inline = quote!(#[inline]);
     let methods = [
         ("forward", docs::forward(model, &forward.cost), &inline, &pose_type, body(forward, target, pose)),
@@ -63,10 +59,7 @@ pub fn functions(model: &Model, functions: &Functions, target: &Target) -> Token
 
 fn pose(writer: &Writer, roots: &[Slot]) -> TokenStream {
     let krate = writer.krate;
-    let mut rows = roots.chunks(3).map(|row| {
-        let row = row.iter().map(|e| writer.write(*e));
-        quote!([#(#row),*])
-    });
+    let mut rows = roots.chunks(3).map(|row| array(row.iter().map(|e| writer.write(*e))));
     let rotation: Vec<TokenStream> = rows.by_ref().take(3).collect();
     let translation = rows.next();
     quote!(#krate::Pose { rotation: [#(#rotation),*], translation: #translation })
@@ -74,20 +67,14 @@ fn pose(writer: &Writer, roots: &[Slot]) -> TokenStream {
 
 fn jacobian(writer: &Writer, roots: &[Slot], joints: usize) -> TokenStream {
     let krate = writer.krate;
-    let rows = roots.chunks(joints.max(1)).map(|row| {
-        let row = row.iter().map(|e| writer.write(*e));
-        quote!([#(#row),*])
-    });
+    let rows = roots.chunks(joints.max(1)).map(|row| array(row.iter().map(|e| writer.write(*e))));
     quote!(#krate::Jacobian { rows: [#(#rows),*] })
 }
 
 fn body(function: &Function, target: &Target, result: impl Fn(&Writer, &[Slot]) -> TokenStream) -> TokenStream {
     let straight = &function.straight;
     let writer = Writer { graph: &straight.graph, bound: &straight.names, krate: &target.krate };
-    let pattern = (0..function.joints.len()).map(|joint| {
-        let name = format!("q{}", joint + 1);
-        if function.reads(joint) { ident(&name) } else { ident(&format!("_{name}")) }
-    });
+    let pattern = (0..function.joints.len()).map(|joint| bound(&format!("q{}", joint + 1), function.reads(joint)));
     let sines = sin_cos(function, target);
     let statements = straight.shared.iter().map(|e| writer.statement(*e));
     let result = result(&writer, &straight.roots);
@@ -99,39 +86,17 @@ fn body(function: &Function, target: &Target, result: impl Fn(&Writer, &[Slot]) 
     }
 }
 
-/// All sines and cosines at once: the kernel works on several angles in parallel.
+/// All sines and cosines.
 fn sin_cos(function: &Function, target: &Target) -> TokenStream {
-    let krate = &target.krate;
     let straight = &function.straight;
     let name = |slot: Slot| {
-        let name = straight.graph.leaf_name(slot).unwrap_or_default();
-        if straight.reads(slot) { ident(&name) } else { ident(&format!("_{name}")) }
+        let name = bound(&straight.graph.leaf_name(slot).unwrap_or_default(), straight.reads(slot));
+        quote!(#name)
     };
-    let turned = &function.turned;
-    let sines = turned.iter().map(|turned| name(turned.sin));
-    let cosines = turned.iter().map(|turned| name(turned.cos));
-    let sums = turned.iter().map(|turned| sum(&turned.sum, target));
-    match turned.as_slice() {
-        [] => TokenStream::new(),
-        [Turned { .. }] => quote!(let (#(#sines),*, #(#cosines),*) = #krate::math::sin_cos(#(#sums),*);),
-        _ => quote!(let ([#(#sines),*], [#(#cosines),*]) = #krate::math::sin_cos_array([#(#sums),*]);),
-    }
-}
-
-fn sum(sum: &AngleSum, target: &Target) -> TokenStream {
-    let mut tokens = TokenStream::new();
-    for (index, (joint, negative)) in sum.terms.iter().enumerate() {
-        let q = ident(&format!("q{}", joint + 1));
-        tokens.extend(match (index, negative) {
-            (0, false) => quote!(#q),
-            (_, false) => quote!(+ #q),
-            (_, true) => quote!(- #q),
-        });
-    }
-    if !sum.constant.is_zero() {
-        let negative = sum.constant.rad() < 0.0;
-        let constant = angle::tokens(if negative { sum.constant.neg() } else { sum.constant }, target);
-        tokens.extend(if negative { quote!(- #constant) } else { quote!(+ #constant) });
-    }
-    tokens
+    let of = |turned: &Turned| {
+        let terms = turned.sum.terms.iter().map(|(joint, negative)| (ident(&format!("q{}", joint + 1)), *negative));
+        (name(turned.sin), (name(turned.cos), angle::sum(terms, turned.sum.constant, target)))
+    };
+    let (sines, (cosines, sums)): (Vec<_>, (Vec<_>, Vec<_>)) = function.turned.iter().map(of).unzip();
+    angle::sines(&sines, &cosines, &sums, target)
 }

@@ -1,9 +1,9 @@
 //! The method `margins`: the factors of the Jacobian's determinant.
 
 use super::constants::Dimensions;
-use super::tokens::{Writer, ident, integer};
+use super::tokens::{Writer, array, bound, ident, integer};
 use super::{Target, angle, docs};
-use crate::lower::{self, Factor, Goal, Margins, Slot};
+use crate::lower::{self, Factor, Goal, Margins, Slot, Variable};
 use crate::model::Model;
 use crate::solve::Plan;
 use crate::symbolic::{Expr, Graph, Input, Label, Node, Part, Symbol, Unknown};
@@ -72,21 +72,15 @@ fn scaled(writer: &Writer, factor: &Factor, reach: &Ident) -> TokenStream {
 /// What the pivots read of the tool's pose.
 fn pose(margins: &Margins) -> TokenStream {
     let reads = |input: Input| margins.pose.iter().any(|(_, read)| *read == input);
-    let pattern = |input: Input| {
-        let name = input.name();
-        if reads(input) { ident(&name) } else { ident(&format!("_{name}")) }
-    };
+    let pattern = |input: Input| bound(&input.name(), reads(input));
     let (rows, position) = (Input::ROTATION, Input::POSITION);
     let rotation = rows.iter().flatten().any(|input| reads(*input)).then(|| {
-        let rows = rows.map(|row| {
-            let entries = row.map(pattern);
-            quote!([#(#entries),*])
-        });
-        quote!(let [#(#rows),*] = target.rotation;)
+        let rows = array(rows.map(|row| array(row.map(pattern))));
+        quote!(let #rows = target.rotation;)
     });
     let translation = position.iter().any(|input| reads(*input)).then(|| {
-        let entries = position.map(pattern);
-        quote!(let [#(#entries),*] = target.translation;)
+        let entries = array(position.map(pattern));
+        quote!(let #entries = target.translation;)
     });
     match (&rotation, &translation) {
         (None, None) => TokenStream::new(),
@@ -94,15 +88,12 @@ fn pose(margins: &Margins) -> TokenStream {
     }
 }
 
-/// Sines and cosines of the kernels' variables, and strokes.
+/// Sines and cosines of the kernels' variables, and displacements.
 fn angles(margins: &Margins, target: &Target) -> TokenStream {
     let krate = &target.krate;
     let graph = &margins.straight.graph;
     let name = |slot: Slot| graph.leaf_name(slot).unwrap_or_default();
-    let joints = (0..margins.joints.len()).map(|joint| {
-        let name = format!("q{}", joint + 1);
-        if margins.reads(joint) { ident(&name) } else { ident(&format!("_{name}")) }
-    });
+    let joints = (0..margins.joints.len()).map(|joint| bound(&format!("q{}", joint + 1), margins.reads(joint)));
     let part = |slot: Option<Slot>| {
         slot.map_or_else(
             || quote!(_),
@@ -112,33 +103,20 @@ fn angles(margins: &Margins, target: &Target) -> TokenStream {
             },
         )
     };
-    let variables = &margins.variables;
-    let sines = variables.iter().map(|variable| part(variable.sin));
-    let cosines = variables.iter().map(|variable| part(variable.cos));
-    let arguments = variables.iter().map(|variable| {
-        let (joint, constant) = (ident(&format!("q{}", variable.joint + 1)), variable.constant);
-        if constant.is_zero() {
-            return quote!(#joint);
-        }
-        let negative = constant.rad() > 0.0;
-        let size = angle::tokens(if negative { constant } else { constant.neg() }, target);
-        if negative { quote!(#joint - #size) } else { quote!(#joint + #size) }
-    });
-    let trigonometry = match variables.len() {
-        0 => TokenStream::new(),
-        1 => quote!(let (#(#sines),*, #(#cosines),*) = #krate::math::sin_cos(#(#arguments),*);),
-        _ => quote!(let ([#(#sines),*], [#(#cosines),*]) = #krate::math::sin_cos_array([#(#arguments),*]);),
+    let of = |variable: &Variable| {
+        let joint = ident(&format!("q{}", variable.joint + 1));
+        let angle = angle::sum([(joint, false)], variable.constant.neg(), target);
+        (part(variable.sin), (part(variable.cos), angle))
     };
+    let (sines, (cosines, angles)): (Vec<_>, (Vec<_>, Vec<_>)) = margins.variables.iter().map(of).unzip();
+    let trigonometry = angle::sines(&sines, &cosines, &angles, target);
     let plane = margins.plane.as_ref().map(|plane| {
         let terms = plane.signs.iter().zip(1..).filter(|(sign, _)| **sign != 0.0).map(|(sign, number)| {
             let joint = ident(&format!("q{number}"));
             if *sign < 0.0 { quote!(- #joint) } else { quote!(+ #joint) }
         });
         let offset = angle::tokens(plane.offset, target);
-        let [sin, cos] = [plane.sin, plane.cos].map(|slot| {
-            let name = name(slot);
-            if margins.straight.reads(slot) { ident(&name) } else { ident(&format!("_{name}")) }
-        });
+        let [sin, cos] = [plane.sin, plane.cos].map(|slot| bound(&name(slot), margins.straight.reads(slot)));
         quote!(let (#sin, #cos) = #krate::math::sin_cos(#offset #(#terms)*);)
     });
     quote!(let [#(#joints),*] = *q; #trigonometry #plane)

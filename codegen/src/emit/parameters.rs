@@ -1,8 +1,9 @@
 //! Run-time parameters: the fields of the struct, and what is computed from them outside the kinematics.
 
-use super::tokens::{ident, integer, number};
-use super::{Target, angle, docs, worked_out};
-use crate::model::{Frame, Length, Model, Parameter, ReachTerm, RowKind, reach_terms};
+use super::tables::{dh_frame, dh_row};
+use super::tokens::{array, ident, integer, number};
+use super::{Target, docs, worked_out};
+use crate::model::{Length, Model, Parameter, ReachTerm, reach_terms};
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::collections::HashMap;
@@ -81,25 +82,10 @@ pub fn methods(model: &Model, target: &Target) -> TokenStream {
         let (field, value) = (ident(&parameter.name), number(parameter.default));
         quote!(#field: #value)
     });
-    // The table is f64 whatever the scalar: it feeds the runtime chain.
-    let exact = Target { scalar: super::Scalar::F64, ..target.clone() };
-    let rows = model.rows.iter().map(|row| {
-        let kind = match row.kind {
-            RowKind::Revolute => quote!(revolute),
-            RowKind::Prismatic => quote!(prismatic),
-            RowKind::Fixed => quote!(fixed),
-        };
-        let (a, d) = (value(&row.a, target), value(&row.d, target));
-        let (alpha, theta) = (angle::tokens(row.alpha, &exact), angle::tokens(row.theta, &exact));
-        quote!(#krate::DhRow::#kind(#a, #alpha, #d, #theta))
-    });
+    let length = |length: &Length| value(length, target);
+    let rows = array(model.rows.iter().map(|row| dh_row(row, length, target)));
+    let [base, tool] = [&model.base, &model.tool].map(|frame| dh_frame(frame, length, target));
     let count = integer(model.rows.len());
-    let frame = |frame: &Frame| {
-        let xyz = frame.xyz.each_ref().map(|length| value(length, target));
-        let rpy = frame.rpy.map(|a| angle::tokens(a, &exact));
-        quote!(#krate::DhFrame { xyz: [#(#xyz),*], rpy: [#(#rpy),*] })
-    };
-    let (base, tool) = (frame(&model.base), frame(&model.tool));
     let symbol = model.length_unit.symbol();
     let rows_doc = docs::lines(&format!(
         "The rows of the Denavit-Hartenberg table with the parameters of this arm, `[{count}]`; lengths in {symbol}, \
@@ -115,7 +101,7 @@ pub fn methods(model: &Model, target: &Target) -> TokenStream {
         #rows_doc
         #[must_use]
         pub fn dh_rows(&self) -> [#krate::DhRow; #count] {
-            [#(#rows),*]
+            #rows
         }
 
         /// The constant frame before the first row, with the parameters of this arm.

@@ -1,9 +1,10 @@
 //! The constants of an arm: joint names, limits, units, and the DH table itself.
 
 use super::docs;
-use super::tokens::{integer, number};
-use super::{Target, angle};
-use crate::model::{Convention, Frame, JointKind, LengthUnit, Model, RowKind};
+use super::tokens::{array, integer, number};
+use super::{Scalar, Target, angle};
+use crate::lower;
+use crate::model::{Angle, Convention, Frame, JointKind, Length, LengthUnit, Model, Row, RowKind};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -61,19 +62,12 @@ fn kinds(model: &Model, target: &Target) -> TokenStream {
         let (kind, n) = (kind(first.kind), integer(model.joints.len()));
         return quote!([#kind; #n]);
     }
-    let kinds = model.joints.iter().map(|joint| kind(joint.kind));
-    quote!([#(#kinds),*])
+    array(model.joints.iter().map(|joint| kind(joint.kind)))
 }
 
 fn limits(model: &Model, target: &Target) -> TokenStream {
     let scalar = target.scalar.tokens();
-    let end = |value: f64| limit(value, &scalar);
-    let rows = model.joints.iter().map(|joint| {
-        let [low, high] = joint.limits.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
-        let (low, high) = (end(low), end(high));
-        quote!([#low, #high])
-    });
-    quote!([#(#rows),*])
+    array(lower::limits(model).into_iter().map(|ends| array(ends.map(|end| limit(end, &scalar)))))
 }
 
 /// The end of a range.
@@ -89,34 +83,44 @@ pub(super) fn limit(value: f64, scalar: &TokenStream) -> TokenStream {
 
 fn dh_table(model: &Model, target: &Target) -> TokenStream {
     let krate = &target.krate;
-    // The table is f64 whatever the scalar: it feeds the runtime chain.
-    let exact = Target { scalar: super::Scalar::F64, ..target.clone() };
     let convention = match model.convention {
         Convention::Standard => quote!(Standard),
         Convention::Modified => quote!(Modified),
     };
-    let rows = model.rows.iter().map(|row| {
-        let kind = match row.kind {
-            RowKind::Revolute => quote!(revolute),
-            RowKind::Prismatic => quote!(prismatic),
-            RowKind::Fixed => quote!(fixed),
-        };
-        let (a, d) = (number(row.a.default_value()), number(row.d.default_value()));
-        let (alpha, theta) = (angle::tokens(row.alpha, &exact), angle::tokens(row.theta, &exact));
-        quote!(#krate::DhRow::#kind(#a, #alpha, #d, #theta))
-    });
-    let frame = |frame: &Frame| {
-        let xyz = frame.xyz.each_ref().map(|x| number(x.default_value()));
-        let rpy = frame.rpy.map(|a| angle::tokens(a, &exact));
-        quote!(#krate::DhFrame { xyz: [#(#xyz),*], rpy: [#(#rpy),*] })
-    };
-    let (base, tool) = (frame(&model.base), frame(&model.tool));
+    let length = |length: &Length| number(length.default_value());
+    let rows = array(model.rows.iter().map(|row| dh_row(row, length, target)));
+    let [base, tool] = [&model.base, &model.tool].map(|frame| dh_frame(frame, length, target));
     quote! {
         #krate::DhTable {
             convention: #krate::Convention::#convention,
-            rows: &[#(#rows),*],
+            rows: &#rows,
             base: #base,
             tool: #tool,
         }
     }
+}
+
+/// The table is f64 whatever the scalar: it feeds the runtime chain.
+fn rad(angle: Angle, target: &Target) -> TokenStream {
+    angle::tokens(angle, &Target { scalar: Scalar::F64, ..target.clone() })
+}
+
+/// A row of the table, its lengths as they are written by `length`.
+pub fn dh_row(row: &Row, length: impl Fn(&Length) -> TokenStream, target: &Target) -> TokenStream {
+    let krate = &target.krate;
+    let kind = match row.kind {
+        RowKind::Revolute => quote!(revolute),
+        RowKind::Prismatic => quote!(prismatic),
+        RowKind::Fixed => quote!(fixed),
+    };
+    let (a, d) = (length(&row.a), length(&row.d));
+    let (alpha, theta) = (rad(row.alpha, target), rad(row.theta, target));
+    quote!(#krate::DhRow::#kind(#a, #alpha, #d, #theta))
+}
+
+/// A constant frame of the table.
+pub fn dh_frame(frame: &Frame, length: impl Fn(&Length) -> TokenStream, target: &Target) -> TokenStream {
+    let krate = &target.krate;
+    let (xyz, rpy) = (array(frame.xyz.iter().map(length)), array(frame.rpy.map(|angle| rad(angle, target))));
+    quote!(#krate::DhFrame { xyz: #xyz, rpy: #rpy })
 }

@@ -1,6 +1,6 @@
 //! What the inverse of a task looks like from outside: its target, and how the search sees it.
 
-use super::tokens::{ident, integer, number};
+use super::tokens::{array, bound, ident, integer, number};
 use super::{Target, angle};
 use crate::lower::{Goal, Inverse};
 use crate::model::Model;
@@ -24,23 +24,17 @@ pub struct TaskCode {
     pub unpack: TokenStream,
 }
 
-/// The code of what a program is asked for.
+/// The code of a program's task.
 pub fn task(model: &Model, program: &Inverse, target: &Target) -> TaskCode {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
     let unit = model.length_unit.symbol();
+    let pattern = |input: Input| bound(&input.name(), program.reads(input));
     let field = |input: Input| {
-        let (field, unused) = (ident(&input.name()), ident(&format!("_{}", input.name())));
-        if program.reads(input) { quote!(#field) } else { quote!(#field: #unused) }
+        let (field, name) = (ident(&input.name()), pattern(input));
+        if program.reads(input) { quote!(#field) } else { quote!(#field: #name) }
     };
-    let pattern = |input: Input| {
-        let name = input.name();
-        if program.reads(input) { ident(&name) } else { ident(&format!("_{name}")) }
-    };
-    let position = [0, 1, 2].map(|component| pattern(Input::Position(component)));
-    let rows = (0..3).map(|row| {
-        let entries = (0..3).map(|column| pattern(Input::Rotation(row, column)));
-        quote!([#(#entries),*])
-    });
+    let position = Input::POSITION.map(pattern);
+    let rows = Input::ROTATION.map(|row| array(row.map(pattern)));
     let frame = |from: TokenStream| {
         quote! {
             let [#(#rows),*] = #from.rotation;

@@ -3,7 +3,7 @@
 use crate::lower::Names;
 use crate::symbolic::{Expr, Graph, Node, Symbol};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 /// Identifier at the call site.
 pub fn ident(name: &str) -> Ident {
@@ -26,6 +26,17 @@ pub fn number(value: f64) -> TokenStream {
 /// An integer literal without suffix.
 pub fn integer(value: usize) -> Literal {
     Literal::usize_unsuffixed(value)
+}
+
+/// The name that a pattern binds: with `_` before it where nothing reads it.
+pub fn bound(name: &str, read: bool) -> Ident {
+    if read { ident(name) } else { ident(&format!("_{name}")) }
+}
+
+/// `[a, b, c]`
+pub fn array(items: impl IntoIterator<Item = impl ToTokens>) -> TokenStream {
+    let items = items.into_iter();
+    quote!([#(#items),*])
 }
 
 #[derive(Clone, Copy, PartialEq, PartialOrd)]

@@ -51,11 +51,11 @@ pub fn elementary(g: &mut Graph, transform: &Elementary) -> Rigid {
         }
         Elementary::RotateX { angle, row } => {
             let pair = g.constant_pair(*angle, ConstantAngle::Alpha(*row));
-            out.r = transpose(&Graph::identity().map(|axis| g.rotate_x(pair, axis)));
+            out.r = g.rotation_x(pair);
         }
         Elementary::RotateZ { angle, row } => {
             let pair = g.constant_pair(*angle, ConstantAngle::Theta(*row));
-            out.r = transpose(&Graph::identity().map(|axis| g.rotate_z(pair, axis)));
+            out.r = g.rotation_z(pair);
         }
         Elementary::Frame { frame: constant, end } => out = frame(g, constant, *end),
         Elementary::Revolute { .. } | Elementary::Prismatic { .. } => {}

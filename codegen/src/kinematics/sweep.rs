@@ -1,8 +1,8 @@
 //! Pose and Jacobian by one sweep from the tool to the base.
 //!
-//! Every vector (the tool's axes, its position, the Jacobian columns of the joints passed) is carried in the current
-//! frame and turned by one joint after the other, so the rotation by q1 comes last. Runs of joints with parallel axes
-//! turn by the sum of their angles at once (a planar linkage); their link lengths then enter along the partial sums.
+//! Every vector is carried in the current frame and turned by one joint after the other, so the rotation by q1 comes last.
+//! The vectors are the tool's axes, its position, and the Jacobian columns of the joints passed. A run of joints with
+//! parallel axes turns by the sum of their angles at once; its link lengths enter along the partial sums.
 
 use super::link::{self, Run};
 use crate::model::chain::{Chain, Elementary};
@@ -45,8 +45,8 @@ pub struct Kinematics {
     pub cost: Cost,
 }
 
-/// The cheapest of the equivalent forms (constants outward or as built; the last link's length through the chain or
-/// along the approach vector at the end).
+/// The cheapest of the equivalent forms. Constants go outward or stay as built; the last link's length goes through the
+/// chain, or along the approach vector at the end.
 pub fn kinematics(chain: &Chain, wanted: Wanted) -> Kinematics {
     let late: &[bool] = if wanted == Wanted::Forward { &[true, false] } else { &[false] };
     let mut best: Option<Kinematics> = None;
@@ -244,7 +244,7 @@ impl Sweep {
     }
 }
 
-/// Start of the run of parallel revolute joints that ends just before `end`: axes stay parallel across shifts, turns
+/// Start of the run of parallel revolute joints that ends just before `end`. Axes stay parallel across shifts, turns
 /// about z, prismatic joints along z, and half turns about x.
 fn run_start(chain: &Chain, end: usize) -> usize {
     let mut start = end.saturating_sub(1);

@@ -1,4 +1,4 @@
-//! What the search needs to know about an arm.
+//! The arm constants of the search.
 
 use crate::model::{DEFAULT_TOLERANCE, JointKind, Model};
 use crate::solve::Plan;

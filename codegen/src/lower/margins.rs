@@ -18,7 +18,7 @@ pub struct Variable {
     pub cos: Option<Slot>,
 }
 
-/// The angle that `position_angle` asks for: the sum of the joints by their signs, plus the offset.
+/// The angle of `position_angle`: the sum of the joints by their signs, plus the offset.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plane {
     /// One for each joint, 0 for those that do not count.

@@ -13,9 +13,9 @@ pub struct Inverse {
     pub graph: Graph,
     /// The names of the shared expressions.
     pub names: Names,
-    /// What the search needs to know about the arm.
+    /// The arm constants.
     pub facts: Facts,
-    /// What is asked for.
+    /// The task, with its numbers.
     pub goal: Goal,
     /// What is given beside it.
     pub given: Option<Given>,
@@ -34,8 +34,8 @@ pub struct Inverse {
     pub joints: usize,
     /// The largest number of solutions.
     pub capacity: usize,
-    /// Whether every stage after a free joint has its roots wherever that joint is: the search then looks for other
-    /// places of two free joints only.
+    /// Whether every stage after a free joint has its roots wherever that joint is. The search then looks for other
+    /// values of two free joints only.
     pub decoupled: bool,
     /// Whether every branch is verified, because the arm misses the structure by more than rounding.
     pub in_doubt: bool,
@@ -62,7 +62,7 @@ pub struct Level {
 pub struct Each {
     /// The stage.
     pub stage: usize,
-    /// The trail that says whether the branch goes on.
+    /// The state that says whether the branch goes on.
     pub trail: Trail,
     /// What is taken of each root, by the stage's joints.
     pub roots: Vec<Root>,
@@ -74,7 +74,7 @@ pub struct Each {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Root(pub Vec<(Part, Slot)>);
 
-/// What a branch has met, by the step that it has passed last.
+/// The state of a branch, by the step that it has passed last.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Trail {
     /// None.
@@ -117,11 +117,11 @@ pub enum Statement {
     },
     /// Solves a stage.
     Solve(Call),
-    /// The trail after a stage.
+    /// The branch state after a stage.
     Follow {
         /// The stage.
         stage: usize,
-        /// The trail before.
+        /// The branch state before.
         before: Trail,
     },
     /// Takes the root of a stage that has just one.
@@ -146,7 +146,7 @@ pub enum Statement {
     Agree {
         /// The place of this comparison among them.
         index: usize,
-        /// The trail before.
+        /// The branch state before.
         before: Trail,
         /// What is compared.
         unit: Unit,
@@ -155,13 +155,13 @@ pub enum Statement {
         /// What has to agree.
         meaning: String,
     },
-    /// The rotation of the upper arm from the arm angle, then the trail after it.
+    /// The rotation of the upper arm from the arm angle, then the branch state after it.
     Swivel {
         /// Where the rotation goes, by rows.
         symbols: [[Slot; 3]; 3],
         /// Wrist where it has to be, wrist, elbow's axis and elbow in the frame of the upper arm.
         vectors: [[Slot; 3]; 4],
-        /// The trail before.
+        /// The branch state before.
         before: Trail,
         /// What it is.
         meaning: String,
@@ -177,7 +177,7 @@ pub enum Statement {
     },
     /// Adds a solution.
     Push {
-        /// The trail of its branch.
+        /// The state of its branch.
         trail: Trail,
         /// The joint values.
         q: Vec<Slot>,

@@ -5,8 +5,8 @@ use crate::solve::kernel::{Cone, ConeRange, Distance, ElbowRange, Phase};
 use crate::solve::{Kernel, Plan, Stage};
 use crate::symbolic::{Expr, Graph};
 
-/// The call of a stage, and the statements that it needs before it: what is the same for every root of the stages before
-/// is worked out once.
+/// The call of a stage, and the statements before it. They work out once what is the same for every root of the stages
+/// before.
 pub fn call(plan: &Plan, graph: &Graph, index: usize, stage: &Stage) -> (Vec<Statement>, Call) {
     let mut before = Vec::new();
     let (range, counted) = match &stage.kernel {

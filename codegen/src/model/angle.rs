@@ -1,7 +1,7 @@
 //! Angles that are exact where people mean exact.
 //!
-//! A multiple of 15 degrees is held as a whole number of twelfths of pi: its sine and cosine are known in closed form
-//! (0, 1/2, 1/sqrt 2, sqrt 3/2, 1, and (sqrt 6 -+ sqrt 2)/4), so that parallel axes are exactly parallel.
+//! A multiple of 15 degrees is held as a whole number of twelfths of pi. Its sine and cosine are known in closed form:
+//! 0, 1/2, 1/sqrt 2, sqrt 3/2, 1, and (sqrt 6 -+ sqrt 2)/4. So parallel axes are exactly parallel.
 
 use crate::spec::{WrittenAngle, pi_times};
 use std::f64::consts::FRAC_1_SQRT_2;

@@ -1,4 +1,4 @@
-//! The checked arm: its table, joints, frames, and what is wanted of its inverse.
+//! The checked arm: table, joints, frames, and the task of its inverse.
 
 use super::actuator::Actuator;
 use super::angle::Angle;
@@ -32,7 +32,7 @@ pub struct Model {
     pub joints: Vec<Joint>,
     /// The names for lengths, in the order of the file.
     pub parameters: Vec<Parameter>,
-    /// What the inverse is asked for.
+    /// The task of the inverse, and what belongs to it.
     pub inverse: InverseRequest,
     /// How motors move joints, where they are linked.
     pub coupling: Option<Coupling>,
@@ -79,7 +79,7 @@ pub struct Parameter {
     pub default: f64,
 }
 
-/// What the inverse is asked for.
+/// The task of the inverse, and what belongs to it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InverseRequest {
     /// The task, where one is named.

@@ -1,4 +1,4 @@
-//! How the joint axes lie: which are parallel, which meet, decided on numbers at a generic configuration.
+//! How the joint axes lie: which are parallel, which intersect, decided on numbers at a generic configuration.
 //!
 //! Lengths are compared relative to the reach of the arm, angles in rad; see [`TOLERANCE`].
 
@@ -57,7 +57,7 @@ pub enum Relation {
         /// Distance between the lines.
         distance: f64,
     },
-    /// They meet in a point at an angle.
+    /// They intersect in a point at an angle.
     Intersecting {
         /// The angle between the directions, rad.
         angle: f64,
@@ -74,15 +74,27 @@ pub enum Relation {
 /// What makes three consecutive axes solvable in closed form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum TripleKind {
-    /// All three meet in one point.
+    /// All three intersect in one point.
     Intersecting,
     /// All three are parallel; or they move in a plane, some of them sliding across the direction of the others.
     Parallel,
-    /// Wherever they are, they turn a tool that three other joints only slide.
+    /// Three revolute joints, wherever their axes are; the other three joints are prismatic.
     Turning,
 }
 
-/// Three consecutive axes that meet in a point or are parallel (or move in a plane).
+impl TripleKind {
+    /// What its axes do, in words; `slides` if one of its joints is prismatic.
+    pub fn words(self, slides: bool) -> &'static str {
+        match self {
+            TripleKind::Intersecting => "meet in a point",
+            TripleKind::Parallel if slides => "move in a plane",
+            TripleKind::Parallel => "are parallel",
+            TripleKind::Turning => "turn the tool, the others slide",
+        }
+    }
+}
+
+/// Three consecutive axes that intersect in a point or are parallel (or move in a plane).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Triple {
     /// The first of the three joints, from 0.
@@ -94,7 +106,7 @@ pub struct Triple {
 /// The axes of an arm and what they do.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Geometry {
-    /// Sum of all lengths of the chain, and of the longest strokes; 1 if that is zero. In the file's length unit.
+    /// Sum of all lengths of the chain, and of the longest displacements; 1 if that is zero. In the file's length unit.
     pub reach: f64,
     /// The axes at a generic configuration.
     pub axes: Vec<Line>,
@@ -237,8 +249,8 @@ pub fn relation(a: &Line, b: &Line, reach: f64, decisions: &Decisions) -> Relati
     }
 }
 
-/// How far three lines are from meeting in one point: the largest distance among the feet of the common normals on
-/// the middle line, and the outer lines from them. `None` if two of them are parallel.
+/// By how much three lines miss a common point: the largest of three distances. Two are those of the outer lines from the
+/// middle one, the third is that of their feet. `None` if an outer line is parallel to the middle one.
 fn common_point_miss(a: &Line, b: &Line, c: &Line) -> Option<f64> {
     let (on_a, from_a) = nearest(a, b)?;
     let (on_c, from_c) = nearest(c, b)?;

@@ -55,8 +55,8 @@ impl Model {
         rows.chain(&self.base.xyz).chain(&self.tool.xyz)
     }
 
-    /// Values of the parameters that have no special relation to each other or to the lengths that are numbers: what
-    /// holds for all of these sets holds for the symbols. One empty set where there are no parameters.
+    /// Sets of parameter values without a special relation to each other or to the lengths that are numbers. What holds
+    /// for all sets holds for the symbols. One empty set where there are no parameters.
     pub fn samples(&self) -> Vec<HashMap<String, f64>> {
         if self.parameters.is_empty() {
             return vec![HashMap::new()];

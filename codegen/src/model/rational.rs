@@ -7,7 +7,7 @@ pub type Matrix = Vec<Vec<f64>>;
 
 /// The inverse, each entry off by a unit in its last place at most. `Err` with a row that is a combination of others if there is none.
 ///
-/// Every number is taken as the shortest decimal that reads as it, which is how it was written: one third of
+/// Every number is taken as the shortest decimal that reads as it, which is how it was written. One third of
 /// `[[0.3, 0.1]]` is the 0.1 of the file and not its nearest double. Gauss and Jordan's elimination in fractions of whole
 /// numbers; in doubles, with the largest pivot, where these grow beyond 38 digits.
 pub fn inverse(matrix: &[Vec<f64>]) -> Result<Matrix, usize> {

@@ -58,7 +58,7 @@ impl LoopChain {
         })
     }
 
-    /// For an arm in the plane: the turn about the tool's x axis that takes an upright frame to the tool's; `None` if
+    /// For an arm in the plane: the turn about the tool's x axis that takes an upright frame to the tool's. `None` if
     /// that axis leaves the plane.
     pub fn tool_twist(&self) -> Option<Angle> {
         let [_, _, [x, y, z]] = self.tool()?.r;

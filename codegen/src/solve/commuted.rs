@@ -4,7 +4,7 @@
 
 use super::loop_chain::LoopChain;
 use crate::model::Angle;
-use crate::symbolic::{Graph, Rigid, transpose};
+use crate::symbolic::{Graph, Rigid};
 
 /// The chain itself, and every chain that comes of moving prismatic joints past others.
 pub fn commuted(chain: &LoopChain) -> Vec<LoopChain> {
@@ -40,11 +40,7 @@ impl LoopChain {
         let before = self.link(i).then(g, &self.link(i + 1));
         let (there, back) = flip(g, sign);
         let after = back.then(g, &self.link(i + 2));
-        moved.loop_joints.swap(i, i + 1);
-        for (place, link) in moved.links.iter_mut().skip(i).zip([before, there, after]) {
-            *place = link;
-        }
-        Some(moved)
+        Some(moved.exchanged(i, [before, there, after]))
     }
 
     /// The chain with the prismatic joints `i` and `i + 1` in the other order.
@@ -55,11 +51,16 @@ impl LoopChain {
         let before = self.link(i).then(g, &between);
         let after = between.then(g, &self.link(i + 2));
         let back = between.inverse(g);
-        moved.loop_joints.swap(i, i + 1);
-        for (place, link) in moved.links.iter_mut().skip(i).zip([before, back, after]) {
+        moved.exchanged(i, [before, back, after])
+    }
+
+    /// The chain with joints `i` and `i + 1` in the other order, and the links around them in place of those there are.
+    fn exchanged(mut self, i: usize, links: [Rigid; 3]) -> LoopChain {
+        self.loop_joints.swap(i, i + 1);
+        for (place, link) in self.links.iter_mut().skip(i).zip(links) {
             *place = link;
         }
-        moved
+        self
     }
 
     /// The chain with the prismatic joint `i` moved before the revolute joint before it.
@@ -74,11 +75,7 @@ impl LoopChain {
         let (there, back) = flip(g, sign);
         let before = self.link(i - 1).then(g, &there);
         let after = self.link(i).then(g, &self.link(i + 1));
-        moved.loop_joints.swap(i - 1, i);
-        for (place, link) in moved.links.iter_mut().skip(i - 1).zip([before, back, after]) {
-            *place = link;
-        }
-        Some(moved)
+        Some(moved.exchanged(i - 1, [before, back, after]))
     }
 }
 
@@ -88,7 +85,6 @@ fn flip(g: &mut Graph, sign: f64) -> (Rigid, Rigid) {
         return (Rigid::identity(), Rigid::identity());
     }
     let half = g.turn(Angle::degrees(180.0));
-    let columns = Graph::identity().map(|axis| g.rotate_x(half, axis));
-    let there = Rigid { r: transpose(&columns), ..Rigid::identity() };
+    let there = Rigid { r: g.rotation_x(half), ..Rigid::identity() };
     (there, there)
 }

@@ -1,20 +1,13 @@
 //! The plan as text.
 
 use super::plan::{Plan, PlanStep, Value};
-use crate::model::geometry::TripleKind;
 use crate::symbolic::{Label, Part, Symbol, Unknown};
 
 /// One line a step: which joint, by which kind of equation.
 pub fn describe(plan: &Plan) -> Vec<String> {
     let label = |k: usize| plan.label(plan.triple.first + k);
-    let kind = match plan.triple.kind {
-        TripleKind::Intersecting => "meet in a point",
-        TripleKind::Parallel if plan.loop_joints.iter().skip(plan.triple.first).take(3).any(|slot| !slot.revolute) => {
-            "move in a plane"
-        }
-        TripleKind::Parallel => "are parallel",
-        TripleKind::Turning => "turn the tool, the others slide",
-    };
+    let slides = plan.loop_joints.iter().skip(plan.triple.first).take(3).any(|slot| !slot.revolute);
+    let kind = plan.triple.kind.words(slides);
     let mut lines = vec![format!("axes {}, {}, {} {kind}", label(0), label(1), label(2))];
     lines.extend(plan.missed.map(|by| format!("the axes miss this structure by {by:.0e}: every solution is verified")));
     let steps = plan.steps.iter().filter_map(|step| match step {
@@ -27,8 +20,7 @@ pub fn describe(plan: &Plan) -> Vec<String> {
     let staged = |joint: usize| {
         plan.steps.iter().any(|step| matches!(step, PlanStep::Stage(stage) if stage.joints.contains(&joint)))
     };
-    let own = |joint: usize| plan.loop_joints.get(joint).is_some_and(|slot| slot.label.arm().is_some());
-    let rest = (0..plan.loop_joints.len()).filter(|joint| own(*joint) && !staged(*joint));
+    let rest = (0..plan.loop_joints.len()).filter(|joint| plan.joint(*joint).is_some() && !staged(*joint));
     for line in steps.chain(rest.filter_map(|joint| left_of_others(plan, joint))) {
         // Two angles that are measured may be parts of one sum.
         if !lines.contains(&line) {

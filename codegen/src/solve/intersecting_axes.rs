@@ -1,7 +1,7 @@
 //! The outer joints x, y, z when the axes of the triple intersect in a point W.
 //!
-//! `R_z(y) B(z) = A(x)`, where A and B are the point W seen from joint y over either side: equal components along y's
-//! axis and equal distances from a point on it are two equations in x and z.
+//! `R_z(y) B(z) = A(x)`, where A and B are the point W seen from joint y over either side. The components along y's axis
+//! are equal, and so are the distances from a point on it: two equations in x and z.
 
 use super::kernel::{Pair, PairSliding, Quadratic, Unit};
 use super::loop_closure::{LoopClosure, WRIST};
@@ -110,7 +110,7 @@ fn first_by_component(c: &mut LoopClosure, first: &Side, other: &Side, ny: Label
     } else {
         let numerator = c.g.sub(value, row.k);
         let meaning = format!("Joint {n}: {w} keeps its offset along axis {ny}.");
-        first.slide_to(c, row.c, numerator, meaning);
+        c.slide_to(first.joint, row.c, numerator, meaning);
     }
     let (across, _) = relative(c, first);
     let rho = c.g.norm(&across);
@@ -207,22 +207,20 @@ fn together(c: &mut LoopClosure, a: &Side, b: &Side, ny: Label) -> Result<(), Un
     if c.vanish(&[quadratic, k], Unit::Direction) {
         return Err(Unsupported::new("the two sliding joints move in step: the arm is singular everywhere"));
     }
+    // 2 sv k + m su sv - m' su^2, and k^2 + m su k + (n - n') su^2
+    let svk = c.g.mul(sv, k);
+    let twice = c.g.add(svk, svk);
+    let msu = c.g.mul(m1, su);
     let linear = {
-        let svk = c.g.mul(sv, k);
-        let twice = c.g.add(svk, svk);
-        let msu = c.g.mul(m1, su);
-        let msusv = c.g.mul(msu, sv);
-        let left = c.g.add(twice, msusv);
+        let left = c.g.mul(msu, sv);
+        let left = c.g.add(twice, left);
         let right = c.g.mul(m2, su2);
         c.g.sub(left, right)
     };
     let constant = {
-        let kk = c.g.mul(k, k);
-        let msu = c.g.mul(m1, su);
-        let msuk = c.g.mul(msu, k);
         let difference = c.g.sub(n1, n2);
         let scaled = c.g.mul(difference, su2);
-        let sum = c.g.add(kk, msuk);
+        let sum = c.g.dot2([k, msu], [k, k]);
         c.g.add(sum, scaled)
     };
     let meaning =
@@ -244,7 +242,7 @@ fn together(c: &mut LoopClosure, a: &Side, b: &Side, ny: Label) -> Result<(), Un
     c.pivot(pivot);
     let svv = c.g.mul(sv, v);
     let numerator = c.g.add(svv, k);
-    slides.slide_to(c, su, numerator, format!("Joint {}: follows from it.", c.label(slides.joint)));
+    c.slide_to(slides.joint, su, numerator, format!("Joint {}: follows from it.", c.label(slides.joint)));
     Ok(())
 }
 
@@ -306,8 +304,7 @@ fn one_after_the_other(
     let text = meaning(c.label(first.joint));
     first.offset(c, row(own, alone), row(others, alone).k, Unit::Length, Branching::Shoulder, text);
     let ([known, wanted], pair) = ([own, others].map(|rows| row(rows, 1 - alone)), c.pair(first.joint));
-    let (cos, sin) = (c.g.mul(known.c, pair.cos), c.g.mul(known.s, pair.sin));
-    let turned = c.g.add(cos, sin);
+    let turned = c.g.dot2([known.c, known.s], [pair.cos, pair.sin]);
     let value = c.g.add(turned, known.k);
     let text = meaning(c.label(second.joint));
     second.offset(c, wanted, value, Unit::Length, Branching::Elbow, text);

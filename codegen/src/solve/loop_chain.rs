@@ -5,7 +5,7 @@ use super::task::Given;
 use crate::kinematics;
 use crate::model::chain::{Chain, Elementary};
 use crate::model::{Angle, JointKind, Model};
-use crate::symbolic::{ConstantAngle, Expr, Graph, Input, Label, Pair, Part, Rigid, transpose};
+use crate::symbolic::{ConstantAngle, Expr, Graph, Input, Label, Pair, Part, Rigid};
 
 /// A joint of the closed chain.
 #[derive(Debug, Clone, PartialEq)]
@@ -101,8 +101,7 @@ impl LoopChain {
             let raw = Pair { sin: g.symbol(sin), cos: g.symbol(cos) };
             let constant = g.constant_pair(slot.offset, ConstantAngle::Theta(row));
             let pair = if slot.offset.is_zero() { raw } else { raw.plus(g, constant) };
-            let columns = Graph::identity().map(|axis| g.rotate_z(pair, axis));
-            Rigid { r: transpose(&columns), ..Rigid::identity() }
+            Rigid { r: g.rotation_z(pair), ..Rigid::identity() }
         } else {
             Rigid { p: [Expr::ZERO, Expr::ZERO, g.symbol(value)], ..Rigid::identity() }
         };

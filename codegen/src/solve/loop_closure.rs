@@ -39,7 +39,8 @@ pub struct LoopClosure {
     pairs: Vec<Option<Pair>>,
     values: Vec<Option<Value>>,
     steps: Vec<PlanStep>,
-    pub(super) reach: f64,
+    /// Reach of the arm.
+    pub reach: f64,
 }
 
 impl LoopClosure {
@@ -67,11 +68,6 @@ impl LoopClosure {
         LoopClosure { g, generic, order, links, loop_joints, pairs, values, steps: Vec::new(), reach }
     }
 
-    /// Reach of the arm.
-    pub fn reach(&self) -> f64 {
-        self.reach
-    }
-
     /// The link after a joint.
     pub fn link(&self, joint: usize) -> Link {
         let identity = Link { forward: Rigid::identity(), back: Rigid::identity(), target: false };
@@ -85,7 +81,7 @@ impl LoopClosure {
 
     /// Whether none of a triple's joints is the arm's own.
     pub fn is_virtual(&self, triple: Triple) -> bool {
-        self.loop_joints.iter().skip(triple.first).take(3).all(|slot| slot.label.arm().is_none())
+        !(triple.first..triple.first + 3).any(|slot| self.is_own(slot))
     }
 
     /// Whether a joint is the arm's own.
@@ -197,16 +193,6 @@ impl LoopClosure {
         self.g.sub3(v, [Expr::ZERO, Expr::ZERO, along])
     }
 
-    /// The same for a direction: a prismatic joint leaves it.
-    pub fn turn_by(&mut self, joint: usize, v: Vec3) -> Vec3 {
-        if self.is_revolute(joint) { self.move_by(joint, v) } else { v }
-    }
-
-    /// The inverse for a direction.
-    pub fn turn_back(&mut self, joint: usize, v: Vec3) -> Vec3 {
-        if self.is_revolute(joint) { self.move_back(joint, v) } else { v }
-    }
-
     /// Adds a stage. Its kernel's variable for joint `i` is the joint's angle minus `shift`.
     pub fn stage(
         &mut self,
@@ -275,11 +261,6 @@ impl LoopClosure {
         self.steps.push(step);
     }
 
-    /// Adds an angle that several joints add up to.
-    pub fn angle(&mut self, symbol: Symbol, meaning: String, y: Expr, x: Expr) {
-        self.steps.push(PlanStep::Angle { symbol, meaning, y, x });
-    }
-
     /// A joint value that is a signed sum of symbols; `constant` before the joint's offset is taken off.
     pub fn sum(&mut self, joint: usize, terms: Vec<(Symbol, bool)>, constant: Angle) {
         let constant = constant.add(self.offset(joint).neg());
@@ -316,21 +297,17 @@ impl LoopClosure {
         match (self.direction(from), self.direction(to)) {
             (Ok(from), Ok(to)) => (to.add(from.neg()), None),
             _ => {
-                let ([ux, uy], [vx, vy]) = (from, to);
-                let (a, b) = (self.g.mul(ux, vx), self.g.mul(uy, vy));
-                let (c, d) = (self.g.mul(ux, vy), self.g.mul(uy, vx));
-                (Angle::ZERO, Some(Phase { y: self.g.sub(c, d), x: self.g.add(a, b) }))
+                let (x, y) = (self.g.dot2(from, to), self.g.cross2(from, to));
+                (Angle::ZERO, Some(Phase { y, x }))
             }
         }
     }
 
     /// The plan. A last stage that gives a virtual joint alone is left out.
     pub fn finish(mut self, triple: Triple, task: PlanTask) -> Plan {
-        let loop_joints = &self.loop_joints;
-        let unwanted = |joint: &usize| loop_joints.get(*joint).is_some_and(|slot| slot.label.arm().is_none());
         while let Some(PlanStep::Stage(stage)) = self.steps.last()
             && stage.kernel.form().roots == 1
-            && stage.joints.iter().all(unwanted)
+            && !stage.joints.iter().any(|slot| self.is_own(*slot))
         {
             self.steps.pop();
         }

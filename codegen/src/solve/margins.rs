@@ -1,11 +1,12 @@
 //! How far a joint vector is from each kind of singularity: the factors of the Jacobian's determinant.
 //!
 //! The stages of a plan are six equations `f(target, q) = 0`, each in the joints of its stage and of those before it.
-//! Where they hold, `df/dq` is block triangular, and `det J = det(df/dq) / det(df/dtarget)` up to sign. The equations are
-//! coordinates of a point (Cartesian, or cylindrical with half the squared distance as one of them), of a direction
-//! (height and azimuth on the unit sphere), or of a rotation, so the denominator is constant; the determinant is a
-//! constant times the product of the stages' own derivatives, the pivots. Each vanishes exactly where two roots of its
-//! stage meet.
+//! Where they hold, `df/dq` is block triangular, and `det J = det(df/dq) / det(df/dtarget)` up to sign.
+//!
+//! The equations are coordinates of a point, of a direction (height and azimuth on the unit sphere), or of a rotation. Those
+//! of a point are Cartesian, or cylindrical with half the squared distance as one of them. So the denominator is constant:
+//! the determinant is a constant times the product of the stages' own derivatives, the pivots. Each vanishes exactly where
+//! two roots of its stage are equal.
 
 use super::kernel::{Kernel, Pivot};
 use super::plan::{Branching, Plan, Stage};
@@ -25,17 +26,16 @@ pub struct Factor {
 }
 
 /// The factors that are not constant, in the order of the stages, and the graph they are in. None where there are more
-/// equations than joints, or where what is read of the target is no entry of the tool's pose (a pointing axis).
+/// equations than joints, and none for a pointing axis, whose target is no entry of the tool's pose.
 pub fn margins(plan: &Plan) -> (Graph, Vec<Factor>) {
     let mut g = plan.graph.clone();
     let mut factors = Vec::new();
     if plan.task.overdetermined || plan.task.goal.task() == Task::PositionAxis {
         return (g, factors);
     }
-    let wanted = |slot: &usize| plan.loop_joints.get(*slot).is_some_and(|slot| slot.label.arm().is_some());
     for (index, stage) in plan.stages().enumerate() {
         let given_before = index > 0 && only_follows(plan, stage);
-        if given_before || !stage.joints.iter().any(wanted) {
+        if given_before || stage.joints.iter().all(|slot| plan.joint(*slot).is_none()) {
             continue;
         }
         let own = |g: &mut Graph| stage.kernel.pivot(g, &stage.variables());

@@ -164,7 +164,7 @@ fn by_distance(c: &mut LoopClosure, side: &Side, (other, solved): (&Side, bool),
         side.offset(c, row, value, Unit::Length, Branching::Shoulder, meaning);
     } else {
         let numerator = c.g.sub(value, row.k);
-        side.slide_to(c, row.c, numerator, format!("Joint {n}: axis {ny} keeps its offset along {H}."));
+        c.slide_to(side.joint, row.c, numerator, format!("Joint {n}: axis {ny} keeps its offset along {H}."));
     }
 }
 
@@ -184,8 +184,8 @@ fn aligned(c: &mut LoopClosure, y: usize, a: &Side, b: &Side) {
     c.align(y, Side::plane(from), Side::plane(to), Unit::Direction, meaning);
 }
 
-/// If h is at right angles to the inner joint and that one to joint y, both follow at once, with two roots half a
-/// turn apart in y.
+/// Both joints at once, if h is at right angles to the inner joint, and that one to joint y. The two roots are half a turn
+/// apart in y.
 fn flipped(c: &mut LoopClosure, y: usize, inner: &Side, known: &Side) -> bool {
     let right_angles = [Side::along(inner.moved), Side::along(inner.axis)];
     if !c.vanish(&right_angles, Unit::Direction) {
@@ -219,8 +219,8 @@ fn flipped(c: &mut LoopClosure, y: usize, inner: &Side, known: &Side) -> bool {
     true
 }
 
-/// Joint y is prismatic: h itself is equal on both sides and lies on a cone about either revolute axis; the displacement closes the
-/// distance along h.
+/// Joint y is prismatic: h itself is equal on both sides, and lies on a cone about either revolute axis. The displacement
+/// closes the distance along h.
 fn sliding(c: &mut LoopClosure, y: usize, sides: [Side; 2], heights: [Expr; 2]) -> Result<(), Unsupported> {
     let [a, b] = &sides;
     let ny = c.label(y);

@@ -20,7 +20,7 @@ pub struct Plan {
     pub loop_joints: Vec<LoopJoint>,
     /// The triple that makes it possible.
     pub triple: Triple,
-    /// What is asked for.
+    /// What it answers.
     pub task: PlanTask,
     /// Reach of the arm.
     pub reach: f64,
@@ -91,11 +91,10 @@ impl Plan {
 
     /// Whether every stage after a free joint has its roots wherever that joint is.
     ///
-    /// So it is where three equations of one joint each bring a point to its place, before a spherical wrist or nothing: a
-    /// joint is free if the point lies on its axis, and then its place moves nothing that a later equation sees. The
-    /// spherical wrist has roots for every rotation. The three joints follow one another. Between axes that are apart (a
-    /// wrist in the middle of the arm, a joint that is given, a virtual one) the angle depends on the target: there an
-    /// equation may vanish for another reason.
+    /// Three joints that follow one another bring a point to its place, one equation each, before a spherical wrist or
+    /// nothing. A joint is free if the point lies on its axis; its value then moves nothing that a later equation reads.
+    /// The spherical wrist has roots for every rotation. Axes may be apart: a wrist in the middle of the arm, a given joint,
+    /// a virtual one. The angle between them depends on the target, and an equation may vanish for another reason.
     pub fn is_decoupled(&self) -> bool {
         let kernels: Vec<&Kernel> = self.stages().map(|stage| &stage.kernel).collect();
         let places = |kernel: &&Kernel| match kernel {

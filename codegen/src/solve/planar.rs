@@ -1,9 +1,10 @@
 //! A closed loop in a plane: three joints, revolute about parallel axes or prismatic across them.
 //!
-//! `J_0 L_0 J_1 L_1 J_2 L_2 = 1`, read cyclically. What is asked for is in one of the links.
+//! `J_0 L_0 J_1 L_1 J_2 L_2 = 1`, read cyclically. The target is part of one of the links.
 
 use super::kernel::Unit;
 use super::loop_closure::{Link, LoopClosure};
+use super::plan::PlanStep;
 use super::sides::Side;
 use super::unsupported::Unsupported;
 use crate::model::Angle;
@@ -136,7 +137,7 @@ fn prismatic_between(c: &mut LoopClosure, [first, slides, last]: [usize; 3], [li
     let total = in_plane(c, &link_c.back, format!("t{na}{nc}").into(), meaning);
     let between = link_a.forward.then(&mut c.g, &Rigid { p: [Expr::ZERO; 3], ..link_b.forward });
     let part = in_plane(c, &between, format!("turn{na}").into(), format!("The turn from joint {na} to {nc}."));
-    // Both turn the axis around, or neither does. A constant link tells; the target does so only where it can be met.
+    // Both turn the axis around, or neither does. A constant link tells; the target tells only where it can be reached.
     let flipped = if link_c.target { part.flipped } else { total.flipped };
     let mut sum = Sum::new();
     sum.add(&total.terms, total.constant, flipped);
@@ -173,17 +174,14 @@ fn two_prismatic(
     let left = c.g.sub3(at, still.p);
     let first = link_a.forward.z();
     let second = link_a.forward.then(&mut c.g, &link_b.forward).z();
-    let cross = |c: &mut LoopClosure, [ax, ay, _]: [Expr; 3], [bx, by, _]: [Expr; 3]| {
-        let (p, q) = (c.g.mul(ax, by), c.g.mul(ay, bx));
-        c.g.sub(p, q)
-    };
-    let denominator = cross(c, first, second);
+    let [left, first, second] = [left, first, second].map(Side::plane);
+    let denominator = c.g.cross2(first, second);
     if c.vanish(&[denominator], Unit::Direction) {
         return Err(Unsupported::new(format!(
             "the arm is singular everywhere: joints {n1} and {n2} slide along each other"
         )));
     }
-    for (joint, label, numerator) in [(j1, n1, cross(c, left, second)), (j2, n2, cross(c, first, left))] {
+    for (joint, label, numerator) in [(j1, n1, c.g.cross2(left, second)), (j2, n2, c.g.cross2(first, left))] {
         let meaning = format!("Joint {label}: slides by what is left in the plane.");
         c.slide_to(joint, denominator, numerator, meaning);
     }
@@ -246,6 +244,6 @@ fn in_plane(c: &mut LoopClosure, rigid: &Rigid, symbol: Symbol, meaning: String)
     if let Some((term, negative, constant)) = c.known_angle(y, x) {
         return InPlane { terms: vec![(term, negative)], constant, flipped };
     }
-    c.angle(symbol.clone(), meaning, y, x);
+    c.push(PlanStep::Angle { symbol: symbol.clone(), meaning, y, x });
     InPlane { terms: vec![(symbol, false)], constant: Angle::ZERO, flipped }
 }

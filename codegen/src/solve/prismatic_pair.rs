@@ -47,12 +47,7 @@ pub fn one_slides(c: &mut LoopClosure, sides: [&Side; 2], across: [[Vec3; 2]; 2]
     let [sx, sy] = stroke;
     // n is across the displacement: n . (plane part) does not depend on it.
     let normal = [c.g.neg(sy), sx];
-    let combine = |c: &mut LoopClosure, n: [Expr; 2], v: [Expr; 2]| {
-        let ([nx, ny], [vx, vy]) = (n, v);
-        let (p, q) = (c.g.mul(nx, vx), c.g.mul(ny, vy));
-        c.g.add(p, q)
-    };
-    let value = combine(c, normal, still_s);
+    let value = c.g.dot2(normal, still_s);
     let (m, n) = (c.label(other.joint), c.label(slides.joint));
     let meaning = format!("Joint {m}: {w} has equal components across axes {ny} and {n}.");
     let plane_of_other = if other.revolute {
@@ -72,10 +67,10 @@ pub fn one_slides(c: &mut LoopClosure, sides: [&Side; 2], across: [[Vec3; 2]; 2]
     } else {
         let still_o = still(c, other, across_o);
         let stroke_o = across_o.map(|direction| signed(c, other, Side::along(direction)));
-        let slope = combine(c, normal, stroke_o);
-        let constant = combine(c, normal, still_o);
+        let slope = c.g.dot2(normal, stroke_o);
+        let constant = c.g.dot2(normal, still_o);
         let numerator = c.g.sub(value, constant);
-        other.slide_to(c, slope, numerator, meaning);
+        c.slide_to(other.joint, slope, numerator, meaning);
         let position = c.position(other.joint);
         let [ox, oy] = stroke_o;
         let moved = [c.g.mul(ox, position), c.g.mul(oy, position)];
@@ -84,8 +79,8 @@ pub fn one_slides(c: &mut LoopClosure, sides: [&Side; 2], across: [[Vec3; 2]; 2]
     };
     let ([px, py], [qx, qy]) = (plane_of_other, still_s);
     let difference = [c.g.sub(px, qx), c.g.sub(py, qy)];
-    let numerator = combine(c, stroke, difference);
-    let denominator = combine(c, stroke, stroke);
+    let numerator = c.g.dot2(stroke, difference);
+    let denominator = c.g.dot2(stroke, stroke);
     let meaning = format!("Joint {n}: the difference along its stroke.");
-    slides.slide_to(c, denominator, numerator, meaning);
+    c.slide_to(slides.joint, denominator, numerator, meaning);
 }

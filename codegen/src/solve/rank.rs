@@ -6,7 +6,7 @@ use super::loop_chain::LoopChain;
 /// Relative size below which a direction counts as missing.
 const MISSING: f64 = 1e-9;
 
-/// What a task asks of the tool.
+/// The motion of the tool that a task needs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ToolMotion {
     /// Point and orientation.
@@ -15,7 +15,7 @@ pub enum ToolMotion {
     Point,
 }
 
-/// Refuses a chain that is singular everywhere.
+/// Fails for a chain that is singular everywhere.
 ///
 /// # Errors
 /// Names the joints that can always move without moving the tool.

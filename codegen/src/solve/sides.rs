@@ -9,7 +9,7 @@ use crate::symbolic::{Dimension, Expr, Graph, Rigid, Vec3};
 
 /// One side: joint `joint` moves the vector `moved`; joint y sees it from `origin`, along `axis`.
 ///
-/// For x the motion is undone (`R_z(-x) moved`), for z it is applied (`R_z(z) moved`); both are in the frame of the
+/// For x the motion is undone (`R_z(-x) moved`), for z it is applied (`R_z(z) moved`). Both are in the frame of the
 /// joint, in which y's axis passes through `origin` with direction `axis`.
 #[derive(Debug, Clone, Copy)]
 pub struct Side {
@@ -110,15 +110,13 @@ impl Side {
         c.stage(&[(self.joint, shift)], Unit::Length, Branching::Elbow, meaning, kernel);
     }
 
-    /// Sliding stage: the joint brings `moved` to distance `rho` from `origin`; with `flat` the parts along y's axis
-    /// do not count (the displacement is across it).
+    /// Stage of a prismatic joint that brings `moved` to distance `rho` from `origin`. With `flat` the displacement is
+    /// across y's axis, and the parts along that axis do not count.
     pub fn slide(&self, c: &mut LoopClosure, rho: Expr, flat: bool, meaning: String) {
         let between = c.g.sub3(self.moved, self.origin);
         let [bx, by, bz] = between;
         let across = if flat {
-            let [ax, ay, _] = self.axis;
-            let (p, q) = (c.g.mul(ax, by), c.g.mul(ay, bx));
-            let e = c.g.sub(p, q);
+            let e = c.g.cross2(Self::plane(self.axis), [bx, by]);
             c.g.norm(&[e])
         } else {
             c.g.norm(&[bx, by])
@@ -163,11 +161,6 @@ impl Side {
         c.stage(&[(self.joint, Angle::ZERO)], unit, branching, meaning, kernel);
     }
 
-    /// Linear stage: `slope x = value`, for a prismatic joint.
-    pub fn slide_to(&self, c: &mut LoopClosure, slope: Expr, value: Expr, meaning: String) {
-        c.slide_to(self.joint, slope, value, meaning);
-    }
-
     /// `moved` after the (solved) motion, as a point.
     pub fn point(&self, c: &mut LoopClosure) -> Vec3 {
         if self.undone { c.move_back(self.joint, self.moved) } else { c.move_by(self.joint, self.moved) }
@@ -175,7 +168,7 @@ impl Side {
 
     /// `moved` after the (solved) motion, as a direction.
     pub fn direction(&self, c: &mut LoopClosure) -> Vec3 {
-        if self.undone { c.turn_back(self.joint, self.moved) } else { c.turn_by(self.joint, self.moved) }
+        if self.revolute { self.point(c) } else { self.moved }
     }
 
     /// A point on y's axis that this joint does not move: where the axes intersect, if they do.
@@ -192,7 +185,7 @@ impl Side {
             return Some(c.g.name(height, Dimension::IntersectionOnY.to_string().to_lowercase()));
         };
         let height = -(ox * ax + oy * ay) / size;
-        Some(if height.abs() <= 1e-12 * c.reach() {
+        Some(if height.abs() <= 1e-12 * c.reach {
             Expr::ZERO
         } else {
             c.g.dimension(Dimension::IntersectionOnY, height)

@@ -1,7 +1,7 @@
 //! Seven joints whose shoulder axes and whose wrist axes intersect, with the arm angle given.
 //!
-//! The elbow follows from the distance between shoulder and wrist; the upper arm's rotation from where the wrist has to
-//! be and the arm angle; the shoulder and the wrist are triples that give a rotation each.
+//! The elbow follows from the distance between shoulder and wrist. The upper arm's rotation follows from the wrist center
+//! of the target and the arm angle. Shoulder and wrist are triples that give a rotation each.
 
 use super::kernel::Unit;
 use super::loop_chain::LoopChain;
@@ -14,7 +14,7 @@ use super::unsupported::Unsupported;
 use crate::model::chain::Chain;
 use crate::model::geometry::{Line, Triple, TripleKind, foot};
 use crate::model::numeric::Transform;
-use crate::symbolic::{Expr, Graph, Rigid, transpose};
+use crate::symbolic::{Expr, Rigid, transpose};
 
 /// The plan, or why the arm has no arm angle.
 ///
@@ -75,8 +75,7 @@ pub fn plan(mut joints: LoopChain, chain: &Chain) -> Result<Plan, Unsupported> {
     triple::rotation(&mut c, &swung, [0, 1, 2], Branching::Shoulder);
     // (upper arm, elbow, forearm)^T flange
     let pair = c.pair(3);
-    let columns = Graph::identity().map(|axis| c.g.rotate_z(pair, axis));
-    let turn = Rigid { r: transpose(&columns), p: [Expr::ZERO; 3] };
+    let turn = Rigid { r: c.g.rotation_z(pair), p: [Expr::ZERO; 3] };
     let fore = upper.forward.then(&mut c.g, &turn);
     let link = c.link(3).forward;
     let fore = fore.then(&mut c.g, &link);

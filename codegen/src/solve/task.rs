@@ -7,7 +7,7 @@ use crate::symbolic::{Input, Part};
 /// What a plan answers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanTask {
-    /// What is asked for.
+    /// The task, with its numbers.
     pub goal: Goal,
     /// What is given beside the target.
     pub given: Option<Given>,
@@ -19,7 +19,7 @@ pub struct PlanTask {
     pub swivel: Option<SwivelFacts>,
 }
 
-/// What is asked for.
+/// A task with its numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Goal {
     /// A pose; one that is nearly a rotation stands for the nearest one.

@@ -136,7 +136,7 @@ fn triple_rotation(c: &mut LoopClosure) -> Mat3 {
     outward(c, &parts, target).r
 }
 
-/// A element as a transform, with the joint it turns by.
+/// An element as a transform, with the joint it turns by.
 struct Part {
     rigid: Rigid,
     joint: Option<usize>,
@@ -150,8 +150,7 @@ impl Part {
     /// `R_z(-t)`
     fn turn(c: &mut LoopClosure, pair: Pair, joint: usize) -> Part {
         let back = pair.opposite(&mut c.g);
-        let r = transpose(&Graph::identity().map(|axis| c.g.rotate_z(back, axis)));
-        Part { rigid: Rigid { r, p: [Expr::ZERO; 3] }, joint: Some(joint) }
+        Part { rigid: Rigid { r: c.g.rotation_z(back), p: [Expr::ZERO; 3] }, joint: Some(joint) }
     }
 }
 
@@ -159,44 +158,32 @@ impl Part {
 /// are named after the frame whose axes they are, the rows after the frame they are seen in.
 fn outward(c: &mut LoopClosure, parts: &[Part], target: usize) -> Rigid {
     let mut product = parts.get(target).map_or_else(Rigid::identity, |part| part.rigid);
-    let mut axes = ["n", "o", "a"].map(String::from);
-    let mut origin = "p".to_string();
+    let mut vectors = ["n", "o", "a", "p"].map(String::from);
     for part in parts.iter().skip(target + 1) {
         product = product.then(&mut c.g, &part.rigid);
         if let Some(joint) = part.joint {
-            axes = ["x", "y", "z"].map(|axis| format!("{axis}{joint}"));
-            origin = format!("o{joint}");
-            name(c, &product, &axes, &origin, "");
+            vectors = ["x", "y", "z", "o"].map(|vector| format!("{vector}{joint}"));
         }
-        suggest(c, &product, &axes, &origin, "");
+        name(c, &product, &vectors, "", part.joint.is_some());
     }
     let mut frame = String::new();
     for part in parts.iter().take(target).rev() {
         product = part.rigid.then(&mut c.g, &product);
         if let Some(joint) = part.joint {
             frame = c.label(joint).to_string();
-            name(c, &product, &axes, &origin, &frame);
         }
-        suggest(c, &product, &axes, &origin, &frame);
+        name(c, &product, &vectors, &frame, part.joint.is_some());
     }
     product
 }
 
-/// `n_1x`: x of the vector n seen in frame 1.
-fn name(c: &mut LoopClosure, rigid: &Rigid, axes: &[String; 3], origin: &str, frame: &str) {
-    for (column, axis) in
-        transpose(&rigid.r).iter().chain([&rigid.p]).zip(axes.iter().map(String::as_str).chain([origin]))
-    {
-        c.g.name_each(column, &format!("{axis}_{frame}"));
-    }
-}
-
-/// `tn_1x`: the same behind the twist of link 1.
-fn suggest(c: &mut LoopClosure, rigid: &Rigid, axes: &[String; 3], origin: &str, frame: &str) {
-    for (column, axis) in
-        transpose(&rigid.r).iter().chain([&rigid.p]).zip(axes.iter().map(String::as_str).chain([origin]))
-    {
-        c.g.suggest_each(column, &format!("t{axis}_{frame}"));
+/// `n_1x`: x of the vector n seen in frame 1; `tn_1x`: the same behind the twist of link 1.
+fn name(c: &mut LoopClosure, rigid: &Rigid, vectors: &[String; 4], frame: &str, turned: bool) {
+    for (column, vector) in transpose(&rigid.r).iter().chain([&rigid.p]).zip(vectors) {
+        if turned {
+            c.g.name_each(column, &format!("{vector}_{frame}"));
+        }
+        c.g.suggest_each(column, &format!("t{vector}_{frame}"));
     }
 }
 
@@ -230,8 +217,8 @@ pub fn parallel(c: &mut LoopClosure) -> Result<(), Unsupported> {
     planar::solve(c, [first, second, third], [c.link(first), c.link(second), rest])
 }
 
-/// `M` with its translation. Only its part in the plane counts, so the point of axis c that is tracked may be any;
-/// without the length along that axis the least arithmetic is left.
+/// `M` with its translation. Only its part in the plane counts, so any point of axis c may be tracked. Without the length
+/// along that axis the least arithmetic is left.
 fn triple_rigid(c: &mut LoopClosure) -> Rigid {
     let [_, _, third, ..] = c.order;
     let (mut parts, mut target) = (Vec::new(), 0);

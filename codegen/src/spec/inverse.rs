@@ -1,4 +1,4 @@
-//! `inverse:`, what the inverse kinematics is asked for.
+//! `inverse:`, the task of the inverse kinematics.
 
 use super::angle::{AngleUnit, WrittenAngle};
 use super::angle_field::AngleRole;

@@ -70,13 +70,13 @@ pub struct Spec {
     pub tool: FrameSpec,
     /// Names for lengths, in the order of the file.
     pub parameters: Vec<ParameterSpec>,
-    /// What the inverse is asked for.
+    /// The task of the inverse, and what belongs to it.
     pub inverse: InverseSpec,
     /// Which motor moves which joint, where they are linked.
     pub coupling: Option<CouplingSpec>,
     /// Ranges of sums of joint values.
     pub combined_limits: Vec<CombinedLimitSpec>,
-    /// The lengths as they were read, with their places; strokes too.
+    /// The lengths as they were read, with their places; displacements too.
     pub lengths: Vec<(f64, Place)>,
     /// The mistakes of form. They are reported together with those of meaning, so that one run shows all.
     pub mistakes: Vec<Diagnostic>,
@@ -163,7 +163,7 @@ fn root(source: &Source) -> Result<Node, Errors> {
     Err(Diagnostic::error("expected an arm, a mapping of keys and values").at(at).help(SMALLEST).into())
 }
 
-/// What to look for in a line that YAML refuses with `message`.
+/// What to look for in a line that is not YAML by `message`.
 fn advice(message: &str, line: &str) -> Option<&'static str> {
     let says = |words: &str| message.contains(words);
     if says("second document") {

@@ -29,8 +29,8 @@ pub struct Context<'c> {
 }
 
 impl Reader<'_> {
-    /// The parameters in the order of the file. One whose value is a mistake is there all the same, and there is no list
-    /// where a name is one, so that their uses are not mistakes too.
+    /// The parameters in the order of the file. One whose value is a mistake is in the list; without a legible name there
+    /// is no list. So the uses of either are not mistakes too.
     pub fn parameters(&mut self, root: &Fields<'_>) -> Option<Vec<ParameterSpec>> {
         let Some(field) = root.get("parameters") else { return (!root.has("parameters")).then(Vec::new) };
         let Node::Mapping(entries) = field.node else {

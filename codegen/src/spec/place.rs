@@ -11,7 +11,7 @@ pub enum Step {
     Value(usize),
 }
 
-/// The steps from the root to a node. Entries of mappings go by position, so a key that occurs twice is no problem.
+/// The steps from the root to a node. Entries of mappings go by position, so a key may occur twice.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Place(Vec<Step>);
 

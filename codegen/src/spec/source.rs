@@ -84,8 +84,8 @@ impl Source {
     }
 }
 
-/// The piece of `line` that begins at `column` (from 1): a quoted text, a bracketed list or mapping, or a plain
-/// scalar up to the sign that ends it. Ends with the line.
+/// The piece of `line` that begins at `column` (from 1). It is a quoted text, a bracketed list or mapping, or a plain
+/// scalar up to the sign that ends it. It ends with the line.
 fn token(line: &str, column: usize) -> &str {
     let start = line.char_indices().nth(column.saturating_sub(1)).map_or(line.len(), |(at, _)| at);
     let rest = line.get(start..).unwrap_or_default();

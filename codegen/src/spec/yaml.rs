@@ -1,8 +1,8 @@
 //! The only file that knows the YAML library.
 //!
 //! The text becomes a tree of [`Node`]s that keeps everything, also keys that occur twice, so that all mistakes can
-//! be found in one go. The library gives a place only with an error, so a node is located when a mistake needs it:
-//! the text is walked again to that node, which is then refused, and the refusal carries the place.
+//! be found in one go. The library gives a place only with an error, so a node is located when a mistake needs it.
+//! The text is read again up to that node, where the reader fails on purpose: the error has the place.
 
 use super::place::{Place, Step};
 use serde::Deserialize;
@@ -50,7 +50,7 @@ pub fn parse(text: &str) -> Result<Node, Broken> {
     })
 }
 
-/// Where a second document begins, which the library refuses without a place.
+/// Where a second document begins, for which the library has an error without a place.
 fn second_document(text: &str) -> Option<(usize, usize)> {
     let lines = text.lines().map(str::trim_end).enumerate();
     let mut after_content =
@@ -143,7 +143,7 @@ impl<'de> Visitor<'de> for Build {
     }
 }
 
-/// Walks along the steps and refuses the node at their end.
+/// Follows the steps and fails at the node at their end.
 #[derive(Clone, Copy)]
 struct Walk<'p> {
     steps: &'p [Step],

@@ -82,7 +82,7 @@ pub struct BoundAngle {
 /// The sums in use, in order of first use.
 #[derive(Debug, Clone, Default)]
 pub struct Angles {
-    /// What was asked for so far.
+    /// The sums so far.
     pub bound: Vec<BoundAngle>,
 }
 

@@ -1,6 +1,7 @@
 //! What an expression costs: the operations left at run time.
 
 use super::{Expr, Graph, Node};
+use std::fmt;
 
 /// Operations of a set of expressions, each shared subexpression counted once. Signs are free; what is made of
 /// dimensions alone is folded by the compiler and costs nothing.
@@ -20,6 +21,13 @@ impl Cost {
     /// Additions and multiplications together.
     pub fn arithmetic(&self) -> usize {
         self.additions + self.multiplications
+    }
+}
+
+impl fmt::Display for Cost {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Cost { additions, multiplications, sin_cos, .. } = self;
+        write!(f, "{additions} additions, {multiplications} multiplications, {sin_cos} sin_cos")
     }
 }
 

@@ -79,8 +79,8 @@ pub enum Part {
     Cos,
 }
 
-/// What the stage of a joint gives: `q3`, `s3`, `c3`; `t3`, `sin_t3`, `cos_t3` where the variable of its kernel and the
-/// joint value differ by a constant.
+/// What the stage of a joint gives: `q3`, `s3`, `c3`. Where the variable of its kernel differs from the joint value by a
+/// constant: `t3`, `sin_t3`, `cos_t3`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Unknown {
     /// The joint.

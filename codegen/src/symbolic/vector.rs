@@ -51,6 +51,28 @@ impl Graph {
         [x, y, z]
     }
 
+    /// `R_z(angle)`
+    pub fn rotation_z(&mut self, by: Pair) -> Mat3 {
+        transpose(&Self::identity().map(|axis| self.rotate_z(by, axis)))
+    }
+
+    /// `R_x(angle)`
+    pub fn rotation_x(&mut self, by: Pair) -> Mat3 {
+        transpose(&Self::identity().map(|axis| self.rotate_x(by, axis)))
+    }
+
+    /// `a . b` in the plane.
+    pub fn dot2(&mut self, [ax, ay]: [Expr; 2], [bx, by]: [Expr; 2]) -> Expr {
+        let (x, y) = (self.mul(ax, bx), self.mul(ay, by));
+        self.add(x, y)
+    }
+
+    /// `a x b` in the plane: positive where b is to the left of a.
+    pub fn cross2(&mut self, [ax, ay]: [Expr; 2], [bx, by]: [Expr; 2]) -> Expr {
+        let (left, right) = (self.mul(ax, by), self.mul(ay, bx));
+        self.sub(left, right)
+    }
+
     /// `a + b`
     pub fn add3(&mut self, a: Vec3, b: Vec3) -> Vec3 {
         let ([ax, ay, az], [bx, by, bz]) = (a, b);
@@ -78,11 +100,7 @@ impl Graph {
 
     /// `a x b`
     pub fn cross3(&mut self, [a, b, c]: Vec3, [d, e, f]: Vec3) -> Vec3 {
-        let mut minor = |a: Expr, b: Expr, c: Expr, d: Expr| {
-            let (left, right) = (self.mul(a, d), self.mul(b, c));
-            self.sub(left, right)
-        };
-        [minor(b, c, e, f), minor(c, a, f, d), minor(a, b, d, e)]
+        [self.cross2([b, c], [e, f]), self.cross2([c, a], [f, d]), self.cross2([a, b], [d, e])]
     }
 
     /// `m v`

@@ -5,7 +5,7 @@ use super::equation::{Equation, Form};
 use super::pivot::{Pivot, Variables};
 use crate::symbolic::{Expr, Graph};
 
-/// `R_z(y) R_y(x) e_z = m` for the inner joint x and the outer joint y, in this order: subproblem 2 of Paden and Kahan for
+/// `R_z(y) R_y(x) e_z = m` for the inner joint x and the outer joint y, in this order. Subproblem 2 of Paden and Kahan, the
 /// axes at a right angle. With `x = 0` joint y is free.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Flip {

@@ -1,9 +1,8 @@
-//! The equations there are. Each is solved by one function of the runtime, its kernel, and has one file here: its inputs,
-//! the call, the number of roots, its line in a report, and its derivative for the margins.
+//! The equations there are. Each is solved by one function of the runtime, its kernel, and has one file here. The file
+//! has its inputs, the call, the number of roots, its line in a report, and its derivative for the margins.
 //!
-//! Sources: the subproblems of Paden and Kahan (Murray, Li, Sastry, *A Mathematical Introduction to Robotic
-//! Manipulation*, 1994, section 3.3), and those of IK-Geo (Elias, Wen, *IK-Geo: unified robot inverse kinematics using
-//! subproblem decomposition*, 2022).
+//! Sources: the subproblems of Paden and Kahan, and those of IK-Geo. Both books are named in the glossary of
+//! `ARCHITECTURE.md`.
 
 mod aim;
 mod align;

@@ -12,8 +12,8 @@ pub struct Pair {
     pub p: [[Expr; 3]; 2],
     /// Rows of the second.
     pub q: [[Expr; 3]; 2],
-    /// Where the joint between the two is revolute: rows of the vector's components across its axis, as the first joint
-    /// moves it and as the second does. The second row of `p` and `q` is then the one that compares lengths.
+    /// Where the joint between the two is revolute: rows of the vector's components across its axis. They are given as the
+    /// first joint moves it, and as the second does. The second row of `p` and `q` is then the one that compares lengths.
     pub across: Option<[[[Expr; 3]; 2]; 2]>,
     /// How many lengths the determinant of both equations is a product of.
     pub power: u32,

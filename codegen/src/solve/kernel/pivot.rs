@@ -57,15 +57,15 @@ impl Variables<'_> {
         unknown.map_or(Expr::ZERO, |unknown| g.symbol(*unknown))
     }
 
-    /// The sine of the angle from where the roots meet. If that place is only known at run time, it is multiplied by the
-    /// length of the vector that tells it, which is the product of the two radii, `power` lengths.
+    /// The sine of the angle from the double root. Where that root is only known at run time, the sine is multiplied by
+    /// the product of the two radii, `power` lengths.
     pub fn about(&self, g: &mut Graph, about: Option<Phase>, power: u32) -> Pivot {
         let t = self.pair(g, 0);
         match about {
             None => Pivot { value: t.sin, power: 0 },
             Some(Phase { y, x }) => {
-                let (left, right) = (g.mul(x, t.sin), g.mul(y, t.cos));
-                Pivot { value: g.sub(left, right), power }
+                let value = g.cross2([x, y], [t.cos, t.sin]);
+                Pivot { value, power }
             }
         }
     }
@@ -73,6 +73,5 @@ impl Variables<'_> {
 
 /// Of `a cos + b sin + c` the derivative `b cos - a sin`.
 pub fn derivative(g: &mut Graph, [a, b, _]: [Expr; 3], t: Pair) -> Expr {
-    let (left, right) = (g.mul(b, t.cos), g.mul(a, t.sin));
-    g.sub(left, right)
+    g.cross2([b, a], [t.sin, t.cos])
 }

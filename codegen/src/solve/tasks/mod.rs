@@ -17,7 +17,7 @@ use crate::model::chain::Chain;
 use crate::model::geometry::{self, Geometry};
 use crate::model::{Convention, Model, Task};
 
-/// The plan for what the file asks, or for the most specific task the arm can do.
+/// The plan for the task of the file, or for the most specific task the arm can do.
 pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, Unsupported> {
     let request = &model.inverse;
     let joints = LoopChain::new(model, chain, geometry.reach, request.redundant);

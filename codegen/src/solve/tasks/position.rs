@@ -7,7 +7,7 @@ use crate::solve::plan::Plan;
 use crate::solve::task::{Goal, PlanTask};
 use crate::solve::unsupported::Unsupported;
 use crate::solve::{rank, structure};
-use crate::symbolic::{Graph, Rigid, transpose};
+use crate::symbolic::{Graph, Rigid};
 
 /// Three virtual joints about the point, whose axes intersect there, and of which none is wanted.
 ///
@@ -18,7 +18,7 @@ pub fn plan(mut chain: LoopChain) -> Result<Plan, Unsupported> {
     let task = PlanTask::new(Goal::Position, chain.given);
     let link = |g: &mut Graph, degrees: f64| {
         let pair = g.turn(Angle::degrees(degrees));
-        Rigid { r: transpose(&Graph::identity().map(|axis| g.rotate_x(pair, axis))), ..Rigid::identity() }
+        Rigid { r: g.rotation_x(pair), ..Rigid::identity() }
     };
     let (there, back) = (link(&mut chain.g, 90.0), link(&mut chain.g, -90.0));
     chain.append(LoopJoint::virtual_turn(1), Rigid::identity(), Rigid::identity());

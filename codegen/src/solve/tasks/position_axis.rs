@@ -38,16 +38,16 @@ pub fn plan(axis: Option<Axis>, chain: LoopChain) -> Result<Plan, Unsupported> {
 
 /// The frame whose z axis is the tool's axis.
 fn onto_z(g: &mut Graph, axis: Axis) -> Rigid {
-    let columns = match axis {
+    let r = match axis {
         Axis::Z => Graph::identity(),
         Axis::X => {
             let pair = g.turn(Angle::degrees(90.0));
-            Graph::identity().map(|v| g.rotate_y(pair, v))
+            transpose(&Graph::identity().map(|v| g.rotate_y(pair, v)))
         }
         Axis::Y => {
             let pair = g.turn(Angle::degrees(-90.0));
-            Graph::identity().map(|v| g.rotate_x(pair, v))
+            g.rotation_x(pair)
         }
     };
-    Rigid { r: transpose(&columns), ..Rigid::identity() }
+    Rigid { r, ..Rigid::identity() }
 }

@@ -21,8 +21,8 @@ pub fn yaws_a_plane(chain: &LoopChain) -> bool {
     yaws && chain.loop_joints.len() == 4 && plane && pitches.is_some_and(|pitch| !chain.are_parallel(0, pitch))
 }
 
-/// What the yaw joint leaves of the chain: `n`, the pitch axis before the yaw, and how far along it the chain ends, both
-/// from what they are in the frame behind it.
+/// `n`, the pitch axis seen from before the yaw joint, and how far along it the chain ends. `pitch` and `end` are both in
+/// the frame behind that joint.
 pub fn across_plane(c: &mut LoopClosure, pitch: Vec3, end: Vec3) -> (Vec3, Expr) {
     let yaw = c.link(0).forward;
     let n = c.g.apply3(&yaw.r, pitch);
