@@ -1,4 +1,4 @@
-//! The thresholds in ARCHITECTURE.md are those of the code.
+//! What the pages for developers say of the code: thresholds, the bound of a call, the names of files.
 #![allow(clippy::unwrap_used)]
 
 use std::fs;
@@ -114,5 +114,43 @@ fn the_bound_of_a_call_is_the_one_that_is_promised() {
         let text = text(path);
         let words: Vec<&str> = text.split_whitespace().filter(|word| *word != "///").collect();
         assert!(words.join(" ").contains(&bound), "{path}: {bound}");
+    }
+}
+
+/// Pages that name files, and the file that one of them makes up for its recipe.
+const PAGES: [&str; 3] = ["ARCHITECTURE.md", "CONTRIBUTING.md", "tests/README.md"];
+const MADE_UP: &str = "hinge.rs";
+
+/// The files of the repository, by their paths from its root.
+fn files(folder: &Path, from: &str, found: &mut Vec<String>) {
+    for entry in fs::read_dir(folder).unwrap().map(Result::unwrap) {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        let path = format!("{from}/{name}");
+        if !entry.path().is_dir() {
+            found.push(path);
+        } else if name != "target" && !name.starts_with('.') {
+            files(&entry.path(), &path, found);
+        }
+    }
+}
+
+/// The names in backticks that end like those of files.
+fn named_files(page: &str) -> Vec<&str> {
+    let is_file = |name: &&str| [".rs", ".md", ".sh", ".toml"].iter().any(|end| name.ends_with(end));
+    page.lines().flat_map(|line| line.split('`').skip(1).step_by(2)).filter(is_file).collect()
+}
+
+#[test]
+fn every_file_that_is_named_exists() {
+    let mut all = Vec::new();
+    files(&Path::new(env!("CARGO_MANIFEST_DIR")).join(".."), "", &mut all);
+    assert_eq!(named_files("a `b.rs`, c.rs and `d` in `e/f.md`"), ["b.rs", "e/f.md"]);
+    for page in PAGES {
+        let text = text(page);
+        let named = named_files(&text);
+        assert!(!named.is_empty(), "{page} names no file");
+        for name in named.into_iter().filter(|name| !name.ends_with(MADE_UP)) {
+            assert!(all.iter().any(|path| path.ends_with(&format!("/{name}"))), "{page}: there is no `{name}`");
+        }
     }
 }

@@ -5,7 +5,7 @@ use super::tokens::{array, ident, integer, number};
 use super::{Target, combined_limits, docs, parameters, worked_out};
 use crate::lower::Inverse;
 use crate::model::{JointKind, Model};
-use crate::solve::{Given, Plan};
+use crate::solve::{Given, Goal, Plan};
 use crate::symbolic::Input;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -94,7 +94,14 @@ pub(super) fn function(
     let doc = docs::lines(&format!("All branches of the inverse, or those that are wanted.\n\n{}", lines.join("\n")));
     let (asked, unpack) = (&task.target, &task.unpack);
     let argument = given(plan).map(|q| quote!(#q: #scalar,));
-    let mut goal = task.goal.clone();
+    let goal = &task.goal;
+    let mut goal = match plan.task.goal {
+        Goal::Pose => quote! {
+            let nearest = #krate::solve::nearest_rotation(target, &mut solutions);
+            let goal = nearest.as_ref().unwrap_or(target);
+        },
+        _ => quote!(let goal = #goal;),
+    };
     if let Some(q) = given(plan) {
         // The arm angle holds no joint: a number beyond the last.
         let joint = integer(plan.task.given_joint().unwrap_or(plan.joints()));
@@ -187,7 +194,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
         task.bad,
         if model.parameters.is_empty() { "" } else { ", or a length of the arm is not finite" },
     ));
-    let (asked, check) = (&task.target, &task.check);
+    let (asked, goal) = (&task.target, &task.goal);
     let argument = q.as_ref().map(|q| quote!(, #q: #scalar));
     let pass = q.as_ref().map(|q| quote!(#q,));
     let from_reference = plan.task.given.map(|given| match given {
@@ -249,7 +256,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
         /// By how much `q` misses the target, from `forward`.
         #[must_use]
         pub fn residual(&self, q: &[#scalar; #n], target: &#asked) -> #krate::Residual<#scalar> {
-            #krate::solve::Goal::residual(#check, q, &self.forward(q))
+            #krate::solve::Goal::residual(#goal, q, &self.forward(q))
         }
     }
 }

@@ -16,10 +16,8 @@ pub struct TaskCode {
     pub doc: String,
     /// What makes a target a bad one, after "if the target".
     pub bad: &'static str,
-    /// Statements before the search; after them `goal` is a reference to what is searched for.
+    /// A reference to the runtime's `Goal` of the target.
     pub goal: TokenStream,
-    /// The same for one residual, after `forward`.
-    pub check: TokenStream,
     /// Statements that bind the target's symbols.
     pub unpack: TokenStream,
 }
@@ -46,8 +44,7 @@ pub fn task(model: &Model, program: &Inverse, target: &Target) -> TaskCode {
             target: quote!([#scalar; 3]),
             doc: format!("`target`: where the tool point is to be, base frame, {unit}, `[3]`."),
             bad: "is not finite",
-            goal: quote!(let goal = target;),
-            check: quote!(target),
+            goal: quote!(target),
             unpack: quote!(let [#(#position),*] = *target;),
         },
         Goal::PositionAxis { column } => {
@@ -61,8 +58,7 @@ pub fn task(model: &Model, program: &Inverse, target: &Target) -> TaskCode {
                      base frame; the direction is normalized."
                 ),
                 bad: "is not finite or its direction shorter than 1e-12",
-                goal: quote!(let goal = &#krate::solve::Pointing::new(target, #column);),
-                check: quote!(&#krate::solve::Pointing::new(target, #column)),
+                goal: quote!(&#krate::solve::Pointing::new(target, #column)),
                 unpack: quote!(let frame = goal.frame(); #unpack),
             }
         }
@@ -76,8 +72,7 @@ pub fn task(model: &Model, program: &Inverse, target: &Target) -> TaskCode {
                      their DH offsets (rad)."
                 ),
                 bad: "is not finite",
-                goal: quote!(let goal = &#goal;),
-                check: quote!(&#goal),
+                goal: quote!(&#goal),
                 unpack: {
                     let (angle, sin, cos) = (field(Input::Angle), pattern(Input::SinAngle), pattern(Input::CosAngle));
                     quote! {
@@ -93,8 +88,7 @@ pub fn task(model: &Model, program: &Inverse, target: &Target) -> TaskCode {
                 "`target`: position of the tool in the base frame's xy plane ({unit}) and direction of its x axis there (rad)."
             ),
             bad: "is not finite",
-            goal: quote!(let goal = target;),
-            check: quote!(target),
+            goal: quote!(target),
             unpack: {
                 let ([px, py, _], phi) = (&position, field(Input::Phi));
                 let (sin, cos) = (pattern(Input::SinPhi), pattern(Input::CosPhi));
@@ -108,8 +102,7 @@ pub fn task(model: &Model, program: &Inverse, target: &Target) -> TaskCode {
             target: quote!([#scalar; 2]),
             doc: format!("`target`: where the tool point is to be in the base frame's xy plane, {unit}, `[2]`."),
             bad: "is not finite",
-            goal: quote!(let goal = target;),
-            check: quote!(target),
+            goal: quote!(target),
             unpack: {
                 let [px, py, _] = &position;
                 quote!(let [#px, #py] = *target;)
@@ -122,11 +115,7 @@ pub fn task(model: &Model, program: &Inverse, target: &Target) -> TaskCode {
                  stands for the nearest one; `deviation()` of the solutions says how far off it was."
             ),
             bad: "is not finite or its rotation is off by more",
-            goal: quote! {
-                let nearest = #krate::solve::nearest_rotation(target, &mut solutions);
-                let goal = nearest.as_ref().unwrap_or(target);
-            },
-            check: quote!(target),
+            goal: quote!(target),
             unpack: frame(quote!(goal)),
         },
     }

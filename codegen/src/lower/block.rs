@@ -75,7 +75,10 @@ impl<'a> Block<'a> {
         let given = |e: Expr| self.graph.given_name(e).map(str::to_string);
         let reversed = || self.graph.reversed(e).and_then(given).map(|name| format!("minus_{name}"));
         let owned = || self.partial_sums.get(&e).cloned();
-        let base = given(e).or_else(reversed).or_else(owned).unwrap_or_else(|| self.structural_name(e));
+        // What has no name is called after its parts; where that is long, by a word.
+        let spelled = || self.spelled(e).filter(|name| name.len() <= LONGEST);
+        let word = if matches!(self.graph.node(e), Node::Sqrt(_)) { "length" } else { "term" };
+        let base = given(e).or_else(reversed).or_else(owned).or_else(spelled).unwrap_or_else(|| word.into());
         let mut name = base.clone();
         let mut count = 2;
         while !self.taken.insert(name.clone()) {
@@ -83,15 +86,6 @@ impl<'a> Block<'a> {
             count += 1;
         }
         name
-    }
-
-    /// What has no name is called after its parts; where that is long, by a word.
-    fn structural_name(&self, e: Expr) -> String {
-        let word = match self.graph.node(e) {
-            Node::Sqrt(_) => "length",
-            _ => "term",
-        };
-        self.spelled(e).filter(|name| name.len() <= LONGEST).unwrap_or_else(|| word.into())
     }
 
     /// An expression spelled out: `a_b`, `a_plus_b`, `a_minus_b`.

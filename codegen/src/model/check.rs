@@ -6,7 +6,7 @@ use super::arm::{Frame, InverseRequest, MOST_JOINTS, Model, Parameter, Row};
 use super::combined_limits::combined_limits;
 use super::coupling::coupling;
 use super::joint::{Joint, JointKind};
-use super::joint_names::named;
+use super::joint_names::{named, range};
 use super::reach::Sizes;
 use super::weights::weights;
 use crate::error::{Diagnostic, Errors};
@@ -88,14 +88,7 @@ fn ordered(spec: &Spec, limits: LimitsSpec, place: &Place, mistakes: &mut Vec<Di
     if low.is_none() && high.is_none() {
         return None;
     }
-    let (low, high) = (low.unwrap_or(f64::NEG_INFINITY), high.unwrap_or(f64::INFINITY));
-    if low > high {
-        let [first, second] = spec.source.written_ends(place);
-        let message = format!("`limits`: the lowest value {first} is greater than the highest value {second}");
-        let help = format!("write [{second}, {first}]");
-        mistakes.push(spec.source.mistake(place, message).help(help));
-    }
-    Some([low, high])
+    Some(range(spec, [low, high], place, mistakes))
 }
 
 /// At least one joint moves, and not too many.

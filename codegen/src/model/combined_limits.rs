@@ -1,7 +1,7 @@
 //! Ranges of sums of joint values.
 
 use super::joint::{Joint, JointKind};
-use super::joint_names::{referred, value};
+use super::joint_names::{range, referred, value};
 use crate::error::Diagnostic;
 use crate::spec::{CombinedLimitSpec, Spec};
 
@@ -53,12 +53,6 @@ fn combined_limit(
     let kind = kind?;
     let ends =
         written.limits.each_ref().map(|end| end.as_ref().and_then(|end| value(spec, "limits", kind, end, mistakes)));
-    let [low, high] = ends;
-    let limits = [low.unwrap_or(f64::NEG_INFINITY), high.unwrap_or(f64::INFINITY)];
-    if limits[0] > limits[1] {
-        let [first, second] = spec.source.written_ends(&written.place);
-        let message = format!("`limits`: the lowest value {first} is greater than the highest value {second}");
-        mistakes.push(spec.source.mistake(&written.place, message).help(format!("write [{second}, {first}]")));
-    }
+    let limits = range(spec, ends, &written.place, mistakes);
     Some(CombinedLimit { factors, limits, kind })
 }

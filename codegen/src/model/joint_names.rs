@@ -1,4 +1,4 @@
-//! The joint that a name means.
+//! The joint that a name means, and values of joints.
 
 use super::angle::Angle;
 use super::joint::{Joint, JointKind};
@@ -66,6 +66,17 @@ pub fn value(
             within(spec, what, POSITION.missed(length), place, mistakes).then_some(length)
         }
     }
+}
+
+/// The ends of a range, infinite where there is none; the first must not be the greater one.
+pub fn range(spec: &Spec, ends: [Option<f64>; 2], place: &Place, mistakes: &mut Vec<Diagnostic>) -> [f64; 2] {
+    let (low, high) = (ends[0].unwrap_or(f64::NEG_INFINITY), ends[1].unwrap_or(f64::INFINITY));
+    if low > high {
+        let [first, second] = spec.source.written_ends(place);
+        let message = format!("`limits`: the lowest value {first} is greater than the highest value {second}");
+        mistakes.push(spec.source.mistake(place, message).help(format!("write [{second}, {first}]")));
+    }
+    [low, high]
 }
 
 /// Whether nothing else is expected than what was written.

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::arm::{InverseRequest, Model};
 use super::joint::{Joint, JointKind};
 use crate::error::Diagnostic;
-use crate::spec::{LengthUnit, LimitsSpec, Place, RowSpec, Spec, Task, WrittenAngle};
+use crate::spec::{LengthUnit, LimitsSpec, Place, RowSpec, Spec, Task, WrittenAngle, looks_like_radians};
 
 /// No link of an arm is as long as this, m.
 const LONG: f64 = 30.0;
@@ -64,7 +64,7 @@ fn radians(spec: &Spec) -> Option<Diagnostic> {
         let apart = degrees.iter().fold(0.0, |width: f64, value| width.max(value.abs())) >= 0.5;
         let broken = degrees.iter().any(|value| value.fract() != 0.0);
         // One that is near a multiple of pi/4 has a warning already.
-        let said = degrees.iter().any(|value| looks_like_radians(*value));
+        let said = degrees.iter().any(|value| looks_like_radians(*value).is_some());
         (within && apart && broken && !said).then(|| place.clone())
     };
     let places: Vec<Place> = spec.rows.iter().filter_map(small).collect();
@@ -78,11 +78,6 @@ fn radians(spec: &Spec) -> Option<Diagnostic> {
     let help =
         "write `2.96 rad`, or the limits in degrees; `angle: rad` in `units` makes all angles of the file radians";
     Some(spec.source.warning(first, message).help(help))
-}
-
-fn looks_like_radians(value: f64) -> bool {
-    let eighths = value / std::f64::consts::FRAC_PI_4;
-    eighths.round() != 0.0 && (value - eighths.round() * std::f64::consts::FRAC_PI_4).abs() < 2e-3
 }
 
 impl InverseRequest {

@@ -136,7 +136,7 @@ impl Reader<'_> {
 }
 
 /// The eighths of a turn that `value` read as radians would be, if it is one of the common ones.
-fn looks_like_radians(value: f64) -> Option<i64> {
+pub fn looks_like_radians(value: f64) -> Option<i64> {
     let eighths = (value / FRAC_PI_4).round();
     let near = (value - eighths * FRAC_PI_4).abs() < LOOKS_LIKE_RADIANS;
     // Beyond a turn a number near a multiple is chance: 355 is 113 pi.

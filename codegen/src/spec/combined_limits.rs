@@ -1,7 +1,7 @@
 //! `combined_limits:`, ranges of sums of joint values.
 
 use super::angle::AngleUnit;
-use super::place::{Place, Step};
+use super::place::Place;
 use super::reader::{Field, Fields, Reader};
 use super::value::{JointRef, WrittenValue};
 use super::yaml::Node;
@@ -29,11 +29,11 @@ impl Reader<'_> {
             self.unexpected(&field, "a list of sums with their limits", Some(HELP.to_owned()));
             return Vec::new();
         };
-        let entry = |(index, node)| {
-            let key = format!("combined_limits entry {}", index + 1);
-            self.combined_limit(&Field { node, place: field.place.to(Step::Item(index)), key }, unit)
+        let entry = |(number, entry)| {
+            let key = format!("combined_limits entry {number}");
+            self.combined_limit(&Field { key, ..entry }, unit)
         };
-        entries.iter().enumerate().filter_map(entry).collect()
+        (1..).zip(field.items(entries)).filter_map(entry).collect()
     }
 
     fn combined_limit(&mut self, field: &Field<'_>, unit: Option<AngleUnit>) -> Option<CombinedLimitSpec> {
@@ -55,8 +55,7 @@ impl Reader<'_> {
         let mut terms = Vec::new();
         let mut whole = true;
         if let Node::List(nodes) = field.node {
-            for (index, node) in nodes.iter().enumerate() {
-                let entry = Field { node, place: field.place.to(Step::Item(index)), key: field.key.clone() };
+            for entry in field.items(nodes) {
                 match self.text(&entry, "a joint's name", "write the joints of the sum, such as `sum: [q2, q3]`") {
                     Some(name) => terms.push((JointRef::Named(name), 1.0, entry.place)),
                     None => whole = false,

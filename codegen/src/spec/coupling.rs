@@ -1,7 +1,7 @@
 //! `coupling:`, which motor moves which joint: motor = A q + b.
 
 use super::angle::AngleUnit;
-use super::place::{Place, Step};
+use super::place::Place;
 use super::range;
 use super::reader::{Field, Fields, Reader};
 use super::value::{JointRef, Named, WrittenValue};
@@ -123,8 +123,7 @@ impl Reader<'_> {
             return None;
         }
         let mut whole = true;
-        for (index, (node, motor)) in nodes.iter().zip(&mut motors).enumerate() {
-            let field = Field { node, place: offset.place.to(Step::Item(index)), key: offset.key.clone() };
+        for (field, motor) in offset.items(nodes).into_iter().zip(&mut motors) {
             motor.offset = self.value(&field, unit).map(|value| (value, field.place));
             whole &= motor.offset.is_some();
         }
@@ -138,16 +137,13 @@ impl Reader<'_> {
         };
         let mut motors = Vec::new();
         let mut whole = true;
-        for (row, node) in rows.iter().enumerate() {
-            let place = field.place.to(Step::Item(row));
-            let Node::List(entries) = node else {
-                let field = Field { node, place, key: field.key.clone() };
+        for (row, field) in field.items(rows).into_iter().enumerate() {
+            let Node::List(entries) = field.node else {
                 self.unexpected(&field, "a row of the matrix, a list of factors", Some(MATRIX_HELP.to_owned()));
                 return None;
             };
             let mut terms = Vec::new();
-            for (column, node) in entries.iter().enumerate() {
-                let entry = Field { node, place: place.to(Step::Item(column)), key: field.key.clone() };
+            for (column, entry) in field.items(entries).into_iter().enumerate() {
                 match self.coupling_factor(&entry) {
                     Some(factor) => {
                         terms.push(TermSpec { joint: JointRef::Numbered(column), factor, place: entry.place })
@@ -155,7 +151,7 @@ impl Reader<'_> {
                     None => whole = false,
                 }
             }
-            motors.push(MotorSpec { joint: JointRef::Numbered(row), terms, offset: None, place });
+            motors.push(MotorSpec { joint: JointRef::Numbered(row), terms, offset: None, place: field.place });
         }
         whole.then_some(motors)
     }

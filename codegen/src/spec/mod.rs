@@ -29,6 +29,7 @@ mod yaml;
 
 pub use actuator::{ActuatorSpec, HomeSpec};
 pub use angle::{WrittenAngle, pi_times};
+pub use angle_field::looks_like_radians;
 pub use combined_limits::CombinedLimitSpec;
 pub use coupling::{CouplingSpec, Factor, MotorSpec, TermSpec};
 pub use frame::FrameSpec;
@@ -47,7 +48,6 @@ pub use weights::WeightsSpec;
 
 use crate::error::{Diagnostic, Errors};
 use parameter::Context;
-use place::Step;
 use reader::{Field, Fields, Reader};
 use yaml::Node;
 
@@ -193,11 +193,8 @@ impl Reader<'_> {
         };
         match field.node {
             Node::List(rows) if !rows.is_empty() => {
-                let row = |(index, node)| {
-                    let key = format!("row {}", index + 1);
-                    self.row(&Field { node, place: field.place.to(Step::Item(index)), key }, index + 1, context)
-                };
-                rows.iter().enumerate().map(row).collect()
+                let row = |(number, row)| self.row(&Field { key: format!("row {number}"), ..row }, number, context);
+                (1..).zip(field.items(rows)).map(row).collect()
             }
             Node::List(_) | Node::Null => {
                 let mistake = self.source.mistake(&field.place, "`joints` is empty: expected at least one joint");

@@ -29,6 +29,14 @@ pub struct Reader<'s> {
     pub lengths: Vec<(f64, Place)>,
 }
 
+impl<'n> Field<'n> {
+    /// The entries of its list `nodes`, each with the key of the list.
+    pub fn items(&self, nodes: &'n [Node]) -> Vec<Self> {
+        let item = |(index, node)| Field { node, place: self.place.to(Step::Item(index)), key: self.key.clone() };
+        nodes.iter().enumerate().map(item).collect()
+    }
+}
+
 /// The entries of a mapping with known keys.
 pub struct Fields<'n> {
     entries: Vec<Field<'n>>,
@@ -235,8 +243,7 @@ impl<'s> Reader<'s> {
             self.unexpected(field, expected, Some(help.to_owned()));
             return None;
         };
-        let entry = |(index, node)| Field { node, place: field.place.to(Step::Item(index)), key: field.key.clone() };
-        let entries: Vec<Field<'n>> = nodes.iter().enumerate().map(entry).collect();
+        let entries = field.items(nodes);
         let found = entries.len();
         let entries = entries.try_into().ok();
         if entries.is_none() {

@@ -16,11 +16,6 @@ pub struct WrittenValue {
     pub length: Option<f64>,
 }
 
-impl WrittenValue {
-    /// Neither turned nor moved.
-    pub const ZERO: Self = Self { angle: WrittenAngle::ZERO, length: Some(0.0) };
-}
-
 /// A joint as the file names it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum JointRef {

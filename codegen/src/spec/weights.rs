@@ -1,8 +1,9 @@
 //! `inverse: weights:`, how much each joint counts in the distance from a reference.
 
-use super::place::{Place, Step};
+use super::place::Place;
 use super::range;
 use super::reader::{Field, Reader};
+use super::value::Named;
 use super::yaml::Node;
 
 /// The weights as written, each finite and not negative.
@@ -22,33 +23,13 @@ impl Reader<'_> {
     pub fn weights(&mut self, field: &Field<'_>) -> Option<WeightsSpec> {
         match field.node {
             Node::List(nodes) => {
-                let entry =
-                    |(index, node)| Field { node, place: field.place.to(Step::Item(index)), key: field.key.clone() };
-                let entries: Vec<Field<'_>> = nodes.iter().enumerate().map(entry).collect();
-                let weights: Vec<f64> = entries.iter().filter_map(|entry| self.weight(entry)).collect();
+                let weights: Vec<f64> = field.items(nodes).iter().filter_map(|entry| self.weight(entry)).collect();
                 (weights.len() == nodes.len()).then(|| WeightsSpec::List(weights, field.place.clone()))
             }
-            Node::Mapping(entries) => {
-                let mut weights: Vec<(String, Place, f64)> = Vec::new();
-                for (index, (key, node)) in entries.iter().enumerate() {
-                    let at_key = field.place.to(Step::Key(index));
-                    let Node::Text(name) = key else {
-                        let written = self.source.written(&at_key);
-                        let message = format!("`weights`: expected a joint's name, found {written}");
-                        let mistake = self.source.mistake(&at_key, message);
-                        self.mistakes.push(mistake.help(format!("did you mean `q{written}`?")));
-                        continue;
-                    };
-                    if weights.iter().any(|(earlier, ..)| earlier == name) {
-                        let message = format!("`weights`: the joint `{name}` occurs twice");
-                        self.mistakes.push(self.source.mistake(&at_key, message).help("remove one of them"));
-                        continue;
-                    }
-                    let place = if *node == Node::Null { at_key.clone() } else { field.place.to(Step::Value(index)) };
-                    let weight = self.weight(&Field { node, place, key: name.clone() });
-                    weights.extend(weight.map(|weight| (name.clone(), at_key, weight)));
-                }
-                Some(WeightsSpec::Named(weights))
+            Node::Mapping(_) => {
+                let named = self.by_joint(field, "`weights`", HELP)?.into_iter();
+                let weight = |Named { name, at, field }| self.weight(&field).map(|weight| (name, at, weight));
+                Some(WeightsSpec::Named(named.filter_map(weight).collect()))
             }
             _ => {
                 self.unexpected(field, EXPECTED, Some(HELP.to_owned()));

@@ -74,8 +74,24 @@ impl<'de> Deserialize<'de> for Node {
     }
 }
 
+/// The visitor's functions for scalars: each begins with the visitor's `scalar`, and gives the value.
+macro_rules! scalars {
+    ($($visit:ident($($value:tt: $type:ty)?) => $result:expr,)*) => {
+        $(fn $visit<E: de::Error>(self $(, $value: $type)?) -> Result<Self::Value, E> {
+            self.scalar()?;
+            Ok($result)
+        })*
+    };
+}
+
 /// Builds a node from whatever stands there.
 struct Build;
+
+impl Build {
+    fn scalar<E>(self) -> Result<(), E> {
+        Ok(())
+    }
+}
 
 impl<'de> Visitor<'de> for Build {
     type Value = Node;
@@ -84,40 +100,16 @@ impl<'de> Visitor<'de> for Build {
         f.write_str("a YAML value")
     }
 
-    fn visit_unit<E>(self) -> Result<Node, E> {
-        Ok(Node::Null)
-    }
-
-    fn visit_none<E>(self) -> Result<Node, E> {
-        Ok(Node::Null)
-    }
-
-    fn visit_bool<E>(self, value: bool) -> Result<Node, E> {
-        Ok(Node::Bool(value))
-    }
-
-    fn visit_i64<E>(self, value: i64) -> Result<Node, E> {
-        Ok(Node::Number(value as f64))
-    }
-
-    fn visit_u64<E>(self, value: u64) -> Result<Node, E> {
-        Ok(Node::Number(value as f64))
-    }
-
-    fn visit_i128<E>(self, value: i128) -> Result<Node, E> {
-        Ok(Node::Number(value as f64))
-    }
-
-    fn visit_u128<E>(self, value: u128) -> Result<Node, E> {
-        Ok(Node::Number(value as f64))
-    }
-
-    fn visit_f64<E>(self, value: f64) -> Result<Node, E> {
-        Ok(Node::Number(value))
-    }
-
-    fn visit_str<E>(self, value: &str) -> Result<Node, E> {
-        Ok(Node::Text(value.to_owned()))
+    scalars! {
+        visit_unit() => Node::Null,
+        visit_none() => Node::Null,
+        visit_bool(value: bool) => Node::Bool(value),
+        visit_i64(value: i64) => Node::Number(value as f64),
+        visit_u64(value: u64) => Node::Number(value as f64),
+        visit_i128(value: i128) => Node::Number(value as f64),
+        visit_u128(value: u128) => Node::Number(value as f64),
+        visit_f64(value: f64) => Node::Number(value),
+        visit_str(value: &str) => Node::Text(value.to_owned()),
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut access: A) -> Result<Node, A::Error> {
@@ -170,40 +162,16 @@ impl<'de> Visitor<'de> for Walk<'_> {
         f.write_str("the node looked for")
     }
 
-    fn visit_unit<E: de::Error>(self) -> Result<(), E> {
-        self.scalar()
-    }
-
-    fn visit_none<E: de::Error>(self) -> Result<(), E> {
-        self.scalar()
-    }
-
-    fn visit_bool<E: de::Error>(self, _: bool) -> Result<(), E> {
-        self.scalar()
-    }
-
-    fn visit_i64<E: de::Error>(self, _: i64) -> Result<(), E> {
-        self.scalar()
-    }
-
-    fn visit_u64<E: de::Error>(self, _: u64) -> Result<(), E> {
-        self.scalar()
-    }
-
-    fn visit_i128<E: de::Error>(self, _: i128) -> Result<(), E> {
-        self.scalar()
-    }
-
-    fn visit_u128<E: de::Error>(self, _: u128) -> Result<(), E> {
-        self.scalar()
-    }
-
-    fn visit_f64<E: de::Error>(self, _: f64) -> Result<(), E> {
-        self.scalar()
-    }
-
-    fn visit_str<E: de::Error>(self, _: &str) -> Result<(), E> {
-        self.scalar()
+    scalars! {
+        visit_unit() => (),
+        visit_none() => (),
+        visit_bool(_: bool) => (),
+        visit_i64(_: i64) => (),
+        visit_u64(_: u64) => (),
+        visit_i128(_: i128) => (),
+        visit_u128(_: u128) => (),
+        visit_f64(_: f64) => (),
+        visit_str(_: &str) => (),
     }
 
     fn visit_enum<A: EnumAccess<'de>>(self, access: A) -> Result<(), A::Error> {
