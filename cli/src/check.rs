@@ -210,7 +210,7 @@ impl Found {
                 .as_ref()
                 .map_or(Value::Null, |task| json!({"task": task, "max_solutions": report.max_solutions})),
         );
-        put("no_inverse", json!(report.refusal));
+        put("no_inverse", json!(report.unsupported));
         if let Some(cost) = cost {
             put("cortex_m4f", cost.json());
         }

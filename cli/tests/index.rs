@@ -36,7 +36,7 @@ fn row(path: &Path) -> String {
         .map(str::trim)
         .filter(|line| line.matches(',').count() == 2 && !line.contains("apart"))
         .collect();
-    let (task, most) = match (&report.task, &report.refusal) {
+    let (task, most) = match (&report.task, &report.unsupported) {
         (Some(task), _) => (format!("`{task}`"), report.max_solutions.unwrap().to_string()),
         (None, Some(reason)) => (format!("none: {}", reason.split(';').next().unwrap()), "-".to_owned()),
         (None, None) => unreachable!(),

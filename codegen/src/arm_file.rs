@@ -86,7 +86,7 @@ fn nearby(root: &Path, written: &Path) -> Option<String> {
     let written_directory = written.parent().unwrap_or(Path::new(""));
     let directory = root.join(written_directory);
     if !directory.is_dir() {
-        let inside = subdirectories(root).into_iter().map(|sub| Path::new(&sub).join(&name));
+        let inside = names(root, Path::is_dir).into_iter().map(|sub| Path::new(&sub).join(&name));
         let found = [PathBuf::from(&name)].into_iter().chain(inside).find(|path| root.join(path).is_file());
         let missing = format!("there is no directory `{}`", directory.display());
         return Some(match found {
@@ -113,11 +113,6 @@ fn arm_files(directory: &Path) -> Vec<String> {
 
 fn stem(file: &str) -> &str {
     file.rsplit_once('.').map_or(file, |(stem, _)| stem)
-}
-
-/// The directories in a directory, by name.
-fn subdirectories(directory: &Path) -> Vec<String> {
-    names(directory, Path::is_dir)
 }
 
 fn names(directory: &Path, keep: impl Fn(&Path) -> bool) -> Vec<String> {

@@ -20,7 +20,7 @@ pub struct Report {
     /// The largest number of inverse solutions, if there is an inverse.
     pub max_solutions: Option<usize>,
     /// Why there is no inverse, if there is none.
-    pub refusal: Option<String>,
+    pub unsupported: Option<String>,
     /// Operations of forward, jacobian, and both together.
     pub costs: [Cost; 3],
     /// The mistake of a file that requires an inverse where there is none.
@@ -73,7 +73,7 @@ impl Report {
             dof: model.joints.len(),
             task: inverse.as_ref().ok().map(|plan| plan.task.name()),
             max_solutions: inverse.as_ref().ok().map(Plan::max_solutions),
-            refusal: inverse.as_ref().err().map(|unsupported| unsupported.reason.clone()),
+            unsupported: inverse.as_ref().err().map(|unsupported| unsupported.reason.clone()),
             costs,
             lacking: None,
             warnings,

@@ -86,8 +86,8 @@ fn a_table_of_the_other_convention_is_named() {
     let report = check("standard", &rows, "");
     let text = report.to_string();
     assert!(text.contains("read as `convention: modified` the table has an inverse (task pose)"), "{text}");
-    let refusal = report.refusal.unwrap();
-    assert!(!refusal.contains("work"), "{refusal}");
+    let unsupported = report.unsupported.unwrap();
+    assert!(!unsupported.contains("work"), "{unsupported}");
 }
 
 #[test]
@@ -101,8 +101,8 @@ fn axes_nearly_parallel_are_named_and_not_rounded() {
         "a: 0, alpha: 0, d: 0.1, theta: 0",
     ];
     let report = check("standard", &rows, "");
-    let refusal = report.refusal.clone().unwrap();
-    assert!(refusal.ends_with("axes 2, 3, 4 are parallel but for 0.02 deg"), "{refusal}");
+    let unsupported = report.unsupported.clone().unwrap();
+    assert!(unsupported.ends_with("axes 2, 3, 4 are parallel but for 0.02 deg"), "{unsupported}");
     assert!(report.warnings.is_empty(), "{:?}", report.warnings);
 }
 
@@ -124,8 +124,8 @@ fn without_an_inverse_there_is_the_iteration_and_the_files_unit() {
 
 #[test]
 fn position_angle_does_not_ask_for_a_joint_and_then_refuse_it() {
-    let refused = |more: &str| check("standard", &YAW_PITCHES_ROLL, more).refusal.unwrap();
-    let plain = refused("inverse: {task: position_angle}");
+    let unsupported = |more: &str| check("standard", &YAW_PITCHES_ROLL, more).unsupported.unwrap();
+    let plain = unsupported("inverse: {task: position_angle}");
     assert!(!plain.contains("name the one whose value is given"), "{plain}");
 }
 

@@ -16,7 +16,7 @@ pub fn run(data: &[u8]) {
         (Ok(generated), Ok(arm)) => {
             let code = generated.to_file().unwrap_or_else(|errors| panic!("{errors}\n{text}"));
             assert!(code.contains("struct Fuzzed"), "{text}");
-            let has_inverse = generated.report.refusal.is_none();
+            let has_inverse = generated.report.unsupported.is_none();
             let evaluates = arm.task().map(|_| ()).map_err(|error| error.to_string());
             assert_eq!(has_inverse, evaluates.is_ok(), "{evaluates:?}\n{text}");
             let q = vec![0.5; arm.joints()];

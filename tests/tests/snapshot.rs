@@ -79,7 +79,7 @@ fn occurs(code: &str, part: &str) -> bool {
 
 fn check_report(name: &str, report: &Report, has_inverse: bool) {
     assert_eq!(report.max_solutions.is_some(), has_inverse, "{name}: {report}");
-    assert_ne!(report.refusal.is_some(), has_inverse, "{name}: {report}");
+    assert_ne!(report.unsupported.is_some(), has_inverse, "{name}: {report}");
 }
 
 #[test]
@@ -166,7 +166,7 @@ fn other_tasks() {
             let lines = text.lines().map(|line| if line.starts_with("inverse:") { inverse } else { line });
             let text = lines.collect::<Vec<_>>().join("\n");
             let report = denhart_codegen::check(&text, file)?;
-            assert!(report.refusal.is_none(), "{name}: {report}");
+            assert!(report.unsupported.is_none(), "{name}: {report}");
             denhart_codegen::generate(&text, file, &Options::new("Robot"))?.to_file()
         };
         let code = made(arm, generate);

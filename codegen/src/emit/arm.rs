@@ -26,11 +26,8 @@ pub struct Arm<'a> {
 
 /// The struct item, for front ends that write a whole file.
 pub fn item(arm: &Arm, target: &Target) -> TokenStream {
-    parameters::item(arm.model, &docs::lines(&type_doc(arm)), target)
-}
-
-fn type_doc(arm: &Arm) -> String {
-    format!("The arm `{}`: {} moving joints.\n", arm.model.name, arm.model.joints.len())
+    let doc = format!("The arm `{}`: {} moving joints.\n", arm.model.name, arm.model.joints.len());
+    parameters::item(arm.model, &docs::lines(&doc), target)
 }
 
 /// What the documentation of the type shows: the head comment of the file, and why there is no inverse if there is none.

@@ -83,7 +83,8 @@ fn meaning(dimension: Dimension, model: &Model) -> String {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
-    use crate::{Options, generate};
+    use crate::Options;
+    use crate::generate;
 
     /// Joint 1 stands in row 2: its theta is another constant than that of the fixed row 1.
     #[test]

@@ -92,7 +92,7 @@ pub(super) fn function(
     let type_name = &target.type_name;
     let lines: Vec<String> = crate::solve::describe(plan).into_iter().map(|line| format!("- {line}")).collect();
     let doc = docs::lines(&format!("All branches of the inverse, or those that are wanted.\n\n{}", lines.join("\n")));
-    let (asked, unpack) = (&task.target, &task.unpack);
+    let (target_type, unpack) = (&task.target, &task.unpack);
     let argument = given(plan).map(|q| quote!(#q: #scalar,));
     let goal = &task.goal;
     let mut goal = match plan.task.goal {
@@ -138,7 +138,7 @@ pub(super) fn function(
         #doc
         fn branches(
             arm: &#type_name,
-            target: &#asked,
+            target: &#target_type,
             #argument
             near: ::core::option::Option<&[#scalar; #n]>,
             #wanted: impl #krate::solve::Select,
@@ -194,7 +194,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
         task.bad,
         if model.parameters.is_empty() { "" } else { ", or a length of the arm is not finite" },
     ));
-    let (asked, goal) = (&task.target, &task.goal);
+    let (target_type, goal) = (&task.target, &task.goal);
     let argument = q.as_ref().map(|q| quote!(, #q: #scalar));
     let pass = q.as_ref().map(|q| quote!(#q,));
     let from_reference = plan.task.given.map(|given| match given {
@@ -231,7 +231,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
 
         #doc
         #[must_use]
-        pub fn inverse(&self, target: &#asked #argument) -> #solutions {
+        pub fn inverse(&self, target: &#target_type #argument) -> #solutions {
             branches(self, target, #pass ::core::option::Option::None, ALL)
         }
 
@@ -239,7 +239,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
         #[inline]
         pub fn inverse_branch(
             &self,
-            target: &#asked
+            target: &#target_type
             #argument,
             branch: #krate::Branch,
         ) -> #krate::OneSolution<#scalar, #n> {
@@ -248,14 +248,14 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
 
         #near
         #[must_use]
-        pub fn inverse_near(&self, target: &#asked, q_ref: &[#scalar; #n]) -> #solutions {
+        pub fn inverse_near(&self, target: &#target_type, q_ref: &[#scalar; #n]) -> #solutions {
             #from_reference
             branches(self, target, #pass ::core::option::Option::Some(q_ref), ALL)
         }
 
         /// By how much `q` misses the target, from `forward`.
         #[must_use]
-        pub fn residual(&self, q: &[#scalar; #n], target: &#asked) -> #krate::Residual<#scalar> {
+        pub fn residual(&self, q: &[#scalar; #n], target: &#target_type) -> #krate::Residual<#scalar> {
             #krate::solve::Goal::residual(#goal, q, &self.forward(q))
         }
     }
@@ -290,7 +290,7 @@ fn arm_angle(plan: &Plan, target: &Target) -> Option<TokenStream> {
 /// A walk over the values of a redundant joint.
 fn sample_redundancy(model: &Model, plan: &Plan, target: &Target, task: &TaskCode) -> Option<TokenStream> {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
-    let (solutions, asked) = (solutions(plan, target), &task.target);
+    let (solutions, target_type) = (solutions(plan, target), &task.target);
     let (joint, revolute) = match plan.task.given? {
         Given::Joint { joint, revolute } => (joint, revolute),
         Given::ArmAngle => {
@@ -299,7 +299,7 @@ fn sample_redundancy(model: &Model, plan: &Plan, target: &Target, task: &TaskCod
                 /// Yields the angle and its solutions; allocates nothing.
                 pub fn sample_redundancy(
                     &self,
-                    target: &#asked,
+                    target: &#target_type,
                     n: usize,
                 ) -> impl ::core::iter::Iterator<Item = (#scalar, #solutions)> {
                     let whole = <#scalar as #krate::Scalar>::PI;
@@ -324,7 +324,7 @@ fn sample_redundancy(model: &Model, plan: &Plan, target: &Target, task: &TaskCod
         #doc
         pub fn sample_redundancy(
             &self,
-            target: &#asked,
+            target: &#target_type,
             n: usize,
         ) -> impl ::core::iter::Iterator<Item = (#scalar, #solutions)> {
             let [low, high] = Self::LIMITS[#joint];
@@ -337,12 +337,12 @@ fn sample_redundancy(model: &Model, plan: &Plan, target: &Target, task: &TaskCod
 pub(super) fn inverse_trait(plan: &Plan, target: &Target, task: &TaskCode) -> TokenStream {
     let (krate, scalar, name) = (&target.krate, target.scalar.tokens(), &target.type_name);
     let (n, m) = (integer(plan.joints()), integer(plan.max_solutions()));
-    let asked = &task.target;
+    let target_type = &task.target;
     let given = given(plan).is_some().then(|| quote!(, given));
     quote! {
         #[automatically_derived]
         impl #krate::InverseKinematics<#scalar, #n> for #name {
-            #krate::delegate_inverse!(#name, #scalar, #n, #m, #asked #given);
+            #krate::delegate_inverse!(#name, #scalar, #n, #m, #target_type #given);
         }
     }
 }

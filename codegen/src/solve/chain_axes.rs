@@ -28,24 +28,24 @@ impl LoopChain {
     /// The prismatic joint along the common direction of all revolute axes, where the other prismatic ones are across it.
     pub fn prismatic_along_revolute(&self) -> Option<usize> {
         let samples = self.generic.samples().iter();
-        let mut strokes = samples.map(|sample| {
+        let mut joints = samples.map(|sample| {
             let axes = self.axes(sample);
             let turning = axes.iter().zip(&self.loop_joints).find(|(_, slot)| slot.revolute)?.0.direction;
             let along = |line: &Line| self.generic.decisions.vanishes(length(cross(line.direction, turning)));
             let across = |line: &Line| self.generic.decisions.vanishes(dot(line.direction, turning));
             let mut upright =
                 axes.iter().zip(&self.loop_joints).all(|(line, slot)| along(line) || !slot.revolute && across(line));
-            let mut strokes = axes
+            let mut parallel = axes
                 .iter()
                 .zip(&self.loop_joints)
                 .enumerate()
                 .filter(|(_, (line, slot))| !slot.revolute && along(line));
-            let stroke = strokes.next().map(|(i, _)| i);
-            upright &= strokes.next().is_none();
-            stroke.filter(|_| upright)
+            let joint = parallel.next().map(|(i, _)| i);
+            upright &= parallel.next().is_none();
+            joint.filter(|_| upright)
         });
-        let first = strokes.next()??;
-        strokes.all(|stroke| stroke == Some(first)).then_some(first)
+        let first = joints.next()??;
+        joints.all(|joint| joint == Some(first)).then_some(first)
     }
 
     /// Whether every joint moves in the base frame's xy plane.

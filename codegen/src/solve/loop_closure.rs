@@ -261,20 +261,18 @@ impl LoopClosure {
         self.steps.push(step);
     }
 
-    /// A joint value that is a signed sum of symbols; `constant` before the joint's offset is taken off.
-    pub fn sum(&mut self, joint: usize, terms: Vec<(Symbol, bool)>, constant: Angle) {
-        let constant = constant.add(self.offset(joint).neg());
+    /// The angle of a joint (its DH theta) is this sum.
+    pub fn sum(&mut self, joint: usize, mut theta: Value) {
+        theta.constant = theta.constant.add(self.offset(joint).neg());
         if let Some(slot) = self.values.get_mut(joint) {
-            *slot = Some(Value { terms, constant });
+            *slot = Some(theta);
         }
     }
 
-    /// The solved angle of a joint (its DH theta) as terms and constant.
-    pub fn solved(&self, joint: usize) -> (Vec<(Symbol, bool)>, Angle) {
-        match self.values.get(joint) {
-            Some(Some(value)) => (value.terms.clone(), value.constant.add(self.offset(joint))),
-            _ => (Vec::new(), Angle::ZERO),
-        }
+    /// The solved angle of a joint (its DH theta).
+    pub fn solved(&self, joint: usize) -> Value {
+        let Some(Some(value)) = self.values.get(joint) else { return Value::zero() };
+        Value { constant: value.constant.add(self.offset(joint)), ..value.clone() }
     }
 
     /// `f` and `b` of a constant `link = R_z(f) X R_z(-b)` between axes at a right angle, X the half turn about x + z.
@@ -311,8 +309,7 @@ impl LoopClosure {
         {
             self.steps.pop();
         }
-        let values =
-            self.values.into_iter().map(|value| value.unwrap_or(Value { terms: Vec::new(), constant: Angle::ZERO }));
+        let values = self.values.into_iter().map(|value| value.unwrap_or_else(Value::zero));
         Plan {
             graph: self.g,
             steps: self.steps,

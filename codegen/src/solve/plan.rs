@@ -232,3 +232,16 @@ pub struct Value {
     /// The constant part.
     pub constant: Angle,
 }
+
+impl Value {
+    /// No angle.
+    pub fn zero() -> Self {
+        Value { terms: Vec::new(), constant: Angle::ZERO }
+    }
+
+    /// Adds another value, or takes it off.
+    pub fn add(&mut self, other: &Value, negative: bool) {
+        self.terms.extend(other.terms.iter().map(|(term, n)| (term.clone(), *n != negative)));
+        self.constant = self.constant.add(if negative { other.constant.neg() } else { other.constant });
+    }
+}

@@ -4,16 +4,15 @@
 
 use super::kernel::Unit;
 use super::loop_closure::{Link, LoopClosure};
-use super::plan::PlanStep;
+use super::plan::{PlanStep, Value};
 use super::sides::Side;
 use super::unsupported::Unsupported;
 use crate::model::Angle;
 use crate::symbolic::{Expr, Label, Rigid, Symbol, transpose};
 
-/// A turn in the plane, as a sum of known angles: `R_z(terms + constant)`, then a half turn about x if `flipped`.
+/// A turn in the plane, as a sum of known angles: `R_z(sum)`, then a half turn about x if `flipped`.
 struct InPlane {
-    terms: Vec<(Symbol, bool)>,
-    constant: Angle,
+    sum: Value,
     flipped: bool,
 }
 
@@ -83,15 +82,13 @@ fn elbow(c: &mut LoopClosure, [first, second, third]: [usize; 3], [link_a, link_
     let part_b = in_plane(c, &link_b.forward, format!("turn{nb}").into(), format!("The turn from joint {nb} to {nc}."));
     let negative_ab = part_a.flipped != part_b.flipped;
     // c = sb (sa (total - a - ka) - b - kb)
-    let mut sum = Sum::new();
-    sum.add(&total.terms, total.constant, negative_ab);
-    let (terms, constant) = c.solved(first);
-    sum.add(&terms, constant, !negative_ab);
-    sum.add(&part_a.terms, part_a.constant, !negative_ab);
-    let (terms, constant) = c.solved(second);
-    sum.add(&terms, constant, !part_b.flipped);
-    sum.add(&part_b.terms, part_b.constant, !part_b.flipped);
-    c.sum(third, sum.terms, sum.constant);
+    let mut sum = Value::zero();
+    sum.add(&total.sum, negative_ab);
+    sum.add(&c.solved(first), !negative_ab);
+    sum.add(&part_a.sum, !negative_ab);
+    sum.add(&c.solved(second), !part_b.flipped);
+    sum.add(&part_b.sum, !part_b.flipped);
+    c.sum(third, sum);
 }
 
 /// A prismatic joint between two revolute ones: its displacement from the distance of their axes, then the direction.
@@ -139,12 +136,11 @@ fn prismatic_between(c: &mut LoopClosure, [first, slides, last]: [usize; 3], [li
     let part = in_plane(c, &between, format!("turn{na}").into(), format!("The turn from joint {na} to {nc}."));
     // Both turn the axis around, or neither does. A constant link tells; the target tells only where it can be reached.
     let flipped = if link_c.target { part.flipped } else { total.flipped };
-    let mut sum = Sum::new();
-    sum.add(&total.terms, total.constant, flipped);
-    let (terms, constant) = c.solved(first);
-    sum.add(&terms, constant, !flipped);
-    sum.add(&part.terms, part.constant, !flipped);
-    c.sum(last, sum.terms, sum.constant);
+    let mut sum = Value::zero();
+    sum.add(&total.sum, flipped);
+    sum.add(&c.solved(first), !flipped);
+    sum.add(&part.sum, !flipped);
+    c.sum(last, sum);
 }
 
 /// Two prismatic joints: the revolute one gives the direction, and the displacements solve linear equations.
@@ -164,7 +160,7 @@ fn two_prismatic(
         let meaning = format!("Angle {na}: the direction of the tool in the plane.");
         let angle = in_plane(c, &alone, format!("t{na}").into(), meaning);
         c.known(turns, cos, sin);
-        c.sum(turns, angle.terms, angle.constant);
+        c.sum(turns, angle.sum);
     }
     if link_a.target {
         // Both stand before the revolute joint, which moves no point of its axis.
@@ -217,33 +213,16 @@ fn two_prismatic_to_point(
     Ok(())
 }
 
-/// A signed sum of angles.
-struct Sum {
-    terms: Vec<(Symbol, bool)>,
-    constant: Angle,
-}
-
-impl Sum {
-    fn new() -> Sum {
-        Sum { terms: Vec::new(), constant: Angle::ZERO }
-    }
-
-    fn add(&mut self, terms: &[(Symbol, bool)], constant: Angle, negative: bool) {
-        self.terms.extend(terms.iter().map(|(term, n)| (term.clone(), *n != negative)));
-        self.constant = self.constant.add(if negative { constant.neg() } else { constant });
-    }
-}
-
 /// The turn that a link makes in the plane: constant, a known angle and a constant, or else measured.
 fn in_plane(c: &mut LoopClosure, rigid: &Rigid, symbol: Symbol, meaning: String) -> InPlane {
     let [[x, ..], [y, ..], [.., z]] = rigid.r;
     let flipped = c.value(z).is_some_and(|z| z < 0.0);
     if let (Some(x), Some(y)) = (c.g.constant(x), c.g.constant(y)) {
-        return InPlane { terms: Vec::new(), constant: Angle::of_vector(y, x), flipped };
+        return InPlane { sum: Value { constant: Angle::of_vector(y, x), ..Value::zero() }, flipped };
     }
     if let Some((term, negative, constant)) = c.known_angle(y, x) {
-        return InPlane { terms: vec![(term, negative)], constant, flipped };
+        return InPlane { sum: Value { terms: vec![(term, negative)], constant }, flipped };
     }
     c.push(PlanStep::Angle { symbol: symbol.clone(), meaning, y, x });
-    InPlane { terms: vec![(symbol, false)], constant: Angle::ZERO, flipped }
+    InPlane { sum: Value { terms: vec![(symbol, false)], constant: Angle::ZERO }, flipped }
 }

@@ -29,22 +29,22 @@ pub fn one_slides(c: &mut LoopClosure, sides: [&Side; 2], across: [[Vec3; 2]; 2]
         if a.revolute { (b, a, across_b, across_a) } else { (a, b, across_a, across_b) };
     // The displacement in the plane across y's axis, and the still parts of both sides.
     let signed = |c: &mut LoopClosure, side: &Side, e: Expr| if side.undone { c.g.neg(e) } else { e };
-    let stroke = across_s.map(|direction| signed(c, slides, Side::along(direction)));
+    let direction = across_s.map(|axis| signed(c, slides, Side::along(axis)));
     let still = |c: &mut LoopClosure, side: &Side, directions: [Vec3; 2]| {
         let from = c.g.sub3(side.moved, side.origin);
         directions.map(|direction| c.g.dot3(direction, from))
     };
     let still_s = still(c, slides, across_s);
-    if other.revolute && stroke.iter().any(|e| c.g.constant(*e).is_none()) {
+    if other.revolute && direction.iter().any(|e| c.g.constant(*e).is_none()) {
         let rows = still_rows(c, other, across_o, still_s);
         let (m, n) = (c.label(other.joint), c.label(slides.joint));
         let meaning = format!("Joints {m} and {n} together: {w} has equal components across axis {ny}.");
         let joints = [(other.joint, Angle::ZERO), (slides.joint, Angle::ZERO)];
-        let kernel = SlideTurning { stroke, rows };
+        let kernel = SlideTurning { direction, rows };
         c.stage(&joints, Unit::Length, Branching::Shoulder, meaning, kernel);
         return;
     }
-    let [sx, sy] = stroke;
+    let [sx, sy] = direction;
     // n is across the displacement: n . (plane part) does not depend on it.
     let normal = [c.g.neg(sy), sx];
     let value = c.g.dot2(normal, still_s);
@@ -66,21 +66,21 @@ pub fn one_slides(c: &mut LoopClosure, sides: [&Side; 2], across: [[Vec3; 2]; 2]
         across_o.map(|direction| c.g.dot3(direction, from))
     } else {
         let still_o = still(c, other, across_o);
-        let stroke_o = across_o.map(|direction| signed(c, other, Side::along(direction)));
-        let slope = c.g.dot2(normal, stroke_o);
+        let direction_o = across_o.map(|direction| signed(c, other, Side::along(direction)));
+        let slope = c.g.dot2(normal, direction_o);
         let constant = c.g.dot2(normal, still_o);
         let numerator = c.g.sub(value, constant);
         c.slide_to(other.joint, slope, numerator, meaning);
         let position = c.position(other.joint);
-        let [ox, oy] = stroke_o;
+        let [ox, oy] = direction_o;
         let moved = [c.g.mul(ox, position), c.g.mul(oy, position)];
         let ([px, py], [qx, qy]) = (still_o, moved);
         [c.g.add(px, qx), c.g.add(py, qy)]
     };
     let ([px, py], [qx, qy]) = (plane_of_other, still_s);
     let difference = [c.g.sub(px, qx), c.g.sub(py, qy)];
-    let numerator = c.g.dot2(stroke, difference);
-    let denominator = c.g.dot2(stroke, stroke);
+    let numerator = c.g.dot2(direction, difference);
+    let denominator = c.g.dot2(direction, direction);
     let meaning = format!("Joint {n}: the difference along its stroke.");
     c.slide_to(slides.joint, denominator, numerator, meaning);
 }

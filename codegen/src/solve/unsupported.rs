@@ -111,16 +111,15 @@ fn nearly_parallel(model: &Model, geometry: &Geometry) -> Option<(usize, f64)> {
     angles.min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// Three significant digits.
+/// Three significant digits, without zeros at the end of the decimals.
 fn rounded(value: f64) -> String {
     let digits = 2 - value.abs().log10().floor().clamp(-12.0, 2.0) as i32;
     let text = format!("{value:.*}", usize::try_from(digits).unwrap_or(0));
-    if value.abs() < 1e-4 { format!("{value:.1e}") } else { trimmed(&text) }
-}
-
-/// Without zeros at the end of its decimals.
-fn trimmed(text: &str) -> String {
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text.to_owned() }
+    match value.abs() < 1e-4 {
+        true => format!("{value:.1e}"),
+        false if text.contains('.') => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
 }
 
 #[cfg(test)]

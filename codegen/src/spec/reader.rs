@@ -192,11 +192,11 @@ impl<'s> Reader<'s> {
 
     /// A finite number in the file's length unit.
     pub fn number(&mut self, field: &Field<'_>) -> Option<f64> {
-        self.stroke(field, "lengths are in the unit that `units` names; write 0 where there is none")
+        self.displacement(field, "lengths are in the unit that `units` names; write 0 where there is none")
     }
 
     /// The same with advice of its own for a number that is too large or too small.
-    pub fn stroke(&mut self, field: &Field<'_>, help: &str) -> Option<f64> {
+    pub fn displacement(&mut self, field: &Field<'_>, help: &str) -> Option<f64> {
         match field.node {
             Node::Number(value) if value.is_finite() => {
                 let value = self.within(range::LENGTH, field, *value, help)?;

@@ -125,7 +125,7 @@ impl Reader<'_> {
                 return (None, None);
             }
             let read = match kind {
-                RowKind::Prismatic => (None, reader.stroke(&field, NO_LIMIT)),
+                RowKind::Prismatic => (None, reader.displacement(&field, NO_LIMIT)),
                 _ => (reader.angle(&field, unit, AngleRole::Limit), None),
             };
             whole &= read != (None, None);

@@ -38,7 +38,6 @@ impl Equation for Pair {
         let (x, z) = (variables.pair(g, 0), variables.pair(g, 1));
         let [px, qx] = self.p.map(|row| derivative(g, row, x));
         let [pz, qz] = self.q.map(|row| derivative(g, row, z));
-        let (left, right) = (g.mul(px, qz), g.mul(qx, pz));
-        Pivot { value: g.sub(left, right), power: self.power }
+        Pivot { value: g.cross2([px, qx], [pz, qz]), power: self.power }
     }
 }

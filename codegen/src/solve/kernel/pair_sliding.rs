@@ -45,7 +45,6 @@ impl Equation for PairSliding {
         let [m, _] = self.square;
         let twice = g.add(position, position);
         let own = g.add(twice, m);
-        let (left, right) = (g.mul(line, own), g.mul(self.scale, square));
-        Pivot { value: g.sub(left, right), power: 2 }
+        Pivot { value: g.cross2([line, self.scale], [square, own]), power: 2 }
     }
 }

@@ -91,15 +91,15 @@ pub fn upright(chain: LoopChain) -> Result<Plan, Unsupported> {
 /// A chain of joints that turn about one direction or slide along or across it. The prismatic joint along that direction
 /// commutes with the others and is moved behind them.
 fn prismatic_last(mut chain: LoopChain) -> Result<LoopChain, Unsupported> {
-    let refused = || {
+    let unsupported = || {
         Unsupported::new(
             "four joints have `pose` if all turn about and slide along or across one direction, or yaw and pitch thrice",
         )
     };
-    let stroke = chain.prismatic_along_revolute().ok_or_else(refused)?;
+    let prismatic = chain.prismatic_along_revolute().ok_or_else(unsupported)?;
     rank::check(&chain, rank::ToolMotion::Pose)?;
-    for i in stroke..3 {
-        chain = chain.prismatic_later(i).ok_or_else(refused)?;
+    for i in prismatic..3 {
+        chain = chain.prismatic_later(i).ok_or_else(unsupported)?;
     }
     Ok(chain)
 }

@@ -59,7 +59,7 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, U
     Err(failed.or_else(alternatives))
 }
 
-/// What to look at in a table that has what is asked for if its rows are read by the other convention.
+/// What to look at in a table that has an inverse for the task if its rows are read by the other convention.
 fn other_convention(model: &Model) -> Option<String> {
     let convention = match model.convention {
         Convention::Standard => Convention::Modified,
