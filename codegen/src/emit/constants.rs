@@ -89,15 +89,11 @@ mod tests {
     /// Joint 1 stands in row 2: its theta is another constant than that of the fixed row 1.
     #[test]
     fn each_constant_has_one_value() {
-        let rows = ["90, d: 0.4, theta: 33", "0, d: 0, theta: 0", "90, d: 0, theta: 90", "-90, d: 0.5, theta: 0"];
-        let rows = rows.into_iter().chain(["90, d: 0, theta: 0", "0, d: 0.1, theta: 0"]);
-        let rows: String = rows
-            .zip([0.0, 0.5, 0.0, 0.0, 0.0, 0.0])
-            .fold(String::new(), |text, (row, a)| text + &format!("  - {{a: {a:?}, alpha: {row}}}\n"));
-        let text = format!(
-            "name: mounted\nconvention: standard\nunits: {{length: m, angle: deg}}\ninverse: {{redundant: q1}}\n\
-             joints:\n  - {{type: fixed, a: 0, alpha: 0, d: 0.1, theta: 20}}\n{rows}"
-        );
+        let text = "name: mounted\nconvention: standard\nunits: {length: m, angle: deg}\n\
+                    inverse: {task: planar_pose, redundant: q1}\njoints:\n\
+                    - {type: fixed, a: 0, alpha: 0, d: 0, theta: 20}\n- {a: 1, alpha: 0, d: 0, theta: 33}\n"
+            .to_owned()
+            + &"- {a: 1, alpha: 0, d: 0, theta: 0}\n".repeat(3);
         let code = generate(&text, "mounted.yaml", &Options::new("Mounted")).unwrap().impls.to_string();
         for (name, value) in [("SIN_THETA1", 20.0_f64.to_radians().sin()), ("SIN_THETA2", 33.0_f64.to_radians().sin())]
         {
