@@ -2,8 +2,8 @@
 
 use crate::error::Diagnostic;
 use crate::model::geometry::{Geometry, Relation};
-use crate::model::{JointKind, Model, Parameter, Task};
-use crate::settings::{self, plus, short, sum};
+use crate::model::{JointKind, Model, Parameter, Task, joint_sum};
+use crate::settings::{self, short};
 use crate::solve::{Goal, Plan, Unsupported, describe};
 use crate::symbolic::Cost;
 use std::fmt;
@@ -101,7 +101,7 @@ fn chosen(model: &Model, plan: &Plan) -> Option<String> {
 fn angle(plan: &Plan) -> Option<String> {
     let Goal::PositionAngle { signs, offset: constant } = &plan.task.goal else { return None };
     let constant = (!constant.is_zero()).then(|| format!("{} deg", short(constant.rad().to_degrees())));
-    Some(plus(sum(signs), constant))
+    Some(joint_sum(signs, constant, short))
 }
 
 impl fmt::Display for Report {

@@ -1,6 +1,6 @@
 //! What an arm file says beside its table, in words.
 
-use crate::model::{JointKind, Model, Parameter};
+use crate::model::{JointKind, Model, Parameter, joint_sum};
 
 /// The lines of `denhart check` on names, parameters, linked joints, sums with limits and motors that count; none where
 /// the file has none.
@@ -23,7 +23,7 @@ pub fn describe(model: &Model, parameters: &[Parameter]) -> Vec<String> {
             if !own || *offset != 0.0 {
                 let kind = model.joints.get(index).map_or(JointKind::Revolute, |joint| joint.kind);
                 let offset = (*offset != 0.0).then(|| value(*offset, kind, unit));
-                lines.push(format!("  m{} = {}", index + 1, plus(sum(row), offset)));
+                lines.push(format!("  m{} = {}", index + 1, joint_sum(row, offset, short)));
             }
         }
     }
@@ -33,7 +33,7 @@ pub fn describe(model: &Model, parameters: &[Parameter]) -> Vec<String> {
             let [low, high] = limit.limits.map(|end| end.is_finite().then(|| value(end, limit.kind, unit)));
             let low = low.map(|low| format!("{low} <= ")).unwrap_or_default();
             let high = high.map(|high| format!(" <= {high}")).unwrap_or_default();
-            lines.push(format!("  {low}{}{high}", sum(&limit.factors)));
+            lines.push(format!("  {low}{}{high}", joint_sum(&limit.factors, None, short)));
         }
     }
     if let Some(actuators) = &model.actuators {
@@ -56,30 +56,6 @@ fn value(value: f64, kind: JointKind, unit: &str) -> String {
     match kind {
         JointKind::Revolute => format!("{} deg", short(value.to_degrees())),
         JointKind::Prismatic => format!("{} {unit}", short(value)),
-    }
-}
-
-/// A weighted sum of joint values.
-pub fn sum(factors: &[f64]) -> String {
-    factors.iter().enumerate().filter(|(_, k)| **k != 0.0).fold(String::new(), |text, (joint, k)| {
-        let joint = joint + 1;
-        let term = if k.abs() == 1.0 { format!("q{joint}") } else { format!("{} q{joint}", short(k.abs())) };
-        match (text.is_empty(), *k < 0.0) {
-            (true, false) => term,
-            (true, true) => format!("-{term}"),
-            (false, false) => format!("{text} + {term}"),
-            (false, true) => format!("{text} - {term}"),
-        }
-    })
-}
-
-pub fn plus(text: String, constant: Option<String>) -> String {
-    match constant {
-        None => text,
-        Some(constant) => match constant.strip_prefix('-') {
-            Some(size) => format!("{text} - {size}"),
-            None => format!("{text} + {constant}"),
-        },
     }
 }
 

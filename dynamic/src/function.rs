@@ -62,7 +62,7 @@ impl Straight {
                 sin: compiler.leaf(sin),
                 cos: compiler.leaf(cos),
             };
-            function.turned.iter().map(|turned| pair(turned.sin, turned.cos, compiler)).collect()
+            function.turned.iter().map(|turned| pair(turned.pair.sin, turned.pair.cos, compiler)).collect()
         });
         this.sums = function.turned.iter().map(|turned| Sum::new(&turned.sum)).collect();
         this

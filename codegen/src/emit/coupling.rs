@@ -4,7 +4,7 @@ use super::Target;
 use super::docs;
 use super::tokens::{Writer, ident, integer};
 use crate::lower::{self, Linear, Straight};
-use crate::model::{Coupling, JointKind, Model};
+use crate::model::{Coupling, JointKind, Model, joint_sum};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -104,23 +104,8 @@ fn equations(model: &Model, coupling: &Coupling) -> String {
         if own && *offset == 0.0 {
             continue;
         }
-        let terms = row.iter().enumerate().filter(|(_, factor)| **factor != 0.0);
-        let terms = terms.map(|(column, factor)| (*factor, format!("q{}", column + 1)));
-        let mut sum = String::new();
-        for (factor, name) in terms.chain((*offset != 0.0).then(|| (*offset, String::new()))) {
-            let sign = match (sum.is_empty(), factor < 0.0) {
-                (true, false) => "",
-                (true, true) => "-",
-                (false, false) => " + ",
-                (false, true) => " - ",
-            };
-            let size = match (factor.abs(), name.is_empty()) {
-                (1.0, false) => String::new(),
-                (size, false) => format!("{size} "),
-                (size, true) => format!("{size}"),
-            };
-            sum += &format!("{sign}{size}{name}");
-        }
+        let offset = (*offset != 0.0).then(|| offset.to_string());
+        let sum = joint_sum(row, offset, |factor| factor.to_string());
         let name = model.joints.get(index).map_or("", |joint| joint.name.as_str());
         let named = if name == format!("q{}", index + 1) { String::new() } else { format!(" ({name})") };
         text += &format!("- motor {}{named}: `{sum}`\n", index + 1);

@@ -3,7 +3,7 @@
 use super::docs;
 use super::tokens::{Writer, array, bound, ident, integer};
 use super::{Target, angle};
-use crate::lower::{Function, Functions, Slot, Turned};
+use crate::lower::{BoundAngle, Function, Functions, Slot};
 use crate::model::Model;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -93,9 +93,9 @@ fn sin_cos(function: &Function, target: &Target) -> TokenStream {
         let name = bound(&straight.graph.leaf_name(slot).unwrap_or_default(), straight.reads(slot));
         quote!(#name)
     };
-    let of = |turned: &Turned| {
+    let of = |turned: &BoundAngle| {
         let terms = turned.sum.terms.iter().map(|(joint, negative)| (ident(&format!("q{}", joint + 1)), *negative));
-        (name(turned.sin), (name(turned.cos), angle::sum(terms, turned.sum.constant, target)))
+        (name(turned.pair.sin), (name(turned.pair.cos), angle::sum(terms, turned.sum.constant, target)))
     };
     let (sines, (cosines, sums)): (Vec<_>, (Vec<_>, Vec<_>)) = function.turned.iter().map(of).unzip();
     angle::sines(&sines, &cosines, &sums, target)

@@ -63,14 +63,9 @@ impl Writer<'_> {
         self.at(e, Level::Sum)
     }
 
-    /// An expression that is to be bound: written out even if it has a name.
-    pub fn definition(&self, e: Expr) -> TokenStream {
-        self.node(e, Level::Sum)
-    }
-
     /// `let name = definition;`
     pub fn statement(&self, e: Expr) -> TokenStream {
-        let definition = self.definition(e);
+        let definition = self.node(e, Level::Sum);
         match self.bound.get(&e) {
             Some(name) => {
                 let name = ident(name);

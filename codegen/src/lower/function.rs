@@ -3,18 +3,7 @@
 use super::{Slot, Straight};
 use crate::kinematics::{Column, Kinematics, LinkPoses, Wanted, kinematics, link_poses};
 use crate::model::chain::Chain;
-use crate::symbolic::{AngleSum, Angles, BoundAngle, Cost, Graph, Label, Part, Rigid, Unknown};
-
-/// Sine and cosine of a sum of joint angles.
-#[derive(Debug, Clone)]
-pub struct Turned {
-    /// The sum.
-    pub sum: AngleSum,
-    /// Where its sine goes.
-    pub sin: Slot,
-    /// Where its cosine goes.
-    pub cos: Slot,
-}
+use crate::symbolic::{Angles, BoundAngle, Cost, Graph, Label, Part, Rigid, Unknown};
 
 /// A function of the joint vector. First all sines and cosines, in one call, then the arithmetic.
 #[derive(Debug, Clone)]
@@ -22,7 +11,7 @@ pub struct Function {
     /// Where the joint values go, by joint.
     pub joints: Vec<Slot>,
     /// The sines and cosines.
-    pub turned: Vec<Turned>,
+    pub turned: Vec<BoundAngle>,
     /// The arithmetic. Its results are of a pose the rotation by rows, then the position; of a Jacobian the rows.
     pub straight: Straight,
     /// Operations.
@@ -53,12 +42,8 @@ impl Functions {
 
 impl Function {
     fn new(mut graph: Graph, angles: &Angles, roots: Vec<Slot>, joints: usize, cost: Cost) -> Self {
-        let mut ordered: Vec<&BoundAngle> = angles.bound.iter().collect();
-        ordered.sort_by_key(|bound| bound.sum.terms.clone());
-        let turned = ordered
-            .into_iter()
-            .map(|bound| Turned { sum: bound.sum.clone(), sin: bound.pair.sin, cos: bound.pair.cos })
-            .collect();
+        let mut turned = angles.bound.clone();
+        turned.sort_by_key(|bound| bound.sum.terms.clone());
         let joints: Vec<Slot> =
             (0..joints).map(|joint| graph.symbol(Unknown::of(Label::Arm(joint), Part::Value))).collect();
         let reserved = (1..=joints.len()).map(|i| format!("q{i}")).chain(["q".to_string()]);

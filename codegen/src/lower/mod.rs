@@ -24,7 +24,7 @@ pub use block::{Block, Names};
 pub use call::{Call, Counted, DefaultValue, RootRange};
 pub use coupling::{Linear, Linked, linked};
 pub use facts::{Facts, limits};
-pub use function::{Function, Functions, Turned};
+pub use function::{Function, Functions};
 pub use margins::{Margins, Plane, Variable, constant, margins};
 pub use nest::inverse;
 pub use program::{Each, Inverse, Level, Root, Statement, Trail};
@@ -32,7 +32,7 @@ pub use straight::Straight;
 
 pub use crate::solve::kernel::{self, Kernel, Unit};
 pub use crate::solve::{Branching, Factor, Given, Goal, SwivelFacts};
-pub use crate::symbolic::{AngleSum, Dimension, Expr, Graph, Input, Node, Part};
+pub use crate::symbolic::{AngleSum, BoundAngle, Dimension, Expr, Graph, Input, Node, Part};
 
 /// A value of a program: a leaf or an expression of its graph.
 pub type Slot = Expr;

@@ -32,7 +32,7 @@ fn functions_read_joint_values_and_their_sines_alone() {
         let Functions { forward, jacobian, both, links } = &program.functions;
         for function in [forward, jacobian, both, links] {
             let Straight { graph, roots, .. } = &function.straight;
-            let sines = function.turned.iter().flat_map(|turned| [turned.sin, turned.cos]);
+            let sines = function.turned.iter().flat_map(|turned| [turned.pair.sin, turned.pair.cos]);
             let known: HashSet<Slot> = sines.chain(function.joints.iter().copied()).collect();
             assert!(leaves(graph, roots).iter().all(|leaf| known.contains(leaf)), "{name}");
         }

@@ -1,4 +1,4 @@
-//! The moving joints of an arm.
+//! The moving joints of an arm, and sums of their values.
 
 /// What a moving joint does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,4 +20,20 @@ pub struct Joint {
     pub kind: JointKind,
     /// Lowest and highest value, rad or length; infinite on a side without an end. `None` without limits.
     pub limits: Option<[f64; 2]>,
+}
+
+/// A weighted sum of joint values and a constant as text, `q2 - 0.5 q3 + 90 deg`; `number` writes a factor.
+pub fn joint_sum(factors: &[f64], constant: Option<String>, number: impl Fn(f64) -> String) -> String {
+    let terms = factors.iter().zip(1..).filter(|(factor, _)| **factor != 0.0).map(|(factor, joint)| {
+        let size = if factor.abs() == 1.0 { String::new() } else { number(factor.abs()) + " " };
+        (*factor < 0.0, format!("{size}q{joint}"))
+    });
+    let constant =
+        constant.map(|text| text.strip_prefix('-').map_or((false, text.clone()), |size| (true, size.into())));
+    terms.chain(constant).fold(String::new(), |sum, (negative, term)| match (sum.is_empty(), negative) {
+        (true, false) => term,
+        (true, true) => format!("-{term}"),
+        (false, false) => format!("{sum} + {term}"),
+        (false, true) => format!("{sum} - {term}"),
+    })
 }

@@ -25,7 +25,7 @@ pub use arm::{DEFAULT_TOLERANCE, Frame, InverseRequest, MOST_JOINTS, Model, Para
 pub use check::check;
 pub use combined_limits::CombinedLimit;
 pub use coupling::Coupling;
-pub use joint::{Joint, JointKind};
+pub use joint::{Joint, JointKind, joint_sum};
 pub use looks::advice;
 pub use parameter::Bound;
 pub use reach::{ReachTerm, Sizes, reach_terms};

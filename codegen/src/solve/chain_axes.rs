@@ -85,7 +85,7 @@ impl LoopChain {
             });
             Rigid { r: transpose(&columns), ..Rigid::identity() }
         };
-        self.append(LoopJoint::virtual_turn(1), before, Rigid::identity());
+        self.append(LoopJoint::virtual_turn(1), before);
     }
 
     /// The triples of consecutive joints, for every value of a given joint.

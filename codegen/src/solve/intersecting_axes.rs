@@ -26,7 +26,7 @@ pub fn outer(c: &mut LoopClosure) -> Result<(), Unsupported> {
 
 fn turning(c: &mut LoopClosure, y: usize, a: Side, b: Side) -> Result<(), Unsupported> {
     let w = c.center();
-    let (moves_a, moves_b) = (a.moves_along(c, a.axis, Unit::Direction), b.moves_along(c, b.axis, Unit::Direction));
+    let (moves_a, moves_b) = (a.moves_along(c, a.axis), b.moves_along(c, b.axis));
     let (nx, ny, nz) = (c.label(a.joint), c.label(y), c.label(b.joint));
     let (a, b) = if !moves_a && !moves_b {
         return Err(Unsupported::new(format!(
@@ -106,7 +106,7 @@ fn first_by_component(c: &mut LoopClosure, first: &Side, other: &Side, ny: Label
     let n = c.label(first.joint);
     let meaning = format!("Joint {n}: {w} keeps its offset along axis {ny}, `{{a}} cos + {{b}} sin = {{d}}`.");
     if first.revolute {
-        first.offset(c, row, value, Unit::Length, Branching::Shoulder, meaning);
+        first.offset(c, row, value, Branching::Shoulder, meaning);
     } else {
         let numerator = c.g.sub(value, row.k);
         let meaning = format!("Joint {n}: {w} keeps its offset along axis {ny}.");
@@ -302,12 +302,12 @@ fn one_after_the_other(
     let meaning =
         |n: Label| format!("Joint {n}: {w} keeps its offset from axis {ny}, `{{a}} cos + {{b}} sin = {{d}}`.");
     let text = meaning(c.label(first.joint));
-    first.offset(c, row(own, alone), row(others, alone).k, Unit::Length, Branching::Shoulder, text);
+    first.offset(c, row(own, alone), row(others, alone).k, Branching::Shoulder, text);
     let ([known, wanted], pair) = ([own, others].map(|rows| row(rows, 1 - alone)), c.pair(first.joint));
     let turned = c.g.dot2([known.c, known.s], [pair.cos, pair.sin]);
     let value = c.g.add(turned, known.k);
     let text = meaning(c.label(second.joint));
-    second.offset(c, wanted, value, Unit::Length, Branching::Elbow, text);
+    second.offset(c, wanted, value, Branching::Elbow, text);
 }
 
 /// Joint y is prismatic: the components across its axis are equal, and its displacement is the difference along it.

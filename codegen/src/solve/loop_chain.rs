@@ -117,13 +117,13 @@ impl LoopChain {
         if slot.revolute { self.generic.angle([value, sin, cos]) } else { self.generic.position(value) }
     }
 
-    /// Adds a joint at the end: the last link goes before it, `after` behind it.
-    pub fn append(&mut self, slot: LoopJoint, before: Rigid, after: Rigid) {
+    /// Adds a joint at the end, behind the last link and `before`.
+    pub fn append(&mut self, slot: LoopJoint, before: Rigid) {
         if let Some(last) = self.links.last_mut() {
             *last = last.then(&mut self.g, &before);
         }
         self.loop_joints.push(slot);
-        self.links.push(after);
+        self.links.push(Rigid::identity());
     }
 
     /// The last link, which is left out of the chain.

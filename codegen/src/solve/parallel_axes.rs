@@ -161,7 +161,7 @@ fn by_distance(c: &mut LoopClosure, side: &Side, (other, solved): (&Side, bool),
     let n = c.label(side.joint);
     if side.revolute {
         let meaning = format!("Joint {n}: axis {ny} keeps its offset along {H}, `{{a}} cos + {{b}} sin = {{d}}`.");
-        side.offset(c, row, value, Unit::Length, Branching::Shoulder, meaning);
+        side.offset(c, row, value, Branching::Shoulder, meaning);
     } else {
         let numerator = c.g.sub(value, row.k);
         c.slide_to(side.joint, row.c, numerator, format!("Joint {n}: axis {ny} keeps its offset along {H}."));

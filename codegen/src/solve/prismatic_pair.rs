@@ -60,7 +60,7 @@ pub fn one_slides(c: &mut LoopClosure, sides: [&Side; 2], across: [[Vec3; 2]; 2]
         let dot = c.g.dot3(direction, other.origin);
         let k = c.g.neg(dot);
         let row = other.row(c, direction, k);
-        other.offset(c, row, value, Unit::Length, Branching::Shoulder, meaning);
+        other.offset(c, row, value, Branching::Shoulder, meaning);
         let point = other.point(c);
         let from = c.g.sub3(point, other.origin);
         across_o.map(|direction| c.g.dot3(direction, from))

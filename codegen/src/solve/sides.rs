@@ -73,11 +73,11 @@ impl Side {
     }
 
     /// Whether the joint moves the component of `moved` along `n` (a direction in the joint's frame).
-    pub fn moves_along(&self, c: &LoopClosure, n: Vec3, unit: Unit) -> bool {
+    pub fn moves_along(&self, c: &LoopClosure, n: Vec3) -> bool {
         if self.revolute {
-            !c.vanish(&Self::plane(n), unit) && !c.vanish(&Self::plane(self.moved), Unit::Length)
+            !c.vanish(&Self::plane(n), Unit::Direction) && !c.vanish(&Self::plane(self.moved), Unit::Length)
         } else {
-            !c.vanish(&[Self::along(n)], unit)
+            !c.vanish(&[Self::along(n)], Unit::Direction)
         }
     }
 
@@ -146,19 +146,11 @@ impl Side {
         c.stage(&[(self.joint, shift)], unit, branching, meaning, kernel);
     }
 
-    /// Offset stage: `row = value` for a revolute joint.
-    pub fn offset(
-        &self,
-        c: &mut LoopClosure,
-        row: Sinusoid,
-        value: Expr,
-        unit: Unit,
-        branching: Branching,
-        meaning: String,
-    ) {
+    /// Offset stage: `row = value`, lengths, for a revolute joint.
+    pub fn offset(&self, c: &mut LoopClosure, row: Sinusoid, value: Expr, branching: Branching, meaning: String) {
         let d = c.g.sub(value, row.k);
         let kernel = Offset { a: row.c, b: row.s, d };
-        c.stage(&[(self.joint, Angle::ZERO)], unit, branching, meaning, kernel);
+        c.stage(&[(self.joint, Angle::ZERO)], Unit::Length, branching, meaning, kernel);
     }
 
     /// `moved` after the (solved) motion, as a point.

@@ -21,8 +21,8 @@ pub fn plan(mut chain: LoopChain) -> Result<Plan, Unsupported> {
         Rigid { r: g.rotation_x(pair), ..Rigid::identity() }
     };
     let (there, back) = (link(&mut chain.g, 90.0), link(&mut chain.g, -90.0));
-    chain.append(LoopJoint::virtual_turn(1), Rigid::identity(), Rigid::identity());
-    chain.append(LoopJoint::virtual_turn(2), there, Rigid::identity());
-    chain.append(LoopJoint::virtual_turn(3), back, Rigid::identity());
+    chain.append(LoopJoint::virtual_turn(1), Rigid::identity());
+    chain.append(LoopJoint::virtual_turn(2), there);
+    chain.append(LoopJoint::virtual_turn(3), back);
     structure::around(chain, Triple { first: 3, kind: TripleKind::Intersecting }, &task)
 }

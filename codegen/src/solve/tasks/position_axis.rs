@@ -22,7 +22,7 @@ pub fn plan(axis: Option<Axis>, chain: LoopChain) -> Result<Plan, Unsupported> {
             failure.as_ref().map(|unsupported| format!("axis z cannot be asked for: {}", unsupported.reason));
         let task = PlanTask { passed_over, ..PlanTask::new(goal, chain.given) };
         let before = onto_z(&mut chain.g, axis);
-        chain.append(LoopJoint::virtual_turn(1), before, Rigid::identity());
+        chain.append(LoopJoint::virtual_turn(1), before);
         match structure::cheapest(&chain, &task) {
             Ok(Some(plan)) => return Ok(plan),
             Ok(None) => {
