@@ -1,4 +1,4 @@
-//! What a first arm file meets: defaults that say why, and refusals that name what to look at.
+//! A first arm file: defaults that say why, and reasons of an unsupported arm that name what to look at.
 #![allow(clippy::unwrap_used)]
 
 use denhart_codegen::Report;

@@ -118,8 +118,8 @@ pub fn solve(call: &Call, homes: [Home<f64>; 2], known: &Known, reach: f64, valu
         Kernel::SlideTo(SlideTo { denominator, numerator }) => {
             Roots::OneOfOne(solve::slide_to(home, measure, v(denominator), v(numerator)))
         }
-        Kernel::SlideTurning(SlideTurning { stroke, rows }) => {
-            Roots::TwoOfTwo(solve::slide_turning(homes, measure, values.all(stroke), values.rows(rows)))
+        Kernel::SlideTurning(SlideTurning { direction, rows }) => {
+            Roots::TwoOfTwo(solve::slide_turning(homes, measure, values.all(direction), values.rows(rows)))
         }
         Kernel::Aim(Aim { moved: [x, z], frames: [frame_x, frame_z] }) => {
             let sight = |moved, frame| Sight { moved: values.all(moved), frame: values.rows(frame) };
