@@ -1,7 +1,7 @@
 //! One run of the inverse: the nest of a program, with the runtime's search.
 
 use denhart::math;
-use denhart::solve::{self, Cone, Elbow, Home, MOST_CASCADES, Missed, Search, Select, Trail, Turn};
+use denhart::solve::{self, Cone, Elbow, Facts, Home, MOST_CASCADES, Missed, Search, Select, Trail, Turn};
 use denhart::{Branch, Elbow as ElbowSide, Shoulder, Wrist};
 use denhart_codegen::lower::{self, Branching, Call, Each, Root, Slot, Statement, Unit};
 
@@ -31,6 +31,7 @@ impl<'a> Run<'a> {
     pub fn search<const N: usize, const M: usize, P: Missed<f64, M>>(
         mut self,
         mut search: Search<'_, f64, N, M, P>,
+        facts: &Facts<'_, f64, N>,
         near: Option<&[f64; N]>,
     ) {
         for _ in 0..MOST_CASCADES {
@@ -41,7 +42,7 @@ impl<'a> Run<'a> {
                 break;
             }
         }
-        search.finish(near);
+        search.finish(facts, near);
     }
 
     fn level<const N: usize, const M: usize, P: Missed<f64, M>>(

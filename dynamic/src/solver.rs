@@ -104,8 +104,8 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
         let mut solutions = Solutions::new(Status::BadTarget);
         match (&self.nest.program.goal, asked.target) {
             (lower::Goal::Pose, DynamicTarget::Pose(target)) => {
-                let nearest = nearest_rotation(target, &mut solutions);
-                let goal = nearest.as_ref().unwrap_or(target);
+                let mut nearest = None;
+                let goal = nearest_rotation(target, &mut nearest, &mut solutions);
                 self.search(goal, asked, |input| entry(goal, input), &mut solutions);
             }
             (lower::Goal::Position, DynamicTarget::Position(target)) => {
@@ -191,7 +191,7 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
             };
             registers.set(self.nest.places.of(*slot), value);
         }
-        Run::new(&self.nest, registers, (sin, cos), asked.branch).search(search, near);
+        Run::new(&self.nest, registers, (sin, cos), asked.branch).search(search, &facts, near);
     }
 }
 

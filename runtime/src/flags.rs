@@ -1,7 +1,7 @@
 //! Sets of facts and of joints.
 
 use core::fmt;
-use core::ops::{BitOr, BitOrAssign};
+use core::ops::{BitAnd, BitOr, BitOrAssign};
 
 /// What is known about one solution: a set.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -174,6 +174,16 @@ impl BitOr for JointMask {
     #[inline]
     fn bitor(self, rhs: Self) -> Self {
         self.union(rhs)
+    }
+}
+
+/// The joints that are in both sets.
+impl BitAnd for JointMask {
+    type Output = Self;
+
+    #[inline]
+    fn bitand(self, rhs: Self) -> Self {
+        Self(self.0 & rhs.0)
     }
 }
 

@@ -12,6 +12,9 @@ pub(crate) fn rounding<T: Scalar>(size: T) -> T {
 /// is not a number.
 #[inline]
 pub(crate) fn within<T: Scalar>(value: T, [low, high]: [T; 2], size: T) -> bool {
+    if low <= value && value <= high {
+        return true;
+    }
     let (below, above) = (low - value, value - high);
     // A plain comparison: not a number stays one, and is not within.
     let beyond = if below > above { below } else { above };

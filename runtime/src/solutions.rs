@@ -161,15 +161,15 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
 
     /// Keeps the solutions for which `keep` holds, in order.
     #[inline]
-    pub fn retain(&mut self, mut keep: impl FnMut(&Solution<T, N>) -> bool) {
+    pub fn retain(&mut self, mut keep: impl FnMut(&Solution<T, N>) -> bool)
+    where
+        T: Copy,
+    {
         let mut kept = 0;
         for index in 0..self.len {
-            if self.items.get(index).is_some_and(&mut keep) {
-                // Split, so that no index is taken on trust: `kept <= index < M`.
-                if let Some((front, [item, ..])) = self.items.split_at_mut_checked(index)
-                    && let Some(place) = front.get_mut(kept)
-                {
-                    mem::swap(place, item);
+            if let Some(item) = self.items.get(index).copied().filter(&mut keep) {
+                if let Some(place) = self.items.get_mut(kept) {
+                    *place = item;
                 }
                 kept += 1;
             }

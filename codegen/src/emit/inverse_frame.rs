@@ -97,8 +97,8 @@ pub(super) fn function(
     let goal = &task.goal;
     let mut goal = match plan.task.goal {
         Goal::Pose => quote! {
-            let nearest = #krate::solve::nearest_rotation(target, &mut solutions);
-            let goal = nearest.as_ref().unwrap_or(target);
+            let mut nearest = ::core::option::Option::None;
+            let goal = #krate::solve::nearest_rotation(target, &mut nearest, solutions);
         },
         _ => quote!(let goal = #goal;),
     };
@@ -142,12 +142,12 @@ pub(super) fn function(
             #argument
             near: ::core::option::Option<&[#scalar; #n]>,
             #wanted: impl #krate::solve::Select,
-        ) -> #solutions {
-            let mut solutions = #krate::Solutions::new(#krate::Status::BadTarget);
+            solutions: &mut #solutions,
+        ) {
             #sizes
             #goal
             #missed_doc
-            let mut search = InverseSearch::new(#facts, arm, #sought, near, &mut solutions) #in_doubt;
+            let mut search = InverseSearch::new(#facts, arm, #sought, near, solutions) #in_doubt;
             if search.begins(near) {
                 #unpack
                 #given_symbols
@@ -159,9 +159,8 @@ pub(super) fn function(
                         break;
                     }
                 }
-                search.finish(near);
+                search.finish(#facts, near);
             }
-            solutions
         }
     }
 }
@@ -222,6 +221,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
          (`Unreachable` with the gap at which the branch ends). Where branches meet, either gives the one solution, \
          flagged `BOUNDARY`. Parts that `branch` does not name may be any.",
     );
+    let list = quote!(let mut solutions = #krate::Solutions::new(#krate::Status::BadTarget););
     quote! {
         #arm_angle
         #sample
@@ -230,9 +230,12 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
         pub const MAX_SOLUTIONS: usize = #m;
 
         #doc
+        #[inline(always)]
         #[must_use]
         pub fn inverse(&self, target: &#target_type #argument) -> #solutions {
-            branches(self, target, #pass ::core::option::Option::None, ALL)
+            #list
+            branches(self, target, #pass ::core::option::Option::None, ALL, &mut solutions);
+            solutions
         }
 
         #branch
@@ -243,14 +246,19 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
             #argument,
             branch: #krate::Branch,
         ) -> #krate::OneSolution<#scalar, #n> {
-            branches(self, target, #pass ::core::option::Option::None, branch).first_or_status()
+            #list
+            branches(self, target, #pass ::core::option::Option::None, branch, &mut solutions);
+            solutions.first_or_status()
         }
 
         #near
+        #[inline(always)]
         #[must_use]
         pub fn inverse_near(&self, target: &#target_type, q_ref: &[#scalar; #n]) -> #solutions {
             #from_reference
-            branches(self, target, #pass ::core::option::Option::Some(q_ref), ALL)
+            #list
+            branches(self, target, #pass ::core::option::Option::Some(q_ref), ALL, &mut solutions);
+            solutions
         }
 
         /// By how much `q` misses the target, from `forward`.

@@ -194,7 +194,7 @@ pub fn sizes(model: &Model, target: &Target) -> TokenStream {
     quote! {
         let reach = reach(arm);
         let ::core::option::Option::Some(facts) = FACTS.with_reach(reach, #tolerance) else {
-            return solutions;
+            return;
         };
         let length = #krate::solve::Measure::length(facts.reach);
     }

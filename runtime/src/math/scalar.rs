@@ -112,7 +112,7 @@ macro_rules! scalar {
             #[inline]
             fn reduce(self) -> (Self, Self, u8) {
                 let angle = $kernels::sin_cos::reduce(self);
-                (angle.hi, angle.lo, (angle.quarters & 3) as u8)
+                (angle.hi, angle.lo(), (angle.quarters & 3) as u8)
             }
             #[inline]
             fn from_i32(value: i32) -> Self {
@@ -167,7 +167,7 @@ macro_rules! scalar {
             }
             #[inline]
             fn when(self, condition: bool) -> Self {
-                $float::from_bits(self.to_bits() & $bits::from(condition).wrapping_neg())
+                if condition { self } else { 0.0 }
             }
             #[inline]
             fn max(self, other: Self) -> Self {

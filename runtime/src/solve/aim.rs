@@ -1,6 +1,6 @@
 //! One direction seen from two joints with a sliding joint between them.
 
-use super::stage::Level;
+use super::stage::{LevelOf, Met};
 use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn, offset};
 use crate::vector::{cross, dot, norm, scale};
@@ -43,7 +43,7 @@ pub fn aim<T: Tolerances>(homes: [Home<T>; 2], x: Sight<T>, z: Sight<T>) -> Stag
     let normal = cross(nx, nz);
     let square = dot(normal, normal);
     let least = square.sqrt().min(sx).min(sz);
-    if !(least > home_x.free_below.max(home_z.free_below)) {
+    if !(least > home_x.free_below().max(home_z.free_below())) {
         return undetermined(homes, &x, &z);
     }
     let (sum, difference) = (plus(nx, nz, T::ONE), plus(nx, nz, -T::ONE));
@@ -62,7 +62,7 @@ pub fn aim<T: Tolerances>(homes: [Home<T>; 2], x: Sight<T>, z: Sight<T>) -> Stag
         let c = height / square;
         let [first, second] = [c, -c].map(|c| angles(&x, &z, plus(middle, normal, c)));
         let roots = [first, second, second];
-        Stage { len: 2, ..Stage::determined(roots, measure, Level::NONE, height.min(square), home_x.joint) }
+        Stage { len: 2, ..Stage::determined(roots, measure, LevelOf::Nothing, height.min(square), home_x.joint) }
     } else {
         let gap = (-inner).max(-outer).max(T::ZERO);
         Stage::edge(angles(&x, &z, unit(middle)), gap, measure)
@@ -76,8 +76,8 @@ pub fn aim<T: Tolerances>(homes: [Home<T>; 2], x: Sight<T>, z: Sight<T>) -> Stag
 fn nearly<T: Tolerances>(mut stage: Stage<T, 2, 3>, homes: [Home<T>; 2], across: [T; 2], between: T) -> Stage<T, 2, 3> {
     // About axes that are nearly parallel, z follows x.
     let ([home_x, home_z], [across_x, across_z]) = (homes, across);
-    stage = stage.nearly_free(home_x, across_x.min(between));
-    if across_z < between { stage.nearly_free(home_z, across_z) } else { stage }
+    stage = stage.nearly_free(home_x, Measure::DIRECTION, across_x.min(between));
+    if across_z < between { stage.nearly_free(home_z, Measure::DIRECTION, across_z) } else { stage }
 }
 
 /// The cases in which a joint is free.
@@ -85,7 +85,7 @@ fn nearly<T: Tolerances>(mut stage: Stage<T, 2, 3>, homes: [Home<T>; 2], across:
 #[inline(never)]
 fn undetermined<T: Tolerances>(homes: [Home<T>; 2], x: &Sight<T>, z: &Sight<T>) -> Stage<T, 2, 3> {
     let [home_x, home_z] = homes;
-    let below = home_x.free_below.max(home_z.free_below);
+    let below = home_x.free_below().max(home_z.free_below());
     let lies_along = |sight: &Sight<T>| !(sight.across() > below);
     match [x, z].map(lies_along) {
         [false, false] => in_line(homes, x, z),
@@ -111,15 +111,14 @@ fn known<T: Tolerances>(homes: [Home<T>; 2], x: &Sight<T>, z: &Sight<T>, mut fre
     let across = (T::ONE - wanted * wanted).max(T::ZERO).sqrt();
     let gap = (sine * wanted - cosine * across).abs();
     let mut root = angles(x, z, h);
-    let mut stage = Stage::edge(root, beyond_free(gap), Measure::DIRECTION);
-    stage.boundary = false;
+    let mut met = Met { gap: beyond_free(gap), angular: true, ..Met::NOTHING };
     for ((turn, home), free) in root.iter_mut().zip(homes).zip(free) {
         if free {
             *turn = Turn::at(home.value);
-            stage.free |= home.joint;
+            met.free |= home.joint;
         }
     }
-    Stage { roots: [root; 3], ..stage }
+    Stage { len: 1, met: Some(met), ..Stage::solved([root; 3]) }
 }
 
 /// Both joints turn about the same direction: z follows x.
@@ -135,10 +134,10 @@ fn in_line<T: Tolerances>([home, _]: [Home<T>; 2], x: &Sight<T>, z: &Sight<T>) -
     let ([.., c1], [.., c2], [.., c3]) = (row1, row2, nx);
     let across = offset(home, Measure::DIRECTION, c1 * ax + c2 * ay, c1 * ay - c2 * ax, -(c3 * kx));
     let [[first], [second]] = across.roots;
-    let more = if across.free.is_empty() && across.gap <= T::ROUNDING { across.len } else { 0 };
+    let more = if across.met.is_none_or(|met| met.free.is_empty() && met.gap <= T::ROUNDING) { across.len } else { 0 };
     let stay = follow(Turn::at(home.value));
     let gap = beyond_free((kx * dot(nx, nz) - kz).abs());
-    let stage = Stage::<T, 2, 3>::free(stay, home, gap, Measure::DIRECTION);
+    let stage = Stage::<T, 2, 3>::left_free(stay, home, gap, Measure::DIRECTION);
     Stage { roots: [stay, follow(first), follow(second)], len: 1 + more, ..stage }
 }
 
@@ -215,7 +214,7 @@ mod tests {
                 let [over_x, over_z] = sights(between, h, [x, z]);
                 let stage = aim(homes(), over_x, over_z);
                 // Where the cones touch, two roots are as far apart as the root of rounding.
-                let accuracy = accuracy / stage.amplitude.clamp(1e-8, 1.0);
+                let accuracy = accuracy / stage.met.unwrap_or(Met::NOTHING).amplitude.clamp(1e-8, 1.0);
                 assert!(found(&stage, [x, z]) < accuracy.max(1e-13), "{between} {k}: {stage:?}");
             }
         }
@@ -225,7 +224,7 @@ mod tests {
     fn a_joint_whose_axis_the_vector_lies_along_is_free() {
         let [over_x, over_z] = sights(0.9, [0.64, -0.48, 0.6], [0.0, 0.4]);
         let stage = aim(homes(), over_x, over_z);
-        assert_eq!((stage.free, stage.len, stage.gap), (JointMask::single(0), 1, 0.0));
+        assert_eq!((stage.free(), stage.len, stage.met.unwrap().gap), (JointMask::single(0), 1, 0.0));
         assert!(found(&stage, [0.3, 0.4]) < 1e-15);
     }
 
@@ -233,7 +232,7 @@ mod tests {
     fn parallel_axes_leave_the_first_joint_free_and_offer_what_the_slide_does_not_move() {
         let [over_x, over_z] = sights(0.0, [1.0, 0.0, 0.0], [0.9, 0.4]);
         let stage = aim(homes(), over_x, over_z);
-        assert_eq!((stage.free, stage.len, stage.gap), (JointMask::single(0), 3, 0.0));
+        assert_eq!((stage.free(), stage.len, stage.met.unwrap().gap), (JointMask::single(0), 3, 0.0));
         // h is at right angles to the slide, the third axis, at x = 0.9.
         assert!(found(&stage, [0.9, 0.4]) < 1e-15 && found(&stage, [0.3, 1.0]) < 1e-15, "{stage:?}");
     }

@@ -1,6 +1,6 @@
 //! A direction or point, turned about one axis, with a given component along another.
 
-use super::stage::Level;
+use super::stage::LevelOf;
 use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
 use crate::JointMask;
@@ -35,12 +35,12 @@ impl<T: Tolerances> Cone<T> {
 pub fn cone<T: Tolerances>(home: Home<T>, measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> Stage<T, 1, 2> {
     let ([max, max_across], [min, _]) = (cone.max, cone.min);
     let range = max - min;
-    if !(range > home.free_below * measure.scale) {
-        return Stage::free([Turn::ZERO], home, gap(d, rho, max, max_across), measure);
+    if home.is_free(range, measure.scale) {
+        return Stage::left_free([Turn::ZERO], home, gap(d, rho, max, max_across), measure);
     }
     let mut stage = within(measure, d, rho, cone);
     if range < T::DOUBTFUL * measure.scale {
-        stage.narrowed(home, range / measure.scale);
+        stage.narrowed(home, measure, range / measure.scale);
     }
     stage
 }
@@ -59,7 +59,7 @@ fn within<T: Tolerances>(measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> St
     let (top, bottom) = (below(max, max_across), -below(min, min_across));
     // The rounding of the component itself; roots farther apart are told apart.
     let close = T::EPSILON * (T::TWO + T::TWO) * measure.scale;
-    let level = Level::cosine((bottom - top) / (max - min));
+    let level = LevelOf::Cosine((bottom - top) / (max - min));
     let met = |end: T, across: T| (end - d).abs() <= close && (rho - across.abs()).abs() <= close;
     if !(top > T::ZERO) || met(max, max_across) {
         return Stage::edge([Turn::STRETCHED], gap(d, rho, max, max_across), measure).at_level(level);

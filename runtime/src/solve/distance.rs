@@ -1,6 +1,6 @@
 //! The elbow: two points a given distance apart, one of them turned about an axis.
 
-use super::stage::Level;
+use super::stage::LevelOf;
 use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
 use crate::JointMask;
@@ -44,12 +44,12 @@ impl<T: Tolerances> Elbow<T> {
 #[inline(always)]
 pub fn distance<T: Tolerances>(home: Home<T>, measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<T, 1, 2> {
     let range = elbow.max - elbow.min;
-    if !(range > home.free_below * measure.scale) {
-        return Stage::free([Turn::ZERO], home, (elbow.max - rho).abs(), measure);
+    if home.is_free(range, measure.scale) {
+        return Stage::left_free([Turn::ZERO], home, (elbow.max - rho).abs(), measure);
     }
     let mut stage = within(measure, rho, elbow);
     if range < T::DOUBTFUL * measure.scale {
-        stage.narrowed(home, range / measure.scale);
+        stage.narrowed(home, measure, range / measure.scale);
     }
     stage
 }
@@ -59,9 +59,9 @@ fn within<T: Tolerances>(measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<
     let (outer, inner) = (elbow.max - rho, rho - elbow.min);
     // The rounding of the distance itself; roots farther apart are told apart.
     let close = T::EPSILON * T::TWO * elbow.max;
-    if !(outer.min(inner) > close) {
+    if !(outer > close && inner > close) {
         let (max2, min2, rho2) = (elbow.max * elbow.max, elbow.min * elbow.min, rho * rho);
-        let level = Level::cosine(((rho2 - min2) - (max2 - rho2)) / (max2 - min2));
+        let level = LevelOf::Cosine(((rho2 - min2) - (max2 - rho2)) / (max2 - min2));
         return end(measure, outer, inner, elbow.side).at_level(level);
     }
     let (top, bottom) = (outer * (elbow.max + rho), inner * (rho + elbow.min));
@@ -69,7 +69,7 @@ fn within<T: Tolerances>(measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<
     let k = T::ONE / (top + bottom);
     let half_sine = (top * bottom).sqrt() * k;
     let turn = Turn::of((half_sine + half_sine) * elbow.side, (bottom - top) * (k * elbow.side));
-    let level = Level::cosine((bottom - top) * k);
+    let level = LevelOf::Cosine((bottom - top) * k);
     Stage::determined([[turn], [turn.reversed()]], measure, level, half_sine, JointMask::NONE)
 }
 
@@ -84,6 +84,8 @@ fn end<T: Tolerances>(measure: Measure<T>, outer: T, inner: T, side: T) -> Stage
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used)]
+
     use super::*;
 
     /// A point close to the axis turns through any angle within a narrow range of distances: the joint is nearly free.
@@ -95,10 +97,10 @@ mod tests {
             let rho = (a * a + 0.25 + a * t.cos()).sqrt();
             distance(home, Measure::length(1.0), rho, Elbow::new(a, 0.5, 0.0))
         };
-        assert!(!solved(0.3).doubt && solved(0.3).weak.is_empty());
-        assert!(solved(1e-4).doubt && solved(1e-4).weak.is_empty());
-        assert_eq!(solved(1e-9).weak, home.joint);
+        assert_eq!(solved(0.3).met, None);
+        assert!(solved(1e-4).met.unwrap().weak.is_empty());
+        assert_eq!(solved(1e-9).met.unwrap().weak, home.joint);
         assert!((solved(1e-9).roots[0][0].value - 0.7).abs() < 1e-6);
-        assert_eq!(solved(1e-14).free, home.joint);
+        assert_eq!(solved(1e-14).free(), home.joint);
     }
 }

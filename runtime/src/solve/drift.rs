@@ -6,25 +6,30 @@ use crate::{Pose, Solutions};
 /// A rotation that is off by more than this is none.
 const NOT_A_ROTATION: f64 = 1e-3;
 
-/// What the search uses in place of a target whose rotation is off by more than rounding: the same with the nearest
-/// rotation (polar factor, [`Pose::orthonormalized`]); `None` for any other target. The solutions keep by how much the
+/// The target, or what the search uses in place of one whose rotation is off by more than rounding, kept in `nearest`:
+/// the same with the nearest rotation (polar factor, [`Pose::orthonormalized`]). The solutions keep by how much the
 /// target is off. One that is off by more than 1e-3, or is not finite, becomes a pose that is no number.
-#[inline]
-pub fn nearest_rotation<T: Tolerances, const N: usize, const M: usize>(
-    target: &Pose<T>,
+#[inline(always)]
+pub fn nearest_rotation<'a, T: Tolerances, const N: usize, const M: usize>(
+    target: &'a Pose<T>,
+    nearest: &'a mut Option<Pose<T>>,
     solutions: &mut Solutions<T, N, M>,
-) -> Option<Pose<T>> {
+) -> &'a Pose<T> {
     let square = target.squared_deviation();
     if square <= T::ROUNDING * T::ROUNDING {
-        return None;
+        return target;
     }
     let deviation = square.sqrt();
     solutions.set_deviation(deviation);
-    Some(drifted(target, deviation))
+    kept(target, nearest, deviation)
 }
 
 #[cold]
 #[inline(never)]
+fn kept<'a, T: Tolerances>(target: &Pose<T>, nearest: &'a mut Option<Pose<T>>, deviation: T) -> &'a Pose<T> {
+    nearest.insert(drifted(target, deviation))
+}
+
 fn drifted<T: Tolerances>(target: &Pose<T>, deviation: T) -> Pose<T> {
     if deviation <= T::from_f64(NOT_A_ROTATION) {
         return target.orthonormalized();

@@ -40,11 +40,14 @@ pub trait Goal<T, const N: usize> {
     }
 }
 
-/// The whole pose.
+/// The whole pose. Its rotation has passed [`nearest_rotation`](super::nearest_rotation), which leaves none that is not
+/// finite but one of which no entry is a number.
 impl<T: Tolerances, const N: usize> Goal<T, N> for Pose<T> {
     #[inline]
     fn is_finite(&self) -> bool {
-        Pose::is_finite(self)
+        let [[first, ..], ..] = self.rotation;
+        let [x, y, z] = self.translation;
+        [first, x, y, z].iter().all(|entry| entry.is_finite())
     }
 
     #[inline]

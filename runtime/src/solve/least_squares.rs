@@ -31,25 +31,34 @@ pub(super) struct Iterate<T, const N: usize> {
 
 impl<T: Tolerances, const N: usize> Iterate<T, N> {
     /// Evaluates the arm at `q`.
-    #[inline(never)]
+    #[inline]
     pub(super) fn at(facts: &Facts<T, N>, goal: &dyn Goal<T, N>, arm: &dyn Evaluate<T, N>, q: [T; N]) -> Self {
-        let (pose, mut jacobian) = arm.evaluate(&q);
+        let mut iterate =
+            Self { q, residual: Residual::ZERO, columns: [[T::ZERO; 6]; N], error: [T::ZERO; 6], size: T::ZERO };
+        iterate.evaluate(facts, goal, arm);
+        iterate
+    }
+
+    /// Evaluates the arm at its joint vector.
+    #[inline(never)]
+    fn evaluate(&mut self, facts: &Facts<T, N>, goal: &dyn Goal<T, N>, arm: &dyn Evaluate<T, N>) {
+        let (pose, mut jacobian) = arm.evaluate(&self.q);
         goal.restrict(&pose, &mut jacobian);
         let k = T::ONE / facts.reach;
-        let mut columns = [[T::ZERO; 6]; N];
         for (i, row) in jacobian.rows.iter().enumerate() {
             let k = if i < 3 { k } else { T::ONE };
-            for (entry, value) in columns.iter_mut().filter_map(|column| column.get_mut(i)).zip(row) {
+            for (entry, value) in self.columns.iter_mut().filter_map(|column| column.get_mut(i)).zip(row) {
                 *entry = *value * k;
             }
         }
         for joint in facts.prismatic.iter() {
-            let column = columns.get_mut(joint).into_iter().flatten();
+            let column = self.columns.get_mut(joint).into_iter().flatten();
             column.for_each(|entry| *entry *= facts.reach);
         }
-        let [x, y, z, u, v, w] = goal.error(&q, &pose);
-        let error = [x * k, y * k, z * k, u, v, w];
-        Self { q, residual: goal.misses(&q, &pose), columns, size: dot(&error, &error), error }
+        let [x, y, z, u, v, w] = goal.error(&self.q, &pose);
+        self.error = [x * k, y * k, z * k, u, v, w];
+        self.size = dot(&self.error, &self.error);
+        self.residual = goal.misses(&self.q, &pose);
     }
 }
 
@@ -79,21 +88,21 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
         let exact = facts.relative(&best.residual) <= T::EXACT;
         let done = if exact { stalls > 0 } else { stalls >= MOST_STALLS };
         let place = if from_best { &*best } else { &*tried };
-        let size = place.size;
+        let (start, size) = (place.q, place.size);
         if !(size > floor * floor) || *left == 0 || done {
             break;
         }
         *left -= 1;
         let damping = (size + T::EPSILON * T::EPSILON * T::from_f64(16.0)) * boost;
         let Some(step) = damped_step(facts, &place.columns, place.error, damping) else { break };
-        let mut q = place.q;
-        for ((value, change), joint) in q.iter_mut().zip(step).zip(0..) {
+        tried.q = start;
+        for ((value, change), joint) in tried.q.iter_mut().zip(step).zip(0..) {
             *value += change * stretch;
             if !facts.prismatic.contains(joint) && !goal.given().contains(joint) {
                 *value = wrap(*value);
             }
         }
-        *tried = Iterate::at(facts, goal, arm, q);
+        tried.evaluate(facts, goal, arm);
         // At a fold a step goes half of the way and leaves a quarter of the error: the next one is taken twice (Decker,
         // Keller, Kelley 1983).
         let ratio = tried.size / size * T::from_f64(16.0);

@@ -1,6 +1,6 @@
 //! One trigonometric equation: a point turned about an axis keeps a given offset.
 
-use super::stage::Level;
+use super::stage::LevelOf;
 use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
 use crate::JointMask;
@@ -13,21 +13,23 @@ use crate::JointMask;
 pub fn offset<T: Tolerances>(home: Home<T>, measure: Measure<T>, a: T, b: T, d: T) -> Stage<T, 1, 2> {
     let r2 = a * a + b * b;
     let r = r2.sqrt();
-    if !(r > home.free_below * measure.scale) {
-        return Stage::free([Turn::ZERO], home, d.abs(), measure);
+    if home.is_free(r, measure.scale) {
+        return Stage::left_free([Turn::ZERO], home, d.abs(), measure);
     }
     let h2 = (r - d) * (r + d);
     // The rounding of h2 itself; roots farther apart are told apart.
     if !(h2 > T::EPSILON * (T::TWO + T::TWO) * r2) {
         let side = if d < T::ZERO { -T::ONE / r } else { T::ONE / r };
         return Stage::edge([Turn::of(b * side, a * side)], (d.abs() - r).max(T::ZERO), measure)
-            .at_level(Level::cosine(d / r));
+            .at_level(LevelOf::Cosine(d / r));
     }
     let h = h2.sqrt();
     let k = T::ONE / r2;
     let sines = [(b * d + a * h) * k, (b * d - a * h) * k];
     let cosines = [(a * d - b * h) * k, (a * d + b * h) * k];
     let roots = Turn::array(sines, cosines).map(|turn| [turn]);
-    let amplitude = (h / r).min(r / measure.scale);
-    Stage::determined(roots, measure, Level::cosine(d / r), amplitude, JointMask::NONE)
+    let stage = Stage::solved(roots).at_level(LevelOf::Cosine(d / r));
+    let (sine, share) = (h / r, r / measure.scale);
+    let doubt = sine < T::DOUBTFUL || share < T::DOUBTFUL;
+    if doubt { stage.of_amplitude(measure, sine.min(share), JointMask::NONE) } else { stage }
 }

@@ -32,15 +32,16 @@ pub fn offset_of_two<T: Tolerances>(
         }
         stage.len = 1;
         let left = first.min(second);
-        stage.doubt |= left > T::ROUNDING;
-        if left > T::WEAK && stage.free.is_empty() {
-            stage.gap = stage.gap.max(left * other.scale);
-            stage.angular = other.is_angular();
-            stage.doubt = true;
+        if left > T::ROUNDING {
+            let met = stage.doubted(measure);
+            if left > T::WEAK && met.free.is_empty() {
+                met.gap = met.gap.max(left * other.scale);
+                met.angular = other.is_angular();
+            }
         }
-    } else {
+    } else if first.max(second) > T::ROUNDING {
         // Beyond rounding what is asked for may be beyond the arm: it is checked in full.
-        stage.doubt |= first.max(second) > T::ROUNDING;
+        stage.doubted(measure);
     }
     stage
 }

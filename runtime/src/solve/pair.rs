@@ -3,6 +3,7 @@
 use super::circle::{Circle, angles};
 use super::curve::{Across, Found, Moving, Row, newton};
 use super::separated::{combined, separated};
+use super::stage::Met;
 use super::twins::{distinct, with_twins};
 use super::{Home, Measure, Stage, Tolerances, Turn};
 
@@ -57,12 +58,13 @@ fn finished<T: Tolerances>(
     measure: Measure<T>,
     sides: [&[Row<T>; 2]; 2],
 ) -> Stage<T, 2, 4> {
-    (stage.angular, stage.gap) = (measure.is_angular(), T::ZERO);
-    if sure && stage.len > 0 && stage.free.is_empty() && stage.weak.is_empty() {
-        return Stage { doubt: false, ..stage };
+    if sure && stage.len > 0 && stage.met.is_none_or(|met| met.free.is_empty() && met.weak.is_empty()) {
+        return Stage { met: None, ..stage };
     }
+    let met = stage.doubted(measure);
+    (met.angular, met.gap) = (measure.is_angular(), T::ZERO);
     for (home, rows) in homes.into_iter().zip(sides) {
-        stage = stage.nearly_free(home, amplitude(rows));
+        stage = stage.nearly_free(home, measure, amplitude(rows));
     }
     stage
 }
@@ -131,7 +133,7 @@ fn eliminated<T: Tolerances>(
         });
         let [x1, x2, x3, x4] = Turn::array(directions.map(|[_, sin]| sin), directions.map(|[cos, _]| cos));
         let [z1, z2, z3, z4] = z;
-        Stage::solved([[x1, z1], [x2, z2], [x3, z3], [x4, z4]], Measure::DIRECTION)
+        Stage::solved([[x1, z1], [x2, z2], [x3, z3], [x4, z4]])
     };
     // With coefficients of no more than rounding, or without any of z in the rows, every angle is as good. The polynomial
     // is the difference of the squares of two lengths, one of them `det`; a coefficient has up to eight products and sums.
@@ -146,19 +148,22 @@ fn eliminated<T: Tolerances>(
         }
         Stage { len, ..paired(places) }
     };
-    let vanishing = vanishing.max(home.free_below * det.abs());
-    if circle.largest() <= vanishing || amplitude(q) < home.free_below {
-        return Stage { free: home.joint, ..anywhere() };
+    let vanishing = vanishing.max(home.free_below() * det.abs());
+    if circle.largest() <= vanishing || amplitude(q) < home.free_below() {
+        return Stage { met: Some(Met { free: home.joint, ..Met::NOTHING }), ..anywhere() };
     }
     let (roots, len) = angles(&circle);
     let amplitude = circle.largest() / det.abs();
     // Of small coefficients without a root: a target that is missed by little, wherever z is.
     if len == 0 && amplitude < T::WEAK {
-        return Stage { weak: home.joint, ..anywhere() };
+        return Stage { met: Some(Met { weak: home.joint, ..Met::NOTHING }), ..anywhere() };
     }
-    let stage = Stage { len, ..paired(roots) };
+    let mut stage = Stage { len, ..paired(roots) };
     // Of small coefficients with roots: these are known to the root of rounding over the coefficients.
-    if amplitude < T::WEAK { Stage { weak: home.joint, amplitude, ..stage } } else { stage }
+    if amplitude < T::WEAK {
+        stage.met = Some(Met { weak: home.joint, amplitude, ..Met::NOTHING });
+    }
+    stage
 }
 
 /// The squared length of a vector of two rows, as a trigonometric polynomial, and the sum of all squared coefficients.
@@ -264,10 +269,10 @@ mod tests {
         // cos x = 0, sin x = 1, whatever z is.
         let p = [[0.0, 0.3, -0.3], [1.0, 0.0, 0.0]];
         let stage = pair(homes(), LENGTH, p, [[0.0; 3]; 2]);
-        assert_eq!(stage.free, JointMask::single(1));
+        assert_eq!(stage.free(), JointMask::single(1));
         assert_eq!(roots(&stage), [[core::f64::consts::FRAC_PI_2, 0.0]]);
         let stage = pair(homes(), LENGTH, [[0.0; 3]; 2], p);
-        assert_eq!(stage.free, JointMask::single(0));
+        assert_eq!(stage.free(), JointMask::single(0));
     }
 
     #[test]
@@ -277,7 +282,7 @@ mod tests {
         let [_, home_z] = homes();
         let away = Home { value: 0.4, ..home_z };
         let stage = pair([homes()[0], away], LENGTH, rows, rows);
-        assert_eq!(stage.free, JointMask::single(1));
+        assert_eq!(stage.free(), JointMask::single(1));
         assert!(distance(roots(&stage)[0], [0.4, 0.4]) < 1e-15);
     }
 
@@ -285,6 +290,6 @@ mod tests {
     fn a_joint_that_moves_little_is_weak() {
         let p = [[0.0, 0.3, -0.3], [1.0, 0.0, 0.0]];
         let q = [[1e-9, 0.0, 0.0], [0.0, 1e-9, 0.0]];
-        assert_eq!(pair(homes(), LENGTH, p, q).weak, JointMask::single(1));
+        assert_eq!(pair(homes(), LENGTH, p, q).met.unwrap().weak, JointMask::single(1));
     }
 }

@@ -37,9 +37,11 @@ pub fn pair_sliding<T: Tolerances>(
     let across =
         Across { x: sliding.map(|[u, e]| Stroke([T::ZERO, u, e * k])), z: turning.map(|row| row.map(|e| e * k)) };
     let (roots, len) = candidates(&p, &q);
-    let mut stage = Stage { len, ..Stage::solved(roots, measure) };
+    let mut stage = Stage { len, ..Stage::solved(roots) };
     let sure = with_twins(&mut stage, (&p, &q), &across);
-    stage.doubt = !sure || len == 0;
+    if !sure || len == 0 {
+        stage.doubted(measure);
+    }
     for [x, _] in &mut stage.roots {
         *x = Turn::position(x.value * measure.scale);
     }

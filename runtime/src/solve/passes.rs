@@ -189,9 +189,12 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
     /// A branch is to be followed again with its free joint elsewhere: a later stage has no root with that joint at home,
     /// or the solution does not close there. `slack`: by how much a joint that is nearly free may move.
     pub(super) fn seek(&mut self, trail: Trail, state: &State<T>, solution: &Solution<T, N>, slack: T) {
-        let met = self.levels(trail);
         let passes = self.passes();
-        if let (None, Some(levels)) = (passes.pass, passes.missed.levels_mut()) {
+        if passes.pass.is_some() || passes.missed.levels().is_none() {
+            return;
+        }
+        let met = self.levels(trail);
+        if let Some(levels) = self.passes().missed.levels_mut() {
             levels.remember(state, &met, solution.branch, &solution.q, slack);
         }
     }

@@ -3,7 +3,7 @@
 use super::facts::Evaluate;
 use super::open::LEVELS;
 use super::passes::{Missed, Passes};
-use super::stage::{Behind, Level, Met, State};
+use super::stage::{Behind, Level, LevelOf, Met, State};
 use super::{Facts, Goal, Home, Measure, Stage, Tolerances, Trail};
 use crate::effort::MOST_EVALUATIONS;
 use crate::limits::within;
@@ -36,10 +36,12 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, P> {
     pub(super) left: usize,
     /// What the branch that is followed has met, one state for each stage in doubt. Branches are followed depth first, so
     /// a state stays until the branches behind it have ended.
-    states: [Option<State<T>>; MOST_STATES],
+    states: Option<[Option<State<T>>; MOST_STATES]>,
     /// Every branch is verified: the arm misses its structure by more than rounding, or the target is so far away (a long
     /// slide may reach there) that its rounding alone can exceed what closes.
     doubt: bool,
+    /// The values of joints are given.
+    given: bool,
     /// What is remembered at a pose that needs further passes.
     pub(super) passes: Option<Passes<T, N, M, P>>,
 }
@@ -64,8 +66,9 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
             least: None,
             nearly: JointMask::NONE,
             left: MOST_EVALUATIONS,
-            states: [None; MOST_STATES],
+            states: None,
             doubt: false,
+            given: false,
             passes: None,
         }
     }
@@ -86,12 +89,13 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     pub fn begins(&mut self, near: Option<&[T; N]>) -> bool {
         let [x, y, z] = self.goal.point();
         let mut size = x.abs() + y.abs() + z.abs();
-        if !self.goal.given().is_empty() {
+        self.given = !self.goal.given().is_empty();
+        if self.given {
             size += self.given_strokes();
         }
         self.doubt |= size > self.facts.reach * T::from_f64(10.0);
         let finite = self.goal.is_finite() && near.is_none_or(|q| self.facts.can_refer(q));
-        let begins = finite && size <= T::MAX.sqrt() * T::from_f64(1e-3);
+        let begins = finite && size <= T::FARTHEST;
         if !begins {
             let status = if finite { Status::Unreachable { residual: size.min(T::MAX) } } else { Status::BadTarget };
             self.solutions.set_status(status);
@@ -128,14 +132,13 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
 
     #[inline]
     fn home_at(&self, joint: usize, value: T) -> Home<T> {
-        let free_below = if self.nearly.contains(joint) { T::WEAK } else { T::VANISHING };
-        Home { value, joint: JointMask::single(joint), free_below }
+        Home { value, joint: JointMask::single(joint), nearly: self.nearly }
     }
 
     /// What a branch has met.
     pub(super) fn state(&self, trail: Trail) -> State<T> {
         let last = trail.depth().checked_sub(1);
-        last.and_then(|last| self.states.get(last)).copied().flatten().unwrap_or(State::START)
+        last.and_then(|last| *self.states.as_ref()?.get(last)?).unwrap_or(State::START)
     }
 
     /// The levels of the first stages behind the first joint of a branch that is free or weak, one for each stage, known
@@ -144,11 +147,12 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
         let mut levels = [Behind::NONE; LEVELS];
         let (mut pole, mut slides) = (T::ONE, false);
         let (mut places, mut behind) = (levels.iter_mut(), false);
-        for state in self.states.iter().take(trail.depth()).flatten() {
+        for state in self.states.iter().flatten().take(trail.depth()).flatten() {
             if behind && let Some(place) = places.next() {
-                pole *= state.level.pole;
-                slides |= state.level.is_slide();
-                *place = Behind { level: Level { pole, ..state.level }, slides };
+                let level = Level::from(state.level);
+                pole *= level.pole;
+                slides |= level.is_slide();
+                *place = Behind { level: Level { pole, ..level }, slides };
             }
             behind = !state.loose().is_empty();
         }
@@ -157,7 +161,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
 
     /// The trail of a branch that has met something more.
     fn with_state(&mut self, trail: Trail, state: State<T>, ended: bool) -> Trail {
-        if let Some(slot) = self.states.get_mut(trail.depth()) {
+        if let Some(slot) = self.states.get_or_insert([None; MOST_STATES]).get_mut(trail.depth()) {
             *slot = Some(state);
         }
         trail.deeper(ended)
@@ -167,17 +171,17 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     /// remembered.
     #[inline(always)]
     pub fn follow<const K: usize, const R: usize>(&mut self, trail: &Trail, stage: &Stage<T, K, R>) -> Trail {
-        if stage.doubt | trail.doubt() { self.doubtful(*trail, stage.met()) } else { *trail }
+        if stage.met.is_some() | trail.doubt() { self.doubtful(*trail, stage.met, stage.level) } else { *trail }
     }
 
     #[cold]
     #[inline(never)]
-    fn doubtful(&mut self, trail: Trail, met: Met<T>) -> Trail {
+    fn doubtful(&mut self, trail: Trail, met: Option<Met<T>>, level: LevelOf<T>) -> Trail {
         let before = self.state(trail);
         let mut next = before;
-        next.note(met);
+        next.note(met, level);
         let mut ended = false;
-        let Met { gap, angular, .. } = met;
+        let Met { gap, angular, .. } = met.unwrap_or(Met::NOTHING);
         let measure = if angular { Measure::DIRECTION } else { Measure::length(self.facts.reach) };
         let tolerance = if angular { self.facts.tolerance.orientation } else { self.facts.tolerance.position };
         // What an earlier stage of small amplitude leaves uncertain shows up here magnified.
@@ -225,7 +229,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
         state.free |= first.joint | second.joint;
         state.first = first.joint;
         state.flags |= Flags::FREE;
-        state.level = Level::NONE;
+        state.level = LevelOf::Nothing;
         self.with_state(*trail, state, false)
     }
 
@@ -254,16 +258,16 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     }
 
     /// The end of the search: with a reference, solutions are unwound next to it and sorted; limits are marked, and
-    /// the status is set.
+    /// the status is set. `facts` are those of the search: seen where they are constants, what they exclude is left out.
     #[inline]
-    pub fn finish(&mut self, near: Option<&[T; N]>) {
+    pub fn finish(&mut self, facts: &Facts<'_, T, N>, near: Option<&[T; N]>) {
         match near {
             Some(near) => self.next_to(near),
-            None if !self.goal.given().is_empty() => self.wrap_given(),
+            None if self.given => self.wrap_given(),
             None => {}
         }
-        if self.facts.limited || !self.facts.combined.is_empty() {
-            self.mark_limits();
+        if facts.limited || !facts.combined.is_empty() {
+            self.mark_limits(facts);
         }
         let exact = self.solutions.iter().any(|s| s.flags.contains(Flags::EXACT));
         let status = if exact { Status::Reachable } else { self.unreachable() };
@@ -281,12 +285,11 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     }
 
     #[inline]
-    fn mark_limits(&mut self) {
+    fn mark_limits(&mut self, facts: &Facts<'_, T, N>) {
         for solution in self.solutions.as_mut_slice() {
-            // Every joint, without a branch.
-            let joints = solution.q.iter().zip(self.facts.limits);
-            let inside = joints.fold(true, |inside, (q, limits)| inside & within(*q, *limits, q.abs()));
-            if !(inside && self.facts.combined.iter().all(|limit| limit.holds(&solution.q))) {
+            let mut joints = solution.q.iter().zip(facts.limits);
+            let inside = joints.all(|(q, limits)| within(*q, *limits, q.abs()));
+            if !(inside && facts.combined.iter().all(|limit| limit.holds(&solution.q))) {
                 solution.flags |= Flags::OUT_OF_LIMITS;
             }
         }

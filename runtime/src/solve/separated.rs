@@ -1,8 +1,8 @@
 //! Two equations in two joints whose rows lose rank.
 
 use super::curve::Row;
+use super::stage::Met;
 use super::{Home, Measure, Stage, Tolerances, Turn, offset};
-use crate::JointMask;
 
 impl<T: Tolerances> Stage<T, 2, 4> {
     /// The same with the joints in the other order.
@@ -64,7 +64,7 @@ fn in_turn<T: Tolerances>(
     let first = offset(home_z, Measure::DIRECTION, qc, qs, p0 - q0);
     let mut roots = [[Turn::ZERO; 2]; 4];
     let mut slots = roots.iter_mut();
-    let (mut len, mut free) = (0, first.free);
+    let (mut len, mut free) = (0, first.free());
     // A free z stays where x can follow it; else it goes to the middle of where x can.
     let beyond = |[z]: &[Turn<T>; 1]| {
         let wanted = rc * z.cos + rs * z.sin + r0 - p1;
@@ -75,14 +75,15 @@ fn in_turn<T: Tolerances>(
     for [z] in first.roots.iter().take(first.len) {
         let wanted = rc * z.cos + rs * z.sin + r0 - p1;
         let second = offset(home_x, Measure::DIRECTION, pc, ps, wanted);
-        let fits = second.free == JointMask::NONE || wanted.abs() <= T::COINCIDENT;
+        let fits = second.free().is_empty() || wanted.abs() <= T::COINCIDENT;
         for [x] in second.roots.iter().take(if fits { second.len } else { 0 }) {
             if let Some(slot) = slots.next() {
                 *slot = [*x, *z];
                 len += 1;
-                free |= second.free;
+                free |= second.free();
             }
         }
     }
-    Stage { len, free, ..Stage::solved(roots, Measure::DIRECTION) }
+    let met = (!free.is_empty()).then_some(Met { free, ..Met::NOTHING });
+    Stage { len, met, ..Stage::solved(roots) }
 }

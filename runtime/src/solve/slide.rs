@@ -1,6 +1,6 @@
 //! Sliding joints.
 
-use super::stage::Level;
+use super::stage::{LevelOf, Met};
 use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
 use crate::JointMask;
@@ -12,7 +12,7 @@ use crate::JointMask;
 #[inline]
 pub fn slide<T: Tolerances>(measure: Measure<T>, rho: T, across: T, middle: T) -> Stage<T, 1, 2> {
     let beyond = rho - across;
-    let level = Level::square(beyond * (rho + across) / (measure.scale * measure.scale));
+    let level = LevelOf::Square(beyond * (rho + across) / (measure.scale * measure.scale));
     if !(beyond > measure.rounding()) {
         return Stage::edge([Turn::position(middle)], (-beyond).max(T::ZERO), measure).at_level(level);
     }
@@ -24,13 +24,13 @@ pub fn slide<T: Tolerances>(measure: Measure<T>, rho: T, across: T, middle: T) -
 /// Solves `denominator x = numerator`. One root. With the denominator (dimensionless) vanishing the joint is free.
 #[inline]
 pub fn slide_to<T: Tolerances>(home: Home<T>, measure: Measure<T>, denominator: T, numerator: T) -> Stage<T, 1, 1> {
-    if !(denominator.abs() > home.free_below) {
-        let mut stage = Stage::free([Turn::ZERO], home, numerator.abs(), measure);
+    if home.is_free(denominator.abs(), T::ONE) {
+        let mut stage = Stage::left_free([Turn::ZERO], home, numerator.abs(), measure);
         stage.roots = [[Turn::position(home.value)]];
-        return stage.at_level(Level::zero(numerator / measure.scale));
+        return stage.at_level(LevelOf::Zero(numerator / measure.scale));
     }
     let root = [Turn::position(numerator / denominator)];
-    Stage::determined([root], measure, Level::over(denominator), denominator.abs(), home.joint)
+    Stage::determined([root], measure, LevelOf::Slide(denominator), denominator.abs(), home.joint)
 }
 
 /// Solves `a x^2 + b x + c = 0` (`a` dimensionless, `b` a length, `c` its square) without cancellation. Two roots; one
@@ -40,12 +40,12 @@ pub fn quadratic<T: Tolerances>(measure: Measure<T>, [a, b, c]: [T; 3]) -> Stage
     let half = b * T::HALF;
     if !(a.abs() > T::VANISHING) {
         let root = if half == T::ZERO { T::ZERO } else { -c / b };
-        return Stage { len: 1, doubt: true, ..Stage::solved([[Turn::position(root)]; 2], measure) };
+        return Stage { len: 1, met: Some(Met::NOTHING), ..Stage::solved([[Turn::position(root)]; 2]) };
     }
     let discriminant = half * half - a * c;
     // Rounding of the discriminant itself; roots farther apart are told apart.
     let close = T::EPSILON * T::TWO * (half * half + (a * c).abs());
-    let level = Level::square(discriminant / (measure.scale * measure.scale));
+    let level = LevelOf::Square(discriminant / (measure.scale * measure.scale));
     if !(discriminant > close) {
         // The equation is a difference of two squared distances, at its extremum off by `discriminant / a`.
         let gap = (-discriminant).max(T::ZERO) / (a.abs() * measure.scale);

@@ -1,5 +1,6 @@
 //! A turning and a sliding joint, seen along a third one that slides.
 
+use super::stage::Met;
 use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn, offset};
 
@@ -17,7 +18,7 @@ pub fn slide_turning<T: Tolerances>(
 ) -> Stage<T, 2, 2> {
     let ([home, home_s], [u, v]) = (homes, stroke);
     let length = (u * u + v * v).sqrt();
-    if !(length > home_s.free_below) {
+    if home_s.is_free(length, T::ONE) {
         return standing(homes, measure, rows);
     }
     let k = T::ONE / length;
@@ -26,9 +27,9 @@ pub fn slide_turning<T: Tolerances>(
     let angle = offset(home, measure, u * a2 - v * a1, u * b2 - v * b1, v * k1 - u * k2);
     let [a, b, c] = [u * a1 + v * a2, u * b1 + v * b2, u * k1 + v * k2].map(|e| e * k);
     let roots = angle.roots.map(|[turn]| [turn, Turn::position(a * turn.cos + b * turn.sin + c)]);
-    let Stage { len, gap, boundary, amplitude, doubt, free, level, .. } = angle;
-    let stage = Stage { len, gap, boundary, amplitude, doubt, free, level, ..Stage::solved(roots, measure) };
-    if length < T::DOUBTFUL { stage.nearly_free(home_s, length) } else { stage }
+    let Stage { len, level, met, .. } = angle;
+    let stage = Stage { roots, len, level, met };
+    if length < T::DOUBTFUL { stage.nearly_free(home_s, measure, length) } else { stage }
 }
 
 /// The sliding joint moves nothing across the third one: two equations for the angle alone.
@@ -48,9 +49,9 @@ fn standing<T: Tolerances>(
         let (x, y) = ((b1 * k2 - b2 * k1) / determinant, (a2 * k1 - a1 * k2) / determinant);
         let length = (x * x + y * y).sqrt();
         let gap = (length - T::ONE).abs() * determinant.abs() / size.sqrt();
-        let stage =
-            Stage::edge([Turn::direction(y, x), there], if gap > measure.rounding() { gap } else { T::ZERO }, measure);
-        return Stage { boundary: false, free: slide.joint, ..stage };
+        let gap = if gap > measure.rounding() { gap } else { T::ZERO };
+        let met = Met { gap, angular: measure.is_angular(), free: slide.joint, ..Met::NOTHING };
+        return Stage { len: 1, met: Some(met), ..Stage::solved([[Turn::direction(y, x), there]; 2]) };
     }
     // Seen edge-on: along its longer axis it has both roots.
     let (p, q) = if first >= second { ([a1, b1, k1], [a2, b2, k2]) } else { ([a2, b2, k2], [a1, b1, k1]) };
@@ -59,9 +60,10 @@ fn standing<T: Tolerances>(
     let miss = |turn: &Turn<T>| (q[0] * turn.cos + q[1] * turn.sin + q[2]).abs();
     let least = roots.iter().take(angle.len).fold(T::INFINITY, |least, [turn, _]| least.min(miss(turn)));
     let least = if least > measure.rounding() { least } else { T::ZERO };
-    let Stage { len, gap, boundary, free, .. } = angle;
-    let free = free | slide.joint;
-    Stage { len, gap: gap + least, boundary, free, doubt: true, ..Stage::solved(roots, measure) }
+    let Met { gap, boundary, free, .. } = angle.met.unwrap_or(Met::NOTHING);
+    let (gap, free, angular) = (gap + least, free | slide.joint, measure.is_angular());
+    let met = Met { gap, angular, boundary, free, ..Met::NOTHING };
+    Stage { len: angle.len, met: Some(met), ..Stage::solved(roots) }
 }
 
 #[cfg(test)]
@@ -99,7 +101,7 @@ mod tests {
         for rows in [[[0.3, 0.2], [-0.4, 0.1]], [[0.3, 0.2], [0.6, 0.4]], [[0.0, 0.0], [0.3, 0.4]]] {
             for angle in [-2.9, -0.7, 0.2, 1.6] {
                 let stage = solve([0.0, 0.0], rows, [angle, 7.0]);
-                assert_eq!((stage.free, stage.gap), (JointMask::single(1), 0.0), "{stage:?}");
+                assert_eq!(stage.met.map(|met| (met.free, met.gap)), Some((JointMask::single(1), 0.0)), "{stage:?}");
                 assert!(found(&stage, [angle, 0.25], 1e-14), "{angle} {stage:?}");
             }
         }

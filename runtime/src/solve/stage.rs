@@ -56,24 +56,6 @@ impl<T: Tolerances> Level<T> {
     /// Nothing is known.
     pub(super) const NONE: Self = Self { value: T::NAN, low: T::NAN, high: T::NAN, pole: T::ONE };
 
-    /// Nothing but the coefficient of a slide.
-    #[inline]
-    pub(super) fn over(pole: T) -> Self {
-        Self { pole, low: T::ZERO, ..Self::NONE }
-    }
-
-    /// The cosine of half the difference of two angles.
-    #[inline]
-    pub(super) fn cosine(value: T) -> Self {
-        Self { value, low: -T::ONE, high: T::ONE, ..Self::NONE }
-    }
-
-    /// A square.
-    #[inline]
-    pub(super) fn square(value: T) -> Self {
-        Self { value, low: T::ZERO, high: T::MAX, ..Self::NONE }
-    }
-
     /// Whether it is that of a slide: the coefficient alone.
     pub(super) fn is_slide(&self) -> bool {
         self.low.is_finite() && !self.value.is_finite()
@@ -83,11 +65,32 @@ impl<T: Tolerances> Level<T> {
     pub(super) fn is_met(&self) -> bool {
         self.low == self.high && self.value.abs() <= T::COINCIDENT
     }
+}
 
+/// The level of a stage as its kernel leaves it: one number, and what it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum LevelOf<T> {
+    /// Nothing is known.
+    Nothing,
+    /// The cosine of half the difference of two angles.
+    Cosine(T),
+    /// A square.
+    Square(T),
     /// What has to vanish.
-    #[inline]
-    pub(super) fn zero(value: T) -> Self {
-        Self { value, low: T::ZERO, high: T::ZERO, ..Self::NONE }
+    Zero(T),
+    /// Nothing but the coefficient of a slide.
+    Slide(T),
+}
+
+impl<T: Tolerances> From<LevelOf<T>> for Level<T> {
+    fn from(level: LevelOf<T>) -> Self {
+        match level {
+            LevelOf::Nothing => Self::NONE,
+            LevelOf::Cosine(value) => Self { value, low: -T::ONE, high: T::ONE, ..Self::NONE },
+            LevelOf::Square(value) => Self { value, low: T::ZERO, high: T::MAX, ..Self::NONE },
+            LevelOf::Zero(value) => Self { value, low: T::ZERO, high: T::ZERO, ..Self::NONE },
+            LevelOf::Slide(pole) => Self { pole, low: T::ZERO, ..Self::NONE },
+        }
     }
 }
 
@@ -166,7 +169,7 @@ pub(super) struct State<T> {
     /// The first joint that is free or weak.
     pub(super) first: JointMask,
     /// The level of the last stage, if a joint before it is free or weak.
-    pub(super) level: Level<T>,
+    pub(super) level: LevelOf<T>,
 }
 
 impl<T: Tolerances> State<T> {
@@ -180,7 +183,7 @@ impl<T: Tolerances> State<T> {
         missed: false,
         clamped: false,
         first: JointMask::NONE,
-        level: Level::NONE,
+        level: LevelOf::Nothing,
     };
 
     /// The joints so far that may be elsewhere.
@@ -189,11 +192,9 @@ impl<T: Tolerances> State<T> {
     }
 
     /// Adds what a stage has met.
-    pub(super) fn note(&mut self, Met { gap, angular, amplitude, weak, boundary, free, doubt, level }: Met<T>) {
-        self.level = if self.loose().is_empty() { Level::NONE } else { level };
-        if !doubt {
-            return;
-        }
+    pub(super) fn note(&mut self, met: Option<Met<T>>, level: LevelOf<T>) {
+        self.level = if self.loose().is_empty() { LevelOf::Nothing } else { level };
+        let Some(Met { gap, angular, amplitude, weak, boundary, free }) = met else { return };
         // What a stage leaves uncertain, the next one magnifies: where nothing but that is left of an amplitude between
         // directions, any value of the joint is as good. Where two roots have met, refinement still moves the place.
         let product = self.amplitude * amplitude;
@@ -221,135 +222,139 @@ impl<T: Tolerances> State<T> {
     }
 }
 
-/// What a stage has met.
-#[derive(Debug, Clone, Copy)]
+/// What a stage in doubt has met.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Met<T> {
     pub(super) gap: T,
     pub(super) angular: bool,
+    pub(super) boundary: bool,
+    /// Relative size of what determines the joint; 1 where that is not in doubt.
     pub(super) amplitude: T,
     pub(super) weak: JointMask,
-    pub(super) boundary: bool,
     pub(super) free: JointMask,
-    pub(super) doubt: bool,
-    pub(super) level: Level<T>,
 }
 
-/// The roots of one equation for `K` joints, at most `R`, and how well they are determined.
+impl<T: Tolerances> Met<T> {
+    /// Nothing.
+    pub(super) const NOTHING: Self = Self {
+        gap: T::ZERO,
+        angular: false,
+        boundary: false,
+        amplitude: T::ONE,
+        weak: JointMask::NONE,
+        free: JointMask::NONE,
+    };
+}
+
+/// The roots of one equation for `K` joints, at most `R`, and how well they are determined. One that is not in doubt has
+/// met nothing: that is where every ordinary target passes, and nothing is written for it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stage<T, const K: usize, const R: usize> {
     pub(super) roots: [[Turn<T>; K]; R],
     pub(super) len: usize,
-    pub(super) gap: T,
-    pub(super) angular: bool,
-    pub(super) boundary: bool,
-    /// Relative size of what determines the joint; only told where it is doubtful, else 1.
-    pub(super) amplitude: T,
-    pub(super) weak: JointMask,
-    pub(super) doubt: bool,
-    pub(super) free: JointMask,
     /// Whether there are roots.
-    pub(super) level: Level<T>,
+    pub(super) level: LevelOf<T>,
+    pub(super) met: Option<Met<T>>,
 }
 
 impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
     /// Roots that solve the equation.
     #[inline]
-    pub(super) fn solved(roots: [[Turn<T>; K]; R], measure: Measure<T>) -> Self {
-        Self {
-            roots,
-            len: R,
-            gap: T::ZERO,
-            angular: measure.angular,
-            boundary: false,
-            amplitude: T::ONE,
-            weak: JointMask::NONE,
-            doubt: false,
-            free: JointMask::NONE,
-            level: Level::NONE,
-        }
+    pub(super) fn solved(roots: [[Turn<T>; K]; R]) -> Self {
+        Self { roots, len: R, level: LevelOf::Nothing, met: None }
     }
 
     /// The same with its level, and the relative amplitude of the equation: a small one makes the stage doubtful, and one
-    /// near zero leaves `weak` nearly free. In one go: this is where every ordinary target passes.
+    /// near zero leaves `weak` nearly free.
     #[inline(always)]
     pub(super) fn determined(
         roots: [[Turn<T>; K]; R],
         measure: Measure<T>,
-        level: Level<T>,
+        level: LevelOf<T>,
         amplitude: T,
         weak: JointMask,
     ) -> Self {
-        let doubt = amplitude < T::DOUBTFUL;
-        Self {
-            amplitude: if doubt { amplitude } else { T::ONE },
-            weak: if amplitude < T::WEAK { weak } else { JointMask::NONE },
-            doubt,
-            level,
-            ..Self::solved(roots, measure)
-        }
+        let stage = Self::solved(roots).at_level(level);
+        if amplitude < T::DOUBTFUL { stage.of_amplitude(measure, amplitude, weak) } else { stage }
+    }
+
+    /// The same with a small relative amplitude, in doubt.
+    #[inline]
+    pub(super) fn of_amplitude(mut self, measure: Measure<T>, amplitude: T, weak: JointMask) -> Self {
+        let weak = if amplitude < T::WEAK { weak } else { JointMask::NONE };
+        self.met = Some(Met { angular: measure.angular, amplitude, weak, ..Met::NOTHING });
+        self
     }
 
     /// The same with its level.
     #[inline]
-    pub(super) fn at_level(mut self, level: Level<T>) -> Self {
+    pub(super) fn at_level(mut self, level: LevelOf<T>) -> Self {
         self.level = level;
         self
+    }
+
+    /// What it has met, in doubt from now on.
+    pub(super) fn doubted(&mut self, measure: Measure<T>) -> &mut Met<T> {
+        self.met.get_or_insert(Met { angular: measure.angular, ..Met::NOTHING })
+    }
+
+    /// Whether it leaves a joint free.
+    #[inline]
+    pub(super) fn free(&self) -> JointMask {
+        self.met.map_or(JointMask::NONE, |met| met.free)
     }
 
     /// The same roots where the joint moves its point or direction by a small share of the scale only: the joint is
     /// nearly free.
     #[cold]
     #[inline(never)]
-    pub(super) fn narrowed(&mut self, home: Home<T>, share: T) {
-        self.amplitude *= share;
-        self.doubt = true;
-        if self.amplitude < T::WEAK {
-            self.weak = home.joint;
+    pub(super) fn narrowed(&mut self, home: Home<T>, measure: Measure<T>, share: T) {
+        let met = self.doubted(measure);
+        met.amplitude *= share;
+        if met.amplitude < T::WEAK {
+            met.weak = home.joint;
         }
     }
 
     /// A further joint that this amplitude leaves nearly free.
     #[inline]
-    pub(super) fn nearly_free(mut self, home: Home<T>, amplitude: T) -> Self {
-        self.doubt = true;
-        self.amplitude = self.amplitude.min(amplitude);
+    pub(super) fn nearly_free(mut self, home: Home<T>, measure: Measure<T>, amplitude: T) -> Self {
+        let met = self.doubted(measure);
+        met.amplitude = met.amplitude.min(amplitude);
         if amplitude < T::WEAK {
-            self.weak |= home.joint;
+            met.weak |= home.joint;
         }
         self
-    }
-
-    /// What it has met.
-    #[inline]
-    pub(super) fn met(&self) -> Met<T> {
-        let Self { gap, angular, amplitude, weak, boundary, free, doubt, level, .. } = *self;
-        Met { gap, angular, amplitude, weak, boundary, free, doubt, level }
     }
 
     /// The one place where two roots meet, or the nearest to a solution, missing it by `gap`.
     #[inline]
     pub(super) fn edge(root: [Turn<T>; K], gap: T, measure: Measure<T>) -> Self {
-        Self { len: 1, gap, boundary: true, doubt: true, ..Self::solved([root; R], measure) }
+        let met = Met { gap, angular: measure.angular, boundary: true, ..Met::NOTHING };
+        Self { len: 1, met: Some(met), ..Self::solved([root; R]) }
     }
 
     /// The equation leaves its first joint free: it stays at its reference value.
     #[cold]
     #[inline(never)]
-    pub(super) fn free(mut root: [Turn<T>; K], home: Home<T>, gap: T, measure: Measure<T>) -> Self {
+    pub(super) fn left_free(mut root: [Turn<T>; K], home: Home<T>, gap: T, measure: Measure<T>) -> Self {
         if let Some(first) = root.first_mut() {
             *first = Turn::at(home.value);
         }
-        Self { len: 1, gap, doubt: true, free: home.joint, ..Self::solved([root; R], measure) }
+        let met = Met { gap, angular: measure.angular, free: home.joint, ..Met::NOTHING };
+        Self { len: 1, met: Some(met), ..Self::solved([root; R]) }
     }
 
     /// The roots to go on with, each with its index; none if the branch has ended. With `wanted` only the root of that
     /// index, which is the one root where two have met, or where a free joint leaves but one.
     #[inline]
     pub fn each(&self, trail: &Trail, wanted: Option<usize>) -> impl Iterator<Item = (usize, &[Turn<T>; K])> {
-        let len = if trail.ended() { 0 } else { self.len };
+        let len = if trail.ended() { 0 } else { self.len.min(R) };
         let (first, end, name) = match wanted {
             None => (0, len, 0),
-            Some(index) if index >= len && (self.boundary || !self.free.is_empty()) => (0, len.min(1), index),
+            Some(index) if index >= len && self.met.is_some_and(|met| met.boundary || !met.free.is_empty()) => {
+                (0, len.min(1), index)
+            }
             Some(index) => (index.min(len), index.saturating_add(1).min(len), index),
         };
         self.roots.get(first..end).unwrap_or(&[]).iter().enumerate().map(move |(index, root)| (name + index, root))
@@ -359,7 +364,7 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
     /// signs, stretched is where folded would be.
     #[inline]
     pub fn turned_back(mut self, reverse: bool) -> Self {
-        if reverse && self.free.is_empty() {
+        if reverse && self.free().is_empty() {
             for root in &mut self.roots {
                 if let Some(first) = root.first_mut() {
                     *first = first.opposite();
@@ -372,7 +377,7 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
     /// The roots turned by a further angle (first joint).
     #[inline]
     pub fn about(mut self, phase: Turn<T>) -> Self {
-        if self.free.is_empty() {
+        if self.free().is_empty() {
             for root in &mut self.roots {
                 if let Some(first) = root.first_mut() {
                     *first = first.plus(phase);

@@ -113,15 +113,34 @@ pub struct Home<T> {
     pub value: T,
     /// The joint.
     pub joint: JointMask,
-    /// An equation of less amplitude than this leaves the joint free.
-    pub(super) free_below: T,
+    /// The joints that already an amplitude near zero leaves free.
+    pub(super) nearly: JointMask,
 }
 
 impl<T: Tolerances> Home<T> {
     /// A joint that stays at a value where it is free.
     #[inline]
     pub fn at(value: T, joint: JointMask) -> Self {
-        Self { value, joint, free_below: T::VANISHING }
+        Self { value, joint, nearly: JointMask::NONE }
+    }
+
+    /// An equation of less amplitude than this leaves the joint free.
+    pub(super) fn free_below(self) -> T {
+        if (self.nearly & self.joint).is_empty() { T::VANISHING } else { T::WEAK }
+    }
+
+    /// Whether an equation of this amplitude, of quantities of this size, leaves the joint free; so does one that is not a
+    /// number.
+    #[inline(always)]
+    pub(super) fn is_free(self, amplitude: T, scale: T) -> bool {
+        // An ordinary amplitude is above either bound.
+        !(amplitude > T::WEAK * scale) && self.is_free_below(amplitude, scale)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn is_free_below(self, amplitude: T, scale: T) -> bool {
+        !(amplitude > self.free_below() * scale)
     }
 
     /// For a kernel whose variable is the joint value plus `by`.

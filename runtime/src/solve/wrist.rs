@@ -1,6 +1,6 @@
 //! Orthogonal axes: two roots that differ by half a turn about the outer axes.
 
-use super::stage::Level;
+use super::stage::LevelOf;
 use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
 
@@ -11,10 +11,10 @@ use super::{Home, Measure, Stage, Turn};
 pub fn flip<T: Tolerances>(home: Home<T>, m: [T; 3]) -> Stage<T, 2, 2> {
     let [mx, my, mz] = m;
     let rho = (mx * mx + my * my).sqrt();
-    if !(rho > home.free_below) {
+    if home.is_free(rho, T::ONE) {
         // Order (a, b) so that the free joint comes first, then back.
         let b = if mz < T::ZERO { Turn { value: T::PI, sin: T::ZERO, cos: -T::ONE } } else { Turn::ZERO };
-        let mut stage = Stage::<T, 2, 2>::free([Turn::ZERO, b], home, T::ZERO, Measure::DIRECTION);
+        let mut stage = Stage::<T, 2, 2>::left_free([Turn::ZERO, b], home, T::ZERO, Measure::DIRECTION);
         for [first, second] in &mut stage.roots {
             core::mem::swap(first, second);
         }
@@ -23,7 +23,7 @@ pub fn flip<T: Tolerances>(home: Home<T>, m: [T; 3]) -> Stage<T, 2, 2> {
     let k = T::ONE / rho;
     let [b, a] = Turn::array([rho, my * k], [mz, mx * k]);
     let roots = [[b, a], [b.reversed(), a.opposite()]];
-    Stage::determined(roots, Measure::DIRECTION, Level::NONE, rho, home.joint)
+    Stage::determined(roots, Measure::DIRECTION, LevelOf::Nothing, rho, home.joint)
 }
 
 /// Solves `R_z(a) R_y(b) R_z(c) = m` for `(a, b, c)`: `b = +-atan2(|(m13, m23)|, m33)`, `a = atan2(m23, m13)`, and
@@ -34,8 +34,9 @@ pub fn wrist<T: Tolerances>(home: Home<T>, m: [[T; 3]; 3]) -> Stage<T, 3, 2> {
     let [[m11, m12, m13], [m21, m22, m23], [_, _, m33]] = m;
     let square = m13 * m13 + m23 * m23;
     let rho = square.sqrt();
-    if !(rho > home.free_below) {
-        return in_line(home, m);
+    if home.is_free(rho, T::ONE) {
+        // Made anew, so that an ordinary target does not store it.
+        return in_line(home, [m11, m12, m21, m22, m33]);
     }
     // The root and the division, both slow, at the same time; and what is scaled meanwhile.
     let k = rho * (T::ONE / square);
@@ -43,15 +44,14 @@ pub fn wrist<T: Tolerances>(home: Home<T>, m: [[T; 3]; 3]) -> Stage<T, 3, 2> {
     // The last one only fills the vector unit's lanes.
     let [a, b, c, _] = Turn::array([m23 * k, rho, sin_c * k, T::ZERO], [m13 * k, m33, cos_c * k, T::ONE]);
     let roots = [[a, b, c], [a.opposite(), b.reversed(), c.opposite()]];
-    Stage::determined(roots, Measure::DIRECTION, Level::NONE, rho, home.joint)
+    Stage::determined(roots, Measure::DIRECTION, LevelOf::Nothing, rho, home.joint)
 }
 
 #[cold]
 #[inline(never)]
-fn in_line<T: Tolerances>(home: Home<T>, m: [[T; 3]; 3]) -> Stage<T, 3, 2> {
-    let [[m11, m12, _], [m21, m22, _], [_, _, m33]] = m;
+fn in_line<T: Tolerances>(home: Home<T>, [m11, m12, m21, m22, m33]: [T; 5]) -> Stage<T, 3, 2> {
     let Turn { sin, cos, .. } = Turn::at(home.value);
     let b = if m33 < T::ZERO { Turn { value: T::PI, sin: T::ZERO, cos: -T::ONE } } else { Turn::ZERO };
     let c = Turn::towards(cos * m21 - sin * m11, cos * m22 - sin * m12);
-    Stage::free([Turn::ZERO, b, c], home, T::ZERO, Measure::DIRECTION)
+    Stage::left_free([Turn::ZERO, b, c], home, T::ZERO, Measure::DIRECTION)
 }

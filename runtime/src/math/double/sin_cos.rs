@@ -39,9 +39,16 @@ pub(in crate::math) struct Reduced {
     /// What remains, in [-pi/4, pi/4] up to rounding.
     pub(in crate::math) hi: f64,
     /// What `hi` lacks.
-    pub(in crate::math) lo: f64,
+    pub(super) lo: f64,
     /// The multiple of pi/2; only the two lowest bits count.
     pub(in crate::math) quarters: u64,
+}
+
+impl Reduced {
+    /// What `hi` lacks.
+    pub(in crate::math) fn lo(&self) -> f64 {
+        self.lo
+    }
 }
 
 /// Sine and cosine, at most 1.1 ulp off; not a number for one that is not finite.

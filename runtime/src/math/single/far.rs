@@ -36,6 +36,6 @@ pub(super) fn reduce(magnitude: f32) -> Reduced {
     let top = (angle >> 40) as u32 as f32 * power(21 + shift);
     let rest = ((angle >> 16) as u32 & ((1 << 24) - 1)) as f32 * power(45 + shift);
     let hi = top + rest;
-    let lo = rest - (hi - top);
-    if fraction < 0 { Reduced { hi: -hi, lo: -lo, quarters } } else { Reduced { hi, lo, quarters } }
+    let over = (hi - top) - rest;
+    if fraction < 0 { Reduced { hi: -hi, over: -over, quarters } } else { Reduced { hi, over, quarters } }
 }

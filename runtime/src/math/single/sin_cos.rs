@@ -10,20 +10,27 @@ const ROUNDER: f32 = 12_582_912.0;
 /// pi/2 in three parts. The first two have at most 17 bits, so their products with a quotient up to 2^7 are exact.
 #[allow(clippy::approx_constant)]
 const PI_2: [f32; 3] = [1.5707855, 1.0804273e-05, 6.0771006e-11];
-/// sin(r) = r + r^3 (S0 + S1 r^2 + ...), relative error 2^-28.0.
-const S: [f32; 3] = [-0.16666655, 0.008332192, -0.00019518791];
+/// sin(r) = r - r^3 (S0 + S1 r^2 + ...), relative error 2^-28.0.
+const S: [f32; 3] = [0.16666655, -0.008332192, 0.00019518791];
 /// cos(r) = 1 - r^2 / 2 + r^4 (C0 + C1 r^2 + ...), relative error 2^-33.0.
 const C: [f32; 3] = [0.041666646, -0.0013887311, 2.4432567e-05];
 
-/// A magnitude less a multiple of pi/2.
+/// An angle less a multiple of pi/2.
 #[derive(Clone, Copy)]
 pub(in crate::math) struct Reduced {
     /// What remains, in [-pi/4, pi/4] up to rounding.
     pub(in crate::math) hi: f32,
-    /// What `hi` lacks.
-    pub(in crate::math) lo: f32,
+    /// What `hi` is too large by; of a zero angle of either sign 0.
+    pub(in crate::math) over: f32,
     /// The multiple of pi/2; only the two lowest bits count.
     pub(in crate::math) quarters: u32,
+}
+
+impl Reduced {
+    /// What `hi` lacks.
+    pub(in crate::math) fn lo(&self) -> f32 {
+        -self.over
+    }
 }
 
 /// Sine and cosine, at most 1.04 ulp off; not a number for one that is not finite.
@@ -93,47 +100,48 @@ pub(in crate::math) fn reduce(x: f32) -> Reduced {
 
 #[inline(always)]
 fn near(x: f32) -> (f32, f32) {
-    let bits = x.to_bits();
-    evaluate(reduce_near(f32::from_bits(bits & MAGNITUDE)), bits)
+    evaluate(reduce_near(x))
 }
 
 /// The same for any angle, whatever its magnitude.
 #[cold]
 #[inline(never)]
 fn distant(x: f32) -> (f32, f32) {
-    let bits = x.to_bits();
     if !x.is_finite() {
         return (f32::NAN, f32::NAN);
     }
-    evaluate(reduce(x), bits)
+    let (sine, cosine) = evaluate(reduce(x));
+    (f32::from_bits(sine.to_bits() ^ (x.to_bits() & SIGN)), cosine)
 }
 
+/// Of `-x` everything is the negative, in every bit: rounding is symmetric.
 #[inline(always)]
-fn reduce_near(magnitude: f32) -> Reduced {
-    let rounded = magnitude * core::f32::consts::FRAC_2_PI + ROUNDER;
+fn reduce_near(x: f32) -> Reduced {
+    let rounded = x * core::f32::consts::FRAC_2_PI + ROUNDER;
     let n = rounded - ROUNDER;
-    // Exact: the product has at most 24 bits and cancels against the magnitude.
-    let first = magnitude - n * PI_2[0];
+    // Exact: the product has at most 24 bits and cancels against the angle.
+    let first = x - n * PI_2[0];
     let second = n * PI_2[1];
     let hi = first - second;
     // The part in brackets is exactly what the line above rounded off.
-    let lo = ((first - hi) - second) - n * PI_2[2];
-    Reduced { hi, lo, quarters: rounded.to_bits() }
+    let over = n * PI_2[2] - ((first - hi) - second);
+    Reduced { hi, over, quarters: rounded.to_bits() }
 }
 
-/// `bits`: of the angle, for its sign.
 #[inline(always)]
-fn evaluate(angle: Reduced, bits: u32) -> (f32, f32) {
-    let Reduced { hi, lo, quarters } = angle;
+fn evaluate(angle: Reduced) -> (f32, f32) {
+    let Reduced { hi, over, quarters } = angle;
     let z = hi * hi;
     let z2 = z * z;
     let sine_tail = (S[0] + z * S[1]) + z2 * S[2];
     let cosine_tail = (C[0] + z * C[1]) + z2 * C[2];
-    let sine = (hi + (lo + (hi * z) * sine_tail)).to_bits();
-    let cosine = (1.0 + ((z2 * cosine_tail - hi * lo) - 0.5 * z)).to_bits();
+    // A difference of zeros keeps the sign of the first, so that of an angle -0.
+    let sine = (hi - (over + (hi * z) * sine_tail)).to_bits();
+    let cosine = (1.0 + ((z2 * cosine_tail + hi * over) - 0.5 * z)).to_bits();
     // Odd quadrants swap the two; a select on floats would be a branch.
-    let swap = (sine ^ cosine) & 0u32.wrapping_sub(quarters & 1);
-    let sine_sign = ((quarters << 30) ^ bits) & SIGN;
-    let cosine_sign = ((quarters ^ (quarters << 1)) << 30) & SIGN;
+    let odd = ((quarters << 31).cast_signed() >> 31).cast_unsigned();
+    let swap = (sine ^ cosine) & odd;
+    let sine_sign = (quarters << 30) & SIGN;
+    let cosine_sign = sine_sign ^ (quarters << 31);
     (f32::from_bits(sine ^ swap ^ sine_sign), f32::from_bits(cosine ^ swap ^ cosine_sign))
 }
