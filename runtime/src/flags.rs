@@ -1,7 +1,7 @@
 //! Sets of facts and of joints.
 
 use core::fmt;
-use core::ops::{BitAnd, BitOr, BitOrAssign};
+use core::ops::{BitOr, BitOrAssign};
 
 /// What is known about one solution: a set.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -134,6 +134,12 @@ impl JointMask {
         Self(self.0 | other.0)
     }
 
+    /// Whether a joint is in both sets.
+    #[inline]
+    pub(crate) const fn meets(self, other: Self) -> bool {
+        self.0 & other.0 != 0
+    }
+
     /// The joints of the set but one, counted from 0.
     #[inline]
     #[must_use]
@@ -174,16 +180,6 @@ impl BitOr for JointMask {
     #[inline]
     fn bitor(self, rhs: Self) -> Self {
         self.union(rhs)
-    }
-}
-
-/// The joints that are in both sets.
-impl BitAnd for JointMask {
-    type Output = Self;
-
-    #[inline]
-    fn bitand(self, rhs: Self) -> Self {
-        Self(self.0 & rhs.0)
     }
 }
 

@@ -65,6 +65,8 @@ pub trait Scalar:
     const EPSILON: Self;
     /// Greatest finite value.
     const MAX: Self;
+    /// Its square root.
+    const SQRT_MAX: Self;
     /// Positive infinity.
     const INFINITY: Self;
     /// Not a number.
@@ -80,7 +82,7 @@ pub trait Scalar:
     fn is_finite(self) -> bool;
     /// The magnitude of `self` with the sign of `sign`, that of a zero included.
     fn copysign(self, sign: Self) -> Self;
-    /// `self` if `condition` holds, else 0; without a branch.
+    /// `self` if `condition` holds, else 0.
     fn when(self, condition: bool) -> Self;
     /// The greater of two; the other one if one is not a number.
     fn max(self, other: Self) -> Self;
@@ -105,7 +107,7 @@ pub trait Scalar:
 }
 
 macro_rules! scalar {
-    ($float:ident, $bits:ident, $kernels:ident, $pi_lo:expr) => {
+    ($float:ident, $kernels:ident, $pi_lo:expr, $sqrt_max:expr) => {
         impl sealed::Kernel for $float {
             const PI_LO: Self = $pi_lo;
 
@@ -142,6 +144,7 @@ macro_rules! scalar {
             const TAU: Self = core::$float::consts::TAU;
             const EPSILON: Self = $float::EPSILON;
             const MAX: Self = $float::MAX;
+            const SQRT_MAX: Self = $sqrt_max;
             const INFINITY: Self = $float::INFINITY;
             const NAN: Self = $float::NAN;
 
@@ -216,5 +219,5 @@ macro_rules! scalar {
     };
 }
 
-scalar!(f64, u64, double, 1.2246467991473532e-16);
-scalar!(f32, u32, single, -8.742278e-08);
+scalar!(f64, double, 1.2246467991473532e-16, 1.3407807929942596e154);
+scalar!(f32, single, -8.742278e-08, 1.8446743e19);

@@ -84,8 +84,6 @@ fn end<T: Tolerances>(measure: Measure<T>, outer: T, inner: T, side: T) -> Stage
 
 #[cfg(test)]
 mod tests {
-    #![allow(clippy::unwrap_used)]
-
     use super::*;
 
     /// A point close to the axis turns through any angle within a narrow range of distances: the joint is nearly free.
@@ -98,8 +96,8 @@ mod tests {
             distance(home, Measure::length(1.0), rho, Elbow::new(a, 0.5, 0.0))
         };
         assert_eq!(solved(0.3).met, None);
-        assert!(solved(1e-4).met.unwrap().weak.is_empty());
-        assert_eq!(solved(1e-9).met.unwrap().weak, home.joint);
+        assert!(solved(1e-4).met.is_some_and(|met| met.weak.is_empty()));
+        assert_eq!(solved(1e-9).met.map(|met| met.weak), Some(home.joint));
         assert!((solved(1e-9).roots[0][0].value - 0.7).abs() < 1e-6);
         assert_eq!(solved(1e-14).free(), home.joint);
     }

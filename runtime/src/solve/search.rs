@@ -75,6 +75,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
 
     /// The same search with every branch verified: for an arm whose axes miss the structure of its equations by more than
     /// rounding, so that their roots do.
+    #[inline(always)]
     #[must_use]
     pub fn in_doubt(mut self) -> Self {
         self.doubt = true;
@@ -95,7 +96,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
         }
         self.doubt |= size > self.facts.reach * T::from_f64(10.0);
         let finite = self.goal.is_finite() && near.is_none_or(|q| self.facts.can_refer(q));
-        let begins = finite && size <= T::FARTHEST;
+        let begins = finite && size <= T::SQRT_MAX * T::from_f64(1e-3);
         if !begins {
             let status = if finite { Status::Unreachable { residual: size.min(T::MAX) } } else { Status::BadTarget };
             self.solutions.set_status(status);

@@ -298,7 +298,7 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         self.met.get_or_insert(Met { angular: measure.angular, ..Met::NOTHING })
     }
 
-    /// Whether it leaves a joint free.
+    /// The joints that it leaves free.
     #[inline]
     pub(super) fn free(&self) -> JointMask {
         self.met.map_or(JointMask::NONE, |met| met.free)

@@ -126,7 +126,7 @@ impl<T: Tolerances> Home<T> {
 
     /// An equation of less amplitude than this leaves the joint free.
     pub(super) fn free_below(self) -> T {
-        if (self.nearly & self.joint).is_empty() { T::VANISHING } else { T::WEAK }
+        if self.nearly.meets(self.joint) { T::WEAK } else { T::VANISHING }
     }
 
     /// Whether an equation of this amplitude, of quantities of this size, leaves the joint free; so does one that is not a

@@ -20,7 +20,7 @@ const C: [f32; 3] = [0.041666646, -0.0013887311, 2.4432567e-05];
 pub(in crate::math) struct Reduced {
     /// What remains, in [-pi/4, pi/4] up to rounding.
     pub(in crate::math) hi: f32,
-    /// What `hi` is too large by; of a zero angle of either sign 0.
+    /// What `hi` is too large by.
     pub(in crate::math) over: f32,
     /// The multiple of pi/2; only the two lowest bits count.
     pub(in crate::math) quarters: u32,

@@ -106,6 +106,12 @@ fn unusual_roots() {
 }
 
 #[test]
+fn the_root_of_the_greatest_value() {
+    assert_eq!(f64::SQRT_MAX, integer::double(f64::MAX));
+    assert_eq!(f32::SQRT_MAX, integer::single(f32::MAX));
+}
+
+#[test]
 fn hypotenuse() {
     assert_eq!(math::hypot(3.0_f64, -4.0), 5.0);
     assert_eq!(math::hypot(3.0_f32, -4.0), 5.0);
