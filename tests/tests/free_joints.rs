@@ -8,8 +8,9 @@ use denhart::solve::Tolerances;
 use denhart::{Flags, InverseKinematics, Pose, Solution};
 use denhart_tests::poses::Space;
 use denhart_tests::random::Random;
-use denhart_tests::singular::{self, Svd, ZERO, self_motion};
-use denhart_tests::subject::{Specified, Subject};
+use denhart_tests::singular::{self, Svd, ZERO, accepts_moved, self_motion};
+use denhart_tests::subject::{Specified, Subject, largest};
+use nalgebra::Matrix6;
 
 /// Attempts to find a zero of the determinant; each moves one joint.
 const ATTEMPTS: usize = 1_500;
@@ -18,8 +19,8 @@ const RANDOM: usize = 5_000;
 
 /// What the rules are held to in a scalar. Singular values are those of the Jacobian with lengths in reaches.
 struct Bars {
-    /// A pose that is singular once: the least singular value but one is above this. Below, a second stage is at its own singularity
-    /// too, and the rounding of the target may make either regular.
+    /// A pose that is singular once: the least singular value but one and the [`slope`] are above this. Below, a second stage is
+    /// doubtful too, an elbow nearly stretched.
     once: f64,
     /// A solution whose least singular value is below this is singular to rounding.
     singular: f64,
@@ -33,9 +34,10 @@ struct Bars {
 
 impl Bars {
     fn of<T: Tolerances>() -> Self {
-        let [vanishing, weak, doubtful, coincident] =
-            [T::VANISHING, T::WEAK, T::DOUBTFUL, T::COINCIDENT].map(denhart::Scalar::to_f64);
-        Self { once: weak, singular: vanishing, regular: doubtful, rests: coincident, same: coincident }
+        let [vanishing, doubtful, coincident] = [T::VANISHING, T::DOUBTFUL, T::COINCIDENT].map(denhart::Scalar::to_f64);
+        // A motion of half a turn either way.
+        let rests = coincident / 4.0;
+        Self { once: doubtful, singular: vanishing, regular: doubtful, rests, same: coincident }
     }
 }
 
@@ -50,6 +52,20 @@ struct Found {
     /// The largest least singular value of a solution with free joints.
     largest: f64,
     first: Option<String>,
+}
+
+/// How fast the determinant grows beside a pose on its zero, over the product of the other singular values. The determinant
+/// is the product of the stages' pivots, so that the slope at the zero of one is as small as the others are.
+fn slope(subject: &Subject<6>, q: &[f64; 6], svd: &Svd<6>) -> f64 {
+    const STEP: f64 = 1e-5;
+    let determinant = |joint: usize, by: f64| {
+        let mut q = *q;
+        q[joint] += by * subject.unit(joint);
+        let columns = subject.columns(&q);
+        Matrix6::from_fn(|row, column| columns[column][row]).determinant()
+    };
+    let slopes = (0..6).map(|joint| (determinant(joint, STEP) - determinant(joint, -STEP)) / (2.0 * STEP));
+    largest(slopes) / svd.values[..5].iter().product::<f64>()
 }
 
 fn check<A, S, T>()
@@ -83,26 +99,27 @@ where
     poses.extend(space.grid(4));
     for q in &poses {
         let svd = Svd::at(&subject, q);
-        if svd.least() > ZERO || svd.values[4] < bars.once {
+        if svd.least() > ZERO || svd.values[4] < bars.once || slope(&subject, q, &svd) < bars.once {
             continue;
         }
         found.poses += 1;
         let moves = self_motion(&subject, q, &svd);
         found.free += usize::from(moves);
         let solutions = solved(q);
-        let here = moved(q, ZERO);
-        let own = |(at, solution): &([f64; 6], Solution<T, 6>)| {
-            let there = moved(at, bars.once);
-            solution.flags.contains(Flags::FREE)
-                && subject.distance(at, q, |joint| !(here[joint] || there[joint])) < bars.same
+        let own = |here: &[bool; 6]| {
+            solutions.iter().filter(|(_, solution)| solution.flags.contains(Flags::FREE)).any(|(at, _)| {
+                let there = moved(at, bars.once);
+                subject.distance(at, q, |joint| !(here[joint] || there[joint])) < bars.same
+            })
         };
-        let missed = moves && !solutions.iter().any(own);
+        let missed = moves && !accepts_moved(&subject, q, &svd, own);
         let alone = |(at, solution): &([f64; 6], Solution<T, 6>)| {
             !solution.flags.contains(Flags::FREE)
                 && !solution.flags.contains(Flags::BOUNDARY)
                 && Svd::at(&subject, at).least() < bars.singular
         };
-        let isolated = solutions.iter().any(alone);
+        // A fold has its two roots; beside a motion of its own a solution is not alone.
+        let isolated = moves && solutions.iter().any(alone);
         found.missed += usize::from(missed);
         found.isolated += usize::from(isolated);
         if missed || isolated {
