@@ -7,12 +7,12 @@ use crate::math::wrap;
 
 /// The most steps for one solution.
 pub(super) const MOST_STEPS: usize = 16;
-/// So many steps in a row without progress are the last ones; one, once the solution is exact.
+/// So many steps in a row that take less than a twentieth of the squared error are the last ones; one, once the solution is
+/// exact.
 const MOST_STALLS: usize = 3;
-/// Progress is a step that leaves less than this of the squared error: of a solution within the file's tolerance, and of one
-/// farther off, where damping makes steps short. At a root of multiplicity m, Newton's step leaves `((m - 1) / m)^m` of the
-/// error, at most 1/e, and less than a seventh of its square.
-const PROGRESS: [f64; 2] = [0.5, 0.95];
+/// The squared error that a step has to leave less than, as a part of what it was. Where several singularities meet, a step
+/// that takes little may come before one that takes nearly all.
+const PROGRESS: f64 = 0.95;
 /// Residuals up to so many roundings say nothing about where the solution is, and where the arm is nearly singular a step
 /// that chases them leads far away.
 const NOISE: f64 = 20.0;
@@ -65,7 +65,7 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
 /// Damped least squares (Levenberg 1944, Marquardt 1963), damped in proportion to the squared error, so that convergence
 /// is quadratic. Returns the joint vector of least error and its residual.
 ///
-/// There are up to 16 steps, and no more after three in a row without progress; after
+/// There are up to 16 steps, and no more after three in a row that take less than a twentieth of the squared error; after
 /// one, if the solution is exact. Of two steps in a row one has to reduce the error, else neither is taken (the watchdog
 /// of Chamberlain, Powell, Lemarechal, Pedersen 1982). Each step takes one from `left`; without any left there is no step.
 #[cold]
@@ -109,9 +109,7 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
         let twice = stretch == T::TWO;
         let fold = folds && !twice && ratio > T::HALF * T::HALF && ratio < T::TWO * T::TWO;
         stretch = if fold { T::TWO } else { T::ONE };
-        let [near, far] = PROGRESS.map(T::from_f64);
-        let progress = if facts.tolerates(&best.residual) { near } else { far };
-        stalls = if tried.size < best.size * progress { 0 } else { stalls + 1 };
+        stalls = if tried.size < best.size * T::from_f64(PROGRESS) { 0 } else { stalls + 1 };
         if tried.size < best.size {
             core::mem::swap(&mut best, &mut tried);
             from_best = true;
