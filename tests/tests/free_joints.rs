@@ -1,7 +1,7 @@
 //! Singular poses are seen as such, in both precisions: every arm of `specs/` with an inverse for the pose of six joints.
 //!
-//! Poses come from the double-precision chain, on zeros of the Jacobian's determinant and on the grid of 90 degrees. They are rounded to the scalar
-//! under test, which has to see through the rounding.
+//! Poses come from the double-precision chain, on zeros of the Jacobian's determinant and on the grid of 90 degrees. They are
+//! rounded to the scalar under test, which has to see through the rounding.
 #![allow(clippy::unwrap_used)]
 
 use denhart::solve::Tolerances;

@@ -23,7 +23,7 @@ const FORWARD: f64 = 2e-7;
 const JACOBIAN: f64 = 4e-7;
 /// A sum of joint values, rad, that is rounded by no more than 1.2e-7.
 const SMALL_SUM: f64 = 4.0;
-/// Joint values of a fifth keep sums of three within half a turn or little more.
+/// Random joint values times this keep sums of three within half a turn or little more.
 const NEAR_ZERO: f64 = 0.2;
 /// What the position of solutions called exact misses by: ninety-nine in a hundred, all. A free joint stays at its default
 /// value, though a target beside the singular one determines it: then the solution misses by up to the diameter of that
@@ -100,8 +100,9 @@ fn half_ulp(x: f64) -> f64 {
     f64::from(x.next_up() - x) / 2.0
 }
 
-/// By how much the sums of joint values over parallel axes are rounded, rad. Generated code takes the sine of such a sum, which
-/// adds one joint value after the other. A sum within `SMALL_SUM` counts as none. Axes are parallel where the angular columns of the Jacobian are.
+/// By how much the sums of joint values over parallel axes are rounded, rad. Generated code takes the sine of such a sum,
+/// which adds one joint value after the other. A sum within `SMALL_SUM` counts as none. Axes are parallel where the angular
+/// columns of the Jacobian are.
 fn rounded_sums<const N: usize>(kinds: &[JointKind; N], jacobian: &Jacobian<f64, N>, q: &[f64; N]) -> f64 {
     let turning: Vec<usize> = (0..N).filter(|&joint| kinds[joint] == JointKind::Revolute).collect();
     let axis = |joint: usize| [3, 4, 5].map(|row| jacobian.rows[row][joint]);

@@ -40,8 +40,8 @@ pub trait Goal<T, const N: usize> {
     }
 }
 
-/// The whole pose. Its rotation has passed [`nearest_rotation`](super::nearest_rotation), which leaves none that is not
-/// finite but one of which no entry is a number.
+/// The whole pose. Its rotation comes from [`nearest_rotation`](super::nearest_rotation): all entries are finite, or none is
+/// a number.
 impl<T: Tolerances, const N: usize> Goal<T, N> for Pose<T> {
     #[inline]
     fn is_finite(&self) -> bool {
