@@ -38,7 +38,7 @@ impl fmt::Display for Stop {
 
 /// Result of a numeric inverse: the joint vector that came closest, and a report.
 ///
-/// `Q` is `[T; N]`, or `Vec<f64>` for a [`Chain`](crate::Chain).
+/// `Q` is `[T; N]`, or `Vec<f64>` for a `Chain`, the arm from its table at run time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct NumericSolution<T, Q> {

@@ -15,8 +15,13 @@ impl<T: Tolerances> Circle<T> {
     /// Its value.
     #[inline(never)]
     pub(super) fn at(&self, t: T) -> T {
+        self.toward(sin_cos(t))
+    }
+
+    /// The same from the sine and cosine of the angle.
+    #[inline]
+    pub(super) fn toward(&self, (s, c): (T, T)) -> T {
         let Circle { k0, k1: [k1c, k1s], k2: [k2c, k2s] } = *self;
-        let (s, c) = sin_cos(t);
         k0 + k1c * c + k1s * s + k2c * (c * c - s * s) + T::TWO * k2s * s * c
     }
 

@@ -71,11 +71,11 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for Pose<T> {
 
     fn error(&self, _: &[T; N], pose: &Pose<T>) -> [T; 6] {
         let [x, y, z] = sub(self.translation, pose.translation);
-        // The rotation's axis times the sine of its angle: half the sum over the axes of what each has to turn.
-        let [u, v, w] = [0, 1, 2]
-            .map(|j| cross(column(&pose.rotation, j), column(&self.rotation, j)))
-            .into_iter()
-            .fold([T::ZERO; 3], |[u, v, w], [a, b, c]| [u + a * T::HALF, v + b * T::HALF, w + c * T::HALF]);
+        // The rotation's axis times the sine of its angle: half the sum over the columns of the cross products, from what is
+        // to what is asked for. Its entries are dot products of rows.
+        let ([a, b, c], [d, e, f]) = (pose.rotation, self.rotation);
+        let [u, v, w] =
+            [[b, f, c, e], [c, d, a, f], [a, e, b, d]].map(|[p, q, r, s]| (dot(p, q) - dot(r, s)) * T::HALF);
         [x, y, z, u, v, w]
     }
 

@@ -2,16 +2,15 @@
 
 use super::facts::Evaluate;
 use super::{Facts, Goal, Tolerances};
-use crate::Residual;
 use crate::math::wrap;
+use crate::{JointMask, Residual};
 
 /// The most steps for one solution.
 pub(super) const MOST_STEPS: usize = 16;
-/// So many steps in a row that take less than a twentieth of the squared error are the last ones; one, once the solution is
-/// exact.
+/// So many steps in a row that stall are the last ones; one, once the solution is exact.
 const MOST_STALLS: usize = 3;
-/// The squared error that a step has to leave less than, as a part of what it was. Where several singularities meet, a step
-/// that takes little may come before one that takes nearly all.
+/// A step stalls that leaves more than this part of the squared error. Where several singularities meet, a step that takes
+/// little may come before one that takes nearly all.
 const PROGRESS: f64 = 0.95;
 /// Residuals up to so many roundings say nothing about where the solution is, and where the arm is nearly singular a step
 /// that chases them leads far away.
@@ -42,32 +41,34 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
     /// Evaluates the arm at its joint vector.
     #[inline(never)]
     fn evaluate(&mut self, facts: &Facts<T, N>, goal: &dyn Goal<T, N>, arm: &dyn Evaluate<T, N>) {
-        let (pose, mut jacobian) = arm.evaluate(&self.q);
-        goal.restrict(&pose, &mut jacobian);
+        let mut evaluated = arm.evaluate(&self.q);
+        let (pose, jacobian) = &mut evaluated;
+        goal.restrict(pose, jacobian);
         let k = T::ONE / facts.reach;
-        for (i, row) in jacobian.rows.iter().enumerate() {
-            let k = if i < 3 { k } else { T::ONE };
-            for (entry, value) in self.columns.iter_mut().filter_map(|column| column.get_mut(i)).zip(row) {
-                *entry = *value * k;
-            }
+        let [x, y, z, u, v, w] = &jacobian.rows;
+        let rows = x.iter().zip(y).zip(z).zip(u.iter().zip(v).zip(w));
+        for (column, (((x, y), z), ((u, v), w))) in self.columns.iter_mut().zip(rows) {
+            *column = [*x * k, *y * k, *z * k, *u, *v, *w];
         }
         for joint in facts.prismatic.iter() {
             let column = self.columns.get_mut(joint).into_iter().flatten();
             column.for_each(|entry| *entry *= facts.reach);
         }
-        let [x, y, z, u, v, w] = goal.error(&self.q, &pose);
+        let [x, y, z, u, v, w] = goal.error(&self.q, pose);
         self.error = [x * k, y * k, z * k, u, v, w];
         self.size = dot(&self.error, &self.error);
-        self.residual = goal.misses(&self.q, &pose);
+        self.residual = goal.misses(&self.q, pose);
     }
 }
 
 /// Damped least squares (Levenberg 1944, Marquardt 1963), damped in proportion to the squared error, so that convergence
 /// is quadratic. Returns the joint vector of least error and its residual.
 ///
-/// There are up to 16 steps, and no more after three in a row that take less than a twentieth of the squared error; after
-/// one, if the solution is exact. Of two steps in a row one has to reduce the error, else neither is taken (the watchdog
-/// of Chamberlain, Powell, Lemarechal, Pedersen 1982). Each step takes one from `left`; without any left there is no step.
+/// There are up to 16 steps, and no more after three in a row that stall (`PROGRESS`); after one, if the solution is exact.
+/// From a start that is `placed`, where the stages have roots, a step also stalls that leaves more than half of the squared
+/// error where the linear model does: near a root the model leaves nothing but the part of the damping.
+/// Of two steps in a row one has to reduce the error, else neither is taken (the watchdog of Chamberlain, Powell,
+/// Lemarechal, Pedersen 1982). Each step takes one from `left`; without any left there is no step.
 #[cold]
 #[inline(never)]
 pub(super) fn refined<T: Tolerances, const N: usize>(
@@ -76,14 +77,20 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
     arm: &dyn Evaluate<T, N>,
     start: &mut Iterate<T, N>,
     left: &mut usize,
+    placed: bool,
 ) -> ([T; N], Residual<T>) {
+    let floor = T::from_f64(NOISE) * T::EPSILON;
+    if !(start.size > floor * floor) {
+        return (start.q, start.residual);
+    }
+    let held = goal.given();
     let mut other = *start;
     let (mut best, mut tried) = (start, &mut other);
     // Whether the next step starts at the best joint vector, or at the one tried last.
     let mut from_best = true;
     let (mut boost, mut stretch) = (T::ONE, T::ONE);
-    let floor = T::from_f64(NOISE) * T::EPSILON;
     let (mut stalls, mut folds) = (0, true);
+    let mut progress = T::ONE;
     for _ in 0..MOST_STEPS {
         let exact = facts.relative(&best.residual) <= T::EXACT;
         let done = if exact { stalls > 0 } else { stalls >= MOST_STALLS };
@@ -94,22 +101,26 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
         }
         *left -= 1;
         let damping = (size + T::EPSILON * T::EPSILON * T::from_f64(16.0)) * boost;
-        let Some(step) = damped_step(facts, &place.columns, place.error, damping) else { break };
+        let Some((step, model)) = damped_step(facts, held, &place.columns, place.error, damping) else { break };
+        if from_best {
+            progress = if placed && model > size * T::HALF { T::HALF } else { T::from_f64(PROGRESS) };
+        }
         tried.q = start;
         for ((value, change), joint) in tried.q.iter_mut().zip(step).zip(0..) {
             *value += change * stretch;
-            if !facts.prismatic.contains(joint) && !goal.given().contains(joint) {
+            if !(facts.prismatic | held).contains(joint) {
                 *value = wrap(*value);
             }
         }
         tried.evaluate(facts, goal, arm);
-        // At a fold a step goes half of the way and leaves a quarter of the error: the next one is taken twice (Decker,
-        // Keller, Kelley 1983).
+        // At a fold a step goes half of the way and leaves a quarter of the error, the model nothing: the next one is taken
+        // twice (Decker, Keller, Kelley 1983).
         let ratio = tried.size / size * T::from_f64(16.0);
         let twice = stretch == T::TWO;
-        let fold = folds && !twice && ratio > T::HALF * T::HALF && ratio < T::TWO * T::TWO;
+        let quarter = ratio > T::HALF * T::HALF && ratio < T::TWO * T::TWO;
+        let fold = folds && !twice && quarter && model < tried.size * T::HALF;
         stretch = if fold { T::TWO } else { T::ONE };
-        stalls = if tried.size < best.size * T::from_f64(PROGRESS) { 0 } else { stalls + 1 };
+        stalls = if tried.size < best.size * progress { 0 } else { stalls + 1 };
         if tried.size < best.size {
             core::mem::swap(&mut best, &mut tried);
             from_best = true;
@@ -130,13 +141,15 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
 
 /// The step that minimizes `|J step - error|^2 + damping |step|^2`; a slide's in the unit of its joint. J is reflected
 /// (Householder 1958) into the triangle that starts as `sqrt(damping) I`. Unlike the normal equations this keeps singular
-/// values down to the rounding of J itself, which is what the steps near a fold need.
+/// values down to the rounding of J itself, which is what the steps near a fold need. Joints that are `held` stay.
+/// Returned with the step: the minimum.
 fn damped_step<T: Tolerances, const N: usize>(
     facts: &Facts<T, N>,
+    held: JointMask,
     jacobian: &[[T; 6]; N],
     mut error: [T; 6],
     damping: T,
-) -> Option<[T; N]> {
+) -> Option<([T; N], T)> {
     let mut columns = *jacobian;
     let mut triangle = [[T::ZERO; N]; N];
     let mut step = [T::ZERO; N];
@@ -144,7 +157,9 @@ fn damped_step<T: Tolerances, const N: usize>(
     let mut rest = columns.as_mut_slice();
     for (j, (line, value)) in triangle.iter_mut().zip(&mut step).enumerate() {
         let (across, behind) = rest.split_first_mut()?;
-        *value = reflect(across, behind, line.get_mut(j + 1..)?, &mut error, start);
+        if !held.contains(j) {
+            *value = reflect(across, behind, line.get_mut(j + 1..)?, &mut error, start);
+        }
         rest = behind;
     }
     for (j, line) in triangle.iter().enumerate().rev() {
@@ -154,7 +169,7 @@ fn damped_step<T: Tolerances, const N: usize>(
     for joint in facts.prismatic.iter() {
         *step.get_mut(joint)? *= facts.reach;
     }
-    step.iter().all(|x| x.is_finite()).then_some(step)
+    step.iter().all(|x| x.is_finite()).then_some((step, dot(&error, &error)))
 }
 
 /// Reflects a column into `start` on the diagonal, and with it the columns `behind` and the error. Of the new line of the
@@ -168,13 +183,13 @@ fn reflect<T: Tolerances>(
     start: T,
 ) -> T {
     let length = (start * start + dot(across, across)).sqrt();
-    // The reflection that takes (start, across) to (-length, 0), in parts of the first entry's change.
-    let share = T::ONE / (start + length);
     let inverse = T::ONE / length;
+    // The reflection that takes (start, across) to (-length, 0), in parts of the first entry's change.
+    let parts = across.map(|entry| entry / (start + length));
     let reflected = |column: &mut [T; 6]| {
         let along = dot(column, across) * inverse;
-        for (entry, part) in column.iter_mut().zip(across) {
-            *entry -= along * share * *part;
+        for (entry, part) in column.iter_mut().zip(&parts) {
+            *entry -= along * *part;
         }
         along * inverse
     };
@@ -184,7 +199,8 @@ fn reflect<T: Tolerances>(
     reflected(error)
 }
 
+/// Even and odd terms apart: two sums at a time.
 #[inline]
-fn dot<T: Tolerances>(a: &[T; 6], b: &[T; 6]) -> T {
-    a.iter().zip(b).fold(T::ZERO, |sum, (x, y)| sum + *x * *y)
+fn dot<T: Tolerances>([a, b, c, d, e, f]: &[T; 6], [u, v, w, x, y, z]: &[T; 6]) -> T {
+    (*a * *u + *c * *w + *e * *y) + (*b * *v + *d * *x + *f * *z)
 }

@@ -141,7 +141,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
             }
             Pass::Node { index, node } => {
                 let open = self.open_mut().get_mut(index);
-                if let Some(open) = open.filter(|open| open.joints.contains(&state.first)) {
+                if let Some(open) = open.filter(|open| open.moves(state.first)) {
                     let behind = open.moved.and_then(|moved| levels.get(moved + 1..)).unwrap_or(&[]);
                     if let Some(then) = behind.iter().find(|behind| behind.level.value.is_finite()) {
                         open.roots.keep(node, &then.level);
@@ -151,7 +151,8 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
             }
             Pass::Open { index, round } => {
                 let open = self.open().get(index)?;
-                if !(round == Round::Second && open.joints.contains(&state.first) || same(open.branch, branch, false)) {
+                let moves = round == Round::Second && open.moves(state.first);
+                if !(moves || same(open.branch, branch, false)) {
                     return None;
                 }
                 let name = open.branch.wrist().map_or(branch, |wrist| branch.with_wrist(wrist));

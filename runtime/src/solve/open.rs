@@ -108,6 +108,11 @@ impl<T: Tolerances> Open<T> {
         half > T::COINCIDENT
     }
 
+    /// Whether a branch, by the first joint that is free or nearly so on it, has a joint that this one moves.
+    pub(super) fn moves(&self, first: JointMask) -> bool {
+        !first.is_empty() && self.joints.contains(&first)
+    }
+
     /// Whether two joints may move.
     pub(super) fn two(&self) -> bool {
         let [_, second] = self.joints;

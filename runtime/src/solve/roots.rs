@@ -44,36 +44,47 @@ impl<T: Tolerances> Roots<T> {
     #[inline(never)]
     pub(super) fn place(&self, first: &Samples<T>, [middle, half]: [T; 2], other: [T; 2]) -> Option<T> {
         let series = [first.series(3, 0), first.series(3, 1)];
+        // Half angles from the middle, so that a narrow interval loses no digits.
+        let halves: [(T, T); NODES] = core::array::from_fn(|k| sin_cos(half * node(k) * T::HALF));
+        let (s0, c0) = sin_cos(middle);
         // The sine of h, up to a factor.
-        let sine = |x: T| {
-            let [level, square] = series.each_ref().map(|circle| circle.at(x));
+        let sine = |(s, c): (T, T)| {
+            let (s, c) = (s * c + s * c, c * c - s * s);
+            let [level, square] = series.each_ref().map(|circle| circle.toward((s0 * c + c0 * s, c0 * c - s0 * s)));
             let level = level / square;
             ((level - first.low) * (first.high - level)).max(T::ZERO).sqrt()
         };
-        // Half angles from the middle, so that a narrow interval loses no digits.
-        let halves: [(T, T); NODES] = core::array::from_fn(|k| sin_cos(half * node(k) * T::HALF));
-        let others = |k: usize, (sin, cos): (T, T)| {
-            let factors = halves.iter().enumerate().filter(|(j, _)| *j != k);
-            factors.fold(T::ONE, |product, (_, (s, c))| product * (sin * *c - cos * *s))
+        // For every node the product over the other ones.
+        let others = |(sin, cos): (T, T)| {
+            let factors = halves.map(|(s, c)| sin * c - cos * s);
+            let (mut products, mut before, mut behind) = ([T::ONE; NODES], T::ONE, T::ONE);
+            for (product, factor) in products.iter_mut().zip(factors) {
+                *product = before;
+                before *= factor;
+            }
+            for (product, factor) in products.iter_mut().zip(factors).rev() {
+                *product *= behind;
+                behind *= factor;
+            }
+            products
         };
         let mut sums = self.values;
         for (k, (([mean, share], at), values)) in sums.iter_mut().zip(halves).zip(&self.values).enumerate() {
             let [one, other] = *values;
-            let weight = T::HALF / others(k, at);
+            let weight = T::HALF / others(at).get(k).copied()?;
             *mean = (one + other) * weight;
-            *share = (one - other) * weight / sine(middle + half * node(k));
+            *share = (one - other) * weight / sine(at);
         }
         let inside = |[center, width]: [T; 2], turn: T| {
             let (s, c) = sin_cos(turn);
             let from_middle = (center - middle) + width * c;
             let at = sin_cos(from_middle * T::HALF);
             let (mut mean, mut share) = (T::ZERO, T::ZERO);
-            for (k, [m, d]) in sums.iter().enumerate() {
-                let weight = others(k, at);
+            for ([m, d], weight) in sums.iter().zip(others(at)) {
                 mean += weight * *m;
                 share += weight * *d;
             }
-            let level = mean + share * sine(middle + from_middle).copysign(s);
+            let level = mean + share * sine(at).copysign(s);
             (level - self.low).min(self.high - level)
         };
         let best = |span: [T; 2]| {
