@@ -62,9 +62,9 @@ impl<T: Tolerances> Roots<T> {
                 *product = before;
                 before *= factor;
             }
-            for (product, factor) in products.iter_mut().zip(factors).rev() {
+            for (product, factor) in products.iter_mut().rev().zip(factors.iter().rev()) {
                 *product *= behind;
-                behind *= factor;
+                behind *= *factor;
             }
             products
         };
