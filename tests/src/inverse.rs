@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Debug};
 
-use denhart::{Branch, InverseKinematics, Solution, Status};
+use denhart::{Branch, InverseKinematics, OneSolution, Residual, Solution, Status};
 use denhart_dynamic::{DynamicArm, DynamicError, DynamicSolution, DynamicSolutions, DynamicTarget};
 
 use crate::effort;
@@ -44,8 +44,10 @@ pub trait Inverse<const N: usize>: Send + Sync {
     fn all(&self, target: &Self::Target) -> Answer<N>;
     /// Every branch next to a reference.
     fn near(&self, target: &Self::Target, q_ref: &[f64; N]) -> Answer<N>;
-    /// Whether one branch has a solution.
-    fn branch(&self, target: &Self::Target, branch: Branch) -> bool;
+    /// The solution on one branch.
+    fn branch(&self, target: &Self::Target, branch: Branch) -> OneSolution<f64, N>;
+    /// By how much a joint vector misses the target.
+    fn residual(&self, target: &Self::Target, q: &[f64; N]) -> Residual<f64>;
 }
 
 /// The functions behind a pointer, so that the rules compile once and not once an arm. Each keeps to the bound on a call.
@@ -93,8 +95,12 @@ where
         Answer { solutions: solutions.as_ref().to_vec(), status: A::status(&solutions) }
     }
 
-    fn branch(&self, target: &A::Target, branch: Branch) -> bool {
-        self.arm.inverse_branch(target, branch).is_ok()
+    fn branch(&self, target: &A::Target, branch: Branch) -> OneSolution<f64, N> {
+        self.arm.inverse_branch(target, branch)
+    }
+
+    fn residual(&self, target: &A::Target, q: &[f64; N]) -> Residual<f64> {
+        self.arm.residual(q, target)
     }
 }
 
@@ -125,12 +131,13 @@ impl Evaluated {
 /// An answer of the arm, which has `N` joints and the task that is asked for.
 fn answer<const N: usize>(solutions: Result<DynamicSolutions, DynamicError>) -> Answer<N> {
     let solutions = solutions.expect("a target of the arm's task, and a number for each joint");
-    let sized = |s: &DynamicSolution| {
-        let DynamicSolution { q, flags, free, branch, residual } = *s;
-        let q = <[f64; N]>::try_from(&*q).expect("a value a joint");
-        Solution { q, flags, free, branch, residual }
-    };
     Answer { solutions: solutions.iter().map(sized).collect(), status: solutions.status() }
+}
+
+fn sized<const N: usize>(solution: &DynamicSolution) -> Solution<f64, N> {
+    let DynamicSolution { q, flags, free, branch, residual } = *solution;
+    let q = <[f64; N]>::try_from(&*q).expect("a value a joint");
+    Solution { q, flags, free, branch, residual }
 }
 
 impl<const N: usize> Inverse<N> for Evaluated {
@@ -149,7 +156,11 @@ impl<const N: usize> Inverse<N> for Evaluated {
         answer(self.arm.inverse_near(target, q_ref))
     }
 
-    fn branch(&self, Request { target, given }: &Request, branch: Branch) -> bool {
-        self.arm.inverse_branch(target, *given, branch).expect("as above").is_ok()
+    fn branch(&self, Request { target, given }: &Request, branch: Branch) -> OneSolution<f64, N> {
+        self.arm.inverse_branch(target, *given, branch).expect("as above").map(|solution| sized(&solution))
+    }
+
+    fn residual(&self, Request { target, .. }: &Request, q: &[f64; N]) -> Residual<f64> {
+        self.arm.residual(q, target).expect("as above")
     }
 }

@@ -9,6 +9,7 @@ pub mod bad_targets;
 pub mod boundary;
 pub mod branches;
 pub mod effort;
+pub mod evaluated;
 pub mod inverse;
 pub mod poses;
 pub mod random;

@@ -1,39 +1,53 @@
 //! Arms at which a sweep found a defect (`arms/found/`): everything that a sweep asks of them, and the joint vectors at the
-//! head of their files.
+//! head of their files; and their generated code beside their evaluation.
 
 use denhart_tests::sweep::replay::replay;
 
-/// A test for each file.
+/// A module for each file: name, joints, file.
 macro_rules! found {
-    ($($name:ident)*) => {$(
-        #[test]
-        fn $name() {
-            let text = include_str!(concat!("../arms/found/", stringify!($name), ".yaml"));
-            let outcome = replay(text).expect("an arm file");
-            assert!(outcome.refused.is_none() && outcome.poses > 500, "{:?}, {} poses", outcome.refused, outcome.poses);
-            assert!(outcome.failures.is_empty(), "{:#?}", outcome.failures);
+    ($($name:ident $dof:tt $file:literal;)*) => {$(
+        mod $name {
+            #[derive(Debug, Clone, Copy, Default, denhart::Arm)]
+            #[arm(spec = $file)]
+            struct Found;
+
+            #[test]
+            fn replayed() {
+                super::check(include_str!(concat!("../", $file)));
+            }
+
+            #[test]
+            fn evaluated() {
+                denhart_tests::evaluated::inverse::<Found, $dof>($file, denhart_tests::margins_of!(Found));
+            }
         }
     )*};
 }
 
+fn check(text: &str) {
+    let outcome = replay(text).expect("an arm file");
+    assert!(outcome.refused.is_none() && outcome.poses > 500, "{:?}, {} poses", outcome.refused, outcome.poses);
+    assert!(outcome.failures.is_empty(), "{:#?}", outcome.failures);
+}
+
 found! {
     // A wrist in the middle is not decoupled.
-    sweep_1_139
+    sweep_1_139 6 "arms/found/sweep_1_139.yaml";
     // Three parallel axes behind a free joint: the first stage does not depend on it.
-    sweep_1_229
-    sweep_1_544
-    sweep_1_1612
+    sweep_1_229 6 "arms/found/sweep_1_229.yaml";
+    sweep_1_544 7 "arms/found/sweep_1_544.yaml";
+    sweep_1_1612 5 "arms/found/sweep_1_1612.yaml";
     // The roots of the first stage lie in two intervals.
-    sweep_1_780
+    sweep_1_780 6 "arms/found/sweep_1_780.yaml";
     // A slide between the free joint and the stage.
-    sweep_1_274
+    sweep_1_274 6 "arms/found/sweep_1_274.yaml";
     // Two free joints, and a stage that has no root with either at home.
-    sweep_1_714
-    sweep_1_1142
+    sweep_1_714 6 "arms/found/sweep_1_714.yaml";
+    sweep_1_1142 6 "arms/found/sweep_1_1142.yaml";
     // A given slide of 1e308.
-    sweep_1_433
+    sweep_1_433 7 "arms/found/sweep_1_433.yaml";
     // Axes that miss the structure by 1e-11: every branch is verified.
-    sweep_1_4073
+    sweep_1_4073 6 "arms/found/sweep_1_4073.yaml";
     // A fifth joint that slides where a pose needs one that rolls.
-    sweep_1_4652
+    sweep_1_4652 5 "arms/found/sweep_1_4652.yaml";
 }

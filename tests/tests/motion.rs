@@ -1,5 +1,5 @@
 //! Velocities, accelerations, the Jacobian's derivative and other forms, and the manipulability of every arm of
-//! `specs/`: beside numbers that carry their derivatives, beside extrapolated differences of the chain, and beside
+//! `specs/`, and of one that points: beside numbers that carry their derivatives, beside extrapolated differences of the chain, and beside
 //! singular values.
 
 use std::path::Path;
@@ -9,6 +9,7 @@ use denhart_tests::poses::Space;
 use denhart_tests::random::Random;
 use denhart_tests::series::{self, Series};
 use denhart_tests::subject::{Specified, largest, reach};
+use denhart_tests::task::{Kind, Task, across, tool_axis};
 use nalgebra::DMatrix;
 
 /// What `numeric.rs` holds poses and Jacobians to, in reaches: some fifty roundings through ten transforms.
@@ -39,14 +40,17 @@ struct Arm<const N: usize> {
     reach: f64,
     kinds: [JointKind; N],
     limits: [[f64; 2]; N],
+    counted: Counted,
     methods: Methods<N>,
 }
 
 impl<const N: usize> Arm<N> {
-    fn new<A: Specified<N>>(methods: Methods<N>) -> Self {
+    /// The arm `A`, whose file has this text.
+    fn new<A: Specified<N>>(text: &str, methods: Methods<N>) -> Self {
         let reach = reach(&A::TABLE, &A::LIMITS);
         let (table, chain) = (A::TABLE, Chain::from(A::TABLE));
-        Self { name: A::NAME, table, chain, reach, kinds: A::JOINT_KINDS, limits: A::LIMITS, methods }
+        let counted = Counted::of(text);
+        Self { name: A::NAME, table, chain, reach, kinds: A::JOINT_KINDS, limits: A::LIMITS, counted, methods }
     }
 
     /// Rates whose absolute values, strokes in reaches, are at most 1.
@@ -168,15 +172,20 @@ impl<const N: usize> Arm<N> {
     /// largest, where several vanish as where none does.
     fn manipulability(&self, q: &Joints<N>) {
         let jacobian = self.chain.jacobian(q).unwrap();
-        let rows = task_rows(self.name);
-        let mut matrix = DMatrix::from_fn(rows.len(), N, |row, joint| jacobian[(rows[row], joint)]);
-        if rows == ANGLE_IN_PLANE {
+        let turning = jacobian.rows(3, 3);
+        // Rates of the point, and of turns about these axes.
+        let about = |axes: &[nalgebra::Vector3<f64>]| {
+            DMatrix::from_fn(3 + axes.len(), N, |row, joint| match row.checked_sub(3) {
+                None => jacobian[(row, joint)],
+                Some(axis) => axes[axis].dot(&turning.column(joint)),
+            })
+        };
+        let matrix = match self.counted {
+            Counted::Rows(counted) => jacobian.select_rows(counted),
             // The tool's angle turns about the axis of the pitch joints, which joint 2 is one of.
-            let pitch = jacobian.column(1).rows(3, 3).into_owned();
-            for joint in 0..N {
-                matrix[(3, joint)] = pitch.dot(&jacobian.column(joint).rows(3, 3));
-            }
-        }
+            Counted::Angle => about(&[turning.column(1).into_owned()]),
+            Counted::Axis(axis) => about(&across(&tool_axis(&self.chain.forward(q).unwrap(), axis))),
+        };
         let values = matrix.singular_values();
         let off = ROUNDING * largest(values.iter().copied());
         let expected: f64 = values.iter().product();
@@ -228,22 +237,48 @@ fn extrapolated(f: impl Fn(f64) -> Vec<f64>) -> Vec<f64> {
     table.remove(0)
 }
 
-/// A point, and the turn about the pitch axis in place of the fourth row.
-const ANGLE_IN_PLANE: &[usize] = &[0, 1, 2, 3];
+/// What the task of an arm counts.
+#[derive(Debug, Clone, Copy)]
+enum Counted {
+    /// Rows of the Jacobian.
+    Rows(&'static [usize]),
+    /// The point, and the turn about the pitch axis.
+    Angle,
+    /// The point, and the two turns across an axis of the tool: 0 for x to 2 for z.
+    Axis(usize),
+}
 
-/// The rows of the Jacobian that the task in the arm's file counts.
-fn task_rows(name: &str) -> &'static [usize] {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../specs/{name}.yaml"));
-    let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    let task = text.lines().find_map(|line| line.strip_prefix("inverse: {task: ")).unwrap_or("pose");
-    match task.split([',', '}']).next().unwrap_or(task) {
-        "position" => &[0, 1, 2],
-        "planar_position" => &[0, 1],
-        "planar_pose" => &[0, 1, 5],
-        "position_angle" => ANGLE_IN_PLANE,
-        "pose" => &[0, 1, 2, 3, 4, 5],
-        other => panic!("{name}: task {other}"),
+impl Counted {
+    /// By the task in the text of an arm's file.
+    fn of(text: &str) -> Self {
+        let inverse = text.lines().find_map(|line| line.strip_prefix("inverse: {task: ")).unwrap_or("pose");
+        match inverse.split([',', '}']).next().unwrap_or(inverse) {
+            "position" => Self::Rows(&[0, 1, 2]),
+            "planar_position" => Self::Rows(&[0, 1]),
+            "planar_pose" => Self::Rows(&[0, 1, 5]),
+            "position_angle" => Self::Angle,
+            "position_axis" => {
+                Self::Axis(["axis: x", "axis: y", "axis: z"].iter().position(|axis| inverse.contains(axis)).unwrap())
+            }
+            "pose" => Self::Rows(&[0, 1, 2, 3, 4, 5]),
+            other => panic!("task {other}"),
+        }
     }
+}
+
+/// The methods of an arm by its type.
+macro_rules! methods {
+    ($Robot:ident) => {
+        Methods {
+            velocity: |q, qd| $Robot.velocity(q, qd),
+            acceleration: |q, qd, qdd| $Robot.acceleration(q, qd, qdd),
+            jacobian_dot: |q, qd| $Robot.jacobian_dot(q, qd),
+            jacobian_tool: |q| $Robot.jacobian_tool(q),
+            link_velocities: |q, qd| $Robot.link_velocities(q, qd),
+            link_accelerations: |q, qd, qdd| $Robot.link_accelerations(q, qd, qdd),
+            manipulability: |q| $Robot.manipulability(q),
+        }
+    };
 }
 
 macro_rules! motion_tests {
@@ -251,23 +286,52 @@ macro_rules! motion_tests {
         #[test]
         fn $name() {
             use denhart_tests::arms::$Type as Robot;
-            let methods = super::Methods {
-                velocity: |q, qd| Robot.velocity(q, qd),
-                acceleration: |q, qd, qdd| Robot.acceleration(q, qd, qdd),
-                jacobian_dot: |q, qd| Robot.jacobian_dot(q, qd),
-                jacobian_tool: |q| Robot.jacobian_tool(q),
-                link_velocities: |q, qd| Robot.link_velocities(q, qd),
-                link_accelerations: |q, qd, qdd| Robot.link_accelerations(q, qd, qdd),
-                manipulability: |q| Robot.manipulability(q),
-            };
-            super::Arm::<$dof>::new::<Robot>(methods).check();
+            let path = Path::new(env!("CARGO_MANIFEST_DIR")).join($file);
+            let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+            Arm::<$dof>::new::<Robot>(&text, methods!(Robot)).check();
         }
     )*};
 }
 
 mod arms {
+    use super::{Arm, Methods, Path};
     denhart_tests::published_arms!(motion_tests);
 }
+
+macro_rules! pointing {
+    ($yaml:literal) => {
+        /// An arm that places the tool point and points the tool's y axis, with base and tool.
+        #[derive(Debug, Clone, Copy, Default, denhart::Arm)]
+        #[arm(yaml = $yaml)]
+        struct Pointing;
+
+        impl Specified<5> for Pointing {
+            const NAME: &'static str = "pointing";
+            const TABLE: DhTable = Pointing::DH;
+            const TASK: Task = Task::new(Kind::PositionAxis(1));
+        }
+
+        #[test]
+        fn an_arm_that_points() {
+            Arm::<5>::new::<Pointing>($yaml, methods!(Pointing)).check();
+        }
+    };
+}
+
+pointing! { "
+name: pointing
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: position_axis, axis: y, require: true}
+base: {xyz: [0.1, -0.25, 0.08], rpy: [10, -35, 120]}
+tool: {xyz: [0.015, -0.02, 0.03], rpy: [50, 20, -70]}
+joints:
+  - {a: 0.05, alpha: -90, d: 0.35, theta: 0}
+  - {a: 0.3, alpha: 0, d: 0, theta: 0}
+  - {a: 0.25, alpha: 0, d: 0, theta: 0}
+  - {a: 0, alpha: -90, d: 0, theta: -90}
+  - {a: 0, alpha: 0, d: 0.15, theta: 0}
+" }
 
 macro_rules! single_tests {
     ($($name:ident $Single:ident $Double:ident $file:literal;)*) => {$(

@@ -15,9 +15,9 @@ macro_rules! made_up_arms {
             stanford_mounted StanfordMounted 6 inverse "arms/mounted/stanford_mounted.yaml";
             staubli_tx40_mounted StaubliTx40Mounted 6 inverse "arms/mounted/staubli_tx40_mounted.yaml";
             techman_tm5_700_mounted TechmanTm5700Mounted 6 inverse "arms/mounted/techman_tm5_700_mounted.yaml";
-            franka_panda_mounted FrankaPandaMounted 7 forward "arms/mounted/franka_panda_mounted.yaml";
-            scara_rrrp_325_275_mounted ScaraRrrp325275Mounted 4 forward "arms/mounted/scara_rrrp_325_275_mounted.yaml";
-            jupiter_mounted JupiterMounted 4 forward "arms/mounted/jupiter_mounted.yaml";
+            franka_panda_mounted FrankaPandaMounted 7 task "arms/mounted/franka_panda_mounted.yaml";
+            scara_rrrp_325_275_mounted ScaraRrrp325275Mounted 4 task "arms/mounted/scara_rrrp_325_275_mounted.yaml";
+            jupiter_mounted JupiterMounted 4 task "arms/mounted/jupiter_mounted.yaml";
             planar3r_mounted Planar3rMounted 3 forward "arms/mounted/planar3r_mounted.yaml";
             // Made-up arms with three consecutive axes that meet in a point.
             meet_123_a Meet123A 6 inverse "arms/meeting/meet_123_a.yaml";

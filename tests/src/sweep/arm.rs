@@ -1,7 +1,7 @@
 //! The parts of an evaluated arm that its judge needs, as the generator read them from the file.
 
 use denhart::{Chain, Convention, DhFrame, DhRow, JointKind};
-use denhart_codegen::lower::{Given, Goal};
+use denhart_codegen::lower::{Given, Goal, Inverse};
 use denhart_codegen::model::{self, Frame, Model, RowKind};
 use denhart_dynamic::DynamicArm;
 
@@ -41,18 +41,27 @@ pub fn reach(arm: &DynamicArm) -> f64 {
     length(chain.rows(), [&base, &tool], arm.limits())
 }
 
-/// The task of an arm whose value beside the target is that of a joint, if any.
-pub fn task(arm: &DynamicArm) -> Option<Task> {
-    let inverse = arm.program().inverse.as_ref().ok().filter(|_| arm.task().is_ok())?;
-    let kind = match &inverse.goal {
+/// What the inverse of an arm is asked for; `None` without an inverse.
+pub fn kind(arm: &DynamicArm) -> Option<Kind> {
+    Some(match &inverse(arm)?.goal {
         Goal::Pose => Kind::Pose,
         Goal::Position => Kind::Position,
         Goal::PositionAxis { column } => Kind::PositionAxis(*column),
         Goal::PositionAngle { .. } => Kind::PositionAngle,
         Goal::PlanarPose => Kind::PlanarPose,
         Goal::PlanarPosition => Kind::PlanarPosition,
-    };
-    match inverse.given {
+    })
+}
+
+/// The program of an inverse that can be evaluated.
+fn inverse(arm: &DynamicArm) -> Option<&Inverse> {
+    arm.program().inverse.as_ref().ok().filter(|_| arm.task().is_ok())
+}
+
+/// The task of an arm whose value beside the target is that of a joint, if any.
+pub fn task(arm: &DynamicArm) -> Option<Task> {
+    let kind = kind(arm)?;
+    match inverse(arm)?.given {
         None => Some(Task::new(kind)),
         Some(Given::Joint { joint, .. }) => Some(Task { kind, given: Some(joint) }),
         Some(Given::ArmAngle) => None,

@@ -1,45 +1,52 @@
 //! Arms evaluated at run time give what their generated code gives, to the bit.
+//!
+//! An arm with inverse is compared in the suite that compiles its inverse for other tests: `inverse`, `tasks`, `parameters`
+//! or `found`. Here are the others, and that none is left out.
 
-mod bits;
-mod compare;
-mod generated;
+mod lists;
 mod more;
 
-use denhart_dynamic::DynamicArm;
-use std::path::Path;
-
-/// The arm of a file, from the folder of this package.
-fn evaluated(file: &str) -> DynamicArm {
-    DynamicArm::from_file(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap()
-}
+use denhart_tests::{evaluated, margins_of};
 
 macro_rules! equal {
-    (@forward $Type:ident $dof:tt) => { generated::kinematics::<denhart_tests::arms::$Type, $dof>() };
-    (@inverse $Type:ident $dof:tt) => { generated::inverse::<denhart_tests::arms::$Type, $dof>() };
-    (@task $Type:ident $dof:tt) => { generated::inverse::<denhart_tests::arms::$Type, $dof>() };
-    ($($name:ident $Type:ident $dof:tt $kind:ident $file:literal;)*) => {$(
+    ($($name:ident $Type:ident $dof:tt $kind:ident $file:literal;)*) => {
+        $(equal! { @$kind $name $Type $dof $file })*
+    };
+    (@forward $name:ident $Type:ident $dof:tt $file:literal) => {
         #[test]
         fn $name() {
-            let arm = evaluated($file);
-            compare::compare(stringify!($name), &arm, &equal!(@$kind $Type $dof));
+            use denhart_tests::arms::$Type as Tested;
+            evaluated::kinematics::<Tested, $dof>($file, margins_of!(Tested));
         }
-    )*};
-}
-
-macro_rules! equal_with_branches {
-    (@forward $Type:ident $dof:tt) => { generated::kinematics::<denhart_tests::arms::$Type, $dof>() };
-    (@inverse $Type:ident $dof:tt) => { generated::branches::<denhart_tests::arms::$Type, $dof>() };
-    (@task $Type:ident $dof:tt) => { generated::branches::<denhart_tests::arms::$Type, $dof>() };
-    ($($name:ident $Type:ident $dof:tt $kind:ident $file:literal;)*) => {$(
+    };
+    (@task $name:ident $Type:ident $dof:tt $file:literal) => {
         #[test]
         fn $name() {
-            let arm = evaluated($file);
-            compare::compare(stringify!($name), &arm, &equal_with_branches!(@$kind $Type $dof));
+            use denhart_tests::arms::$Type as Tested;
+            evaluated::inverse::<Tested, $dof>($file, margins_of!(Tested));
         }
-    )*};
+    };
+    (@inverse $name:ident $Type:ident $dof:tt $file:literal) => {};
 }
 
-denhart_tests::published_arms!(equal_with_branches);
+/// Of `specs/` those without inverse: the suite `tasks` has the tasks.
+macro_rules! equal_forward {
+    ($($name:ident $Type:ident $dof:tt $kind:ident $file:literal;)*) => {
+        $(equal_forward! { @$kind $name $Type $dof $file })*
+    };
+    (@forward $name:ident $Type:ident $dof:tt $file:literal) => { equal! { @forward $name $Type $dof $file } };
+    (@$kind:ident $name:ident $Type:ident $dof:tt $file:literal) => {};
+}
+
+mod published {
+    use super::*;
+
+    denhart_tests::published_arms!(equal_forward);
+    equal! {
+        kuka_lwr4 KukaLwr4 7 task "../specs/kuka_lwr4.yaml";
+        yaskawa_sia10d YaskawaSia10d 7 task "../specs/yaskawa_sia10d.yaml";
+    }
+}
 
 mod made_up {
     use super::*;

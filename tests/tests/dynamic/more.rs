@@ -1,13 +1,10 @@
-//! What not every arm has: margins, linked motors, limits of sums, the arm angle; and what is refused.
+//! What not every arm has: linked motors, limits of sums, the arm angle; and what is refused.
 
 use denhart::Arm;
 use denhart_dynamic::{DynamicArm, DynamicError, DynamicTarget};
-use denhart_tests::arms::*;
+use denhart_tests::evaluated::{Generated, bits, compare};
+use denhart_tests::margins_of;
 use denhart_tests::random::Random;
-
-use crate::bits;
-use crate::compare::compare;
-use crate::generated::{inverse, kinematics};
 
 fn spec(name: &str) -> DynamicArm {
     DynamicArm::from_file(format!("{}/../specs/{name}.yaml", env!("CARGO_MANIFEST_DIR"))).unwrap()
@@ -15,35 +12,6 @@ fn spec(name: &str) -> DynamicArm {
 
 fn random<const N: usize>(random: &mut Random) -> [f64; N] {
     std::array::from_fn(|_| random.uniform(-3.0, 3.0))
-}
-
-#[test]
-fn margins() {
-    macro_rules! equal {
-        ($($name:literal $Type:ident;)*) => {$(
-            let (arm, mut seed) = (spec($name), Random::named($name));
-            for _ in 0..50 {
-                let q = random(&mut seed);
-                let margins = arm.margins(&q).unwrap().unwrap();
-                let evaluated: Vec<_> = margins.into_iter().map(|m| (m.name, bits::number(m.value))).collect();
-                let generated: Vec<_> =
-                    $Type.margins(&q).iter().map(|m| (m.name.to_string(), bits::number(m.value))).collect();
-                assert_eq!(evaluated, generated, "{} at {q:?}", $name);
-            }
-        )*};
-    }
-    equal! {
-        "ur5" Ur5;
-        "puma560" Puma560;
-        "stanford" Stanford;
-        "abb_irb2400" AbbIrb2400;
-        "spherical_shoulder_6r" SphericalShoulder6r;
-        "jupiter" Jupiter;
-        "planar3r" Planar3r;
-        "anthro3r" Anthro3r;
-        "kuka_iiwa7_r800" KukaIiwa7R800;
-    }
-    assert_eq!(spec("scorbot_er5").margins(&[0.1; 5]), Ok(None));
 }
 
 macro_rules! arm {
@@ -75,7 +43,7 @@ combined_limits:
 #[test]
 fn linked_motors_and_limits_of_sums() {
     let arm = DynamicArm::from_yaml(LINKED).unwrap();
-    compare("linked", &arm, &inverse::<Linked, 4>());
+    compare("linked", &arm, &Generated::with_inverse::<Linked, 4>(&arm, margins_of!(Linked)));
     let mut seed = Random::named("linked motors");
     for _ in 0..50 {
         let q = random(&mut seed);
@@ -107,7 +75,7 @@ joints:
 #[test]
 fn arm_angle() {
     let arm = DynamicArm::from_yaml(SWUNG).unwrap();
-    compare("swung", &arm, &inverse::<Swung, 7>());
+    compare("swung", &arm, &Generated::with_inverse::<Swung, 7>(&arm, margins_of!(Swung)));
     let mut seed = Random::named("arm angle");
     for _ in 0..50 {
         let q = random(&mut seed);
@@ -138,7 +106,7 @@ tool: {xyz: [0.1, 0.2, 0.3], rpy: [10, 20, 30]}
 #[test]
 fn ten_joints() {
     let arm = DynamicArm::from_yaml(TEN).unwrap();
-    compare("ten", &arm, &kinematics::<Ten, 10>());
+    compare("ten", &arm, &Generated::kinematics::<Ten, 10>(margins_of!(Ten)));
     assert!(matches!(arm.task(), Err(DynamicError::NoInverse(_))));
 }
 

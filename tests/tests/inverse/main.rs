@@ -15,11 +15,11 @@ const SAMPLED: Grids = Grids { complete: 4096, samples: 20_000 };
 
 macro_rules! inverse_tests {
     ($($name:ident $Type:ident $dof:tt $kind:ident $file:literal;)*) => {
-        $(inverse_tests! { @$kind $name $Type COMPLETE })*
+        $(inverse_tests! { @$kind $name $Type $file COMPLETE })*
     };
-    (@forward $name:ident $Type:ident $grids:ident) => {};
-    (@task $name:ident $Type:ident $grids:ident) => {};
-    (@inverse $name:ident $Type:ident $grids:ident) => {
+    (@forward $name:ident $Type:ident $file:literal $grids:ident) => {};
+    (@task $name:ident $Type:ident $file:literal $grids:ident) => {};
+    (@inverse $name:ident $Type:ident $file:literal $grids:ident) => {
         mod $name {
             use denhart_tests::arms::$Type;
             use denhart_tests::subject::Subject;
@@ -54,13 +54,18 @@ macro_rules! inverse_tests {
             fn effort() {
                 denhart_tests::effort::check::<$Type, 6>();
             }
+
+            #[test]
+            fn evaluated() {
+                denhart_tests::evaluated::inverse::<$Type, 6>($file, denhart_tests::margins_of!($Type));
+            }
         }
     };
 }
 
 macro_rules! made_up_inverse_tests {
     ($($name:ident $Type:ident $dof:tt $kind:ident $file:literal;)*) => {
-        $(inverse_tests! { @$kind $name $Type SAMPLED })*
+        $(inverse_tests! { @$kind $name $Type $file SAMPLED })*
     };
 }
 

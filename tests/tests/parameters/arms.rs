@@ -1,6 +1,6 @@
 //! Arms with named lengths, each as a struct of fields and as a unit struct, from one file of `tests/arms/parameters/`.
 
-use denhart::{Arm, Chain, DhFrame, DhRow, DhTable};
+use denhart::{Arm, Chain, DhFrame, DhRow, DhTable, Margin};
 
 /// Calls `$with!` with `($more)` and every arm: type, joints, name.
 macro_rules! arms {
@@ -37,10 +37,11 @@ macro_rules! check {
 /// What the tests need of a struct of parameters.
 pub trait Parametric<const N: usize>: Arm<f64, N> + Copy + Send + Sync {
     /// The arm whose lengths are constants.
-    type Folded: Arm<f64, N> + Default;
+    type Folded: Arm<f64, N> + Default + Send + Sync + 'static;
     /// Its table.
     const TABLE: DhTable;
-    /// Its file.
+    /// Its file, from the folder of this package, and the text of it.
+    const FILE: &'static str;
     const YAML: &'static str;
     /// How many parameters there are.
     const COUNT: usize;
@@ -51,6 +52,8 @@ pub trait Parametric<const N: usize>: Arm<f64, N> + Copy + Send + Sync {
     fn values(&self) -> Vec<f64>;
     /// The arm of the file.
     fn file() -> Self;
+    /// The margins of the arm whose lengths are constants.
+    fn folded_margins(q: &[f64; N]) -> Vec<Margin<f64>>;
     /// The rows, the base and the tool as bound.
     fn bound(&self) -> (Vec<DhRow>, DhFrame, DhFrame);
 
@@ -78,6 +81,7 @@ macro_rules! parametric {
         impl Parametric<$joints> for $name {
             type Folded = $folded;
             const TABLE: DhTable = $folded::DH;
+            const FILE: &'static str = $file;
             const YAML: &'static str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/", $file));
             const COUNT: usize = [$(stringify!($field)),+].len();
 
@@ -93,6 +97,11 @@ macro_rules! parametric {
 
             fn file() -> Self {
                 Self::nominal()
+            }
+
+            fn folded_margins(q: &[f64; $joints]) -> Vec<Margin<f64>> {
+                let margins: fn(&[f64; $joints]) -> Vec<Margin<f64>> = denhart_tests::margins_of!($folded);
+                margins(q)
             }
 
             fn bound(&self) -> (Vec<DhRow>, DhFrame, DhFrame) {

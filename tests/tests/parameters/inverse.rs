@@ -6,8 +6,10 @@ use super::{joints, lengths, reach, unit};
 use denhart::{
     Flags, InverseKinematics, JointKind, PlanarPose, PointAngle, PointAxis, Pose, Residual, Solution, Status,
 };
+use denhart_tests::evaluated::{self, Typed};
 use denhart_tests::random::Random;
 use denhart_tests::subject::{largest, wrap};
+use denhart_tests::task::Asked;
 use std::fmt::Debug;
 
 /// What a solution marked exact may miss by, positions in reaches and in rad: the promise of `Flags::EXACT`.
@@ -222,6 +224,20 @@ where
             assert!(apart < 1e-10, "{q:?}: {apart:e}\n{one:?}\n{other:?}");
         }
     }
+}
+
+/// The arm evaluated from the file, which has the lengths of the file, is the one whose lengths are constants, to the bit.
+fn evaluated<A, const N: usize>(_: &str)
+where
+    A: Parametric<N>,
+    A::Folded: InverseKinematics<f64, N, Target: Asked + Typed>,
+{
+    evaluated::inverse::<A::Folded, N>(A::FILE, A::folded_margins);
+}
+
+#[test]
+fn the_evaluated_file_gives_the_bits_of_constant_lengths() {
+    arms!(check evaluated);
 }
 
 #[test]

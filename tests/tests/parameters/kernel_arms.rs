@@ -1,7 +1,7 @@
 //! Arms with named lengths for the kernels that the arms of `arms.rs` do not need.
 
 use super::arms::Parametric;
-use denhart::{DhFrame, DhRow, DhTable};
+use denhart::{DhFrame, DhRow, DhTable, Margin};
 
 parametric!(
     /// Yaw, three pitch joints and roll, asked for a pose: the yaw joint has two equations (`offset_of_two`).

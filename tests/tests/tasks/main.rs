@@ -44,6 +44,11 @@ macro_rules! arms {
             }
 
             #[test]
+            fn evaluated() {
+                denhart_tests::evaluated::inverse::<Tested, $dof>($file, denhart_tests::margins_of!(Tested));
+            }
+
+            #[test]
             fn residuals() {
                 suite::residuals::<Tested, $dof>();
             }

@@ -3,6 +3,8 @@
 use denhart::{Branch, Flags, Jacobian, JointMask, Pose, Residual, Solution, Status};
 use denhart_dynamic::{DynamicJacobian, DynamicSolution, DynamicSolutions};
 
+use crate::inverse;
+
 /// A solution: joint values, flags, free joints, branch, residual.
 pub type Bits = (Vec<u64>, Flags, JointMask, Branch, [u64; 2]);
 
@@ -13,7 +15,7 @@ pub struct Answer {
     pub status: (u8, u64),
 }
 
-fn residual(residual: &Residual<f64>) -> [u64; 2] {
+pub fn residual(residual: &Residual<f64>) -> [u64; 2] {
     [residual.position, residual.orientation].map(number)
 }
 
@@ -50,7 +52,7 @@ pub fn rows(jacobian: &DynamicJacobian) -> Vec<u64> {
     numbers(jacobian.iter().flat_map(|row| row.to_vec()))
 }
 
-pub fn generated<const N: usize>(solution: &Solution<f64, N>) -> Bits {
+pub fn solution<const N: usize>(solution: &Solution<f64, N>) -> Bits {
     let Solution { q, flags, free, branch, residual: missed } = solution;
     (numbers(*q), *flags, *free, *branch, residual(missed))
 }
@@ -60,6 +62,10 @@ pub fn evaluated(solution: &DynamicSolution) -> Bits {
     (numbers(q.to_vec()), *flags, *free, *branch, residual(missed))
 }
 
-pub fn answer(solutions: &DynamicSolutions) -> Answer {
+pub fn answer<const N: usize>(answer: &inverse::Answer<N>) -> Answer {
+    Answer { solutions: answer.solutions.iter().map(solution).collect(), status: status(answer.status) }
+}
+
+pub fn listed(solutions: &DynamicSolutions) -> Answer {
     Answer { solutions: solutions.iter().map(evaluated).collect(), status: status(solutions.status()) }
 }

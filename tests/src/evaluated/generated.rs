@@ -1,0 +1,145 @@
+//! A generated arm behind pointers, so that the comparison compiles once and not once an arm.
+
+use std::fmt::Debug;
+
+use denhart::{Arm, Branch, InverseKinematics, Jacobian, Margin, PlanarPose, PointAngle, PointAxis, Pose};
+use denhart_dynamic::{DynamicArm, DynamicTarget};
+
+use super::bits::{self, Answer, Bits};
+use crate::inverse::{self, Derived};
+use crate::sweep::arm;
+use crate::task;
+
+type OfJoints<R> = Box<dyn Fn(&[f64]) -> R>;
+
+/// The generated functions, their results as bits.
+pub struct Generated {
+    pub(super) forward: OfJoints<Vec<u64>>,
+    pub(super) links: OfJoints<Vec<u64>>,
+    pub(super) jacobian: OfJoints<Vec<u64>>,
+    pub(super) both: OfJoints<Vec<u64>>,
+    pub(super) margins: OfJoints<Vec<(String, u64)>>,
+    pub(super) inverse: Option<Box<dyn Inverse>>,
+}
+
+/// The generated inverse. `given`: the value beside the target, if there is one.
+pub(super) trait Inverse {
+    fn all(&self, target: &DynamicTarget, given: Option<f64>) -> Answer;
+    fn near(&self, target: &DynamicTarget, given: Option<f64>, q_ref: &[f64]) -> Answer;
+    fn branch(&self, target: &DynamicTarget, given: Option<f64>, branch: Branch) -> Result<Bits, (u8, u64)>;
+    fn residual(&self, target: &DynamicTarget, given: Option<f64>, q: &[f64]) -> [u64; 2];
+}
+
+/// A target as a generated arm takes it.
+pub trait Typed: Clone + Debug {
+    /// The same target; `given`: the value beside it.
+    fn typed(target: &DynamicTarget, given: Option<f64>) -> Self;
+}
+
+macro_rules! typed {
+    ($($Variant:ident($Target:ty);)*) => {$(
+        impl Typed for $Target {
+            fn typed(target: &DynamicTarget, given: Option<f64>) -> Self {
+                match (target, given) {
+                    (DynamicTarget::$Variant(target), None) => *target,
+                    (other, given) => panic!("the evaluated arm asks for `{}` and {given:?}", other.task()),
+                }
+            }
+        }
+    )*};
+}
+
+typed! {
+    Pose(Pose<f64>);
+    Position([f64; 3]);
+    PositionAxis(PointAxis<f64>);
+    PositionAngle(PointAngle<f64>);
+    PlanarPose(PlanarPose<f64>);
+    PlanarPosition([f64; 2]);
+}
+
+impl<T: Typed> Typed for (T, f64) {
+    fn typed(target: &DynamicTarget, given: Option<f64>) -> Self {
+        (T::typed(target, None), given.expect("the evaluated arm takes a value beside the target"))
+    }
+}
+
+fn array<const N: usize>(q: &[f64]) -> &[f64; N] {
+    q.try_into().expect("as many values as joints")
+}
+
+fn of_joints<R: 'static, B: 'static, const N: usize>(call: fn(&[f64; N]) -> R, bits: fn(R) -> B) -> OfJoints<B> {
+    Box::new(move |q| bits(call(array(q))))
+}
+
+/// The inverse of an arm with `N` joints and the target `T`.
+struct OfSize<T, const N: usize>(Box<dyn inverse::Inverse<N, Target = T>>);
+
+impl<T: Typed, const N: usize> Inverse for OfSize<T, N> {
+    fn all(&self, target: &DynamicTarget, given: Option<f64>) -> Answer {
+        bits::answer(&self.0.all(&T::typed(target, given)))
+    }
+
+    fn near(&self, target: &DynamicTarget, given: Option<f64>, q_ref: &[f64]) -> Answer {
+        bits::answer(&self.0.near(&T::typed(target, given), array(q_ref)))
+    }
+
+    fn branch(&self, target: &DynamicTarget, given: Option<f64>, branch: Branch) -> Result<Bits, (u8, u64)> {
+        let one = self.0.branch(&T::typed(target, given), branch);
+        one.map(|solution| bits::solution(&solution)).map_err(bits::status)
+    }
+
+    fn residual(&self, target: &DynamicTarget, given: Option<f64>, q: &[f64]) -> [u64; 2] {
+        bits::residual(&self.0.residual(&T::typed(target, given), array(q)))
+    }
+}
+
+impl Generated {
+    /// Pose, links, Jacobian and margins of an arm; these are [`margins_of!`](crate::margins_of).
+    pub fn kinematics<A: Arm<f64, N> + Default, const N: usize>(margins: fn(&[f64; N]) -> Vec<Margin<f64>>) -> Self {
+        Self {
+            forward: of_joints(|q: &[f64; N]| A::default().forward(q), |pose| bits::pose(&pose)),
+            links: of_joints(|q: &[f64; N]| A::default().link_poses(q), |poses| bits::poses(&poses)),
+            jacobian: of_joints(|q: &[f64; N]| A::default().jacobian(q), |jacobian| bits::jacobian(&jacobian)),
+            both: of_joints(
+                |q: &[f64; N]| A::default().forward_and_jacobian(q),
+                |(pose, jacobian): (Pose<f64>, Jacobian<f64, N>)| {
+                    [bits::pose(&pose), bits::jacobian(&jacobian)].concat()
+                },
+            ),
+            margins: of_joints(margins, |margins| {
+                margins.iter().map(|margin| (margin.name.to_owned(), bits::number(margin.value))).collect()
+            }),
+            inverse: None,
+        }
+    }
+
+    /// The same with the inverse, whose task is that of `arm`.
+    pub fn with_inverse<A, const N: usize>(arm: &DynamicArm, margins: fn(&[f64; N]) -> Vec<Margin<f64>>) -> Self
+    where
+        A: InverseKinematics<f64, N, Target: task::Asked + Typed> + Default + Send + Sync + 'static,
+    {
+        let kind = arm::kind(arm).expect("an arm with inverse");
+        let inverse = OfSize::<A::Target, N>(Box::new(Derived { arm: A::default(), kind }));
+        Self { inverse: Some(Box::new(inverse)), ..Self::kinematics::<A, N>(margins) }
+    }
+}
+
+/// `margins` of an arm that has none: the arm's own method is preferred to that of a trait.
+pub trait NoMargins<const N: usize> {
+    fn margins(&self, _q: &[f64; N]) -> [Margin<f64>; 0] {
+        []
+    }
+}
+
+impl<A: Arm<f64, N>, const N: usize> NoMargins<N> for A {}
+
+/// The function `margins` of an arm by its type, which lists none where the arm has none.
+#[macro_export]
+macro_rules! margins_of {
+    ($Type:ty) => {{
+        #[allow(unused_imports)]
+        use $crate::evaluated::NoMargins as _;
+        |q| <$Type>::default().margins(q).to_vec()
+    }};
+}
