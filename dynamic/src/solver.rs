@@ -56,6 +56,7 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
         true => sizes! { Decoupled;
             3: 1 2 4;
             4: 2 4;
+            5: 4 8;
             6: 4 8;
         },
         false => sizes! { Levels<f64, M>;

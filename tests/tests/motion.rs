@@ -172,7 +172,7 @@ impl<const N: usize> Arm<N> {
     /// largest, where several vanish as where none does.
     fn manipulability(&self, q: &Joints<N>) {
         let jacobian = self.chain.jacobian(q).unwrap();
-        let turning = jacobian.rows(3, 3);
+        let turning = jacobian.fixed_rows::<3>(3);
         // Rates of the point, and of turns about these axes.
         let about = |axes: &[nalgebra::Vector3<f64>]| {
             DMatrix::from_fn(3 + axes.len(), N, |row, joint| match row.checked_sub(3) {

@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use denhart::effort::Effort;
 use denhart::{Chain, JointKind};
-use denhart_dynamic::DynamicArm;
+use denhart_dynamic::{DynamicArm, DynamicError};
 use nalgebra::Matrix6xX;
 
 use super::outcome::{Failure, Outcome};
@@ -56,7 +56,11 @@ pub fn examine(
             return outcome;
         }
     };
-    outcome.refused = arm.task().err().map(|error| error.to_string());
+    let refused = arm.task().err();
+    if let Some(DynamicError::Unsupported(_)) = refused {
+        outcome.failures.push(Failure::of("the inverse", "is generated and not evaluated", &[], String::new()));
+    }
+    outcome.refused = refused.map(|error| error.to_string());
     macro_rules! sized {
         ($($joints:literal)*) => {
             match arm.joints() {

@@ -9,7 +9,7 @@ use denhart::{
 use denhart_tests::evaluated::{self, Typed};
 use denhart_tests::random::Random;
 use denhart_tests::subject::{largest, wrap};
-use denhart_tests::task::Asked;
+use denhart_tests::task;
 use std::fmt::Debug;
 
 /// What a solution marked exact may miss by, positions in reaches and in rad: the promise of `Flags::EXACT`.
@@ -230,7 +230,7 @@ where
 fn evaluated<A, const N: usize>(_: &str)
 where
     A: Parametric<N>,
-    A::Folded: InverseKinematics<f64, N, Target: Asked + Typed>,
+    A::Folded: InverseKinematics<f64, N, Target: task::Asked + Typed>,
 {
     evaluated::inverse::<A::Folded, N>(A::FILE, A::folded_margins);
 }
