@@ -1,6 +1,6 @@
 //! Velocities, accelerations, the Jacobian's derivative and other forms, and the manipulability of every arm of
-//! `specs/`, and of one that points: beside numbers that carry their derivatives, beside extrapolated differences of the chain, and beside
-//! singular values.
+//! `specs/`, and of one that points: beside numbers that carry their derivatives, beside extrapolated differences of the
+//! chain, and beside singular values.
 
 use std::path::Path;
 
