@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 use crate::arm::{self, Arm};
 use crate::cost::{Cost, Target};
 use crate::home::{Home, home};
+use crate::numbers::Units;
 
 /// What the command takes.
 #[derive(Args)]
@@ -24,6 +25,9 @@ pub struct Options {
     /// Print an array with an object for each file: what was found, and all messages with their places
     #[arg(long)]
     json: bool,
+    /// Unit of the angles of the arm at its zero, and of the limits with --json
+    #[arg(long, value_name = "UNIT", default_value = "deg")]
+    units: Units,
     /// Print also what the generated code takes on this processor
     #[arg(long, value_name = "PROCESSOR")]
     target: Option<Target>,
@@ -37,7 +41,7 @@ struct Checked {
     /// Mistakes and warnings.
     messages: Vec<Diagnostic>,
     /// Why the file could not be read.
-    unread: Option<String>,
+    unread: Option<Unread>,
 }
 
 struct Found {
@@ -45,6 +49,35 @@ struct Found {
     arm: Arm,
     home: Option<Home>,
     cost: Option<Cost>,
+}
+
+/// Why a file could not be read, and what to do.
+struct Unread {
+    message: String,
+    help: Option<String>,
+}
+
+impl Unread {
+    /// From a message that may end with a help line.
+    fn new(text: String) -> Self {
+        match text.split_once("\nhelp: ") {
+            Some((message, help)) => Self { message: message.to_owned(), help: Some(help.to_owned()) },
+            None => Self { message: text, help: None },
+        }
+    }
+
+    fn text(&self) -> String {
+        let help = self.help.as_ref().map_or_else(String::new, |help| format!("\nhelp: {help}"));
+        format!("{}{help}", self.message)
+    }
+
+    fn json(&self) -> Value {
+        let mut value = json!({"severity": "error", "message": self.message});
+        if let (Some(object), Some(help)) = (value.as_object_mut(), &self.help) {
+            object.insert("help".to_owned(), json!(help));
+        }
+        value
+    }
 }
 
 /// Checks all files; whether nothing was wrong.
@@ -58,12 +91,12 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> std::
         checked.unread.is_some() || checked.messages.iter().any(counts)
     };
     if options.json {
-        let all: Vec<Value> = checked.iter().map(Checked::json).collect();
+        let all: Vec<Value> = checked.iter().map(|checked| checked.json(options.units)).collect();
         serde_json::to_writer_pretty(&mut *out, &all)?;
         writeln!(out)?;
     } else {
         for (index, checked) in checked.iter().enumerate() {
-            let text = checked.text();
+            let text = checked.text(options.units);
             let text = text.trim_end();
             if index > 0 {
                 writeln!(out)?;
@@ -86,7 +119,10 @@ fn check(file: &Path, target: Option<Target>) -> Checked {
     let name = file.display().to_string();
     let (text, name) = match arm::text(file) {
         Ok(read) => read,
-        Err(message) => return Checked { file: name, found: None, messages: Vec::new(), unread: Some(message) },
+        Err(message) => {
+            let unread = Some(Unread::new(message));
+            return Checked { file: name, found: None, messages: Vec::new(), unread };
+        }
     };
     match denhart_codegen::check(&text, &name) {
         Err(errors) => Checked { file: name, found: None, messages: errors.iter().cloned().collect(), unread: None },
@@ -105,21 +141,21 @@ fn check(file: &Path, target: Option<Target>) -> Checked {
 }
 
 impl Checked {
-    fn text(&self) -> String {
+    fn text(&self, units: Units) -> String {
         let found = self.found.iter().map(|found| {
             let cost = found.cost.as_ref().map_or_else(String::new, |cost| format!("\n{}", cost.text()));
-            format!("{}\n{}{cost}", found.report.to_string().trim_end(), found.home())
+            format!("{}\n{}{cost}", found.report.to_string().trim_end(), found.home(units))
         });
         let messages = self.messages.iter().map(ToString::to_string);
-        found.chain(messages).chain(self.unread.clone()).collect::<Vec<String>>().join("\n\n")
+        found.chain(messages).chain(self.unread.as_ref().map(Unread::text)).collect::<Vec<String>>().join("\n\n")
     }
 
-    fn json(&self) -> Value {
+    fn json(&self, units: Units) -> Value {
         let mut messages: Vec<Value> = self.messages.iter().map(message).collect();
-        messages.extend(self.unread.iter().map(|text| json!({"severity": "error", "message": text})));
+        messages.extend(self.unread.iter().map(Unread::json));
         let mut value = json!({"file": self.file, "messages": messages});
         if let (Some(found), Some(object)) = (&self.found, value.as_object_mut()) {
-            object.extend(found.json());
+            object.extend(found.json(units));
         }
         value
     }
@@ -156,17 +192,17 @@ fn list(values: &[f64]) -> String {
 
 impl Found {
     /// The lines on the arm at zero.
-    fn home(&self) -> String {
+    fn home(&self, units: Units) -> String {
         let Some(home) = &self.home else { return String::new() };
         let unit = self.arm.model.length_unit.symbol();
-        let mut lines = vec![format!("at q = 0, in the base frame ({unit}, deg):")];
+        let mut lines = vec![format!("at q = 0, in the base frame ({unit}, {}):", units.symbol())];
         for (joint, origin) in self.arm.model.joints.iter().zip(&home.origins) {
             lines.push(format!("  link of {}: origin {}", joint.name, list(origin)));
         }
         lines.push(format!(
             "  tool: position {}, roll pitch yaw {}",
             list(&home.tool.translation),
-            list(&rpy(&home.tool))
+            list(&rpy(&home.tool, units))
         ));
         if !home.outside.is_empty() {
             lines.push(format!("  the limits leave 0 out of {}", home.outside.join(", ")));
@@ -180,7 +216,7 @@ impl Found {
         lines.join("\n")
     }
 
-    fn json(&self) -> serde_json::Map<String, Value> {
+    fn json(&self, units: Units) -> serde_json::Map<String, Value> {
         let Self { report, arm, home, cost } = self;
         let model = &arm.model;
         let kind = |kind: &JointKind| if *kind == JointKind::Revolute { "revolute" } else { "prismatic" };
@@ -190,7 +226,7 @@ impl Found {
             .iter()
             .zip(arm.chain.kinds())
             .map(|(joint, its)| {
-                let limits = joint.limits.map(|ends| ends.map(end));
+                let limits = joint.limits.map(|ends| ends.map(|value| end(units.of_joint(its, value))));
                 json!({"name": joint.name, "type": kind(&its), "limits": limits})
             })
             .collect();
@@ -201,6 +237,7 @@ impl Found {
         let mut put = |key: &str, value: Value| object.insert(key.to_owned(), value);
         put("name", json!(report.name));
         put("length_unit", json!(model.length_unit.symbol()));
+        put("angle_unit", json!(units.symbol()));
         put("joints", json!(joints));
         put("operations", json!({"forward": forward, "jacobian": jacobian, "forward_and_jacobian": both}));
         put(
@@ -215,8 +252,7 @@ impl Found {
             put("cortex_m4f", cost.json());
         }
         if let Some(home) = home {
-            let tool =
-                json!({"position": home.tool.translation, "rpy_deg": rpy(&home.tool), "rotation": home.tool.rotation});
+            let tool = json!({"position": home.tool.translation, "rpy": rpy(&home.tool, units), "rotation": home.tool.rotation});
             put("home", json!({"tool": tool, "origins": home.origins, "outside_limits": home.outside}));
             put("reach", json!(home.farthest));
         }
@@ -224,6 +260,6 @@ impl Found {
     }
 }
 
-fn rpy(pose: &Pose<f64>) -> [f64; 3] {
-    pose.rpy().angles.map(f64::to_degrees)
+fn rpy(pose: &Pose<f64>, units: Units) -> [f64; 3] {
+    pose.rpy().angles.map(|angle| units.of(angle))
 }

@@ -25,7 +25,7 @@ use denhart_codegen::{Builder, ScalarKind};
 
 /// Done.
 const SUCCESS: u8 = 0;
-/// Mistakes in the arm file, or no way to read it or to print.
+/// Mistakes in the arm file, no inverse where one is asked for, or no way to read or to print.
 const FAILURE: u8 = 1;
 /// Arguments that make no sense.
 const USAGE: u8 = 2;
@@ -36,7 +36,8 @@ const NO_SOLUTION: u8 = 3;
 #[derive(Parser)]
 #[command(name = "denhart", version, arg_required_else_help = true)]
 #[command(
-    after_help = "Exit status: 0 done, 1 mistakes in the file, 2 wrong arguments, 3 (of inverse) no exact solution."
+    after_help = "Exit status: 0 done; 1 mistakes in the file, an arm without inverse where one is asked for, a limit that ends a \
+                  trace; 2 wrong arguments; 3 (of inverse) no exact solution."
 )]
 struct Command {
     #[command(subcommand)]
@@ -55,7 +56,7 @@ enum Action {
     /// The axes that are parallel or meet, the way the inverse kinematics is solved, the largest number of solutions,
     /// the operation counts, the arm at its zero and its reach to hold against a drawing, and advice on the file.
     Check(check::Options),
-    /// Print the motion of the tool under motion laws of the joints, as CSV
+    /// Print the motion of the tool under motion laws of the joints, as CSV or JSON
     ///
     /// Columns: t (s), the joints q1 .. qN, the position x y z of the tool in the base frame, its orientation, its
     /// velocity vx vy vz and angular velocity wx wy wz, its acceleration ax ay az and angular acceleration dwx dwy dwz.
@@ -92,7 +93,7 @@ enum Action {
 
 #[derive(Args)]
 struct Expand {
-    /// The arm file, YAML
+    /// The arm file, YAML; `-` reads the standard input
     file: PathBuf,
     /// Name of the struct [default: the arm's name, in upper camel case]
     #[arg(long = "type", value_name = "NAME")]
@@ -192,7 +193,8 @@ impl From<io::Error> for Failure {
 
 fn expand(options: Expand) -> Result<String, String> {
     let Expand { file, type_name, scalar, parameters } = options;
-    let mut builder = Builder::new(file).scalar(ScalarKind::from(scalar)).runtime_parameters(parameters);
+    let (text, name) = arm::text(&file)?;
+    let mut builder = Builder::of_text(text, name).scalar(ScalarKind::from(scalar)).runtime_parameters(parameters);
     if let Some(name) = type_name {
         builder = builder.type_name(name);
     }

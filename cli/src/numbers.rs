@@ -24,6 +24,14 @@ impl Units {
         }
     }
 
+    /// The unit in rad.
+    pub fn in_rad(self) -> f64 {
+        match self {
+            Self::Deg => std::f64::consts::PI / 180.0,
+            Self::Rad => 1.0,
+        }
+    }
+
     /// An angle in rad as a number of this unit.
     pub fn of(self, rad: f64) -> f64 {
         match self {

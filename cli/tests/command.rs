@@ -103,18 +103,73 @@ fn check_in_json_has_places_and_what_was_found() {
     assert_eq!((&convention["column"], &convention["end_column"]), (&13.into(), &21.into()));
     assert_eq!(convention["severity"], "error");
     assert!(convention["help"].as_str().unwrap().contains("did you mean `standard`?"));
-    assert!(at("/2/messages/0/message").as_str().unwrap().starts_with("no arm file at"));
+    let message = at("/2/messages/0/message");
+    assert!(message.as_str().unwrap().starts_with("no arm file at"), "{message}");
+    assert!(!message.as_str().unwrap().contains("help"), "{message}");
+    assert!(at("/2/messages/0/help").as_str().unwrap().starts_with("arm files there: "), "{all}");
+}
+
+#[test]
+fn what_cannot_be_read_has_its_help_apart() {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("wide.yaml");
+    let wide: Vec<u8> = "name: x".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    fs::write(&path, wide).unwrap();
+    let file = path.to_str().unwrap();
+    let all: serde_json::Value = serde_json::from_slice(&denhart(&["check", "--json", file]).stdout).unwrap();
+    let message = format!("`{file}` is UTF-16, not UTF-8");
+    let expected = serde_json::json!({"severity": "error", "message": message, "help": "save the file as UTF-8"});
+    assert_eq!(all.pointer("/0/messages/0"), Some(&expected));
+    let said = text(&denhart(&["check", file]).stderr);
+    assert_eq!(said, format!("error: {message}\nhelp: save the file as UTF-8\n"));
+}
+
+#[test]
+fn check_is_in_the_unit_that_is_asked_for() {
+    let json = |arguments: &[&str]| -> serde_json::Value {
+        serde_json::from_slice(&denhart(&[&["check", "--json"], arguments].concat()).stdout).unwrap()
+    };
+    // Joint 1 of a Puma turns by 160 degrees, the tool of a UR5 is turned by 90.
+    for (units, symbol, high, roll) in
+        [(&[][..], "deg", 160.0, 90.0), (&["--units", "rad"], "rad", 160_f64.to_radians(), std::f64::consts::FRAC_PI_2)]
+    {
+        let all = json(&[&["specs/puma560.yaml", "specs/ur5.yaml"], units].concat());
+        let number = |pointer: &str| all.pointer(pointer).unwrap().as_f64().unwrap();
+        assert_eq!(all.pointer("/0/angle_unit"), Some(&symbol.into()));
+        assert!((number("/0/joints/0/limits/1") - high).abs() < 1e-12, "{all}");
+        assert!((number("/1/home/tool/rpy/0") - roll).abs() < 1e-12, "{all}");
+        let shown = text(&denhart(&[&["check", "specs/ur5.yaml"], units].concat()).stdout);
+        assert!(shown.contains(&format!("at q = 0, in the base frame (m, {symbol}):")), "{shown}");
+        let roll = if symbol == "deg" { "90" } else { "1.570796" };
+        assert!(shown.contains(&format!("roll pitch yaw {roll}, 0, 0")), "{shown}");
+    }
 }
 
 #[test]
 fn files_are_read_from_the_standard_input() {
     let arm = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/ur5.yaml")).unwrap();
-    for arguments in [&["check", "-"][..], &["trace", "-", "--law", "t, t, t, t, t, t", "--to", "1", "--step", "1"]] {
-        let mut child = command(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
-        std::io::Write::write_all(&mut child.stdin.take().unwrap(), arm.as_bytes()).unwrap();
-        let output = child.wait_with_output().unwrap();
+    for arguments in [
+        &["check", "-"][..],
+        &["expand", "-"],
+        &["forward", "-", "--q", "0 0 0 0 0 0"],
+        &["inverse", "-", "--q", "0.1 0.2 0.3 0.4 0.5 0.6"],
+        &["trace", "-", "--law", "t, t, t, t, t, t", "--to", "1", "--step", "1"],
+    ] {
+        let output = piped(arguments, &arm);
         assert!(output.status.success() && output.stdout.len() > 100, "{arguments:?}");
     }
+    let of_file = text(&denhart(&["expand", "specs/ur5.yaml", "--scalar", "f32"]).stdout);
+    assert_eq!(text(&piped(&["expand", "-", "--scalar", "f32"], &arm).stdout), of_file);
+    let broken = piped(&["expand", "-"], "name: broken\nconvention: standrad\n");
+    assert_eq!(broken.status.code(), Some(1));
+    assert!(text(&broken.stderr).contains("<stdin>:2:13"), "{broken:?}");
+}
+
+/// Runs the command with a text on its standard input.
+fn piped(arguments: &[&str], input: &str) -> Output {
+    let mut command = command(arguments);
+    let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    std::io::Write::write_all(&mut child.stdin.take().unwrap(), input.as_bytes()).unwrap();
+    child.wait_with_output().unwrap()
 }
 
 #[test]
@@ -164,7 +219,7 @@ combined_limits:
 #[test]
 fn a_trace_marks_the_limits_that_are_broken() {
     let path = arm_file("limited.yaml", LIMITED);
-    let common = ["trace", path.to_str().unwrap(), "--units", "deg", "--to", "4", "--step", "1", "--law"];
+    let common = ["trace", path.to_str().unwrap(), "--to", "4", "--step", "1", "--law"];
     let output = denhart(&[&common[..], &["30t, 10t"]].concat());
     let rows = text(&output.stdout);
     let marks: Vec<&str> = rows.lines().map(|row| row.rsplit(',').next().unwrap()).collect();
@@ -176,14 +231,65 @@ fn a_trace_marks_the_limits_that_are_broken() {
 #[test]
 fn a_trace_stops_at_limits_if_asked() {
     let path = arm_file("stops.yaml", LIMITED);
-    let common = ["trace", path.to_str().unwrap(), "--units", "deg", "--to", "4", "--step", "1", "--stop-at-limits"];
+    let common = ["trace", path.to_str().unwrap(), "--to", "4", "--step", "1", "--stop-at-limits"];
     let output = denhart(&[&common[..], &["--law", "0, 10t"]].concat());
     assert_eq!(output.status.code(), Some(1));
     assert_eq!(text(&output.stdout).lines().count(), 1 + 3, "{output:?}");
     let said = text(&output.stderr);
     assert_eq!(said, "error: at t = 3 joint `elbow` is at 30 deg, beyond its limits -10 to 20\n");
+    let output = denhart(&[&common[..], &["--units", "rad", "--law", "0, t"]].concat());
+    let said = text(&output.stderr);
+    let limits = "beyond its limits -0.174532925 to 0.34906585";
+    assert_eq!(said, format!("error: at t = 1 joint `elbow` is at 1 rad, {limits}\n"));
     let output = denhart(&[&common[..], &["--law", "5t, 5t"]].concat());
     assert_eq!((output.status.code(), text(&output.stdout).lines().count()), (Some(0), 6));
+}
+
+/// The samples of `trace --json` are the numbers of the CSV, under the names of its columns.
+#[test]
+fn a_trace_in_json_is_the_table() {
+    let path = arm_file("json.yaml", LIMITED);
+    let common = ["trace", path.to_str().unwrap(), "--to", "1", "--step", "0.25", "--law", "90t, 2 sin(t)"];
+    for units in [&[][..], &["--units", "rad"]] {
+        let arguments = [&common[..], units].concat();
+        let table = text(&denhart(&arguments).stdout);
+        let mut lines = table.lines().map(|line| line.split(',').collect::<Vec<_>>());
+        let names = lines.next().unwrap();
+        let json = denhart(&[&arguments[..], &["--json"]].concat());
+        assert!(json.status.success() && json.stderr.is_empty());
+        let all: serde_json::Value = serde_json::from_slice(&json.stdout).unwrap();
+        let symbol = if units.is_empty() { "deg" } else { "rad" };
+        for (key, value) in [("arm", "limited"), ("length_unit", "m"), ("angle_unit", symbol)] {
+            assert_eq!(all[key], value);
+        }
+        assert!(all["stopped"].is_null());
+        let samples = all["samples"].as_array().unwrap();
+        let rows: Vec<Vec<&str>> = lines.collect();
+        assert_eq!((samples.len(), rows.len()), (5, 5));
+        for (sample, row) in samples.iter().zip(rows) {
+            assert_eq!(sample.as_object().unwrap().len(), names.len());
+            for (name, value) in names.iter().zip(row) {
+                assert_eq!(sample[*name].as_f64().unwrap(), value.parse::<f64>().unwrap(), "{name}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_trace_in_json_that_ends_early_says_why() {
+    let path = arm_file("early.yaml", LIMITED);
+    let common = ["trace", path.to_str().unwrap(), "--json", "--to", "4", "--step", "1", "--stop-at-limits", "--law"];
+    for (law, count, said) in [
+        ("0, 10t", 3, "at t = 3 joint `elbow` is at 30 deg, beyond its limits -10 to 20"),
+        ("120, 0", 0, "at t = 0 joint `q1` is at 120 deg, beyond its limits -90 to 90"),
+        ("0, 1/(2 - t)", 2, "the law `1/(2 - t)` has no finite value at t = 2: inf"),
+    ] {
+        let output = denhart(&[&common[..], &[law]].concat());
+        assert_eq!(output.status.code(), Some(1));
+        assert_eq!(text(&output.stderr), format!("error: {said}\n"));
+        let all: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!((all["samples"].as_array().unwrap().len(), all["stopped"].as_str()), (count, Some(said)));
+    }
 }
 
 #[test]

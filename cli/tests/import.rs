@@ -210,6 +210,39 @@ fn exact_angles_are_told_and_give_the_textbook_table() {
 }
 
 #[test]
+fn an_import_in_json_has_the_proof_and_the_angles() {
+    let json = |name: &str, arguments: &[&str]| -> serde_json::Value {
+        let (out, err) = import(name, &[arguments, &["--json"]].concat());
+        assert_eq!(err, "");
+        serde_json::from_str(&out).unwrap()
+    };
+    let all = json("ur5", &[]);
+    let (file, _) = import("ur5", &[]);
+    assert_eq!(all["arm_file"].as_str().unwrap(), file);
+    assert_eq!(all["chain"], serde_json::json!({"base": "base_link", "tool": "tool0"}));
+    let made = all["made_exact"].as_array().unwrap();
+    assert_eq!(made.len(), 3);
+    assert_eq!(made[0]["angle"], "pitch of joint `shoulder_lift_joint`");
+    assert_eq!((made[0]["from_rad"].as_f64(), made[0]["to_deg"].as_f64()), (Some(1.570796325), Some(90.0)));
+    assert!((made[0]["changed_by_rad"].as_f64().unwrap() - 1.794_896_6e-9).abs() < 1e-15, "{all}");
+    let proof = &all["proof"];
+    assert_eq!(proof["configurations"], 1000);
+    let [exact, written] = ["exact_angles", "as_written"].map(|key| proof[key]["angle_rad"].as_f64().unwrap());
+    assert!(exact < 1e-12 && written > 1e-9 && written < 1e-8, "{proof}");
+
+    let nearly = json("ufactory_xarm6", &[]);
+    let nearly = nearly["nearly_exact"].as_array().unwrap();
+    assert!(!nearly.is_empty() && nearly[0]["rad"].as_f64().unwrap().abs() == 1.5708, "{nearly:?}");
+    assert!((nearly[0]["off_by_rad"].as_f64().unwrap() - 3.673_205_1e-6).abs() < 1e-12, "{nearly:?}");
+
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("json_ur5.yaml");
+    let to = path.to_str().unwrap();
+    let all = json("ur5", &["-o", to, "--force"]);
+    assert_eq!((all["output"].as_str(), all.get("arm_file")), (Some(to), None));
+    assert_eq!(fs::read_to_string(&path).unwrap(), file);
+}
+
+#[test]
 fn the_head_comment_has_the_proof() {
     let (text, said) = import("kuka_iiwa7", &[]);
     let line = "At 1000 random configurations the pose differs from the URDF's by at most ";

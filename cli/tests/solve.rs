@@ -187,6 +187,11 @@ fn wrong_arguments_have_status_2_and_wrong_files_status_1() {
         (&["inverse", "specs/ur5.yaml", "--pose", "1 2"], 2, "needs \"x y z roll pitch yaw\""),
         (&["inverse", "specs/ur5.yaml", "--pose", "1 2 3 4 5 6", "--q", "0"], 2, "cannot be used with"),
         (&["inverse", "specs/gen6r_a.yaml", "--q", "0 0 0 0 0 0"], 1, "no inverse kinematics: "),
+        (
+            &["inverse", "specs/kinova_jaco.yaml", "--q", "0 0 0 0 0 0"],
+            1,
+            "; denhart::numeric solves any arm by iteration",
+        ),
         (&["forward", "specs/no_such.yaml", "--q", "0"], 1, "no arm file at"),
     ] {
         let output = denhart(arguments);

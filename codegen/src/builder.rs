@@ -24,7 +24,9 @@ use crate::{Bound, Options, ScalarKind, generate};
 #[derive(Debug, Clone)]
 #[must_use = "a Builder does nothing until one of its write functions, or `generate`, is called"]
 pub struct Builder {
+    /// Of the arm file; where its text is given, what messages call it.
     path: PathBuf,
+    text: Option<String>,
     type_name: Option<String>,
     scalar: Result<ScalarKind, String>,
     crate_path: String,
@@ -37,7 +39,13 @@ impl Builder {
     pub fn new(path: impl Into<PathBuf>) -> Self {
         let crate_path = "::denhart".to_owned();
         let scalar = Ok(ScalarKind::F64);
-        Self { path: path.into(), type_name: None, scalar, crate_path, runtime_parameters: false, warnings: true }
+        let path = path.into();
+        Self { path, text: None, type_name: None, scalar, crate_path, runtime_parameters: false, warnings: true }
+    }
+
+    /// A builder for the text of an arm file, which messages call `name`. No file is read or watched.
+    pub fn of_text(text: impl Into<String>, name: impl Into<String>) -> Self {
+        Self { text: Some(text.into()), ..Self::new(name.into()) }
     }
 
     /// The name of the struct. Without it: the `name` of the file in upper camel case, `kuka_kr6_r700` as
@@ -102,7 +110,9 @@ impl Builder {
     /// # Errors
     /// [`BuildError`]: as `generate`; the file cannot be written.
     pub fn write_to(&self, path: impl AsRef<Path>) -> Result<(), BuildError> {
-        println!("cargo:rerun-if-changed={}", self.path.display());
+        if self.text.is_none() {
+            println!("cargo:rerun-if-changed={}", self.path.display());
+        }
         let (code, advice) = self.code()?;
         if let Some(line) = summary(&advice, &self.path).filter(|_| self.warnings) {
             println!("cargo:warning={line}");
@@ -118,7 +128,10 @@ impl Builder {
         let scalar = self.scalar.clone().map_err(BuildError::Scalar)?;
         let crate_path =
             syn::parse_str(&self.crate_path).map_err(|_| BuildError::CratePath { written: self.crate_path.clone() })?;
-        let text = arm_file::read(&env::current_dir().unwrap_or_default(), &self.path)?;
+        let text = match &self.text {
+            Some(text) => text.clone(),
+            None => arm_file::read(&env::current_dir().unwrap_or_default(), &self.path)?,
+        };
         let file = self.path.display().to_string();
         let type_name = match &self.type_name {
             Some(name) => name.clone(),

@@ -127,6 +127,59 @@ fn position_angle_does_not_ask_for_a_joint_and_then_refuse_it() {
     let unsupported = |more: &str| check("standard", &YAW_PITCHES_ROLL, more).unsupported.unwrap();
     let plain = unsupported("inverse: {task: position_angle}");
     assert!(!plain.contains("name the one whose value is given"), "{plain}");
+    let given = unsupported("inverse: {redundant: q2}");
+    assert!(!given.contains("takes no joint's value"), "{given}");
+    assert!(given.ends_with("; leaving out `redundant` works"), "{given}");
+}
+
+#[test]
+fn a_given_joint_that_the_task_cannot_spare_is_the_reason() {
+    // A wrist whose axes meet.
+    let rows = [
+        "a: 0, alpha: 90, d: 0.4, theta: 0",
+        "a: 0.5, alpha: 0, d: 0, theta: 0",
+        "a: 0, alpha: 90, d: 0, theta: 90",
+        "a: 0, alpha: -90, d: 0.5, theta: 0",
+        "a: 0, alpha: 90, d: 0, theta: 0",
+        "a: 0, alpha: 0, d: 0.1, theta: 0",
+    ];
+    let said = |more: &str| check("standard", &rows, more).unsupported.unwrap();
+    assert_eq!(
+        said("inverse: {task: pose, redundant: q3}"),
+        "`redundant: q3` leaves 5 joints, fewer than `pose` needs; `task: position_axis` or leaving out `redundant` work"
+    );
+    assert_eq!(
+        said("inverse: {task: position, redundant: q3}"),
+        "the task `position` is not covered for the 5 moving joints that `redundant: q3` leaves; `task: position_axis` works"
+    );
+    let planar = ["a: 1, alpha: 0, d: 0, theta: 0", "a: 1, alpha: 0, d: 0, theta: 0"];
+    let alone = check("standard", &planar, "inverse: {redundant: q1}").unsupported.unwrap();
+    assert_eq!(alone, "no task fits the 1 moving joint that `redundant: q1` leaves; leaving out `redundant` works");
+    let none = check("standard", &planar, "inverse: {task: planar_position, redundant: q1}").unsupported.unwrap();
+    assert_eq!(
+        none,
+        "`redundant: q1` leaves 1 joint, fewer than `planar_position` needs; leaving out `redundant` works"
+    );
+}
+
+/// A modified table typed as a standard one, of an arm that has no inverse by either.
+#[test]
+fn a_singular_table_that_is_not_by_the_other_convention_is_named() {
+    let specs = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs");
+    for name in ["fanuc_crx10ial", "kinova_gen3_lite", "ufactory_xarm6"] {
+        let text = std::fs::read_to_string(specs.join(name).with_extension("yaml")).unwrap();
+        let typed = text.replacen("convention: modified", "convention: standard", 1);
+        assert_ne!(text, typed, "{name}");
+        let found = denhart_codegen::check(&typed, name).unwrap().to_string();
+        let hint = "read as `convention: modified` the table is not singular everywhere: look which frames its rows";
+        assert!(found.contains("the arm is singular everywhere") && found.contains(hint), "{name}: {found}");
+        let right = denhart_codegen::check(&text, name).unwrap().to_string();
+        assert!(!right.contains("read as"), "{name}: {right}");
+    }
+    // Singular by both conventions.
+    let stacked = ["a: 0, alpha: 0, d: 0.1, theta: 0"; 6];
+    let report = check("standard", &stacked, "").to_string();
+    assert!(report.contains("singular everywhere") && !report.contains("read as"), "{report}");
 }
 
 #[test]

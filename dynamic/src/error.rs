@@ -12,8 +12,8 @@ pub enum DynamicError {
     /// Mistakes in the file, each with its place.
     #[error("{0}")]
     Mistakes(Errors),
-    /// The arm has no inverse in closed form.
-    #[error("no inverse kinematics: {0}")]
+    /// The arm has no inverse in closed form: why.
+    #[error("no inverse kinematics: {0}; denhart::numeric solves any arm by iteration")]
     NoInverse(String),
     /// A joint vector of another length.
     #[error("{found} joint values, but the arm has {expected} joints")]

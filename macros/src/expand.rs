@@ -5,7 +5,7 @@ use std::path::Path;
 use denhart_codegen::{Bound, Diagnostic, Generated, Options, ScalarKind};
 use proc_macro2::{Span, TokenStream};
 use quote::{quote, quote_spanned};
-use syn::{Data, DeriveInput, Error, LitStr};
+use syn::{Data, DeriveInput, Error, Ident, LitStr, parse_quote};
 
 use crate::attribute::{ArmAttribute, Source};
 use crate::fallback::{self, Outline};
@@ -19,10 +19,15 @@ const INLINE: &str = "<inline>";
 /// `package`: the directory that relative paths start from.
 pub fn expand(input: &DeriveInput, package: Option<&Path>) -> TokenStream {
     let mut errors = Vec::new();
-    let attribute = ArmAttribute::read(&input.attrs, &mut errors);
+    let mut attribute = ArmAttribute::read(&input.attrs, &mut errors);
     check_shape(input, &mut errors);
-    if !attribute.names_crate {
-        errors.extend(renamed::mistake(package));
+    if !attribute.names_crate
+        && let Some(name) = renamed::name(package)
+    {
+        errors.push(renamed::mistake(&name));
+        // The impls are those of a right attribute: no error follows from a crate that is not there.
+        let name = Ident::new(&name, Span::call_site());
+        attribute.crate_path = parse_quote!(::#name);
     }
     let mut outline = Outline::default();
     let arm = attribute.source.as_ref().map(|source| read(source, package)).transpose();

@@ -316,6 +316,31 @@ fn without_cargo_a_path_starts_nowhere() {
 }
 
 #[test]
+fn a_renamed_crate_is_the_only_mistake() {
+    let package = std::env::temp_dir().join(format!("denhart_renamed_{}", std::process::id()));
+    std::fs::create_dir_all(&package).unwrap();
+    std::fs::write(package.join("Cargo.toml"), "[dependencies]\nmy-robot = { package = \"denhart\" }\n").unwrap();
+    let derived = |arm: TokenStream| {
+        let input = syn::parse2(quote!(
+            #arm
+            struct A;
+        ));
+        expand(&input.unwrap(), Some(&package)).to_string()
+    };
+    let broken = PLANAR.replace("standard", "standrad");
+    for (text, mistakes) in [(PLANAR, 1), (broken.as_str(), 2)] {
+        let found = derived(quote!(#[arm(yaml = #text)]));
+        assert!(found.contains("add `crate = \\\"::my_robot\\\"` to #[arm(..)]"), "{found}");
+        assert_eq!(found.matches("compile_error").count(), mistakes, "{found}");
+        // No path to a crate that the package does not have.
+        assert!(!found.contains(":: denhart ::") && found.contains(":: my_robot ::"), "{found}");
+    }
+    let named = derived(quote!(#[arm(yaml = #PLANAR, crate = "::my_robot")]));
+    assert!(!named.contains("compile_error"), "{named}");
+    std::fs::remove_dir_all(package).unwrap();
+}
+
+#[test]
 fn the_outline_of_a_file_is_seen_without_a_reader_of_yaml() {
     let outline = |text: &str| Outline::of(text);
     let of =

@@ -27,7 +27,7 @@ fn main() {
     }
     let exact = Planar3r.inverse_near(&PlanarPose::new(16.0, 13.0, 180.0_f64.to_radians()), &start);
     if let Some(exact) = exact.nearest() {
-        println!("closed form: {:.5}", exact.display(&Planar3r::JOINT_KINDS));
+        println!("closed form: {:.5}", exact.display_for(&Planar3r));
     }
 
     println!("\nOn a line from (25, 5) at 57 degrees to (16, 13) at 143, each pose from the one before\n");

@@ -43,7 +43,7 @@ fn main() {
         println!("\n({x}, {y}), links {l1}, {l2}\n  paper  theta1 = +-{theta1}, theta2 = +-{theta2}");
         let arm = Planar2r { l1, l2 };
         for solution in &arm.inverse(&[x, y]) {
-            println!("  here   {}", solution.display(&Planar2r::JOINT_KINDS));
+            println!("  here   {}", solution.display_for(&arm));
         }
     }
     println!("\n\nTable 2: three links. Angles differ by whole turns.");
@@ -54,7 +54,7 @@ fn main() {
         }
         let arm = Planar3r { l1, l2, l3 };
         for solution in &arm.inverse(&PlanarPose::new(x, y, phi.to_radians())) {
-            println!("  here   {}", solution.display(&Planar3r::JOINT_KINDS));
+            println!("  here   {}", solution.display_for(&arm));
         }
     }
 }

@@ -48,7 +48,7 @@ fn main() {
     }
     println!("\n{} solutions, {}", solutions.len(), solutions.status());
     for solution in &solutions {
-        println!("  {:.4}", solution.display(&Salman::JOINT_KINDS));
+        println!("  {:.4}", solution.display_for(&Salman));
     }
 }
 

@@ -35,7 +35,7 @@ fn print_solutions(target: &Pose<f64>) {
     let solutions = Ur5.inverse(target);
     println!("inverse: {} ({} solutions)", solutions.status(), solutions.len());
     for (number, (solution, residual)) in (1..).zip(solutions.iter().zip(solutions.verify(&Ur5, target))) {
-        println!("{number}  {:.2}\n   off by: {residual}", solution.display(&Ur5::JOINT_KINDS));
+        println!("{number}  {:.2}\n   off by: {residual}", solution.display_for(&Ur5));
     }
 }
 
@@ -45,7 +45,7 @@ fn near_a_reference() {
     let q = [30.0, -70.0, 80.0, -40.0, 0.0, 375.0].map(f64::to_radians);
     let solutions = Ur5.inverse_near(&Ur5.forward(&q), &q);
     match solutions.nearest() {
-        Some(nearest) => println!("{:.2}", nearest.display(&Ur5::JOINT_KINDS)),
+        Some(nearest) => println!("{:.2}", nearest.display_for(&Ur5)),
         None => println!("{}", solutions.status()),
     }
 }

@@ -208,7 +208,10 @@ impl<T: fmt::LowerExp> fmt::Display for Status<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Reachable => f.write_str("reachable"),
-            Self::Unreachable { residual } => write!(f, "unreachable: the least gap of a branch is {residual:.1e}"),
+            Self::Unreachable { residual } => write!(
+                f,
+                "unreachable: the least gap of a branch is {residual:.1e}, a length in the arm's unit or an angle in rad"
+            ),
             Self::BadTarget => f.write_str("bad target: not finite, or not a rotation"),
         }
     }
@@ -256,7 +259,10 @@ mod tests {
     fn status_and_residual_read_as_text() {
         let far = Status::Unreachable { residual: 0.0123 };
         assert!(Status::<f64>::Reachable.is_reachable() && !far.is_reachable());
-        assert_eq!(format!("{far}"), "unreachable: the least gap of a branch is 1.2e-2");
+        assert_eq!(
+            format!("{far}"),
+            "unreachable: the least gap of a branch is 1.2e-2, a length in the arm's unit or an angle in rad"
+        );
         assert_eq!(format!("{}", Status::<f32>::Reachable), "reachable");
         assert_eq!(
             format!("{}", Residual { position: 2e-16, orientation: 0.0 }),

@@ -302,6 +302,11 @@ fn versions_are_those_of_the_workspace() {
     let version = |key: &str| manifest.split(key).nth(1).and_then(|rest| rest.split('"').next()).unwrap();
     let rust = format!("Rust has to be {} or later", version("rust-version = \""));
     assert!(read("README.md").contains(&rust), "{rust}");
-    let nalgebra = format!("with nalgebra {}:", version("nalgebra = { version = \""));
-    assert!(read("docs/generate.md").contains(&nalgebra), "{nalgebra}");
+    let nalgebra = version("nalgebra = { version = \"");
+    for (page, said) in [
+        ("docs/generate.md", format!("with nalgebra {nalgebra}:")),
+        ("README.md", format!("`nalgebra` (version {nalgebra})")),
+    ] {
+        assert!(read(page).contains(&said), "{page}: {said}");
+    }
 }

@@ -80,7 +80,7 @@ fn the_denso_trajectory() {
     let Published { denso_vs6556_trajectory: expected } = serde_json::from_str(&text).unwrap();
     assert_eq!(expected.len(), 11);
     let arguments = [&spec("denso_vs6556"), "--law", DENSO, "--from", "0", "--to", "10", "--step", "1"];
-    let table = Table::trace(&[&arguments[..], &["--units", "deg", "--orientation", "matrix"]].concat());
+    let table = Table::trace(&[&arguments[..], &["--orientation", "matrix"]].concat());
     let times: Vec<[f64; 1]> = table.columns(["t"]);
     assert_eq!(times, expected.iter().map(|row| [row.t]).collect::<Vec<_>>());
     let joints = table.columns(["q1", "q2", "q3", "q4", "q5", "q6"]);
@@ -145,7 +145,7 @@ fn strokes_are_lengths() {
     let file = spec("cylindrical_rpp");
     let arguments = ["--law", "0, 0.1 + 0.2t, 0.3 t^2", "--to", "1", "--step", "0.5"];
     let in_deg = Table::trace(&[&[file.as_str()], &arguments[..], &["--units", "deg"]].concat());
-    let in_rad = Table::trace(&[&[file.as_str()], &arguments[..]].concat());
+    let in_rad = Table::trace(&[&[file.as_str()], &arguments[..], &["--units", "rad"]].concat());
     let names = ["t", "q2", "q3", "x", "y", "z", "vx", "vy", "vz", "ax", "ay", "az"];
     assert_eq!(in_deg.columns(names), in_rad.columns(names));
     assert_eq!(in_deg.columns(["q2", "q3"]), [[0.1, 0.0], [0.2, 0.075], [0.30000000000000004, 0.3]]);
@@ -161,7 +161,8 @@ fn forms_of_the_orientation() {
     let file = spec("ur5");
     let trace = |form: &str| {
         let laws = "0.1, -0.5 + t, 0.4, 0.2 t, 0.7, 0.3";
-        Table::trace(&[&file, "--law", laws, "--to", "1", "--step", "0.5", "--orientation", form])
+        let common = ["--law", laws, "--to", "1", "--step", "0.5", "--units", "rad"];
+        Table::trace(&[&[file.as_str()], &common[..], &["--orientation", form]].concat())
     };
     let matrices = trace("matrix").columns(["r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"]);
     let rpy = trace("rpy").columns(["roll", "pitch", "yaw"]);

@@ -9,11 +9,11 @@ mod number;
 mod path;
 mod proof;
 mod rigid;
+mod said;
 mod table;
 mod urdf;
 mod write;
 
-use std::f64::consts::PI;
 use std::fs;
 use std::io::{Read, Write};
 use std::path::PathBuf;
@@ -22,16 +22,15 @@ use clap::Args;
 
 use crate::{arm, files};
 use axes::{Change, exact, exact_origin};
-use path::Path;
-use proof::{CONFIGURATIONS, Difference, compare, of_chain};
-use rigid::{Rigid, V, exact_degrees};
+use proof::{Difference, compare, of_chain};
+use rigid::{Rigid, V};
+use said::Said;
+use serde_json::{Value, json};
 use table::{Table, table};
 use urdf::Robot;
 
 /// What the poses of file and URDF may differ by, m and rad.
 const MOST: f64 = 1e-9;
-/// An angle this near to a multiple of 15 degrees, rad, that is not made exact is remarked.
-const LOOKS_ROUNDED: f64 = 1e-4;
 
 /// What the command takes.
 #[derive(Args)]
@@ -47,6 +46,9 @@ pub struct Options {
     /// Angles that are this near to a multiple of 15 degrees, rad, are taken as that multiple
     #[arg(long, value_name = "RAD", default_value_t = 1e-6)]
     exact_within: f64,
+    /// Print JSON: the proof and the angles made exact, with the arm file as text unless -o names where it goes
+    #[arg(long)]
+    json: bool,
     /// Write to this file instead of the standard output
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -55,7 +57,7 @@ pub struct Options {
     force: bool,
 }
 
-/// Writes the arm file, and to `err` what was found on the way.
+/// Writes the arm file, and what was found on the way: to `err`, or with the arm file as JSON.
 ///
 /// # Errors
 /// The message: a file that is no URDF, a chain that no arm file can say, a difference above 1e-9.
@@ -76,16 +78,33 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
     let named = options.file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     let from = if named == "-" { "the standard input".to_owned() } else { named };
     let imported = import(&text, &from, options).map_err(|message| format!("{}: {message}", options.file.display()))?;
-    // A remark that nobody reads takes nothing from the file.
-    for remark in &imported.remarks {
-        let _ = writeln!(err, "{remark}");
+    let Imported { text, remarks, mut facts } = imported;
+    if !options.json {
+        // A remark that nobody reads takes nothing from the file.
+        for remark in &remarks {
+            let _ = writeln!(err, "{remark}");
+        }
     }
-    match &options.output {
-        Some(path) => files::write(&[(path, &imported.text)], options.force),
-        None => match out.write_all(imported.text.as_bytes()).and_then(|()| out.flush()) {
-            Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(format!("cannot print: {error}")),
-            _ => Ok(()),
-        },
+    if let Some(path) = &options.output {
+        files::write(&[(path, &text)], options.force)?;
+    }
+    let printed = match &options.output {
+        path if options.json => {
+            let (key, value) = match path {
+                Some(path) => ("output", json!(path.display().to_string())),
+                None => ("arm_file", json!(text)),
+            };
+            if let Some(object) = facts.as_object_mut() {
+                object.insert(key.to_owned(), value);
+            }
+            serde_json::to_string_pretty(&facts).map_err(|error| error.to_string())? + "\n"
+        }
+        Some(_) => return Ok(()),
+        None => text,
+    };
+    match out.write_all(printed.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(format!("cannot print: {error}")),
+        _ => Ok(()),
     }
 }
 
@@ -93,6 +112,8 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
 struct Imported {
     text: String,
     remarks: Vec<String>,
+    /// The same as JSON.
+    facts: Value,
 }
 
 fn import(text: &str, from: &str, options: &Options) -> Result<Imported, String> {
@@ -134,7 +155,7 @@ fn import(text: &str, from: &str, options: &Options) -> Result<Imported, String>
     }
     let said = Said { from, path: &path, changes: &changes, same, all };
     let text = write::file(&written.name, &said.head(&drive), &made_exact, &drive)?;
-    Ok(Imported { text, remarks: said.remarks(within) })
+    Ok(Imported { text, remarks: said.remarks(within), facts: said.json(within) })
 }
 
 /// The longest the chain can be, m: what an angle at its base moves.
@@ -167,94 +188,4 @@ fn exact_table(table: &Table, within: f64, changes: &mut Vec<Change>) -> Table {
         Rigid::of_origin(frame.p, rpy)
     };
     Table { base: frame(&table.base, "base"), tool: frame(&table.tool, "tool"), rows, size: table.size }
-}
-
-/// What is said about an import.
-struct Said<'s> {
-    from: &'s str,
-    path: &'s Path<'s>,
-    changes: &'s [Change],
-    /// The URDF with the angles that were made exact.
-    same: Difference,
-    /// The URDF as written.
-    all: Difference,
-}
-
-impl Said<'_> {
-    /// The head comment of the file.
-    fn head(&self, drive: &couple::Drive) -> Vec<String> {
-        let Self { from, path, .. } = self;
-        let version = env!("CARGO_PKG_VERSION");
-        let mut lines = vec![
-            format!("Imported from {from}, `{}` to `{}`, by denhart {version}.", path.base, path.tool),
-            "Zero and direction of each joint are those of the URDF.".to_owned(),
-        ];
-        lines.extend(self.proof());
-        for (motor, sum) in drive.motors.iter().zip(&drive.sums) {
-            let name = &motor.name;
-            if let [_, _, ..] = sum[..] {
-                lines.push(format!("Joint `{name}` of this file is the sum of the URDF's {}.", sum.join(", ")));
-            }
-        }
-        lines
-    }
-
-    fn proof(&self) -> Vec<String> {
-        let Difference { position, angle } = self.same;
-        let mut lines = vec![format!(
-            "At {CONFIGURATIONS} random configurations the pose differs from the URDF's by at most {position:.1e} m and {angle:.1e} rad."
-        )];
-        if let Some(largest) = self.changes.iter().map(Change::size).max_by(f64::total_cmp) {
-            let (count, Difference { position, angle }) = (self.changes.len(), self.all);
-            let were = if count == 1 { "angle was" } else { "angles were" };
-            lines.push(format!(
-                "{count} {were} made exact before that, by at most {largest:.1e} rad. From the URDF as written the pose differs by"
-            ));
-            lines.push(format!("at most {position:.1e} m and {angle:.1e} rad."));
-        }
-        lines
-    }
-
-    /// What the user is told beside the file.
-    fn remarks(&self, within: f64) -> Vec<String> {
-        let Self { path, .. } = self;
-        let mut lines = vec![format!("chain: `{}` to `{}`", path.base, path.tool)];
-        lines.extend(self.changes.iter().map(|change| {
-            format!(
-                "made exact: {}, {} rad, is {} deg now ({:.1e} rad)",
-                change.of,
-                change.from,
-                change.to,
-                change.size()
-            )
-        }));
-        lines.extend(self.nearly(within));
-        lines.extend(self.proof());
-        lines
-    }
-
-    /// The angles that are nearly multiples of 15 degrees and were left as they are.
-    fn nearly(&self, within: f64) -> Option<String> {
-        let angles = self.path.joints.iter().flat_map(|passed| {
-            let named = ["roll", "pitch", "yaw"].into_iter().zip(passed.joint.rpy);
-            named.map(|(what, angle)| (what, passed.joint.name.as_str(), angle))
-        });
-        let off = |angle: f64| exact_degrees(angle, LOOKS_ROUNDED).map(|to| (angle - to * PI / 180.0).abs());
-        let nearly: Vec<(&str, &str, f64, f64)> = angles
-            .filter_map(|(what, joint, angle)| off(angle).map(|off| (what, joint, angle, off)))
-            .filter(|(.., off)| *off > within)
-            .collect();
-        let (what, joint, angle, _) = nearly.first()?;
-        let most = nearly.iter().map(|(.., off)| *off).fold(0.0, f64::max);
-        let others = match nearly.len() - 1 {
-            0 => " is nearly a multiple of 15 degrees and is".to_owned(),
-            1 => " and 1 other angle are nearly multiples of 15 degrees and are".to_owned(),
-            more => format!(" and {more} other angles are nearly multiples of 15 degrees and are"),
-        };
-        let wide = 10_f64.powi(most.log10().ceil() as i32);
-        Some(format!(
-            "used as written: {what} of joint `{joint}`, {angle} rad,{others} {most:.1e} rad off at most; \
-             `--exact-within {wide:e}` makes that exact"
-        ))
-    }
 }

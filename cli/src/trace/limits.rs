@@ -2,12 +2,16 @@
 
 use denhart_codegen::model::{JointKind, Model};
 
+use crate::numbers::Units;
+
 /// Beyond a limit by less than this part of a rad or length unit is rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// The ranges of a file: of its joints, and of sums of them.
 pub struct Limits {
     ranges: Vec<Range>,
+    length_unit: &'static str,
+    units: Units,
 }
 
 struct Range {
@@ -19,8 +23,8 @@ struct Range {
 }
 
 impl Limits {
-    /// Those of the arm: one for each joint, then those of sums.
-    pub fn of(model: &Model) -> Self {
+    /// Those of the arm: one for each joint, then those of sums. In words, angles are in `units`.
+    pub fn of(model: &Model, units: Units) -> Self {
         let count = model.joints.len();
         let joint = |(index, joint): (usize, &denhart_codegen::model::Joint)| Range {
             name: format!("joint `{}`", joint.name),
@@ -35,7 +39,8 @@ impl Limits {
             ends: limit.limits,
         };
         let joints = model.joints.iter().enumerate().map(joint);
-        Self { ranges: joints.chain(model.combined_limits.iter().enumerate().map(sum)).collect() }
+        let ranges = joints.chain(model.combined_limits.iter().enumerate().map(sum)).collect();
+        Self { ranges, length_unit: model.length_unit.symbol(), units }
     }
 
     /// 0, or the sum of `2^(k-1)` for each joint k that is beyond its limits; sums count on after the joints.
@@ -44,14 +49,14 @@ impl Limits {
         bits.map(|(index, _)| 2_f64.powi(i32::try_from(index).unwrap_or(0))).sum()
     }
 
-    /// What is broken first, in words: angles in degrees.
+    /// What is broken first, in words.
     pub fn first(&self, q: &[f64]) -> Option<String> {
         let range = self.ranges.iter().find(|range| range.is_broken(q))?;
-        let unit = if range.turns { std::f64::consts::PI / 180.0 } else { 1.0 };
-        let shown = |value: f64| ((value / unit) * 1e9).round() / 1e9;
+        let (size, unit) =
+            if range.turns { (self.units.in_rad(), self.units.symbol()) } else { (1.0, self.length_unit) };
+        let shown = |value: f64| ((value / size) * 1e9).round() / 1e9;
         let [low, high] = range.ends.map(shown);
-        let degrees = if range.turns { " deg" } else { "" };
-        Some(format!("{} is at {}{degrees}, beyond its limits {low} to {high}", range.name, shown(range.value(q))))
+        Some(format!("{} is at {} {unit}, beyond its limits {low} to {high}", range.name, shown(range.value(q))))
     }
 }
 

@@ -1,8 +1,10 @@
-//! `denhart trace`: a motion law for every joint, sampled to the pose, velocity and acceleration of the tool, as CSV.
+//! `denhart trace`: a motion law for every joint, sampled to the pose, velocity and acceleration of the tool, as CSV or
+//! JSON.
 
 mod jet;
 mod law;
 mod limits;
+mod samples;
 mod times;
 mod token;
 
@@ -13,12 +15,14 @@ use std::time::{Duration, Instant};
 
 use crate::Failure;
 use crate::arm;
+use crate::numbers::Units;
 use clap::{Args, ValueEnum};
 use denhart::{Chain, JointKind, Pose};
 use indicatif::{ProgressBar, ProgressStyle};
 use jet::Jet;
 use law::Law;
 use limits::Limits;
+use samples::{Samples, Top};
 use times::Times;
 use token::LawError;
 
@@ -48,33 +52,20 @@ pub struct Options {
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     step: f64,
     /// Unit of angles, in the laws of turning joints and in the output
-    #[arg(long, value_name = "UNIT", default_value = "rad")]
-    units: Angle,
+    #[arg(long, value_name = "UNIT", default_value = "deg")]
+    units: Units,
     /// How the orientation of the tool is printed
     #[arg(long, value_name = "FORM", default_value = "rpy")]
     orientation: Orientation,
     /// End before the first sample with a joint beyond its limits, with exit status 1
     #[arg(long)]
     stop_at_limits: bool,
+    /// Print JSON: an object with the units, and one for each sample
+    #[arg(long)]
+    json: bool,
     /// Write to this file instead of the standard output
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Angle {
-    Rad,
-    Deg,
-}
-
-impl Angle {
-    /// The unit in rad.
-    fn in_rad(self) -> f64 {
-        match self {
-            Self::Rad => 1.0,
-            Self::Deg => std::f64::consts::PI / 180.0,
-        }
-    }
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -96,7 +87,7 @@ impl Orientation {
         }
     }
 
-    fn of(self, pose: &Pose<f64>, angle: Angle) -> Vec<f64> {
+    fn of(self, pose: &Pose<f64>, angle: Units) -> Vec<f64> {
         match self {
             Self::Rpy => pose.rpy().angles.map(|x| x / angle.in_rad()).to_vec(),
             Self::Quaternion => pose.quaternion().to_vec(),
@@ -115,7 +106,8 @@ pub fn run(options: &Options, out: &mut dyn Write) -> Result<(), Failure> {
     match_up(text, &laws, &names).map_err(|error| Failure::Usage(pointed(text, &error)))?;
     let trace = Trace {
         kinds: chain.kinds(),
-        limits: Limits::of(&model),
+        limits: Limits::of(&model, options.units),
+        top: options.json.then(|| Top::of(&model, options.units)),
         stops: options.stop_at_limits,
         chain,
         laws,
@@ -166,32 +158,41 @@ struct Trace {
     stops: bool,
     laws: Vec<Law>,
     times: Times,
-    angle: Angle,
+    /// What JSON says beside the samples; none of CSV.
+    top: Option<Top>,
+    angle: Units,
     form: Orientation,
 }
 
 impl Trace {
-    /// Header and rows; a progress bar if `may_show` and it takes long.
+    /// All samples; a progress bar if `may_show` and it takes long.
     fn write(&self, out: &mut dyn Write, may_show: bool) -> Result<(), Failure> {
         let joints = (1..=self.kinds.len()).map(|joint| format!("q{joint}"));
         let pose = ["x", "y", "z"].iter().chain(self.form.header());
         let motion = ["vx", "vy", "vz", "wx", "wy", "wz", "ax", "ay", "az", "dwx", "dwy", "dwz", "out_of_limits"];
         let names = pose.chain(&motion).map(|name| (*name).to_owned());
-        let header: Vec<String> = ["t".to_owned()].into_iter().chain(joints).chain(names).collect();
-        writeln!(out, "{}", header.join(","))?;
+        let names: Vec<String> = ["t".to_owned()].into_iter().chain(joints).chain(names).collect();
+        let mut samples = Samples::begin(out, &names, self.top.as_ref())?;
+        let ended = self.samples(&mut samples, may_show);
+        let stopped = match &ended {
+            Err(Failure::Other(message)) => Some(message.as_str()),
+            _ => None,
+        };
+        samples.end(stopped)?;
+        ended
+    }
 
+    /// The samples up to the last, or to the first that is none.
+    fn samples(&self, samples: &mut Samples, may_show: bool) -> Result<(), Failure> {
         let mut progress = Progress::new(self.times.count(), may_show);
         for index in 0..self.times.count() {
             let row = self.sample(self.times.at(index))?;
             if let Some(message) = row.broken {
-                out.flush()?;
                 return Err(Failure::Other(message));
             }
-            let row: Vec<String> = row.values.into_iter().map(printed).collect();
-            writeln!(out, "{}", row.join(","))?;
+            samples.push(&row.values)?;
             progress.look(index);
         }
-        out.flush()?;
         Ok(())
     }
 
@@ -246,13 +247,6 @@ fn undefined(law: &Law, jet: Jet, t: f64) -> String {
         ("acceleration", jet.second)
     };
     format!("the law `{law}` has no finite {what} at t = {t}: {value}")
-}
-
-/// The shortest text that reads back as the same number; no negative zero.
-fn printed(value: f64) -> String {
-    let value = value + 0.0;
-    let magnitude = value.abs();
-    if magnitude == 0.0 || (1e-5..1e16).contains(&magnitude) { format!("{value}") } else { format!("{value:e}") }
 }
 
 /// A bar on the standard error, if that is a terminal, once the work takes long.

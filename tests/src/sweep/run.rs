@@ -115,7 +115,10 @@ fn progress(arms: usize) -> ProgressBar {
 /// A reason with `#` for its numbers, and no more of it than fits a line.
 fn pattern(reason: &str) -> String {
     let mut text = String::new();
-    for letter in reason.trim_start_matches("no inverse kinematics: ").chars().take(160) {
+    let reason = reason.trim_start_matches("no inverse kinematics: ");
+    // Every reason ends with the same advice.
+    let reason = reason.split("; denhart::numeric").next().unwrap_or(reason);
+    for letter in reason.chars().take(160) {
         let digit = letter.is_ascii_digit();
         if !digit {
             text.push(if letter == '\n' { ' ' } else { letter });

@@ -10,6 +10,7 @@ mod yaw;
 
 use super::loop_chain::LoopChain;
 use super::plan::Plan;
+use super::rank;
 use super::swivel;
 use super::task::Goal;
 use super::unsupported::{self, Unsupported};
@@ -42,6 +43,8 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, U
                     Ok(plan) => return Ok(plan),
                     // A whole pose is more than most arms of five joints can do: what they lack is told of the next task.
                     Err(_) if task == Task::Pose && joints.loop_joints.len() == 5 => {}
+                    // The file gives a joint's value, and this task takes none: what is wrong is told of the next task.
+                    Err(_) if task == Task::PositionAngle && joints.given.is_some() => {}
                     Err(unsupported) => failure = failure.or(Some(unsupported)),
                 }
             }
@@ -49,7 +52,7 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, U
         }
     };
     // Another task would hide what is wrong with the table.
-    if let Some(hint) = other_convention(model) {
+    if let Some(hint) = other_convention(model, &joints) {
         return Err(Unsupported { hint: Some(hint), ..failed });
     }
     let alternatives = alternatives(model, chain, geometry);
@@ -59,8 +62,9 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, U
     Err(failed.or_else(alternatives))
 }
 
-/// What to look at in a table that has an inverse for the task if its rows are read by the other convention.
-fn other_convention(model: &Model) -> Option<String> {
+/// What to look at in a table that is meant for the other convention: read by that one it has an inverse for the task, or
+/// it is not singular everywhere, as it is by its own.
+fn other_convention(model: &Model, own: &LoopChain) -> Option<String> {
     let convention = match model.convention {
         Convention::Standard => Convention::Modified,
         Convention::Modified => Convention::Standard,
@@ -70,15 +74,18 @@ fn other_convention(model: &Model) -> Option<String> {
     let geometry = geometry::geometry(&other, &chain);
     let joints = LoopChain::new(&other, &chain, geometry.reach, model.inverse.redundant);
     let tasks = model.inverse.task.map_or_else(|| most_specific_first(&joints), |task| vec![task]);
-    let solved = tasks.into_iter().find(|task| attempt(*task, &other, &geometry, &joints).is_ok())?;
+    let solved = tasks.into_iter().find(|task| attempt(*task, &other, &geometry, &joints).is_ok());
+    let is_singular = |joints: &LoopChain| rank::check(joints, rank::ToolMotion::Pose).is_err();
+    let what = match solved {
+        Some(task) => format!("the table has an inverse (task {})", task.name()),
+        None if is_singular(own) && !is_singular(&joints) => "the table is not singular everywhere".to_owned(),
+        None => return None,
+    };
     let name = match convention {
         Convention::Standard => "standard",
         Convention::Modified => "modified",
     };
-    Some(format!(
-        "read as `convention: {name}` the table has an inverse (task {}): look which frames its rows belong to",
-        solved.name()
-    ))
+    Some(format!("read as `convention: {name}` {what}: look which frames its rows belong to"))
 }
 
 /// The tasks that an arm of so many joints may have.
@@ -123,15 +130,18 @@ fn alternatives(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<String
         .filter(|task| Some(*task) != request.task && works(*task, request.redundant))
         .map(|task| format!("`task: {}`", task.name()))
         .collect();
+    let any_works = |given: Option<usize>| {
+        tasks.into_iter().any(|task| request.task.is_none_or(|named| named == task) && works(task, given))
+    };
+    // A joint's value that need not be given at all: no other one is proposed.
+    let spares = request.redundant.is_some() && any_works(None);
     let given: Vec<String> = (0..model.joints.len())
-        .filter(|joint| Some(*joint) != request.redundant)
-        .filter(|joint| {
-            tasks.into_iter().any(|task| request.task.is_none_or(|named| named == task) && works(task, Some(*joint)))
-        })
+        .filter(|joint| Some(*joint) != request.redundant && !spares && any_works(Some(*joint)))
         .filter_map(|joint| model.joints.get(joint))
         .map(|joint| format!("`redundant: {}`", joint.name))
         .collect();
     found.extend(given);
+    found.extend(spares.then(|| "leaving out `redundant`".to_string()));
     let swings =
         !request.arm_angle && model.parameters.is_empty() && request.task.is_none_or(|task| task == Task::Pose) && {
             let joints = LoopChain::new(model, chain, geometry.reach, None);

@@ -1,0 +1,144 @@
+//! What is said about an import: in the head comment of the file, beside it, and as JSON.
+
+use std::f64::consts::PI;
+
+use serde_json::{Value, json};
+
+use super::axes::Change;
+use super::couple::Drive;
+use super::path::Path;
+use super::proof::{CONFIGURATIONS, Difference};
+use super::rigid::exact_degrees;
+
+/// An angle this near to a multiple of 15 degrees, rad, that is not made exact is remarked.
+const LOOKS_ROUNDED: f64 = 1e-4;
+
+/// An angle that is nearly a multiple of 15 degrees and was left as it is.
+struct Nearly<'s> {
+    /// Which one of the joint's origin.
+    what: &'static str,
+    joint: &'s str,
+    /// As it is written, rad.
+    angle: f64,
+    /// From the multiple, rad.
+    off: f64,
+}
+
+/// What is said about an import.
+pub struct Said<'s> {
+    /// The name of the URDF.
+    pub from: &'s str,
+    pub path: &'s Path<'s>,
+    pub changes: &'s [Change],
+    /// The URDF with the angles that were made exact.
+    pub same: Difference,
+    /// The URDF as written.
+    pub all: Difference,
+}
+
+impl Said<'_> {
+    /// The head comment of the file.
+    pub fn head(&self, drive: &Drive) -> Vec<String> {
+        let Self { from, path, .. } = self;
+        let version = env!("CARGO_PKG_VERSION");
+        let mut lines = vec![
+            format!("Imported from {from}, `{}` to `{}`, by denhart {version}.", path.base, path.tool),
+            "Zero and direction of each joint are those of the URDF.".to_owned(),
+        ];
+        lines.extend(self.proof());
+        for (motor, sum) in drive.motors.iter().zip(&drive.sums) {
+            let name = &motor.name;
+            if let [_, _, ..] = sum[..] {
+                lines.push(format!("Joint `{name}` of this file is the sum of the URDF's {}.", sum.join(", ")));
+            }
+        }
+        lines
+    }
+
+    fn proof(&self) -> Vec<String> {
+        let Difference { position, angle } = self.same;
+        let mut lines = vec![format!(
+            "At {CONFIGURATIONS} random configurations the pose differs from the URDF's by at most {position:.1e} m and {angle:.1e} rad."
+        )];
+        if let Some(largest) = self.changes.iter().map(Change::size).max_by(f64::total_cmp) {
+            let (count, Difference { position, angle }) = (self.changes.len(), self.all);
+            let were = if count == 1 { "angle was" } else { "angles were" };
+            lines.push(format!(
+                "{count} {were} made exact before that, by at most {largest:.1e} rad. From the URDF as written the pose differs by"
+            ));
+            lines.push(format!("at most {position:.1e} m and {angle:.1e} rad."));
+        }
+        lines
+    }
+
+    /// What the user is told beside the file.
+    pub fn remarks(&self, within: f64) -> Vec<String> {
+        let Self { path, .. } = self;
+        let mut lines = vec![format!("chain: `{}` to `{}`", path.base, path.tool)];
+        lines.extend(self.changes.iter().map(|change| {
+            format!(
+                "made exact: {}, {} rad, is {} deg now ({:.1e} rad)",
+                change.of,
+                change.from,
+                change.to,
+                change.size()
+            )
+        }));
+        lines.extend(self.nearly_line(within));
+        lines.extend(self.proof());
+        lines
+    }
+
+    /// The same as JSON: lengths in m, angles in the unit that the key names.
+    pub fn json(&self, within: f64) -> Value {
+        let difference = |of: Difference| json!({"position_m": of.position, "angle_rad": of.angle});
+        let changes = self.changes.iter().map(|change| {
+            json!({"angle": change.of, "from_rad": change.from, "to_deg": change.to, "changed_by_rad": change.size()})
+        });
+        let nearly = self.nearly(within).into_iter().map(|near| {
+            let angle = format!("{} of joint `{}`", near.what, near.joint);
+            json!({"angle": angle, "rad": near.angle, "off_by_rad": near.off})
+        });
+        json!({
+            "chain": {"base": self.path.base, "tool": self.path.tool},
+            "made_exact": changes.collect::<Vec<_>>(),
+            "nearly_exact": nearly.collect::<Vec<_>>(),
+            "proof": {
+                "configurations": CONFIGURATIONS,
+                "exact_angles": difference(self.same),
+                "as_written": difference(self.all),
+            },
+        })
+    }
+
+    /// The angles that are nearly multiples of 15 degrees and were left as they are.
+    fn nearly(&self, within: f64) -> Vec<Nearly<'_>> {
+        let angles = self.path.joints.iter().flat_map(|passed| {
+            let named = ["roll", "pitch", "yaw"].into_iter().zip(passed.joint.rpy);
+            named.map(|(what, angle)| (what, passed.joint.name.as_str(), angle))
+        });
+        angles
+            .filter_map(|(what, joint, angle)| {
+                let to = exact_degrees(angle, LOOKS_ROUNDED)?;
+                Some(Nearly { what, joint, angle, off: (angle - to * PI / 180.0).abs() })
+            })
+            .filter(|near| near.off > within)
+            .collect()
+    }
+
+    fn nearly_line(&self, within: f64) -> Option<String> {
+        let nearly = self.nearly(within);
+        let Nearly { what, joint, angle, .. } = nearly.first()?;
+        let most = nearly.iter().map(|near| near.off).fold(0.0, f64::max);
+        let others = match nearly.len() - 1 {
+            0 => " is nearly a multiple of 15 degrees and is".to_owned(),
+            1 => " and 1 other angle are nearly multiples of 15 degrees and are".to_owned(),
+            more => format!(" and {more} other angles are nearly multiples of 15 degrees and are"),
+        };
+        let wide = 10_f64.powi(most.log10().ceil() as i32);
+        Some(format!(
+            "used as written: {what} of joint `{joint}`, {angle} rad,{others} {most:.1e} rad off at most; \
+             `--exact-within {wide:e}` makes that exact"
+        ))
+    }
+}
