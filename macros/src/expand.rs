@@ -5,7 +5,7 @@ use std::path::Path;
 use denhart_codegen::{Bound, Diagnostic, Generated, Options, ScalarKind};
 use proc_macro2::{Span, TokenStream};
 use quote::{quote, quote_spanned};
-use syn::{Data, DeriveInput, Error, Ident, LitStr, parse_quote};
+use syn::{Data, DeriveInput, Error, LitStr};
 
 use crate::attribute::{ArmAttribute, Source};
 use crate::fallback::{self, Outline};
@@ -26,8 +26,9 @@ pub fn expand(input: &DeriveInput, package: Option<&Path>) -> TokenStream {
     {
         errors.push(renamed::mistake(&name));
         // The impls are those of a right attribute: no error follows from a crate that is not there.
-        let name = Ident::new(&name, Span::call_site());
-        attribute.crate_path = parse_quote!(::#name);
+        if let Ok(path) = syn::parse_str(&format!("::{name}")) {
+            attribute.crate_path = path;
+        }
     }
     let mut outline = Outline::default();
     let arm = attribute.source.as_ref().map(|source| read(source, package)).transpose();

@@ -26,7 +26,7 @@ pub fn mistake(name: &str) -> Error {
 fn renamed(manifest: &str, workspace: impl FnOnce() -> Option<String>) -> Option<String> {
     let entries = entries(manifest);
     let is_itself = |entry: &Entry| entry.path == ["package", "name"] && entry.value == "denhart";
-    let used = || entries.iter().filter_map(Entry::of_dependency);
+    let used = || entries.iter().filter(|entry| !entry.is_of_workspace()).filter_map(Entry::of_dependency);
     if entries.iter().any(is_itself) || used().any(|(name, ..)| name == "denhart") {
         return None;
     }
@@ -41,14 +41,13 @@ fn renamed(manifest: &str, workspace: impl FnOnce() -> Option<String>) -> Option
         return None;
     }
     let workspace = self::entries(&workspace()?);
-    let shared = workspace.iter().filter(|entry| entry.path.first().is_some_and(|table| table == "workspace"));
+    let shared = workspace.iter().filter(|entry| entry.is_of_workspace());
     shared.filter_map(Entry::of_dependency).filter_map(named).find(|name| inherited.contains(&name.as_str()))
 }
 
 /// The manifest of the workspace that a package is in: its own, the one it names, or the nearest above it.
 fn workspace(package: &Path, manifest: &str) -> Option<String> {
-    let is_workspace =
-        |text: &String| entries(text).iter().any(|entry| entry.path.first().is_some_and(|table| table == "workspace"));
+    let is_workspace = |text: &String| entries(text).iter().any(Entry::is_of_workspace);
     let own = entries(manifest);
     let named = own.iter().find(|entry| entry.path == ["package", "workspace"]);
     if let Some(named) = named {
@@ -65,9 +64,19 @@ struct Entry {
 }
 
 impl Entry {
+    /// Whether it is of the workspace, not of a package.
+    fn is_of_workspace(&self) -> bool {
+        self.path.first().is_some_and(|table| table == "workspace")
+    }
+
     /// Name, key and value of a dependency of the code, not of its build script. A version alone has no key.
     fn of_dependency(&self) -> Option<(&str, &str, &str)> {
         let at = self.path.iter().position(|part| part == "dependencies" || part == "dev-dependencies")?;
+        // In front: nothing, the platform of the dependency, or the workspace.
+        let known = at == 0 || self.path.first().is_some_and(|table| table == "target" || table == "workspace");
+        if !known {
+            return None;
+        }
         let key = self.path.get(at + 2).map_or("", String::as_str);
         Some((self.path.get(at + 1)?, key, &self.value))
     }
@@ -158,6 +167,11 @@ mod tests {
             ("[dependencies]\n# robot = { package = \"denhart\" }\n", None),
             ("[build-dependencies]\nrobot = { package = \"denhart\" }\n", None),
             ("[package]\nname = \"denhart\"\n", None),
+            ("[package.metadata.tool.dependencies]\nrobot = { package = \"denhart\" }\n", None),
+            (
+                "[workspace.dependencies]\ndenhart = \"1\"\n[dependencies]\nrobot = { package = \"denhart\" }\n",
+                Some("robot"),
+            ),
         ] {
             assert_eq!(renamed(manifest, || None).as_deref(), name, "{manifest}");
         }

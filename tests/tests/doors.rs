@@ -115,6 +115,36 @@ fn main() {
     assert!(errors.contains("help: did you mean `standard`?"), "{errors}");
 }
 
+/// A package that renames the crate and does not say so is told that, and nothing else.
+#[test]
+fn a_renamed_crate_that_is_not_named_is_one_mistake() {
+    let path = "path = \"$ROOT/runtime\"";
+    for (name, dependencies) in [
+        ("renamed_inline", format!("[dependencies]\nrobot = {{ package = \"denhart\", {path} }}\n")),
+        ("renamed_dotted", format!("[dependencies]\nrobot.package = \"denhart\"\nrobot.{path}\n")),
+        (
+            "renamed_workspace",
+            format!(
+                "[dependencies]\nrobot.workspace = true\n[workspace.dependencies]\n\
+                 robot = {{ package = \"denhart\", {path} }}\n"
+            ),
+        ),
+    ] {
+        let user = UserCrate::new(name, &dependencies);
+        user.write("ur5.yaml", &fs::read_to_string(root().join("specs/ur5.yaml")).unwrap());
+        let code = "use robot::Arm;\n#[derive(Arm)]\n#[arm(spec = \"ur5.yaml\")]\nstruct Ur5;\n\
+                    fn main() {\n    println!(\"{}\", Ur5.inverse(&Ur5.forward(&[0.1; 6])).len());\n}\n";
+        user.write("src/main.rs", code);
+        let errors = user.fails(&["check"]);
+        let said: Vec<&str> = errors.lines().filter(|line| line.starts_with("error")).collect();
+        let expected = "error: the Cargo.toml of this package calls the crate denhart `robot`";
+        assert!(matches!(said[..], [one, last] if one == expected && last.contains("could not compile")), "{errors}");
+        assert!(errors.contains("help: add `crate = \"::robot\"` to #[arm(..)]"), "{errors}");
+        user.write("src/main.rs", &code.replace("yaml\")", "yaml\", crate = \"::robot\")"));
+        user.succeeds(&["check"]);
+    }
+}
+
 const NO_STD: &str = "\
 //! Arms, written by the generator.
 #![no_std]
