@@ -58,41 +58,40 @@ pub(super) fn none_to_spare(model: &Model, task: Option<Task>) -> Unsupported {
 /// Why the value of no joint can be given: the task needs all of them.
 fn not_to_spare(model: &Model, task: Task) -> Option<String> {
     let given = model.joints.get(model.inverse.redundant?)?;
-    // A pose is a task of four and five joints too.
-    let fewest = if task == Task::Pose { 4 } else { needs(Some(task)) };
     let left = model.joints.len().checked_sub(1)?;
-    let plural = if left == 1 { "" } else { "s" };
-    let is_fewer = left < fewest || (task == Task::Pose && left + 1 == needs(Some(task)));
-    is_fewer
-        .then(|| format!("`redundant: {}` leaves {left} joint{plural}, fewer than `{}` needs", given.name, task.name()))
+    // Some arms of four and five joints have a pose too: those with a joint more are told what theirs lacks.
+    let is_fewer = left + 1 == needs(Some(task)) || (task != Task::Pose && left < needs(Some(task)));
+    let name = task.name();
+    is_fewer.then(|| format!("`redundant: {}` leaves {}, fewer than `{name}` needs", given.name, counted(left, "")))
+}
+
+/// `5 moving joints`, `1 moving joint`.
+fn counted(joints: usize, which: &str) -> String {
+    format!("{joints} {which}joint{}", if joints == 1 { "" } else { "s" })
 }
 
 /// A task that is not covered for this number of joints.
 pub(super) fn not_covered(model: &Model, task: Option<Task>) -> Unsupported {
-    let given = model.inverse.redundant.and_then(|given| model.joints.get(given));
-    let joints = model.joints.len();
-    let plural = if joints == 1 { "" } else { "s" };
-    let name = task.unwrap_or(Task::Pose).name();
     if let Some(reason) = task.and_then(|task| not_to_spare(model, task)) {
         return Unsupported::new(reason);
     }
+    let joints = model.joints.len();
+    let name = task.unwrap_or(Task::Pose).name();
+    let moving = match model.inverse.redundant.and_then(|given| model.joints.get(given)) {
+        Some(given) => {
+            let left = counted(joints.saturating_sub(1), "moving ");
+            format!("the {left} that `redundant: {}` leaves", given.name)
+        }
+        None => counted(joints, "moving "),
+    };
     Unsupported::new(match task {
         _ if is_one_more(model, task) => {
             format!(
                 "{joints} moving joints are one more than the task `{name}` needs: name the one whose value is given"
             )
         }
-        task if given.is_some_and(|_| joints > 1) => {
-            let left = joints - 1;
-            let (of, plural) = (given.map_or("", |given| &given.name), if left == 1 { "" } else { "s" });
-            let leaves = format!("{left} moving joint{plural} that `redundant: {of}` leaves");
-            match task {
-                Some(_) => format!("the task `{name}` is not covered for the {leaves}"),
-                None => format!("no task fits the {leaves}"),
-            }
-        }
-        Some(task) => format!("the task `{}` is not covered for {joints} moving joint{plural}", task.name()),
-        None => format!("no task fits {joints} moving joint{plural}"),
+        Some(_) => format!("the task `{name}` is not covered for {moving}"),
+        None => format!("no task fits {moving}"),
     })
 }
 
