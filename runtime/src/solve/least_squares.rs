@@ -65,8 +65,6 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
 /// is quadratic. Returns the joint vector of least error and its residual.
 ///
 /// There are up to 16 steps, and no more after three in a row that stall (`PROGRESS`); after one, if the solution is exact.
-/// From a start that is `placed`, where the stages have roots, a step also stalls that leaves more than half of the squared
-/// error where the linear model does: near a root the model leaves nothing but the part of the damping.
 /// Of two steps in a row one has to reduce the error, else neither is taken (the watchdog of Chamberlain, Powell,
 /// Lemarechal, Pedersen 1982). Each step takes one from `left`; without any left there is no step.
 #[cold]
@@ -77,7 +75,6 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
     arm: &dyn Evaluate<T, N>,
     start: &mut Iterate<T, N>,
     left: &mut usize,
-    placed: bool,
 ) -> ([T; N], Residual<T>) {
     let floor = T::from_f64(NOISE) * T::EPSILON;
     if !(start.size > floor * floor) {
@@ -90,7 +87,6 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
     let mut from_best = true;
     let (mut boost, mut stretch) = (T::ONE, T::ONE);
     let (mut stalls, mut folds) = (0, true);
-    let mut progress = T::ONE;
     for _ in 0..MOST_STEPS {
         let exact = facts.relative(&best.residual) <= T::EXACT;
         let done = if exact { stalls > 0 } else { stalls >= MOST_STALLS };
@@ -102,9 +98,6 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
         *left -= 1;
         let damping = (size + T::EPSILON * T::EPSILON * T::from_f64(16.0)) * boost;
         let Some((step, model)) = damped_step(facts, held, &place.columns, place.error, damping) else { break };
-        if from_best {
-            progress = if placed && model > size * T::HALF { T::HALF } else { T::from_f64(PROGRESS) };
-        }
         tried.q = start;
         for ((value, change), joint) in tried.q.iter_mut().zip(step).zip(0..) {
             *value += change * stretch;
@@ -120,7 +113,7 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
         let quarter = ratio > T::HALF * T::HALF && ratio < T::TWO * T::TWO;
         let fold = folds && !twice && quarter && model < tried.size * T::HALF;
         stretch = if fold { T::TWO } else { T::ONE };
-        stalls = if tried.size < best.size * progress { 0 } else { stalls + 1 };
+        stalls = if tried.size < best.size * T::from_f64(PROGRESS) { 0 } else { stalls + 1 };
         if tried.size < best.size {
             core::mem::swap(&mut best, &mut tried);
             from_best = true;

@@ -58,8 +58,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
         let mut iterate = Iterate::at(facts, self.goal, self.arm, solution.q);
         let close = facts.tolerates(&iterate.residual);
         let mut rest = left;
-        let placed = self.passes.as_ref().is_some_and(|passes| passes.again());
-        (solution.q, solution.residual) = refined(facts, self.goal, self.arm, &mut iterate, &mut rest, placed);
+        (solution.q, solution.residual) = refined(facts, self.goal, self.arm, &mut iterate, &mut rest);
         self.left = rest + RESERVED;
         let exact = facts.relative(&solution.residual) <= T::EXACT;
         if !exact {
@@ -156,7 +155,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
             return;
         }
         let mut rest = self.left.saturating_sub(1);
-        let (q, residual) = refined(facts, self.goal, self.arm, &mut iterate, &mut rest, false);
+        let (q, residual) = refined(facts, self.goal, self.arm, &mut iterate, &mut rest);
         if !(facts.relative(&residual) <= T::EXACT) {
             return;
         }
