@@ -135,7 +135,7 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
 /// The step that minimizes `|J step - error|^2 + damping |step|^2`; a slide's in the unit of its joint. J is reflected
 /// (Householder 1958) into the triangle that starts as `sqrt(damping) I`. Unlike the normal equations this keeps singular
 /// values down to the rounding of J itself, which is what the steps near a fold need. Joints that are `held` stay.
-/// Returned with the step: the minimum.
+/// Returns the step and that minimum: what the linear model leaves of the squared error.
 fn damped_step<T: Tolerances, const N: usize>(
     facts: &Facts<T, N>,
     held: JointMask,

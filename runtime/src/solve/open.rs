@@ -108,7 +108,8 @@ impl<T: Tolerances> Open<T> {
         half > T::COINCIDENT
     }
 
-    /// Whether a branch, by the first joint that is free or nearly so on it, has a joint that this one moves.
+    /// Whether `first` is one of the joints of this branch. `first` is the first joint that is free or nearly so on another
+    /// branch; the empty mask, where that has none, is no joint.
     pub(super) fn moves(&self, first: JointMask) -> bool {
         !first.is_empty() && self.joints.contains(&first)
     }

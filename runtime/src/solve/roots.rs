@@ -47,14 +47,14 @@ impl<T: Tolerances> Roots<T> {
         // Half angles from the middle, so that a narrow interval loses no digits.
         let halves: [(T, T); NODES] = core::array::from_fn(|k| sin_cos(half * node(k) * T::HALF));
         let (s0, c0) = sin_cos(middle);
-        // The sine of h, up to a factor.
+        // The sine of h, up to a factor, from the sine and cosine of half the angle from the middle.
         let sine = |(s, c): (T, T)| {
             let (s, c) = (s * c + s * c, c * c - s * s);
             let [level, square] = series.each_ref().map(|circle| circle.toward((s0 * c + c0 * s, c0 * c - s0 * s)));
             let level = level / square;
             ((level - first.low) * (first.high - level)).max(T::ZERO).sqrt()
         };
-        // For every node the product over the other ones.
+        // For every node the product of Lagrange's form over the other ones.
         let others = |(sin, cos): (T, T)| {
             let factors = halves.map(|(s, c)| sin * c - cos * s);
             let (mut products, mut before, mut behind) = ([T::ONE; NODES], T::ONE, T::ONE);
