@@ -11,7 +11,10 @@ pub(super) const MOST_STEPS: usize = 16;
 const MOST_STALLS: usize = 3;
 /// A step stalls that leaves more than this part of the squared error. Where several singularities meet, a step that takes
 /// little may come before one that takes nearly all.
-const PROGRESS: f64 = 0.95;
+const PROGRESS: f64 = 0.8;
+/// Parts of a step of which the one of least error is looked for, and Newton steps from there.
+const PARTS: i32 = 8;
+const POLISH: usize = 4;
 /// Residuals up to so many roundings say nothing about where the solution is, and where the arm is nearly singular a step
 /// that chases them leads far away.
 const NOISE: f64 = 20.0;
@@ -64,9 +67,12 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
 /// Damped least squares (Levenberg 1944, Marquardt 1963), damped in proportion to the squared error, so that convergence
 /// is quadratic. Returns the joint vector of least error and its residual.
 ///
-/// There are up to 16 steps, and no more after three in a row that stall (`PROGRESS`); after one, if the solution is exact.
-/// Of two steps in a row one has to reduce the error, else neither is taken (the watchdog of Chamberlain, Powell,
-/// Lemarechal, Pedersen 1982). Each step takes one from `left`; without any left there is no step.
+/// There are up to 16 evaluations, and no more after three steps in a row that stall (`PROGRESS`); after one, if the
+/// solution is exact. Of two steps in a row one has to reduce the error, else neither is taken (the watchdog of Chamberlain,
+/// Powell, Lemarechal, Pedersen 1982). A step that would stall by its linear model is not taken where the model decides: a
+/// step no longer than the error, and the shorter step after one that was not taken. A step that stalls is replaced by the
+/// best part of it ([`part`]), if that leaves less than half of the squared error. Each evaluation takes one from `left`;
+/// without any left there is none.
 #[cold]
 #[inline(never)]
 pub(super) fn refined<T: Tolerances, const N: usize>(
@@ -87,33 +93,44 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
     let mut from_best = true;
     let (mut boost, mut stretch) = (T::ONE, T::ONE);
     let (mut stalls, mut folds) = (0, true);
-    for _ in 0..MOST_STEPS {
+    let most = MOST_STEPS.min(*left);
+    let mut taken = 0;
+    while taken < most {
         let exact = facts.relative(&best.residual) <= T::EXACT;
         let done = if exact { stalls > 0 } else { stalls >= MOST_STALLS };
         let place = if from_best { &*best } else { &*tried };
         let (start, size) = (place.q, place.size);
-        if !(size > floor * floor) || *left == 0 || done {
+        if !(size > floor * floor) || done {
             break;
         }
-        *left -= 1;
         let damping = (size + T::EPSILON * T::EPSILON * T::from_f64(16.0)) * boost;
-        let Some((step, model)) = damped_step(facts, held, &place.columns, place.error, damping) else { break };
-        tried.q = start;
-        for ((value, change), joint) in tried.q.iter_mut().zip(step).zip(0..) {
-            *value += change * stretch;
-            if !(facts.prismatic | held).contains(joint) {
-                *value = wrap(*value);
+        let Some(step) = damped_step(held, &place.columns, place.error, damping) else { break };
+        // A step changes singular values by no more than its length, and those below the error are damped away.
+        let decides = boost > T::ONE || step.square <= size;
+        if from_best && decides && step.left > size * T::from_f64(PROGRESS) {
+            break;
+        }
+        let stalled = best.size * T::from_f64(PROGRESS);
+        let (error, slope) = (place.error, step.slope(&place.columns));
+        step.take(facts, held, start, stretch, tried);
+        tried.evaluate(facts, goal, arm);
+        taken += 1;
+        if stretch == T::ONE && tried.size >= stalled && taken < most {
+            let (part, least) = part(&error, &slope, &tried.error);
+            if least < best.size * T::HALF {
+                step.take(facts, held, start, part, tried);
+                tried.evaluate(facts, goal, arm);
+                taken += 1;
             }
         }
-        tried.evaluate(facts, goal, arm);
         // At a fold a step goes half of the way and leaves a quarter of the error, the model nothing: the next one is taken
         // twice (Decker, Keller, Kelley 1983).
         let ratio = tried.size / size * T::from_f64(16.0);
         let twice = stretch == T::TWO;
         let quarter = ratio > T::HALF * T::HALF && ratio < T::TWO * T::TWO;
-        let fold = folds && !twice && quarter && model < tried.size * T::HALF;
+        let fold = folds && !twice && quarter && step.left < tried.size * T::HALF;
         stretch = if fold { T::TWO } else { T::ONE };
-        stalls = if tried.size < best.size * T::from_f64(PROGRESS) { 0 } else { stalls + 1 };
+        stalls = if tried.size < stalled { 0 } else { stalls + 1 };
         if tried.size < best.size {
             core::mem::swap(&mut best, &mut tried);
             from_best = true;
@@ -129,26 +146,86 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
             from_best = false;
         }
     }
+    *left -= taken;
     (best.q, best.residual)
 }
 
-/// The step that minimizes `|J step - error|^2 + damping |step|^2`; a slide's in the unit of its joint. J is reflected
-/// (Householder 1958) into the triangle that starts as `sqrt(damping) I`. Unlike the normal equations this keeps singular
-/// values down to the rounding of J itself, which is what the steps near a fold need. Joints that are `held` stay.
-/// Returns the step and that minimum: what the linear model leaves of the squared error.
+/// A damped step.
+#[derive(Debug, Clone, Copy)]
+struct Step<T, const N: usize> {
+    /// By how much each joint moves; a prismatic one in parts of reach.
+    changes: [T; N],
+    /// Its squared length.
+    square: T,
+    /// What the linear model leaves of the squared error, with the damping's part.
+    left: T,
+}
+
+impl<T: Tolerances, const N: usize> Step<T, N> {
+    /// By how much the step changes the error to first order, `-J step`.
+    fn slope(&self, jacobian: &[[T; 6]; N]) -> [T; 6] {
+        let mut slope = [T::ZERO; 6];
+        for (column, change) in jacobian.iter().zip(self.changes) {
+            for (sum, entry) in slope.iter_mut().zip(column) {
+                *sum -= *entry * change;
+            }
+        }
+        slope
+    }
+
+    /// Moves an iterate to `part` of the step from `start`.
+    fn take(&self, facts: &Facts<T, N>, held: JointMask, start: [T; N], part: T, iterate: &mut Iterate<T, N>) {
+        iterate.q = start;
+        for ((value, change), joint) in iterate.q.iter_mut().zip(self.changes).zip(0..) {
+            if facts.prismatic.contains(joint) {
+                *value += change * part * facts.reach;
+            } else if !held.contains(joint) {
+                *value = wrap(*value + change * part);
+            }
+        }
+    }
+}
+
+/// The part t of a step, up to 1, at which the squared error is least, and that error: to second order the error along the
+/// step is `before + slope t + (after - before - slope) t^2`. Between two roots of a fold whole steps would go from one side
+/// of a root to the other without end.
+#[inline(never)]
+fn part<T: Tolerances>(before: &[T; 6], slope: &[T; 6], after: &[T; 6]) -> (T, T) {
+    let mut bend = *after;
+    for ((bend, before), slope) in bend.iter_mut().zip(before).zip(slope) {
+        *bend -= *before + *slope;
+    }
+    // The squared error is a quartic in t.
+    let (k0, k1) = (dot(before, before), dot(before, slope) * T::TWO);
+    let (k2, k3, k4) = (dot(slope, slope) + dot(before, &bend) * T::TWO, dot(slope, &bend) * T::TWO, dot(&bend, &bend));
+    let at = |t: T| k0 + t * (k1 + t * (k2 + t * (k3 + t * k4)));
+    let least = |(t, least): (T, T), other: T| if at(other) < least { (other, at(other)) } else { (t, least) };
+    let eighths = (1..PARTS).map(|k| T::from_i32(k) / T::from_i32(PARTS));
+    let nearby = eighths.fold((T::ONE, at(T::ONE)), least);
+    // Newton steps on the derivative.
+    (0..POLISH).fold(nearby, |(t, value), _| {
+        let slope = k1 + t * (k2 * T::TWO + t * (k3 * T::from_i32(3) + t * k4 * T::from_i32(4)));
+        let bend = k2 * T::TWO + t * (k3 * T::from_i32(6) + t * k4 * T::from_i32(12));
+        least((t, value), (t - slope / bend).min(T::ONE))
+    })
+}
+
+/// The step that minimizes `|J step - error|^2 + damping |step|^2`, and that minimum. J is reflected (Householder 1958)
+/// into the triangle that starts as `sqrt(damping) I`. Unlike the normal equations this keeps singular values down to the
+/// rounding of J itself, which is what the steps near a fold need. Joints that are `held` stay. `None` if the step is not
+/// finite.
 fn damped_step<T: Tolerances, const N: usize>(
-    facts: &Facts<T, N>,
     held: JointMask,
     jacobian: &[[T; 6]; N],
     mut error: [T; 6],
     damping: T,
-) -> Option<([T; N], T)> {
+) -> Option<Step<T, N>> {
     let mut columns = *jacobian;
     let mut triangle = [[T::ZERO; N]; N];
-    let mut step = [T::ZERO; N];
+    let mut changes = [T::ZERO; N];
     let start = damping.sqrt();
     let mut rest = columns.as_mut_slice();
-    for (j, (line, value)) in triangle.iter_mut().zip(&mut step).enumerate() {
+    for (j, (line, value)) in triangle.iter_mut().zip(&mut changes).enumerate() {
         let (across, behind) = rest.split_first_mut()?;
         if !held.contains(j) {
             *value = reflect(across, behind, line.get_mut(j + 1..)?, &mut error, start);
@@ -156,13 +233,11 @@ fn damped_step<T: Tolerances, const N: usize>(
         rest = behind;
     }
     for (j, line) in triangle.iter().enumerate().rev() {
-        let (value, behind) = step.get_mut(j..)?.split_first_mut()?;
+        let (value, behind) = changes.get_mut(j..)?.split_first_mut()?;
         *value = line.iter().skip(j + 1).zip(behind).fold(*value, |value, (entry, x)| value - *entry * *x);
     }
-    for joint in facts.prismatic.iter() {
-        *step.get_mut(joint)? *= facts.reach;
-    }
-    step.iter().all(|x| x.is_finite()).then_some((step, dot(&error, &error)))
+    let square = changes.iter().fold(T::ZERO, |sum, x| sum + *x * *x);
+    square.is_finite().then_some(Step { changes, square, left: dot(&error, &error) })
 }
 
 /// Reflects a column into `start` on the diagonal, and with it the columns `behind` and the error. Of the new line of the
@@ -196,4 +271,47 @@ fn reflect<T: Tolerances>(
 #[inline]
 fn dot<T: Tolerances>([a, b, c, d, e, f]: &[T; 6], [u, v, w, x, y, z]: &[T; 6]) -> T {
     (*a * *u + *c * *w + *e * *y) + (*b * *v + *d * *x + *f * *z)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::part;
+
+    /// The error along a step from `1` whose linear model closes, in one direction each of two that differ.
+    fn of(after: f64) -> (f64, f64) {
+        let along = |size: f64| [size * 0.6, 0.0, size * -0.8, 0.0, 0.0, 0.0];
+        part(&along(1.0), &along(-1.0), &along(after))
+    }
+
+    /// `(1 - 2 t)(1 + t)`: the whole step lies beyond the root at one half.
+    #[test]
+    fn a_step_beyond_a_root_goes_back_to_it() {
+        let (part, least) = of(-2.0);
+        assert!((part - 0.5).abs() < 1e-9 && least < 1e-18, "{part} {least}");
+    }
+
+    /// `1 - t + 3 t^2` is least at one sixth, and never vanishes.
+    #[test]
+    fn where_there_is_no_root_the_least_error_is_told() {
+        let (part, least) = of(3.0);
+        let expected: f64 = 1.0 - 1.0 / 12.0;
+        assert!((part - 1.0 / 6.0).abs() < 1e-6 && (least - expected * expected).abs() < 1e-9, "{part} {least}");
+    }
+
+    /// `(1 - t / 2)^2` has its root beyond the step.
+    #[test]
+    fn a_step_that_leads_towards_a_root_is_whole() {
+        for after in [1e-9, 0.25] {
+            let (part, least) = of(after);
+            assert!((part - 1.0).abs() < 1e-6 && (least - after * after).abs() < 1e-9, "{after}: {part} {least}");
+        }
+    }
+
+    #[test]
+    fn errors_that_are_not_finite_give_no_part_that_is_better() {
+        for after in [f64::NAN, f64::INFINITY] {
+            let (_, least) = of(after);
+            assert!(!(least < 1.0), "{after}: {least}");
+        }
+    }
 }
