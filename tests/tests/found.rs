@@ -48,6 +48,8 @@ found! {
     sweep_1_433 7 "arms/found/sweep_1_433.yaml";
     // Axes that miss the structure by 1e-11: every branch is verified.
     sweep_1_4073 6 "arms/found/sweep_1_4073.yaml";
+    // Axes 4 and 5 are parallel but for 1e-7 degrees, whose cosine is 1: not one turn.
+    sweep_1_15785 6 "arms/found/sweep_1_15785.yaml";
     // A fifth joint that slides where a pose needs one that rolls.
     sweep_1_4652 5 "arms/found/sweep_1_4652.yaml";
 }

@@ -193,8 +193,10 @@ fn keeps_parallel(c: &LoopClosure, joint: usize) -> Option<f64> {
     if link.target {
         return None;
     }
-    let cosine = c.value(Side::along(link.forward.z()))?;
-    (cosine.abs() >= 1.0 - 1e-12).then(|| cosine.signum())
+    let axis = link.forward.z();
+    // Not by the cosine, which is 1 but for rounding at angles up to 1e-8.
+    let parallel = c.vanish(&Side::plane(axis), Unit::Direction);
+    c.value(Side::along(axis)).filter(|_| parallel).map(f64::signum)
 }
 
 /// What stands between the triple's last joint and its first, going back.
