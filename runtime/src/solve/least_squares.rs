@@ -70,9 +70,9 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
 /// There are up to 16 evaluations, and no more after three steps in a row that stall (`PROGRESS`); after one, if the
 /// solution is exact. Of two steps in a row one has to reduce the error, else neither is taken (the watchdog of Chamberlain,
 /// Powell, Lemarechal, Pedersen 1982). A step that would stall by its linear model is not taken where the model decides: a
-/// step no longer than the error, and the shorter step after one that was not taken. A step that stalls is replaced by the
-/// best part of it ([`part`]), if that leaves less than half of the squared error. Each evaluation takes one from `left`;
-/// without any left there is none.
+/// step no longer than the error, and the shorter step after one that was not taken. A step that
+/// stalls is replaced by the best part of it ([`part`]), if that leaves less than half of the squared error. Each evaluation
+/// takes one from `left`; without any left there is none.
 #[cold]
 #[inline(never)]
 pub(super) fn refined<T: Tolerances, const N: usize>(
@@ -111,13 +111,16 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
             break;
         }
         let stalled = best.size * T::from_f64(PROGRESS);
-        let (error, slope) = (place.error, step.slope(&place.columns));
+        // The place is overwritten, unless it is the best one.
+        let before = (!from_best).then(|| (place.error, step.slope(&place.columns)));
         step.take(facts, held, start, stretch, tried);
         tried.evaluate(facts, goal, arm);
         taken += 1;
+        let half = best.size * T::HALF;
         if stretch == T::ONE && tried.size >= stalled && taken < most {
+            let (error, slope) = before.unwrap_or_else(|| (best.error, step.slope(&best.columns)));
             let (part, least) = part(&error, &slope, &tried.error);
-            if least < best.size * T::HALF {
+            if least < half {
                 step.take(facts, held, start, part, tried);
                 tried.evaluate(facts, goal, arm);
                 taken += 1;
