@@ -13,7 +13,7 @@ const MOST_STALLS: usize = 3;
 /// little may come before one that takes nearly all.
 const PROGRESS: f64 = 0.8;
 /// Parts of a step of which the one of least error is looked for, and Newton steps from there.
-const PARTS: i32 = 8;
+const PARTS: usize = 8;
 const POLISH: usize = 4;
 /// Residuals up to so many roundings say nothing about where the solution is, and where the arm is nearly singular a step
 /// that chases them leads far away.
@@ -113,7 +113,7 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
         let stalled = best.size * T::from_f64(PROGRESS);
         // The place is overwritten, unless it is the best one.
         let before = (!from_best).then(|| (place.error, step.slope(&place.columns)));
-        step.take(facts, held, start, stretch, tried);
+        step.take(facts, held, &start, stretch, tried);
         tried.evaluate(facts, goal, arm);
         taken += 1;
         let half = best.size * T::HALF;
@@ -121,7 +121,7 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
             let (error, slope) = before.unwrap_or_else(|| (best.error, step.slope(&best.columns)));
             let (part, least) = part(&error, &slope, &tried.error);
             if least < half {
-                step.take(facts, held, start, part, tried);
+                step.take(facts, held, &start, part, tried);
                 tried.evaluate(facts, goal, arm);
                 taken += 1;
             }
@@ -166,6 +166,7 @@ struct Step<T, const N: usize> {
 
 impl<T: Tolerances, const N: usize> Step<T, N> {
     /// By how much the step changes the error to first order, `-J step`.
+    #[inline(never)]
     fn slope(&self, jacobian: &[[T; 6]; N]) -> [T; 6] {
         let mut slope = [T::ZERO; 6];
         for (column, change) in jacobian.iter().zip(self.changes) {
@@ -177,8 +178,9 @@ impl<T: Tolerances, const N: usize> Step<T, N> {
     }
 
     /// Moves an iterate to `part` of the step from `start`.
-    fn take(&self, facts: &Facts<T, N>, held: JointMask, start: [T; N], part: T, iterate: &mut Iterate<T, N>) {
-        iterate.q = start;
+    #[inline(never)]
+    fn take(&self, facts: &Facts<T, N>, held: JointMask, start: &[T; N], part: T, iterate: &mut Iterate<T, N>) {
+        iterate.q = *start;
         for ((value, change), joint) in iterate.q.iter_mut().zip(self.changes).zip(0..) {
             if facts.prismatic.contains(joint) {
                 *value += change * part * facts.reach;
@@ -203,8 +205,13 @@ fn part<T: Tolerances>(before: &[T; 6], slope: &[T; 6], after: &[T; 6]) -> (T, T
     let (k2, k3, k4) = (dot(slope, slope) + dot(before, &bend) * T::TWO, dot(slope, &bend) * T::TWO, dot(&bend, &bend));
     let at = |t: T| k0 + t * (k1 + t * (k2 + t * (k3 + t * k4)));
     let least = |(t, least): (T, T), other: T| if at(other) < least { (other, at(other)) } else { (t, least) };
-    let eighths = (1..PARTS).map(|k| T::from_i32(k) / T::from_i32(PARTS));
-    let nearby = eighths.fold((T::ONE, at(T::ONE)), least);
+    // One of `PARTS`.
+    let eighth = T::HALF * T::HALF * T::HALF;
+    let (mut nearby, mut t) = ((T::ONE, at(T::ONE)), T::ZERO);
+    for _ in 1..PARTS {
+        t += eighth;
+        nearby = least(nearby, t);
+    }
     // Newton steps on the derivative.
     (0..POLISH).fold(nearby, |(t, value), _| {
         let slope = k1 + t * (k2 * T::TWO + t * (k3 * T::from_i32(3) + t * k4 * T::from_i32(4)));
