@@ -74,6 +74,7 @@ impl<T: Tolerances, const N: usize> Facts<'_, T, N> {
     }
 
     /// The residual, lengths relative to reach, as one number; infinite if it is not a number.
+    #[inline(never)]
     pub(super) fn relative(&self, residual: &Residual<T>) -> T {
         let position = residual.position / self.reach;
         let known = position.is_finite() && residual.orientation.is_finite();

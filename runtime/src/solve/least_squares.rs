@@ -1,5 +1,7 @@
 //! Damped least-squares steps towards a target.
 
+use core::iter;
+
 use super::facts::Evaluate;
 use super::{Facts, Goal, Tolerances};
 use crate::math::wrap;
@@ -59,71 +61,81 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
         }
         let [x, y, z, u, v, w] = goal.error(&self.q, pose);
         self.error = [x * k, y * k, z * k, u, v, w];
-        self.size = dot(&self.error, &self.error);
+        self.size = product(&self.error, &self.error);
         self.residual = goal.misses(&self.q, pose);
     }
 }
 
 /// Damped least squares (Levenberg 1944, Marquardt 1963), damped in proportion to the squared error, so that convergence
-/// is quadratic. Returns the joint vector of least error and its residual.
+/// is quadratic. Joint vector and residual of `start` become those of the iterate of least error, angles in (-pi, pi].
 ///
-/// There are up to 16 evaluations, and no more after three steps in a row that stall (`PROGRESS`); after one, if the
-/// solution is exact. Of two steps in a row one has to reduce the error, else neither is taken (the watchdog of Chamberlain,
-/// Powell, Lemarechal, Pedersen 1982). A step that would stall by its linear model is not taken where the model decides: a
-/// step no longer than the error, and the shorter step after one that was not taken. A step that
-/// stalls is replaced by the best part of it ([`part`]), if that leaves less than half of the squared error. Each evaluation
-/// takes one from `left`; without any left there is none.
+/// There are at most 16 evaluations. No more follow after three steps in a row that stall (`PROGRESS`), or after one if
+/// the solution is exact. Of two steps in a row one has to reduce the error, else neither is taken (the watchdog of
+/// Chamberlain, Powell, Lemarechal, Pedersen 1982). No step is tried whose linear model predicts a stall, if the model
+/// decides: for a step no longer than the error, and for the shorter one after a step that was not taken. A step that
+/// stalls is replaced by the best part of it ([`part`]), if that leaves less than half of the squared error. Each
+/// evaluation takes one from `left`; without any left there is none.
 #[cold]
 #[inline(never)]
-pub(super) fn refined<T: Tolerances, const N: usize>(
+pub(super) fn refine<T: Tolerances, const N: usize>(
     facts: &Facts<T, N>,
     goal: &dyn Goal<T, N>,
     arm: &dyn Evaluate<T, N>,
     start: &mut Iterate<T, N>,
     left: &mut usize,
-) -> ([T; N], Residual<T>) {
+) {
     let floor = T::from_f64(NOISE) * T::EPSILON;
     if !(start.size > floor * floor) {
-        return (start.q, start.residual);
+        return;
     }
     let held = goal.given();
     let mut other = *start;
-    let (mut best, mut tried) = (start, &mut other);
+    let (mut best, mut tried) = (&mut *start, &mut other);
+    // Whether the best one is `other`.
+    let mut swapped = false;
     // Whether the next step starts at the best joint vector, or at the one tried last.
     let mut from_best = true;
     let (mut boost, mut stretch) = (T::ONE, T::ONE);
     let (mut stalls, mut folds) = (0, true);
     let most = MOST_STEPS.min(*left);
     let mut taken = 0;
+    // Every turn takes an evaluation, or is the last one.
     while taken < most {
         let exact = facts.relative(&best.residual) <= T::EXACT;
         let done = if exact { stalls > 0 } else { stalls >= MOST_STALLS };
         let place = if from_best { &*best } else { &*tried };
-        let (start, size) = (place.q, place.size);
+        let (from, size) = (place.q, place.size);
         if !(size > floor * floor) || done {
             break;
         }
         let damping = (size + T::EPSILON * T::EPSILON * T::from_f64(16.0)) * boost;
         let Some(step) = damped_step(held, &place.columns, place.error, damping) else { break };
-        // A step changes singular values by no more than its length, and those below the error are damped away.
+        // A step changes singular values by about its length, and those below the error are damped away.
         let decides = boost > T::ONE || step.square <= size;
         if from_best && decides && step.left > size * T::from_f64(PROGRESS) {
             break;
         }
         let stalled = best.size * T::from_f64(PROGRESS);
         // The place is overwritten, unless it is the best one.
-        let before = (!from_best).then(|| (place.error, step.slope(&place.columns)));
-        step.take(facts, held, &start, stretch, tried);
-        tried.evaluate(facts, goal, arm);
-        taken += 1;
-        let half = best.size * T::HALF;
-        if stretch == T::ONE && tried.size >= stalled && taken < most {
-            let (error, slope) = before.unwrap_or_else(|| (best.error, step.slope(&best.columns)));
-            let (part, least) = part(&error, &slope, &tried.error);
-            if least < half {
-                step.take(facts, held, &start, part, tried);
-                tried.evaluate(facts, goal, arm);
-                taken += 1;
+        let before = (!from_best).then(|| (place.error, slope(&place.columns, &step.changes)));
+        let mut part = stretch;
+        let parts = stretch == T::ONE;
+        for last in [false, true] {
+            tried.q = from;
+            for (joint, (value, change)) in tried.q.iter_mut().zip(&step.changes).enumerate() {
+                *value += *change * part * facts.unit(joint);
+            }
+            tried.evaluate(facts, goal, arm);
+            taken += 1;
+            if last || !parts || tried.size < stalled || taken >= most {
+                break;
+            }
+            let (error, slope) = before.unwrap_or_else(|| (best.error, slope(&best.columns, &step.changes)));
+            let least;
+            (part, least) = best_part(&error, &slope, &tried.error);
+            // A part that is not a number is none.
+            if !(least < best.size * T::HALF) {
+                break;
             }
         }
         // At a fold a step goes half of the way and leaves a quarter of the error, the model nothing: the next one is taken
@@ -136,6 +148,7 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
         stalls = if tried.size < stalled { 0 } else { stalls + 1 };
         if tried.size < best.size {
             core::mem::swap(&mut best, &mut tried);
+            swapped = !swapped;
             from_best = true;
             boost = (boost * T::from_f64(0.1)).max(T::ONE);
         } else if twice {
@@ -150,7 +163,10 @@ pub(super) fn refined<T: Tolerances, const N: usize>(
         }
     }
     *left -= taken;
-    (best.q, best.residual)
+    if swapped {
+        (start.q, start.residual) = (other.q, other.residual);
+    }
+    wrap_angles(&mut start.q, held, facts.prismatic);
 }
 
 /// A damped step.
@@ -164,29 +180,24 @@ struct Step<T, const N: usize> {
     left: T,
 }
 
-impl<T: Tolerances, const N: usize> Step<T, N> {
-    /// By how much the step changes the error to first order, `-J step`.
-    #[inline(never)]
-    fn slope(&self, jacobian: &[[T; 6]; N]) -> [T; 6] {
-        let mut slope = [T::ZERO; 6];
-        for (column, change) in jacobian.iter().zip(self.changes) {
-            for (sum, entry) in slope.iter_mut().zip(column) {
-                *sum -= *entry * change;
-            }
+/// By how much a step changes the error to first order, `-J step`.
+#[inline(never)]
+fn slope<T: Tolerances>(jacobian: &[[T; 6]], changes: &[T]) -> [T; 6] {
+    let mut slope = [T::ZERO; 6];
+    for (column, change) in jacobian.iter().zip(changes) {
+        for (sum, entry) in slope.iter_mut().zip(column) {
+            *sum -= *entry * *change;
         }
-        slope
     }
+    slope
+}
 
-    /// Moves an iterate to `part` of the step from `start`.
-    #[inline(never)]
-    fn take(&self, facts: &Facts<T, N>, held: JointMask, start: &[T; N], part: T, iterate: &mut Iterate<T, N>) {
-        iterate.q = *start;
-        for ((value, change), joint) in iterate.q.iter_mut().zip(self.changes).zip(0..) {
-            if facts.prismatic.contains(joint) {
-                *value += change * part * facts.reach;
-            } else if !held.contains(joint) {
-                *value = wrap(*value + change * part);
-            }
+/// Brings the angles of a joint vector into (-pi, pi]. Those that are `held` stay as they are.
+#[inline(never)]
+pub(super) fn wrap_angles<T: Tolerances>(q: &mut [T], held: JointMask, prismatic: JointMask) {
+    for (joint, value) in q.iter_mut().enumerate() {
+        if !(held | prismatic).contains(joint) {
+            *value = wrap(*value);
         }
     }
 }
@@ -195,29 +206,45 @@ impl<T: Tolerances, const N: usize> Step<T, N> {
 /// step is `before + slope t + (after - before - slope) t^2`. Between two roots of a fold whole steps would go from one side
 /// of a root to the other without end.
 #[inline(never)]
-fn part<T: Tolerances>(before: &[T; 6], slope: &[T; 6], after: &[T; 6]) -> (T, T) {
+fn best_part<T: Tolerances>(before: &[T; 6], slope: &[T; 6], after: &[T; 6]) -> (T, T) {
     let mut bend = *after;
     for ((bend, before), slope) in bend.iter_mut().zip(before).zip(slope) {
         *bend -= *before + *slope;
     }
     // The squared error is a quartic in t.
-    let (k0, k1) = (dot(before, before), dot(before, slope) * T::TWO);
-    let (k2, k3, k4) = (dot(slope, slope) + dot(before, &bend) * T::TWO, dot(slope, &bend) * T::TWO, dot(&bend, &bend));
-    let at = |t: T| k0 + t * (k1 + t * (k2 + t * (k3 + t * k4)));
-    let least = |(t, least): (T, T), other: T| if at(other) < least { (other, at(other)) } else { (t, least) };
-    // One of `PARTS`.
+    let quartic = [
+        product(before, before),
+        product(before, slope) * T::TWO,
+        product(slope, slope) + product(before, &bend) * T::TWO,
+        product(slope, &bend) * T::TWO,
+        product(&bend, &bend),
+    ];
     let eighth = T::HALF * T::HALF * T::HALF;
-    let (mut nearby, mut t) = ((T::ONE, at(T::ONE)), T::ZERO);
-    for _ in 1..PARTS {
-        t += eighth;
-        nearby = least(nearby, t);
+    let (mut part, mut least) = (T::ONE, value(&quartic, T::ONE));
+    let mut t = T::ZERO;
+    for turn in 1..PARTS + POLISH {
+        // One of `PARTS`, then Newton steps on the derivative.
+        t = if turn < PARTS { t + eighth } else { towards_extremum(&quartic, part).min(T::ONE) };
+        let error = value(&quartic, t);
+        if error < least {
+            (part, least) = (t, error);
+        }
     }
-    // Newton steps on the derivative.
-    (0..POLISH).fold(nearby, |(t, value), _| {
-        let slope = k1 + t * (k2 * T::TWO + t * (k3 * T::from_i32(3) + t * k4 * T::from_i32(4)));
-        let bend = k2 * T::TWO + t * (k3 * T::from_i32(6) + t * k4 * T::from_i32(12));
-        least((t, value), (t - slope / bend).min(T::ONE))
-    })
+    (part, least)
+}
+
+/// The value of a quartic, from its coefficients in ascending order.
+#[inline(never)]
+fn value<T: Tolerances>([k0, k1, k2, k3, k4]: &[T; 5], t: T) -> T {
+    *k0 + t * (*k1 + t * (*k2 + t * (*k3 + t * *k4)))
+}
+
+/// A Newton step from `t` towards an extremum of a quartic.
+#[inline(never)]
+fn towards_extremum<T: Tolerances>([_, k1, k2, k3, k4]: &[T; 5], t: T) -> T {
+    let slope = *k1 + t * (*k2 * T::TWO + t * (*k3 * T::from_i32(3) + t * *k4 * T::from_i32(4)));
+    let bend = *k2 * T::TWO + t * (*k3 * T::from_i32(6) + t * *k4 * T::from_i32(12));
+    t - slope / bend
 }
 
 /// The step that minimizes `|J step - error|^2 + damping |step|^2`, and that minimum. J is reflected (Householder 1958)
@@ -247,7 +274,7 @@ fn damped_step<T: Tolerances, const N: usize>(
         *value = line.iter().skip(j + 1).zip(behind).fold(*value, |value, (entry, x)| value - *entry * *x);
     }
     let square = changes.iter().fold(T::ZERO, |sum, x| sum + *x * *x);
-    square.is_finite().then_some(Step { changes, square, left: dot(&error, &error) })
+    square.is_finite().then_some(Step { changes, square, left: product(&error, &error) })
 }
 
 /// Reflects a column into `start` on the diagonal, and with it the columns `behind` and the error. Of the new line of the
@@ -264,17 +291,15 @@ fn reflect<T: Tolerances>(
     let inverse = T::ONE / length;
     // The reflection that takes (start, across) to (-length, 0), in parts of the first entry's change.
     let parts = across.map(|entry| entry / (start + length));
-    let reflected = |column: &mut [T; 6]| {
+    let mut right = T::ZERO;
+    for (entry, column) in iter::once((&mut right, error)).chain(entries.iter_mut().zip(behind)) {
         let along = dot(column, across) * inverse;
         for (entry, part) in column.iter_mut().zip(&parts) {
             *entry -= along * *part;
         }
-        along * inverse
-    };
-    for (entry, column) in entries.iter_mut().zip(behind) {
-        *entry = reflected(column);
+        *entry = along * inverse;
     }
-    reflected(error)
+    right
 }
 
 /// Even and odd terms apart: two sums at a time.
@@ -283,14 +308,20 @@ fn dot<T: Tolerances>([a, b, c, d, e, f]: &[T; 6], [u, v, w, x, y, z]: &[T; 6]) 
     (*a * *u + *c * *w + *e * *y) + (*b * *v + *d * *x + *f * *z)
 }
 
+/// The same as a function of its own, for code that seldom runs.
+#[inline(never)]
+fn product<T: Tolerances>(a: &[T; 6], b: &[T; 6]) -> T {
+    dot(a, b)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::part;
+    use super::best_part;
 
     /// The error along a step from `1` whose linear model closes, in one direction each of two that differ.
     fn of(after: f64) -> (f64, f64) {
         let along = |size: f64| [size * 0.6, 0.0, size * -0.8, 0.0, 0.0, 0.0];
-        part(&along(1.0), &along(-1.0), &along(after))
+        best_part(&along(1.0), &along(-1.0), &along(after))
     }
 
     /// `(1 - 2 t)(1 + t)`: the whole step lies beyond the root at one half.

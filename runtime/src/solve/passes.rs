@@ -141,6 +141,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Passes<T, N
 }
 
 impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, T, N, M, P> {
+    #[inline(never)]
     fn passes(&mut self) -> &mut Passes<T, N, M, P> {
         let homes = self.homes;
         self.passes.get_or_insert_with(|| Passes::new(homes))
@@ -153,7 +154,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
         let pass = self.passes.as_ref().and_then(|passes| passes.pass);
         let samples = matches!(pass, Some(Pass::Level(levels::Pass::Sample { .. } | levels::Pass::Node { .. })));
         if state.missed && !samples {
-            self.misses(state.gap.position.max(state.gap.orientation));
+            self.misses_by(&state.gap);
         }
         match pass {
             None => {
@@ -189,8 +190,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
     /// A branch is to be followed again with its free joint elsewhere: a later stage has no root with that joint at home,
     /// or the solution does not close there. `slack`: by how much a joint that is nearly free may move.
     pub(super) fn seek(&mut self, trail: Trail, state: &State<T>, solution: &Solution<T, N>, slack: T) {
-        let passes = self.passes();
-        if passes.pass.is_some() || passes.missed.levels().is_none() {
+        if P::NONE.levels().is_none() || self.passes().again() {
             return;
         }
         let met = self.levels(trail);

@@ -137,6 +137,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     }
 
     /// What a branch has met.
+    #[inline(never)]
     pub(super) fn state(&self, trail: Trail) -> State<T> {
         let last = trail.depth().checked_sub(1);
         last.and_then(|last| *self.states.as_ref()?.get(last)?).unwrap_or(State::START)
@@ -200,9 +201,18 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     }
 
     /// A branch misses by this.
+    #[cold]
+    #[inline(never)]
     pub(super) fn misses(&mut self, gap: T) {
         let gap = if gap.is_finite() { gap } else { T::MAX };
         self.least = Some(self.least.map_or(gap, |least| least.min(gap)));
+    }
+
+    /// The same with a length and an angle.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn misses_by(&mut self, residual: &Residual<T>) {
+        self.misses(residual.position.max(residual.orientation));
     }
 
     /// The trail of a branch on which equations without a joint to meet them are missed by this much. Beyond rounding

@@ -44,7 +44,7 @@ impl<T: Tolerances> Turn<T> {
     }
 
     /// From any vector in the plane that is not zero.
-    #[inline]
+    #[inline(never)]
     pub fn towards(y: T, x: T) -> Self {
         let k = T::ONE / (x * x + y * y).sqrt();
         Self::of(y * k, x * k)

@@ -1,6 +1,6 @@
 //! Doubtful solutions: verified by forward kinematics, refined by a few damped steps, and merged where they coincide.
 
-use super::least_squares::{Iterate, MOST_STEPS, refined};
+use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
 use super::passes::Missed;
 use super::search::VIRTUAL;
 use super::stage::State;
@@ -46,7 +46,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
         if solution.free.contains(VIRTUAL) {
             solution.free = solution.free.without(VIRTUAL) | self.facts.stands_for;
         }
-        self.list(solution, found);
+        self.list(&solution, found);
     }
 
     /// Verifies a solution; refines it if that closes it. What stays beyond the tolerance is no solution; its residual
@@ -58,7 +58,8 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
         let mut iterate = Iterate::at(facts, self.goal, self.arm, solution.q);
         let close = facts.tolerates(&iterate.residual);
         let mut rest = left;
-        (solution.q, solution.residual) = refined(facts, self.goal, self.arm, &mut iterate, &mut rest);
+        refine(facts, self.goal, self.arm, &mut iterate, &mut rest);
+        (solution.q, solution.residual) = (iterate.q, iterate.residual);
         self.left = rest + RESERVED;
         let exact = facts.relative(&solution.residual) <= T::EXACT;
         if !exact {
@@ -76,7 +77,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
         // A guess that comes near by its steps alone, without closing, is no branch of this target.
         let listed = exact || close;
         if !exact {
-            self.misses(solution.residual.position.max(solution.residual.orientation));
+            self.misses_by(&solution.residual);
         }
         match listed {
             false => Found::Nothing,
@@ -90,7 +91,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
     }
 
     /// Lists a solution, or the better one of two that coincide.
-    fn list(&mut self, solution: Solution<T, N>, found: Found) {
+    fn list(&mut self, solution: &Solution<T, N>, found: Found) {
         let facts = self.facts;
         let again = self.passes.as_ref().is_some_and(|passes| passes.again());
         let twin = self.solutions.as_mut_slice().iter_mut().find(|other| {
@@ -99,14 +100,14 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
                 || again && other.branch == solution.branch && other.flags.contains(Flags::APPROXIMATE | Flags::FREE)
         });
         let Some(twin) = twin else {
-            self.solutions.push(solution);
+            self.solutions.push(*solution);
             return;
         };
         if found == Found::Guess && twin.is_exact() {
             return;
         }
         if facts.relative(&solution.residual) < facts.relative(&twin.residual) {
-            *twin = solution;
+            *twin = *solution;
         }
         twin.flags |= Flags::BOUNDARY;
     }
@@ -144,18 +145,15 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
     fn hold(&mut self, near: &[T; N]) {
         let facts = self.facts;
         let mut start = self.goal.placed(*near);
-        for (joint, value) in start.iter_mut().enumerate() {
-            if !facts.prismatic.contains(joint) && !self.goal.given().contains(joint) {
-                *value = wrap(*value);
-            }
-        }
+        wrap_angles(&mut start, self.goal.given(), facts.prismatic);
         let mut iterate = Iterate::at(facts, self.goal, self.arm, start);
         // Only from a reference that already is close: farther away there is no "same place" to keep.
         if !(facts.relative(&iterate.residual) <= T::DOUBTFUL) {
             return;
         }
         let mut rest = self.left.saturating_sub(1);
-        let (q, residual) = refined(facts, self.goal, self.arm, &mut iterate, &mut rest);
+        refine(facts, self.goal, self.arm, &mut iterate, &mut rest);
+        let (q, residual) = (iterate.q, iterate.residual);
         if !(facts.relative(&residual) <= T::EXACT) {
             return;
         }
