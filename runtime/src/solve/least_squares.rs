@@ -12,8 +12,14 @@ pub(super) const MOST_STEPS: usize = 16;
 /// So many steps in a row that stall are the last ones; one, once the solution is exact.
 const MOST_STALLS: usize = 3;
 /// A step stalls that leaves more than this part of the squared error. Where several singularities meet, a step that takes
-/// little may come before one that takes nearly all.
+/// little may come before one that takes nearly all. On 6,000 random arms 0.7 loses more
+/// poses, and 0.9 takes 1.8 times the evaluations at worst.
 const PROGRESS: f64 = 0.8;
+/// A descent converges to an error that is not zero where its gain falls: a step takes, by its linear model, less than the
+/// first part of the squared error, and less than the second part of what the step before took. Gains that fall on so make
+/// up less than 1.34 of this one in all. Near a saddle a gain falls as well, before the next ones rise: hence the first
+/// bound.
+const CONVERGED: [f64; 2] = [0.02, 0.25];
 /// Parts of a step of which the one of least error is looked for, and Newton steps from there.
 const PARTS: usize = 8;
 const POLISH: usize = 4;
@@ -69,12 +75,12 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
 /// Damped least squares (Levenberg 1944, Marquardt 1963), damped in proportion to the squared error, so that convergence
 /// is quadratic. Joint vector and residual of `start` become those of the iterate of least error, angles in (-pi, pi].
 ///
-/// There are at most 16 evaluations. No more follow after three steps in a row that stall (`PROGRESS`), or after one if
-/// the solution is exact. Of two steps in a row one has to reduce the error, else neither is taken (the watchdog of
-/// Chamberlain, Powell, Lemarechal, Pedersen 1982). No step is tried whose linear model predicts a stall, if the model
-/// decides: for a step no longer than the error, and for the shorter one after a step that was not taken. A step that
-/// stalls is replaced by the best part of it ([`part`]), if that leaves less than half of the squared error. Each
-/// evaluation takes one from `left`; without any left there is none.
+/// There are at most 16 evaluations. No more follow after three steps in a row that stall (`PROGRESS`), after one if the
+/// solution is exact, or where the descent has `CONVERGED`. Of two steps in a row one has to reduce the error, else neither
+/// is taken (the watchdog of Chamberlain, Powell, Lemarechal, Pedersen 1982). No step is tried whose linear model predicts
+/// a stall, if the model decides: for a step no longer than the error, and for the shorter one after a step that was not
+/// taken. A step that stalls is replaced by the best part of it ([`best_part`]), if that leaves less than half of the
+/// squared error. Each evaluation takes one from `left`; without any left there is none.
 #[cold]
 #[inline(never)]
 pub(super) fn refine<T: Tolerances, const N: usize>(
@@ -97,6 +103,8 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
     let mut from_best = true;
     let (mut boost, mut stretch) = (T::ONE, T::ONE);
     let (mut stalls, mut folds) = (0, true);
+    // The part of the squared error that the last step took, by its linear model.
+    let mut last_gain = T::ZERO;
     let most = MOST_STEPS.min(*left);
     let mut taken = 0;
     // Every turn takes an evaluation, or is the last one.
@@ -112,7 +120,10 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
         let Some(step) = damped_step(held, &place.columns, place.error, damping) else { break };
         // A step changes singular values by about its length, and those below the error are damped away.
         let decides = boost > T::ONE || step.square <= size;
-        if from_best && decides && step.left > size * T::from_f64(PROGRESS) {
+        let gain = T::ONE - step.left / size;
+        let converged = gain < T::from_f64(CONVERGED[0]) && gain < last_gain * T::from_f64(CONVERGED[1]);
+        last_gain = gain;
+        if from_best && (converged || decides && step.left > size * T::from_f64(PROGRESS)) {
             break;
         }
         let stalled = best.size * T::from_f64(PROGRESS);
