@@ -12,8 +12,8 @@ pub(super) const MOST_STEPS: usize = 16;
 /// So many steps in a row that stall are the last ones; one, once the solution is exact.
 const MOST_STALLS: usize = 3;
 /// A step stalls that leaves more than this part of the squared error. Where several singularities meet, a step that takes
-/// little may come before one that takes nearly all. On 6,000 random arms 0.7 loses more
-/// poses, and 0.9 takes 1.8 times the evaluations at worst.
+/// little may come before one that takes nearly all. On 6,000 random arms 0.7 loses more poses, and 0.9 takes 1.8 times the
+/// evaluations at worst.
 const PROGRESS: f64 = 0.8;
 /// A descent converges to an error that is not zero where its gain falls: a step takes, by its linear model, less than the
 /// first part of the squared error, and less than the second part of what the step before took. Gains that fall on so make

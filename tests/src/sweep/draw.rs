@@ -88,7 +88,7 @@ pub fn draw(seed: u64, index: usize) -> (&'static str, Table) {
     let scale = 10.0_f64.powf(random.uniform(-3.0, 3.0));
     let (wide, zeros) = (random.below(8) == 0, random.pick(&[2, 3, 6]));
     let mut style = Style { random: &mut random, twists, scale, wide, zeros };
-    let (name, Skeleton { kinds, links, axes, inverse }) = structure::draw(&mut style);
+    let (name, Skeleton { kinds, links, axes, inverse }) = structure::draw(&mut style, index);
     let joints = kinds.iter().zip(axes).map(|(kind, (d, theta))| Joint { kind: *kind, d, theta, limits: None });
     let mut table = Table {
         convention: style.random.pick(&[Convention::Standard, Convention::Modified]),

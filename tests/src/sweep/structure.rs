@@ -52,8 +52,15 @@ const STRUCTURES: [(&str, usize, Draw); 26] = [
     ("nearly parallel, nearly meeting", 2, nearly),
 ];
 
-/// A structure by its weight.
-pub fn draw(style: &mut Style) -> (&'static str, Skeleton) {
+/// Every arm of so many, without a weight: the others of a seed stay what they were before this structure came.
+const AXIS_OF: usize = 32;
+const AXIS: &str = "a point and an axis of the tool";
+
+/// The structure of the arm of an index, by its weight.
+pub fn draw(style: &mut Style, index: usize) -> (&'static str, Skeleton) {
+    if index % AXIS_OF == AXIS_OF - 1 {
+        return (AXIS, point_and_axis(style));
+    }
     let total = STRUCTURES.iter().map(|(_, weight, _)| weight).sum();
     let mut left = style.random.below(total);
     let (name, _, draw) = STRUCTURES
@@ -69,7 +76,7 @@ pub fn draw(style: &mut Style) -> (&'static str, Skeleton) {
 
 /// The names, in the order of the table at the end.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    STRUCTURES.iter().map(|(name, _, _)| *name)
+    STRUCTURES.iter().map(|(name, _, _)| *name).chain([AXIS])
 }
 
 fn asked_for(skeleton: Skeleton, task: &str) -> Skeleton {
@@ -99,6 +106,25 @@ fn link(style: &mut Style) -> Link {
     // One in three is parallel, as in most arms.
     let alpha = if style.random.below(3) == 0 { style.angle() } else { style.twist() };
     Link { a: style.length(), alpha }
+}
+
+/// Five joints, asked for a point and the direction of an axis of the tool: with a wrist of two axes, or three axes that
+/// meet or are parallel.
+fn point_and_axis(style: &mut Style) -> Skeleton {
+    let skeleton = match style.random.below(6) {
+        0 => meeting(style, 5, false),
+        1 => parallel(style, 5, false),
+        _ => {
+            let mut skeleton = random(style, 5, 5);
+            skeleton.kinds[3..].fill(Revolute);
+            skeleton.links[4] = Link { a: 0.0, alpha: style.twist() };
+            skeleton.links[5] = Link { a: 0.0, alpha: style.angle() };
+            skeleton.axes[4].0 = 0.0;
+            skeleton
+        }
+    };
+    let axis = style.random.pick(&["x", "y", "z"]);
+    Skeleton { inverse: Some(format!("{{task: position_axis, axis: {axis}}}")), ..skeleton }
 }
 
 /// Three joints in a row, the first of them anywhere, are made what `make` says; one in `slides` slides.
