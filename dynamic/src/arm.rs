@@ -160,8 +160,8 @@ impl DynamicArm {
         pose
     }
 
-    /// Poses of the links in the base frame, one for each joint: after the base, the rows up to and including the joint
-    /// and the fixed rows behind it. The last link is without the tool.
+    /// Poses of the links in the base frame, one for each joint. The pose of a joint's link contains the base, the rows
+    /// up to and including the joint, and the fixed rows behind it. The last link is without the tool.
     ///
     /// # Errors
     /// As of [`forward`](Self::forward).

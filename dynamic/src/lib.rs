@@ -1,8 +1,8 @@
 //! Kinematics of robot arms that are known only at run time.
 //!
-//! An arm file is read, planned, and evaluated: the very expressions and the very plan that `denhart` generates code from,
-//! with the same kernels of its runtime. There is no second derivation and no second solver, so the results are those of
-//! the generated code in `f64`, to the bit. Evaluation takes a few times as long as compiled code.
+//! An arm file is read, planned, and evaluated. The expressions and the plan are the very ones that `denhart` generates
+//! code from, and the kernels are those of its runtime. There is no second derivation and no second solver, so the
+//! results are those of the generated code in `f64`, to the bit. Evaluation takes a few times as long as compiled code.
 //!
 //! ```
 //! use denhart_dynamic::{DynamicArm, DynamicError};

@@ -93,8 +93,8 @@ impl Registers {
 
 /// Makes a tape of the expressions of a graph.
 ///
-/// Every expression has one register. The operations are those of the graph, one by one and in its order, which is the
-/// order in which generated code does them: the results are equal to the bit.
+/// Every expression has one register. The operations are those of the graph, one by one and in its order. Generated
+/// code does them in the same order, so the results are equal to the bit.
 #[derive(Debug)]
 pub struct Compiler<'a> {
     graph: &'a Graph,

@@ -1,8 +1,8 @@
 //! The square root instruction of processors with a floating-point unit.
 //!
-//! The root of `core` is not stable, and that of `std` is not there on a microcontroller. Both functions return `None` on
-//! a processor that is not known to have the instruction; that is decided when the crate is compiled, so that a `match`
-//! on the result costs nothing.
+//! The root of `core` is not stable, and that of `std` is not there on a microcontroller. Both functions return `None`
+//! on a processor that is not known to have the instruction. That choice is made when the crate is compiled, so that a
+//! `match` on the result costs nothing.
 //!
 //! | processor | single | double |
 //! |---|---|---|
@@ -11,10 +11,10 @@
 //! | RISC-V with the extensions F, D | `fsqrt.s` | `fsqrt.d` |
 //!
 //! # Safety
-//! Each block of assembly is one root, from a register to a register; on ARM with the moves between a core register and one
-//! of the unit. It accesses no memory and no stack, and does not jump. It exists only where the compilation target
-//! guarantees the instruction: the ABI `eabihf` passes floats in registers of the unit, and VSQRT belongs to every version
-//! of that unit from VFPv2 on.
+//! Each block of assembly is one root, from a register to a register. On ARM the block also has the moves between a
+//! core register and one of the unit. A block accesses no memory and no stack, and does not jump. It exists only where
+//! the compilation target guarantees the instruction. The ABI `eabihf` passes floats in registers of the unit, and
+//! VSQRT belongs to every version of that unit from VFPv2 on.
 //! The instruction sets flags of the floating-point status (inexact, invalid), which the compiler is not told to be
 //! preserved.
 //!

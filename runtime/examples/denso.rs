@@ -1,5 +1,5 @@
-//! Nguyen, Pham and Chi 2023, forward kinematics of the Denso VS-6556: the eleven positions of Table 2 under the motion
-//! law (23), with the velocity and the acceleration of the tool.
+//! Nguyen, Pham and Chi 2023, forward kinematics of the Denso VS-6556. The example prints the eleven positions of Table
+//! 2 under the motion law (23), with the velocity and the acceleration of the tool.
 //!
 //! `cargo run --release --example denso`
 

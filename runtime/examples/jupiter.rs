@@ -1,5 +1,5 @@
-//! Shalash et al. 2024, position and orientation analysis of the Jupiter robot arm: its validation point, and the four
-//! joint vectors that reach it, of which the paper has one.
+//! Shalash et al. 2024, position and orientation analysis of the Jupiter robot arm. The example prints the validation
+//! point of the paper, and the four joint vectors that reach it, of which the paper has one.
 //!
 //! `cargo run --release --example jupiter`
 

@@ -1,5 +1,5 @@
-//! Salman, Hamzah and Bakhy, an arm with three joints and stepper motors: positions, the four solutions with their limits,
-//! and where whole pulses leave the tool.
+//! Salman, Hamzah and Bakhy, an arm with three joints and stepper motors. The example prints positions, the four
+//! solutions with their limits, and where whole pulses leave the tool.
 //!
 //! `cargo run --release --example salman`
 

@@ -1,5 +1,5 @@
-//! A UR5 from its table: the pose of the tool, the Jacobian, and every inverse solution, at an ordinary pose, at the
-//! wrist singularity, beyond reach, and for a target that is no pose.
+//! A UR5 from its table: the pose of the tool, the Jacobian, and every inverse solution. The example covers an ordinary
+//! pose, the wrist singularity, a target beyond reach, and a target that is no pose.
 //!
 //! `cargo run --release --example ur5`
 

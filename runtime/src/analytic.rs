@@ -12,8 +12,9 @@ pub struct AnalyticJacobian<T, const M: usize, const N: usize> {
     /// Rates of the coordinates of the orientation in their order, `[M, N]`: rad, or no unit for a quaternion.
     pub orientation: [[T; N]; M],
     /// How far the coordinates are from their own singularity, 0 to 1: the absolute determinant of the map from their
-    /// rates to the angular velocity. `|cos|` of the middle angle for three different axes (roll, pitch, yaw), `|sin|`
-    /// of it where the first axis returns (ZYZ); 1 for a quaternion, which has none. The rates grow as its inverse.
+    /// rates to the angular velocity. For three different axes (roll, pitch, yaw) the margin is `|cos|` of the middle
+    /// angle. Where the first axis returns (ZYZ), the margin is `|sin|` of that angle. The margin is 1 for a
+    /// quaternion, which has no singularity. The rates grow as the inverse of the margin.
     pub margin: T,
     /// Whether the margin is zero to rounding (up to 16 units of it).
     ///
@@ -57,9 +58,9 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
     /// Rates of intrinsic Euler angles, rows in the order of the sequence, at the three `angles`, rad; `EulerOrder::Zyz`
     /// for ZYZ. The third angle has no effect. Singular where the first and the third axis coincide.
     ///
-    /// The angular velocity is the sum of the rates along the three axes, of which the second is at right angles to both
-    /// others; so its rate is a projection, and the other two follow in the plane at right angles to it (Siciliano et al. 2009,
-    /// "Robotics", section 3.6, for ZYZ).
+    /// The angular velocity is the sum of the rates along the three axes, of which the second is at right angles to
+    /// both others. So the second rate is a projection, and the other two follow in the plane at right angles to the
+    /// second axis. Source: Siciliano et al. 2009, "Robotics", section 3.6, for ZYZ.
     #[must_use]
     pub fn analytic_euler(&self, order: EulerOrder, angles: [T; 3]) -> AnalyticJacobian<T, 3, N> {
         // The axes renamed to x, y, z. Into a left-handed frame that turns every angle around, and every angular

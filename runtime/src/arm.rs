@@ -93,8 +93,8 @@ pub trait Arm<T, const N: usize> {
         self.jacobian(q).velocity(qd)
     }
 
-    /// Acceleration of the tool in the base frame, for joint rates `qd` `[N]` and their derivatives `qdd` `[N]`: the
-    /// second derivative of the position of the tool point and the derivative of the angular velocity.
+    /// Acceleration of the tool in the base frame, for joint rates `qd` `[N]` and their derivatives `qdd` `[N]`. Its
+    /// parts are the second derivative of the position of the tool point and the derivative of the angular velocity.
     #[must_use]
     fn acceleration(&self, q: &[T; N], qd: &[T; N], qdd: &[T; N]) -> Acceleration<T>
     where
@@ -164,7 +164,7 @@ pub trait Arm<T, const N: usize> {
 ///
 /// # Targets
 /// A target that is not finite gives [`Status::BadTarget`]. A rotation that is off by more than rounding and by at most
-/// 1e-3 is replaced by the nearest one: solutions, flags and residuals refer to that, and
+/// 1e-3 is replaced by the nearest rotation. Solutions, flags and residuals refer to that rotation, and
 /// [`Solutions::deviation`](crate::Solutions::deviation) says how far off the target was. A rotation further off is a
 /// bad target; [`Pose::orthonormalized`] gives the nearest rotation for it too.
 ///
@@ -213,12 +213,13 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
     #[must_use]
     fn inverse_near(&self, target: &Self::Target, q_ref: &[T; N]) -> Self::Solutions;
 
-    /// The solution of [`inverse`](Self::inverse) on one branch, without computing the others, also at singular poses: for
-    /// control loops that stay on a branch. [`Solution::next_to`] puts it on the turn next to where the arm is.
+    /// The solution of [`inverse`](Self::inverse) on one branch, without computing the others, also at singular poses.
+    /// The method is meant for control loops that stay on a branch. [`Solution::next_to`] puts the solution on the turn
+    /// next to where the arm is.
     ///
     /// Where two branches meet they are one solution, flagged [`BOUNDARY`](crate::Flags::BOUNDARY): the answer to
-    /// either. Parts that `branch` does not name may be any, and the first such solution is returned, an exact one if
-    /// there is one; parts that the arm does not have are ignored. The number of a root
+    /// either. Parts that `branch` does not name may be any. The first such solution is returned, an exact one if there
+    /// is one. Parts that the arm does not have are ignored. The number of a root
     /// ([`Branch::root`](crate::Branch::root)) means a branch at one target only: roots are numbered anew at the next.
     ///
     /// # Errors

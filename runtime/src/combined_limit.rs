@@ -13,8 +13,8 @@ pub struct CombinedLimit<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> CombinedLimit<T, N> {
-    /// The sum at joint values `q` (rad or length unit, `[N]`), of the values as they are: a joint a turn further on
-    /// changes it by a turn.
+    /// The sum at joint values `q` (rad or length unit, `[N]`), of the values as they are. A joint a turn further on
+    /// changes the sum by its factor times a turn.
     #[inline]
     #[must_use]
     pub fn sum(&self, q: &[T; N]) -> T {

@@ -6,7 +6,7 @@ use crate::math::Scalar;
 
 /// Geometric Jacobian `[6, N]` in the base frame, at the tool point.
 ///
-/// Rows `vx vy vz wx wy wz`: with joint rates `dq`, `J dq` is the velocity of the tool point (length unit / s) above
+/// Rows `vx vy vz wx wy wz`. With joint rates `dq`, `J dq` is the velocity of the tool point (length unit / s) above
 /// the angular velocity of the tool (rad / s).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Jacobian<T, const N: usize> {

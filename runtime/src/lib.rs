@@ -1,9 +1,10 @@
 //! Kinematics of serial robot arms, generated from their Denavit-Hartenberg table.
 //!
-//! An arm is described once, by its table. From it come plain Rust functions for the pose of the tool, the Jacobian
-//! and every branch of the inverse kinematics: straight-line arithmetic, no allocation, no panic, no `std` needed.
-//! This crate holds what that code and its callers share: poses, Jacobians, solutions with their status, the traits
-//! [`Arm`](trait@Arm) and [`InverseKinematics`], and the scalar kernels that the generated code calls.
+//! An arm is described once, by its table. From the table come plain Rust functions for the pose of the tool, the
+//! Jacobian and every branch of the inverse kinematics. The functions are straight-line arithmetic: no allocation, no
+//! panic, no `std` needed. This crate holds what the generated code and its callers share: poses, Jacobians, solutions
+//! with their status, and the traits [`Arm`](trait@Arm) and [`InverseKinematics`]. It also holds the scalar kernels
+//! that the generated code calls.
 //!
 //! # Conventions
 //! - Angles are radians. Lengths are in the unit of the arm's table, see [`LengthUnit`].

@@ -12,9 +12,9 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
     /// as many lengths as linear velocities take part, and two arms compare only after
     /// [`with_length_unit`](Self::with_length_unit).
     ///
-    /// Computed by orthogonalization of `J` itself, its error is a few roundings of the product of the row lengths (column
-    /// lengths for fewer than six joints); the determinant of `J J^T` would lose all digits below the square
-    /// root of that. Not a number where an entry is not finite.
+    /// The value is computed by orthogonalization of `J` itself. Its error is a few roundings of the product of the row
+    /// lengths (column lengths for fewer than six joints). The determinant of `J J^T` would lose all digits below the
+    /// square root of that. Not a number where an entry is not finite.
     #[must_use]
     pub fn manipulability(&self) -> T {
         self.manipulability_of([true; 6])
@@ -23,8 +23,8 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
     /// The same over some of the rows `vx vy vz wx wy wz`: those that the task of the arm counts.
     ///
     /// With `M` rows: `sqrt(det(J J^T))` for `M <= N`, `sqrt(det(J^T J))` for `M > N`; 1 without rows. For the position
-    /// of the tool count the first three, for a planar arm `vx vy` or `vx vy wz`: a row that is zero at every position makes
-    /// the first of the two zero.
+    /// of the tool count the first three, for a planar arm `vx vy` or `vx vy wz`. A row that is zero at every position
+    /// makes the first of the two roots zero.
     ///
     /// ```
     /// use denhart::Jacobian;
@@ -56,9 +56,9 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
         }
     }
 
-    /// The same where the task is a point and the direction of an axis: of `vx vy vz` and the two turns across the axis, a
-    /// unit vector in the base frame. A turn about the axis itself is not asked for. With fewer than five joints
-    /// `sqrt(det(J^T J))`.
+    /// The same where the task is a point and the direction of an axis, a unit vector in the base frame. The rows are
+    /// `vx vy vz` and the two turns across the axis. A turn about the axis itself is not asked for. With fewer than
+    /// five joints `sqrt(det(J^T J))`.
     #[must_use]
     pub fn manipulability_pointing(&self, axis: [T; 3]) -> T {
         let [vx, vy, vz, wx, wy, wz] = self.rows;
@@ -79,8 +79,8 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
             .manipulability_of([true, true, true, true, true, false])
     }
 
-    /// The same where the task is a point and the sum of the joints by `signs` (0 for joints that do not count): of `vx vy vz`
-    /// and the rate of that angle.
+    /// The same where the task is a point and the sum of the joints by `signs` (0 for joints that do not count). The
+    /// rows are `vx vy vz` and the rate of that angle.
     #[must_use]
     pub fn manipulability_turning(&self, signs: [T; N]) -> T {
         let [vx, vy, vz, ..] = self.rows;
@@ -90,8 +90,9 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
 
     /// The same Jacobian with lengths measured in `unit`: the linear rows over `unit`.
     ///
-    /// With the reach of the arm as the unit, lengths and angles are of one order; what is computed from it then does not
-    /// depend on metres or millimetres. A zero or non-finite unit gives entries that are not finite.
+    /// With the reach of the arm as the unit, lengths and angles are of one order. Values computed from the Jacobian
+    /// then do not depend on meters or millimeters. The unit is finite and not zero; entries
+    /// over zero are not finite.
     #[inline]
     #[must_use]
     pub fn with_length_unit(&self, unit: T) -> Self {
@@ -101,9 +102,10 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
     }
 }
 
-/// Volume of the parallelepiped over the vectors that count: the product of the diagonal of their triangular factor, by
-/// the Gram-Schmidt process in its modified form, whose factor is as accurate as that of orthogonal rotations (Bjorck
-/// 1967), the longest remainder first, so that vectors of very different lengths do not spoil one another.
+/// Volume of the parallelepiped over the vectors that count: the product of the diagonal of their triangular factor.
+/// The factor is that of the Gram-Schmidt process in its modified form, as accurate as the factor of orthogonal
+/// rotations (Bjorck 1967). The longest remainder is taken first, so that vectors of very different lengths do not
+/// spoil one another.
 fn volume<T: Scalar, const K: usize, const L: usize>(mut vectors: [[T; L]; K], mut counts: [bool; K]) -> T {
     let mut product = T::ONE;
     for _ in 0..counts.iter().filter(|counts| **counts).count() {

@@ -73,10 +73,10 @@ impl<T: Scalar> Pose<T> {
 
     /// How far `other` is from `self`: the distance of the origins, and the angle of the rotation between the frames.
     ///
-    /// The angle lies in `[0, pi]`. It is the `atan2` of the axis vector and the trace of `R1^T R2`, and the axis
-    /// vector is formed from `R2 - R1`, so that an angle of 1e-16 rad comes out as such (an arc cosine loses everything
-    /// below 1e-8). Where the matrices deviate from rotations by `delta`, an angle `theta` is off by at most the order
-    /// of `delta * theta + delta^2`; the deviation itself is not part of it. Not finite when a pose is not.
+    /// The angle lies in `[0, pi]`. It is the `atan2` of the axis vector and the trace of `R1^T R2`. The axis vector is
+    /// formed from `R2 - R1`, so that an angle of 1e-16 rad comes out as such (an arc cosine loses everything below
+    /// 1e-8). Where the matrices deviate from rotations by `delta`, an angle `theta` is off by at most the order of
+    /// `delta * theta + delta^2`. The deviation itself is not part of the angle. Not finite when a pose is not.
     #[must_use]
     pub fn residual(&self, other: &Self) -> Residual<T> {
         let [ax, ay, az] = self.translation;
@@ -95,8 +95,9 @@ impl<T: Scalar> Pose<T> {
         Residual { position, orientation: math::atan2(norm(axis), trace - T::ONE) }
     }
 
-    /// By how much the rotation fails to be one, to first order the distance of the nearest rotation (Frobenius norm):
-    /// the lengths of the columns x and y less 1, how much these lean, and the difference of z from their product.
+    /// By how much the rotation fails to be one, of the order of the distance of the nearest rotation (Frobenius norm).
+    /// The parts are the lengths of the columns x and y less 1, how much these lean, and the difference of z from their
+    /// product.
     #[inline]
     pub(crate) fn deviation(&self) -> T {
         self.squared_deviation().sqrt()

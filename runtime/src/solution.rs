@@ -42,8 +42,9 @@ pub struct Solution<T, const N: usize> {
     pub free: JointMask,
     /// The branch that the solution lies on.
     pub branch: Branch,
-    /// What the solution misses the target by: zero for an ordinary one, which the closed form gives to rounding; by
-    /// forward kinematics for one at a singular pose or at the boundary of reach, which is verified.
+    /// What the solution misses the target by. The residual is zero for an ordinary solution, which the closed form
+    /// gives to rounding. A solution at a singular pose or at the boundary of reach is verified, and its residual is by
+    /// forward kinematics.
     pub residual: Residual<T>,
 }
 
@@ -76,7 +77,7 @@ impl<T, const N: usize> Solution<T, N> {
 
 impl<T: Scalar, const N: usize> Solution<T, N> {
     /// Every joint vector within the arm's limits that differs from this solution by whole turns of its revolute
-    /// joints, the nearest first; see [`Windings`] for the order and for joints without limits.
+    /// joints, the nearest first. See [`Windings`] for the order and for joints without limits.
     ///
     /// ```
     /// # fn main() {}
@@ -189,8 +190,8 @@ pub enum Status<T> {
         /// [`numeric`](crate::numeric#targets-out-of-reach) finds that distance.
         residual: T,
     },
-    /// The target, or the reference joint vector, is not finite, or the rotation is none: it is off by more than 1e-3, or
-    /// its determinant is -1. One that is off by less stands for the nearest rotation, see
+    /// The target, or the reference joint vector, is not finite, or the rotation is none. Such a rotation is off by
+    /// more than 1e-3, or its determinant is -1. A rotation that is off by less stands for the nearest rotation, see
     /// [`Solutions::deviation`](crate::Solutions::deviation).
     BadTarget,
 }

@@ -99,7 +99,7 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
         self.awkward = true;
     }
 
-    /// By how much the target's rotation was off, to first order the Frobenius distance of the nearest rotation. That
+    /// By how much the target's rotation was off, of the order of the Frobenius distance of the nearest rotation. That
     /// rotation is what the solutions reach and what their residuals refer to; 0 for a deviation of rounding alone.
     #[inline]
     #[must_use]

@@ -8,8 +8,9 @@ use crate::solve::{Goal, Tolerances};
 
 /// What an arm `A` with `N` joints can be asked to reach.
 ///
-/// A [`Pose`], a point `[T; 3]`, a point of the plane `[T; 2]` and a [`PlanarPose`] mean the same for every arm; the
-/// others only for an arm whose task they belong to. A pair of a target and the value of a redundant joint is that target.
+/// A [`Pose`], a point `[T; 3]`, a point of the plane `[T; 2]` and a [`PlanarPose`] mean the same for every arm. The
+/// others have a meaning only for an arm whose task they belong to. A pair of a target and the value of a redundant
+/// joint is that target.
 pub trait Target<A, T, const N: usize> {
     /// By how much the arm's tool misses this at `q`; what is not asked for does not count.
     fn missed_by(&self, arm: &A, q: &[T; N]) -> Residual<T>;

@@ -5,16 +5,17 @@ use crate::limits::rounding;
 use crate::math::{Scalar, wrap};
 
 /// The angle that differs from `value` by whole turns, next to `reference`: of those inside the limits the nearest one.
-/// If there is none, or if the reference itself is outside, it is the one within half a turn of the reference, so that a
-/// reference that is a solution comes back as it is. Angles in rad, finite; limits may be infinite.
+/// If there is none, or if the reference itself is outside, the angle is the one within half a turn of the reference.
+/// So a reference that is a solution comes back as it is. Angles in rad, finite; limits may be infinite.
 #[inline]
 pub(crate) fn next_to<T: Scalar>(value: T, reference: T, limits: [T; 2]) -> T {
     let near = reference + wrap(value - reference);
     if inside(near, limits) || far_beyond(reference, limits) { near } else { at_limit(value, near, limits) }
 }
 
-/// What lies beyond a limit: by rounding, it is the limit; by as little as a solution near a singularity may be
-/// off, it stays, for a whole turn away is no answer to that; else the turn inside.
+/// The angle for a value beyond a limit. Beyond by rounding, the angle is the limit. Beyond by as little as a solution
+/// near a singularity may be off, the angle stays. A whole turn away is no answer to that. Else the angle is the turn
+/// inside.
 #[cold]
 #[inline(never)]
 fn at_limit<T: Scalar>(value: T, near: T, limits: [T; 2]) -> T {
@@ -64,8 +65,9 @@ fn whole_below<T: Scalar>(x: T) -> T {
 /// Every joint vector within limits that differs from a given one by whole turns of revolute joints.
 ///
 /// The first is the nearest to the given one: itself if it is within limits. The last joint changes fastest, and each
-/// joint takes its nearest turn first. A joint without a limit on either side stays as it is (with a limit on one side
-/// it takes its nearest value inside), and so does a prismatic joint. There is none if some joint has no value inside.
+/// joint takes its nearest turn first. A joint without a limit on either side stays as it is, and so does a prismatic
+/// joint. A revolute joint with a limit on one side takes its nearest value inside. There is none if some joint has no
+/// value inside.
 ///
 /// Made by [`Solution::windings`](crate::Solution::windings), or from the joint vector. No allocation; a number of
 /// turns beyond 2^31 is cut off there.

@@ -17,8 +17,8 @@ impl Chain {
         Ok(motion::velocity(joints(&self.jacobian(q)?, qd, qd)))
     }
 
-    /// Acceleration of the tool in the base frame, `J qdd + dJ/dt qd`: the second derivative of the position of its
-    /// origin and the derivative of its angular velocity, see [`Acceleration`].
+    /// Acceleration of the tool in the base frame, `J qdd + dJ/dt qd`. Its parts are the second derivative of the
+    /// position of the tool's origin and the derivative of the tool's angular velocity, see [`Acceleration`].
     ///
     /// # Errors
     /// When `q`, `qd` or `qdd` has not one value per joint.

@@ -26,10 +26,10 @@ pub use wrap::wrap;
 
 /// `(sin, cos)` of an angle in rad, in one go.
 ///
-/// At most 1.1 ulp (`f64`; greatest found 1.03) or 1.04 ulp (`f32`) off for every finite angle, huge ones and the
-/// neighbors of multiples of pi/2 included. The sign of zero is kept, `sin_cos(-x)` is `(-sin, cos)` of `x` to the bit,
-/// and both are not a number for an angle that is not finite. Fast up to 205887 rad (`f64`) or 201 rad (`f32`), some
-/// tens of nanoseconds beyond.
+/// At most 1.1 ulp (`f64`; greatest found 1.03) or 1.04 ulp (`f32`) off for every finite angle. Huge angles and the
+/// neighbors of multiples of pi/2 are included. The sign of zero is kept, and `sin_cos(-x)` is `(-sin, cos)` of `x` to
+/// the bit. Both are not a number for an angle that is not finite. Fast up to 205887 rad (`f64`) or 201 rad (`f32`),
+/// some tens of nanoseconds beyond.
 ///
 /// ```
 /// let (sin, cos) = denhart::math::sin_cos(0.5_f64);
@@ -40,8 +40,8 @@ pub fn sin_cos<T: Scalar>(angle: T) -> (T, T) {
     angle.sin_cos()
 }
 
-/// `(sines, cosines)` of several angles in rad: the same bits as [`sin_cos`] of each, `f64` in about half the time:
-/// one range check serves all of them and the rest is free of branches and vectorizes.
+/// `(sines, cosines)` of several angles in rad: the same bits as [`sin_cos`] of each, `f64` in about half the time. One
+/// range check serves all of them and the rest is free of branches and vectorizes.
 ///
 /// ```
 /// let ([s1, s2], [c1, c2]) = denhart::math::sin_cos_array([0.0_f64, 0.5]);
@@ -65,10 +65,10 @@ pub fn atan2<T: Scalar>(y: T, x: T) -> T {
 /// Angle in [-pi, pi] rad of a vector of unit length, from its sine and cosine, in half the time of [`atan2`].
 ///
 /// At most 2 ulp off for a correctly rounded sine and cosine (greatest found: 1.88). In general at most 1.7 ulp, and
-/// for a length of `1 + e` with |e| up to 1e-6 another `0.6 |e|` rad, or `0.75 |e|` of the angle from the nearest axis
-/// if that is less. On the axes as [`atan2`], save that a zero sine has no sign: `angle(-0.0, -1)` is pi,
-/// `angle(-0.0, 1)` is 0. Not a number if one of the two is not. Any float or not a number, and never a panic, for
-/// vectors far from unit length, zero and infinite ones included.
+/// for a length of `1 + e` with |e| up to 1e-6 another `0.6 |e|` rad. If `0.75 |e|` of the angle from the nearest axis
+/// is less than `0.6 |e|` rad, the smaller bound holds. On the axes as [`atan2`], save that a zero sine has no sign:
+/// `angle(-0.0, -1)` is pi, `angle(-0.0, 1)` is 0. Not a number if one of the two is not. Any float or not a number,
+/// and never a panic, for vectors far from unit length, zero and infinite ones included.
 ///
 /// ```
 /// let (sin, cos) = denhart::math::sin_cos(2.5_f64);

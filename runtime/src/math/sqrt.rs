@@ -1,5 +1,6 @@
-//! Square root: the processor's with `std`; with `fpu` that too, where there is one; else that of `libm` with the feature of
-//! that name, or one in integers. All are correctly rounded, so they agree in every bit.
+//! Square root. With `std` the root is the processor's, with `fpu` too, where the processor has one. Else the root is
+//! that of `libm` with the feature of that name, or one in integers. All are correctly rounded, so they agree in every
+//! bit.
 
 /// Square root of an `f64`.
 #[inline]

@@ -1,7 +1,7 @@
 use crate::{Acceleration, Jacobian, Pose, Scalar, Twist, math};
 
-/// A turning joint about z, an arm that slides along the link's x axis, a turning joint about its z axis at the end and a
-/// link of length 0.3: everything in closed form.
+/// A joint turns about z, and an arm slides along the link's x axis. At the end are a joint that turns about its z axis
+/// and a link of length 0.3. Everything is in closed form.
 fn polar<T: Scalar>(q: &[T; 3]) -> (Pose<T>, [Pose<T>; 3], Jacobian<T, 3>) {
     let [q1, r, q3] = *q;
     let l = T::from_f64(0.3);
@@ -77,8 +77,8 @@ fn an_arm_of_three_joints_in_closed_form() {
     check::<f32>(ROUNDING * f64::from(f32::EPSILON) / f64::EPSILON);
 }
 
-/// `d J / d t` by a central difference of the closed form: the difference is off by `h^2 / 6` of third derivatives below
-/// 30, and by a rounding over `h`.
+/// `d J / d t` by a central difference of the closed form. The difference is off by `h^2 / 6` of third derivatives
+/// below 30, and by a rounding over `h`.
 #[test]
 fn the_derivative_is_that_of_the_jacobian() {
     let h = 1e-5;

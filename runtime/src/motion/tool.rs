@@ -107,9 +107,9 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
 
     /// Derivative of the Jacobian by time, `[6, N]`, for joint rates `qd` `[N]`.
     ///
-    /// `self` has to be a geometric Jacobian in a frame at rest, at the tool point, of a serial arm: the derivative
-    /// follows from its columns alone (Haviland and Corke 2020, see the source of this module for the derivation, prismatic
-    /// joints included).
+    /// `self` has to be a geometric Jacobian in a frame at rest, at the tool point, of a serial arm. The derivative
+    /// follows from its columns alone (Haviland and Corke 2020). See the source of this module for the derivation,
+    /// prismatic joints included.
     #[inline]
     #[must_use]
     pub fn derivative(&self, qd: &[T; N]) -> Self {
@@ -126,9 +126,9 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
 
     /// The same Jacobian with its columns given in another frame, by the rotation of that frame, `R^T v` and `R^T w`.
     ///
-    /// The point whose velocity it gives stays: with the rotation of the tool it is the Jacobian of the tool frame,
-    /// whose product with the joint rates is the velocity of the tool point and the angular velocity in the axes of the
-    /// tool.
+    /// The point whose velocity the Jacobian gives stays. With the rotation of the tool the result is the Jacobian of
+    /// the tool frame. Its product with the joint rates is the velocity of the tool point and the angular velocity in
+    /// the axes of the tool.
     #[inline]
     #[must_use]
     pub fn in_frame(&self, rotation: &[[T; 3]; 3]) -> Self {

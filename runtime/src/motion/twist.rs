@@ -6,7 +6,7 @@ use crate::math::Scalar;
 
 /// Velocity of a frame that moves in a reference frame, in the coordinates of that reference frame.
 ///
-/// `linear` is the velocity of the origin of the moving frame, so this is the twist of the textbooks at that point, not
+/// `linear` is the velocity of the origin of the moving frame. So this is the twist of the textbooks at that point, not
 /// at the origin of the reference frame. Rates per second give the units named; they scale with any other unit of time.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Twist<T> {

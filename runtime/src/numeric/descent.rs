@@ -14,8 +14,8 @@ use crate::solve::{Tolerances, as_rotation};
 /// The longest step that says the posture is as near as it comes, rad or in lengths of the arm.
 const SETTLED: f64 = 1e-3;
 
-/// So many iterations before the last one the posture is let go, so that the tool still converges (from the error that
-/// moving along the null space leaves, four quadratic steps would do).
+/// So many iterations before the last one the posture is let go, so that the tool still converges. From the error that
+/// moving along the null space leaves, four quadratic steps would do.
 const CLOSING: usize = 10;
 
 /// Solves from `start`, then from random starts.

@@ -3,8 +3,8 @@
 use super::model::Model;
 use crate::math::{Scalar, wrap};
 
-/// The value within the limits: a revolute joint comes back by a whole turn where the range has room for one, and stops
-/// at the limit otherwise.
+/// The value within the limits. A revolute joint comes back by a whole turn where the range has room for one. Otherwise
+/// the joint stops at the limit.
 #[inline(always)]
 pub(super) fn bring_in<T: Scalar>(value: T, [low, high]: [T; 2], prismatic: bool) -> T {
     if value > high {

@@ -1,22 +1,25 @@
 //! Inverse kinematics by iteration, for any arm with any number of joints.
 //!
 //! [`NumericInverse`] walks from a start to one joint vector that reaches the target, by way of the arm's
-//! `forward_and_jacobian`. It serves where there is no closed form, where the arm has more or fewer than six joints, and
-//! where limits are to be kept on the way. Where there is a closed form, that finds every branch, and faster.
+//! `forward_and_jacobian`. The iteration serves where there is no closed form, and where the arm has more or fewer than
+//! six joints. It also serves where limits are to be kept on the way. Where there is a closed form, that finds every
+//! branch, and faster.
 //!
 //! # Method
-//! With the error `e` of the tool as a twist in the base frame ([`Pose::error_to`](crate::Pose::error_to)), lengths over the
-//! [`length`](NumericInverse::length) of the arm, a step `dq` minimizes `|J dq - e|^2 + lambda |dq|^2`: damped least
+//! The error `e` of the tool is a twist in the base frame ([`Pose::error_to`](crate::Pose::error_to)), lengths over the
+//! [`length`](NumericInverse::length) of the arm. A step `dq` minimizes `|J dq - e|^2 + lambda |dq|^2`: damped least
 //! squares (Nakamura and Hanafusa 1986, "Inverse kinematic solutions with singularity robustness", J. Dyn. Syst. Meas.
 //! Control 108; Wampler 1986, IEEE Trans. SMC 16). `lambda` is in proportion to the squared error (Chan and Lawrence
-//! 1988, "General inverse kinematics with the error damped pseudoinverse", ICRA; Sugihara 2011, "Solvability-unconcerned
-//! inverse kinematics by the Levenberg-Marquardt method", IEEE Trans. Robotics 27(5)), so that far off the steps are
-//! bounded also for targets out of reach, and at the end they converge as Newton's. As in those papers a step is taken
-//! also where it makes the error greater for a while: that leads out of more valleys than a descent in every step.
+//! 1988, "General inverse kinematics with the error damped pseudoinverse", ICRA; Sugihara 2011,
+//! "Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt method", IEEE Trans. Robotics 27(5)). So far
+//! off the steps are bounded also for targets out of reach, and at the end they converge as Newton's. As in those
+//! papers a step is taken also where it makes the error greater for a while. That leads out of more local minima than a
+//! descent in every step.
 //!
-//! Where the error stays above the least one seen, damping fades by a factor of ten a step, until Newton's steps, of which
-//! the cap bounds the length, leave the local minimum (the Jacobian is singular there). Then it starts anew. If in the end
-//! nothing converged, the iterations that are left descend from the closest iterate (Marquardt 1963, J. SIAM 11(2)).
+//! Where the error stays above the least one seen, damping fades by a factor of ten a step. It fades until Newton's
+//! steps, of which the cap bounds the length, leave the local minimum (the Jacobian is singular there). Then it starts
+//! anew. If in the end nothing converged, the iterations that are left descend from the closest iterate (Marquardt
+//! 1963, J. SIAM 11(2)).
 //!
 //! [`Method::NewtonRaphson`] has no damping but what rounding asks for: the pseudoinverse (Whitney 1969; for six joints
 //! the inverse), with capped steps.
@@ -48,7 +51,7 @@
 //!
 //! # Limits
 //! Joints stay within the arm's limits at every iterate. A joint at its limit that the error pushes outward is held for
-//! the step, and the others solve the rest (Bertsekas 1982, "Projected Newton methods", SIAM J. Control Optim. 20(2)). A
+//! the step. The others solve the rest (Bertsekas 1982, "Projected Newton methods", SIAM J. Control Optim. 20(2)). A
 //! revolute joint that leaves its range comes back in by a whole turn if the range has room for one. Limits of sums of
 //! joints are not kept.
 //!

@@ -42,9 +42,10 @@ impl fmt::Display for Stop {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct NumericSolution<T, Q> {
-    /// The joint values, rad or length unit: the iterate of the least error over all starts. It reaches the target only if
-    /// [`converged`](Self::converged). Where [`stop`](Self::stop) is [`Stop::Stalled`], it is close to a place that no
-    /// small motion within the limits brings nearer: for a target out of reach, where the arm comes closest.
+    /// The joint values, rad or length unit: the iterate of the least error over all starts. It reaches the target only
+    /// if [`converged`](Self::converged). Where [`stop`](Self::stop) is [`Stop::Stalled`], the iterate is close to a
+    /// place that no small motion within the limits brings nearer. For a target out of reach, the arm comes closest at
+    /// that place.
     pub q: Q,
     /// Why the last iteration ended.
     pub stop: Stop,

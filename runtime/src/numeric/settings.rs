@@ -189,10 +189,10 @@ impl<T: Tolerances> NumericInverse<T> {
 
     /// As [`solve`](Self::solve), and as near to `posture` `[N]` as the target leaves free.
     ///
-    /// An arm with more joints than the task needs goes on along the null space of its Jacobian until a step is shorter
-    /// than 1e-3 rad (or as much of the [`length`](Self::length)), or to the last ten iterations, and then closes in on
-    /// the target. The distance to the posture is then close to a local minimum, up to limits. Where the target leaves
-    /// nothing free, the posture only bends the way.
+    /// An arm with more joints than the task needs goes on along the null space of its Jacobian. That motion lasts
+    /// until a step is shorter than 1e-3 rad (or as much of the [`length`](Self::length)), or to the last ten
+    /// iterations. Then the arm closes in on the target. The distance to the posture is then close to a local minimum,
+    /// up to limits. Where the target leaves nothing free, the posture only bends the way.
     pub fn solve_towards<A: Arm<T, N>, const N: usize>(
         &self,
         arm: &A,

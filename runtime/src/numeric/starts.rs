@@ -25,8 +25,8 @@ impl Generator {
         T::from_i32((self.bits() >> 40) as i32) / T::from_f64(16_777_216.0)
     }
 
-    /// A joint vector within the limits. A revolute joint without limits on both sides lies within half a turn of
-    /// `center`, a prismatic one within `length`, as far as its limits leave it.
+    /// A joint vector within the limits. A joint without limits lies within half a turn of `center`, a prismatic one
+    /// within `length`. A joint with one limit lies within a turn of the limit, a prismatic one within twice `length`.
     pub(super) fn start<T: Scalar, M: Model<T>>(&mut self, model: &M, center: &M::Joints, length: T) -> M::Joints {
         let mut q = center.clone();
         for (joint, value) in q.as_mut().iter_mut().enumerate() {

@@ -54,8 +54,8 @@ impl<T: Scalar> Task<T> {
     }
 }
 
-/// Leaves of the orientation the turn that brings the axis onto its target the short way, and of the tool's turning
-/// what is across the axis.
+/// Leaves of the orientation the turn that brings the axis onto its target the short way. Leaves of the tool's turning
+/// the part across the axis.
 fn reduce_to_axis<T: Scalar, Q: Joints<T>>(
     axis: &[T; 3],
     pose: &Pose<T>,

@@ -157,8 +157,8 @@ fn the_null_space_brings_the_arm_towards_the_posture() {
     let wish = |q: [f64; 3]| [posture[0] - q[0], posture[1] - q[1], posture[2] - q[2]];
     let distance = |q| wish(q).iter().map(|x| x * x).sum::<f64>();
     assert!(distance(near.q) < distance(plain.q), "{near:?} {plain:?}");
-    // What is left of the wish does not point along the null space of the two rows, their cross product: a last step was
-    // at most 1e-3 in each of three joints, with a gain of 0.2.
+    // The rest of the wish does not point along the null space of the two rows, their cross product. A last step was at
+    // most 1e-3 in each of three joints, with a gain of 0.2.
     let [[a, b, c], [d, e, f], ..] = Planar.jacobian(&near.q).rows;
     let null = [b * f - c * e, c * d - a * f, a * e - b * d];
     let length = null.iter().map(|x: &f64| x * x).sum::<f64>().sqrt();

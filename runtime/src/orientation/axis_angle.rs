@@ -86,8 +86,8 @@ impl<T: Scalar> Pose<T> {
     /// The twist that leads from this pose to `target`: `[vx, vy, vz, wx, wy, wz]` in the base frame, the translation
     /// in the length unit and the rotation vector in rad.
     ///
-    /// A body that moves for a unit of time with the constant velocity `v` of its origin and the constant angular
-    /// velocity `w`, both in the base frame, goes from this pose to the target. `w` is the exact logarithm of
+    /// A body that moves by the twist for a unit of time goes from this pose to the target. The velocity `v` of its
+    /// origin and its angular velocity `w` are constant, both in the base frame. `w` is the exact logarithm of
     /// `R_target R^T`, accurate from the smallest turn up to `pi`; at `pi` its sign is a convention, as with
     /// [`rotation_vector`](Self::rotation_vector). It is what the rows of a [`Jacobian`](crate::Jacobian) are for:
     /// `J dq = error` is Newton's step. Not finite where a pose is not.

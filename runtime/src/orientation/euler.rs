@@ -7,7 +7,8 @@ use crate::pose::Pose;
 ///
 /// The same angles in reverse turn about the axes of the reference frame (extrinsic): `Zyx` with the angles yaw, pitch,
 /// roll is roll, pitch, yaw about the fixed x, y, z. The orders with three different axes (Tait-Bryan) are singular
-/// where the middle angle is +-90 degrees, those that return to the first axis (proper Euler) where it is 0 or 180.
+/// where the middle angle is +-90 degrees. Those that return to the first axis (proper Euler) are singular where it is
+/// 0 or 180.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum EulerOrder {
     /// `Rx(a) Ry(b) Rz(c)`.
@@ -133,11 +134,11 @@ impl<T: Scalar> Pose<T> {
     /// Intrinsic Euler angles of the orientation, rad.
     ///
     /// The first and the third angle lie in `[-pi, pi]`; the middle one in `[-pi/2, pi/2]` (three different axes) or
-    /// `[0, pi]` (proper Euler angles). At a singular orientation, that is within 16 units of rounding of one, the third
-    /// angle is 0 and the result says so. Beside one, the first and the third angle by themselves are as uncertain as
-    /// rounding over the distance makes them, but fit together: [`from_xyz_euler`](Self::from_xyz_euler) gives the
-    /// rotation back to rounding (16 units of it where singular), as each angle is taken from the matrix with the turn
-    /// of the one before it undone. Not a number where the rotation is not finite.
+    /// `[0, pi]` (proper Euler angles). At a singular orientation, that is within 16 units of rounding of one, the
+    /// third angle is 0 and the result says so. Beside one, the first and the third angle by themselves are as
+    /// uncertain as rounding over the distance makes them. Together they fit: [`from_xyz_euler`](Self::from_xyz_euler)
+    /// gives the rotation back to rounding (16 units of it where singular). The reason is that each angle is taken from
+    /// the matrix with the turn of the one before it undone. Not a number where the rotation is not finite.
     ///
     /// ```
     /// use denhart::{Euler, EulerOrder, Pose};

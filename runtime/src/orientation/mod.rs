@@ -12,7 +12,7 @@
 //!
 //! [`Pose::orthonormalized`] gives the rotation nearest to a matrix that is one only roughly.
 //!
-//! Nothing uses `asin` or `acos`: every angle comes from two components of which one is not stationary, so accuracy
+//! Nothing uses `asin` or `acos`: every angle comes from two components of which one is not stationary. So accuracy
 //! does not fade near a singular orientation. Back in a matrix, an entry is off by a few roundings anywhere.
 
 mod axis_angle;

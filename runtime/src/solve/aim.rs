@@ -5,8 +5,8 @@ use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn, offset};
 use crate::vector::{cross, dot, norm, scale};
 
-/// A vector that a joint turns about its z axis, and the frame in which it has to be seen: rows that take the frame of
-/// the sliding joint to that of the turning one.
+/// A vector that a joint turns about its z axis, and the frame in which the vector has to be seen. The rows of the
+/// frame take the frame of the sliding joint to that of the turning joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sight<T> {
     /// The unit vector the joint turns.
@@ -27,12 +27,13 @@ impl<T: Tolerances> Sight<T> {
 /// Finds the unit vector `h` with `frame_x h = R_z(-x) moved_x` and `frame_z h = R_z(z) moved_z`, and from it `(x, z)`.
 ///
 /// Both turning axes are fixed in the frame of the sliding joint, so `h` lies on two cones about them:
-/// `h = a (n_x + n_z) + b (n_x - n_z) +- c n_x x n_z`. Sum and difference of the axes are at right angles, so that this
-/// is accurate to the rounding of the axes also where these are nearly parallel. Two roots; one where the cones touch or
-/// do not meet, then with the gap.
+/// `h = a (n_x + n_z) + b (n_x - n_z) +- c n_x x n_z`. Sum and difference of the axes are at right angles. So `h` is
+/// accurate to the rounding of the axes, also where the axes are nearly parallel. Two roots; one where the cones touch
+/// or do not meet, then with the gap.
 ///
-/// A joint whose axis `h` lies along is free. With parallel axes x is free; then the roots are x at home, and up to two
-/// where `h` is at right angles to the slide, because the slide does nothing for the distance along `h` there.
+/// A joint whose axis `h` lies along is free. With parallel axes x is free. The roots are then x at home, and up to two
+/// where `h` is at right angles to the slide. Those two are roots because the slide does nothing there for the distance
+/// along `h`.
 #[inline]
 pub fn aim<T: Tolerances>(homes: [Home<T>; 2], x: Sight<T>, z: Sight<T>) -> Stage<T, 2, 3> {
     let measure = Measure::DIRECTION;

@@ -22,7 +22,8 @@ pub fn align<T: Tolerances>(home: Home<T>, measure: Measure<T>, from: [T; 2], to
 }
 
 /// The same where one of the vectors is short. Both vectors have one length. Where a stage before is at the edge of its
-/// range, one of them has the sine of the edge root alone, and with it the direction of the limit on its branch.
+/// range, one of the vectors has the sine of the edge root alone. With that sine the vector has the direction of the
+/// limit on its branch.
 #[cold]
 #[inline(never)]
 fn short<T: Tolerances>(home: Home<T>, measure: Measure<T>, from: [T; 2], to: [T; 2]) -> Stage<T, 1, 1> {

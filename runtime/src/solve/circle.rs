@@ -131,8 +131,8 @@ impl<T: Tolerances> Conic<T> {
     /// The pair of lines `(p x - q y + e) (p x + q y + f) = conic + l (x^2 + y^2 - 1)`, where
     /// `p^2 = r + l`, `q^2 = r - l`, `e + f = a/p`, `e - f = b/q`, `e f = k0 - l`, for `l` in `-r ..= 0`.
     ///
-    /// Both have normals of length `size`, the root of `2 r`. What is left of `e f = k0 - l` at an inexact `l` is its
-    /// cubic over `p^2 q^2`, so that the lines are good wherever the cubic is small, at its double roots, too.
+    /// Both have normals of length `size`, the root of `2 r`. At an inexact `l`, the residual of `e f = k0 - l` is the
+    /// cubic of `l` over `p^2 q^2`. So the lines are good wherever the cubic is small, at its double roots, too.
     fn lines(&self, size: T) -> [Line<T>; 2] {
         let Self { r, k0, k1: [a, b] } = *self;
         // What is far below rounding has no square.
@@ -187,8 +187,8 @@ impl<T: Tolerances> Conic<T> {
     }
 }
 
-/// Steps of Newton's method at most. Towards a triple root each leaves 8/27 of the cubic, towards a double one at zero
-/// half of the distance: 53 steps for as many bits.
+/// Steps of Newton's method at most. Towards a triple root each step leaves 8/27 of the cubic. Towards a double root at
+/// zero each step leaves half of the distance: 53 steps for as many bits.
 const STEPS: usize = 64;
 
 #[cfg(test)]

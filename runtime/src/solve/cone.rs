@@ -15,8 +15,8 @@ pub struct Cone<T> {
 }
 
 impl<T: Tolerances> Cone<T> {
-    /// A vector with component `along` the turning axis and `across` (not negative) it; the other axis has cosine
-    /// `cos` and sine `sin` (not negative) to the turning axis.
+    /// A vector with component `along` the turning axis and `across` (not negative) it. The other axis has cosine `cos`
+    /// and sine `sin` (not negative) to the turning axis.
     #[inline]
     pub fn new(along: T, across: T, cos: T, sin: T) -> Self {
         Self {
@@ -26,9 +26,10 @@ impl<T: Tolerances> Cone<T> {
     }
 }
 
-/// Solves for the turn `t` from the position nearest the other axis at which the component along it is `d`; `rho` is
-/// the component across it (not negative, `d^2 + rho^2` the squared length): `t = +-2 atan2(sqrt(max - d),
-/// sqrt(d - min))`. Where `d` is near the length, `max - d` is taken from `rho`, which is accurate there.
+/// Solves for the turn `t` from the position nearest the other axis at which the component along that axis is `d`. The
+/// component across that axis is `rho` (not negative, `d^2 + rho^2` the squared length). The solution is
+/// `t = +-2 atan2(sqrt(max - d), sqrt(d - min))`. Where `d` is near the length, `max - d` is taken from `rho`, which is
+/// accurate there.
 ///
 /// Two roots, positive first; one at the ends of the range or outside it, then with the gap to the range.
 #[inline]

@@ -202,10 +202,10 @@ where
 }
 
 /// The two roots of `p = q` and of equal lengths across the axis that are nearest to a place where those lengths are
-/// small; none where the steps do not lead to one.
+/// small. A root is `None` where the steps do not lead to one.
 ///
-/// Along the curve of the row, the difference of the squared lengths is to second order a quadratic polynomial, and it
-/// is accurate to rounding where the lengths vanish.
+/// Along the curve of the row, the difference of the squared lengths is to second order a quadratic polynomial. This
+/// difference is accurate to rounding where the lengths vanish.
 pub(super) fn beside<T, X, Z>(row: (&X, &Z), across: &Across<X, Z>, place: Place<T>) -> [Option<Place<T>>; 2]
 where
     T: Tolerances,
@@ -240,8 +240,8 @@ where
     })
 }
 
-/// A place on the curve of a row, and the steps along it to where the lengths across are equal; none where that is too
-/// far to say.
+/// A place on the curve of a row, and the steps along the curve to where the lengths across are equal. A step is `None`
+/// where the place of equal lengths is too far to say.
 struct Ahead<T> {
     place: Place<T>,
     steps: [Option<[T; 2]>; 2],

@@ -36,9 +36,10 @@ impl<T: Tolerances> Elbow<T> {
     }
 }
 
-/// Solves for the turn `t` from the stretched position (`t = 0`, distance `max`) at which the distance is `rho`:
-/// `t = +-2 atan2(sqrt(max^2 - rho^2), sqrt(rho^2 - min^2))`, the half-angle form of the law of cosines. It is
-/// accurate where the links are stretched and where they are folded, also with links of equal length (`min = 0`).
+/// Solves for the turn `t` from the stretched position (`t = 0`, distance `max`) at which the distance is `rho`. The
+/// solution is `t = +-2 atan2(sqrt(max^2 - rho^2), sqrt(rho^2 - min^2))`, the half-angle form of the law of cosines.
+/// This form is accurate where the links are stretched and where they are folded, also with links of equal length
+/// (`min = 0`).
 ///
 /// Two roots, positive first; one at the ends of the range or outside it, then with the gap to the range.
 #[inline(always)]

@@ -6,9 +6,10 @@ use crate::{Pose, Solutions};
 /// A rotation that is off by more than this is none.
 const NOT_A_ROTATION: f64 = 1e-3;
 
-/// The target, or what the search uses in place of one whose rotation is off by more than rounding, kept in `nearest`:
-/// the same with the nearest rotation (polar factor, [`Pose::orthonormalized`]). The solutions keep by how much the
-/// target is off. One that is off by more than 1e-3, or is not finite, becomes a pose that is no number.
+/// The target, or the pose that the search uses in place of a target whose rotation is off by more than rounding. That
+/// pose, kept in `nearest`, is the target with the nearest rotation (polar factor, [`Pose::orthonormalized`]). The
+/// solutions keep by how much the target is off. A target that is off by more than 1e-3, or is not finite, becomes a
+/// pose that is no number.
 #[inline(always)]
 pub fn nearest_rotation<'a, T: Tolerances, const N: usize, const M: usize>(
     target: &'a Pose<T>,

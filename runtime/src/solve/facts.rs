@@ -28,8 +28,8 @@ impl<T: Tolerances, const N: usize> Facts<'_, T, N> {
     /// The same arm with lengths that are known at run time: its reach, and up to which position residual a solution is
     /// listed. An arm without any length has the reach 1.
     ///
-    /// `None` if the reach is not finite, or so large or so small that fourth powers of the arm's lengths, which the
-    /// kernels compute, leave the range of the scalar: beyond 1e60 and 1e-60 (f32: 1e8 and 1e-4) of the length unit.
+    /// `None` if the reach is not finite, or not between 1e-60 and 1e60 (f32: 1e-4 and 1e8) of the length unit. Beyond,
+    /// products of four of the arm's lengths, which the kernels compute, come near the ends of the scalar's range.
     #[inline]
     pub fn with_reach(mut self, reach: T, position: T) -> Option<Self> {
         if reach == T::ZERO {
@@ -42,8 +42,8 @@ impl<T: Tolerances, const N: usize> Facts<'_, T, N> {
         (reach < T::LARGEST_REACH && reach > T::SMALLEST_REACH).then_some(self)
     }
 
-    /// Whether a joint vector can be a reference: finite, and its angles not so far wound that their rounding is more
-    /// than an exact solution may miss by.
+    /// Whether a joint vector can be a reference. A reference is finite, and its angles are not so far wound that their
+    /// rounding is more than an exact solution may miss by.
     #[inline]
     pub(super) fn can_refer(&self, near: &[T; N]) -> bool {
         let mut joints = near.iter().enumerate();

@@ -34,10 +34,10 @@ pub(super) enum Round {
 }
 
 /// The branches on which a joint is free or nearly so, and which are missed with that joint at home. Such a branch has
-/// roots for an interval of the joint, or at one place alone: a stretched elbow that every other place of the joint
-/// would have to stretch more. Three runs of the cascade tell the level of the first stage that depends on the joint, and
-/// with that the place. Behind a slide the level is of degree 2, and five runs tell it. Five more tell the level of a
-/// second stage, where the first one alone does not lead to a solution.
+/// roots for an interval of the joint, or at one place alone. Such a place has a stretched elbow that every other place
+/// of the joint would have to stretch more. Three runs of the cascade tell the level of the first stage that depends on
+/// the joint, and with that the place. Behind a slide the level is of degree 2, and five runs tell it. Five more tell
+/// the level of a second stage, where the first one alone does not lead to a solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Levels<T, const M: usize> {
     /// Open branches, the first `len`.
@@ -103,8 +103,8 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         }
     }
 
-    /// Whether the solution at the end of a branch is to be verified in this pass, with the name of the open branch that
-    /// it stands for. `listed` tells whether a branch has a solution.
+    /// Whether the solution at the end of a branch is to be verified in this pass. If so, the result is the name of the
+    /// open branch that the solution stands for. `listed` tells whether a branch has a solution.
     #[inline(never)]
     pub(super) fn takes(
         &mut self,
@@ -183,8 +183,9 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         if slides { home + facts.reach * T::from_f64(STROKE) * step } else { wrap(home + T::TAU * step) }
     }
 
-    /// The number of places at which a joint is sampled: three for levels of degree 1. All passes together keep to their
-    /// bound: a first joint that no level depends on is left after two places, else the second one has three.
+    /// The number of places at which a joint is sampled: three for levels of degree 1. All passes together keep to
+    /// their bound. A first joint that no level depends on is left after two places. If a level depends on the first
+    /// joint, the second joint has three places.
     fn places(&self, second: bool) -> usize {
         let few = if second { self.depends } else { self.simple };
         if few { 3 } else { PLACES }

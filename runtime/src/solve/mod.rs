@@ -1,9 +1,9 @@
 //! The kernels that generated inverse kinematics calls.
 //!
-//! A generated `inverse` is a cascade of stages. Each stage is one scalar equation solved in closed form by one of the
-//! kernels here; it has at most two roots (four for [`pair`]), and the next stage is solved for each of them. No kernel
-//! divides by something that vanishes at an ordinary pose, and none uses `acos` or `asin`: an angle is never taken from
-//! its stationary component.
+//! A generated `inverse` is a cascade of stages. Each stage is one scalar equation, or two equations in two joints,
+//! solved in closed form by one of the kernels here. A stage has at most two roots, [`aim`] three, the three kernels of
+//! pairs four. The next stage is solved for each of them. No kernel divides by something that vanishes at an ordinary pose. No kernel uses `acos` or `asin`: an angle is never
+//! taken from its stationary component.
 //!
 //! | kernel | equation |
 //! |---|---|
@@ -16,10 +16,10 @@
 //! | [`slide`], [`slide_to`], [`quadratic`] | a sliding joint reaches a given distance |
 //! | [`slide_turning`] | the same and an angle, from two components across another slide |
 //! | [`aim`] | one direction seen over a sliding joint |
-//! | [`pair`], [`pair_turning`], [`pair_sliding`] | two equations in two joints that no other kernel separates (a quartic) |
+//! | [`pair`], [`pair_turning`], [`pair_sliding`] | two equations in two joints no other kernel separates (quartic) |
 //!
-//! [`Search`] follows the branches, collects the solutions, and gives every doubtful one (near a singularity or at
-//! the edge of reach) an evaluation of the arm and, if needed, a few damped least-squares steps.
+//! [`Search`] follows the branches and collects the solutions. A doubtful solution, near a singularity or at the edge
+//! of reach, gets an evaluation of the arm. If needed, the solution also gets a few damped least-squares steps.
 
 #![allow(clippy::neg_cmp_op_on_partial_ord, reason = "a value that is not a number must take the safe branch")]
 

@@ -3,8 +3,9 @@
 use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, offset};
 
-/// Solves `a cos(t) + b sin(t) = d` given twice, for lengths and for directions, where one of the two may lose its
-/// amplitude: the one of larger relative amplitude gives the roots, the other one chooses among them.
+/// Solves `a cos(t) + b sin(t) = d` given twice, for lengths and for directions, where one of the two equations may
+/// lose its amplitude. The equation of larger relative amplitude gives the roots, the other equation chooses among
+/// them.
 ///
 /// A root that misses the other equation by far is dropped; if both do, the better one stays, with its gap.
 #[inline]

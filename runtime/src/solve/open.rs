@@ -15,8 +15,8 @@ pub(super) struct Open<T> {
     pub(super) branch: Branch,
     /// The first joint that is free or nearly so, and another one.
     pub(super) joints: [JointMask; 2],
-    /// The levels behind the free joint before the joint moves, and the place among them of the first one that depends on
-    /// the joint.
+    /// The levels behind the free joint before the joint moves, and the place among them of the first one that depends
+    /// on the joint.
     pub(super) before: [Sample<T>; LEVELS],
     pub(super) moved: Option<usize>,
     /// Samples of that level.
@@ -36,8 +36,8 @@ pub(super) struct Open<T> {
     pub(super) feasible: bool,
     /// Whether a solution has been found there.
     pub(super) met: bool,
-    /// Where a joint that is nearly free has been, and how far it may move from there without moving the tool; infinite
-    /// for a joint that is free.
+    /// Where a joint that is nearly free has been, and how far it may move from there without moving the tool. For a
+    /// joint that is free, the `slack` is infinite.
     pub(super) value: T,
     pub(super) slack: T,
 }
@@ -94,8 +94,8 @@ impl<T: Tolerances> Open<T> {
         *first = angle / T::TAU;
     }
 
-    /// Takes samples that are not known from another branch, if those known to both agree: its level is the same. A stage
-    /// that is missed may have but one root, whose branch has one of several names.
+    /// Takes samples that are not known from another branch, if those known to both agree: its level is the same. A
+    /// stage that is missed may have but one root, whose branch has one of several names.
     pub(super) fn borrow(&mut self, other: &Self) {
         if self.moved == other.moved {
             self.samples.complete(&other.samples);
@@ -108,8 +108,8 @@ impl<T: Tolerances> Open<T> {
         half > T::COINCIDENT
     }
 
-    /// Whether `first` is one of the joints of this branch. `first` is the first joint that is free or nearly so on another
-    /// branch; the empty mask, where that has none, is no joint.
+    /// Whether `first` is one of the joints of this branch. `first` is the first joint that is free or nearly so on
+    /// another branch; the empty mask, where that has none, is no joint.
     pub(super) fn moves(&self, first: JointMask) -> bool {
         !first.is_empty() && self.joints.contains(&first)
     }

@@ -7,13 +7,14 @@ use super::stage::Met;
 use super::twins::{distinct, with_twins};
 use super::{Home, Measure, Stage, Tolerances, Turn};
 
-/// Solves the two rows `p (cos x, sin x, 1) = q (cos z, sin z, 1)` for `(x, z)`: one side is eliminated, which leaves
-/// a trigonometric polynomial of degree two (a quartic), at most four pairs, each polished by Newton's method on the
-/// rows themselves. Where the rows lose rank (a point on a joint axis) they are combined so that one joint drops out,
-/// and solved one after the other. Where the polynomial vanishes for every angle, that joint is free.
+/// Solves the two rows `p (cos x, sin x, 1) = q (cos z, sin z, 1)` for `(x, z)`. One side is eliminated, which leaves a
+/// trigonometric polynomial of degree two (a quartic), so at most four pairs. Each pair is polished by Newton's method
+/// on the rows themselves. Where the rows lose rank (a point on a joint axis) they are combined so that one joint drops
+/// out. The combined rows are solved one after the other. Where the polynomial vanishes for every angle, that joint is
+/// free.
 ///
-/// The roots are marked for a full check, unless each closes both rows to rounding, and they determine it well: near a
-/// double root a candidate may turn out not to be a solution.
+/// The roots are marked for a full check, unless each root closes both rows to rounding, and the rows determine the
+/// root well. Near a double root a candidate may turn out not to be a solution.
 pub fn pair<T: Tolerances>(homes: [Home<T>; 2], measure: Measure<T>, p: [Row<T>; 2], q: [Row<T>; 2]) -> Stage<T, 2, 4> {
     let (p, q) = normalized(measure, p, q);
     let mut stage = candidates(homes, &p, &q, None);
@@ -27,11 +28,12 @@ pub fn pair<T: Tolerances>(homes: [Home<T>; 2], measure: Measure<T>, p: [Row<T>;
     finished(stage, sure, homes, measure, [&p, &q])
 }
 
-/// The same where a joint between the two turns one vector onto another, which both joints move: `across` has its
-/// components across that joint's axis, two rows as x moves it and two as z does. Of the rows, the second says that the vectors have the same length.
+/// The same where a joint between the two turns one vector onto another, which both joints move. The last four rows
+/// have the components of the vector across that joint's axis, two as x moves the vector and two as z does. Of the rows
+/// of `p` and `q`, the second says that the vectors have the same length.
 ///
-/// Where the vectors themselves vanish, two roots meet and the second row knows them to the root of rounding only. There
-/// they are found from the lengths across, which are accurate, along the curve that the first row describes.
+/// Where the vectors themselves vanish, two roots meet and the second row knows them to the root of rounding only.
+/// There they are found from the lengths across, which are accurate, along the curve that the first row describes.
 pub fn pair_turning<T: Tolerances>(
     homes: [Home<T>; 2],
     measure: Measure<T>,
@@ -69,8 +71,8 @@ fn finished<T: Tolerances>(
     stage
 }
 
-/// Both rows scaled to unit length. One of rounding alone, whatever it measures (a direction, a length, its square), says
-/// nothing and becomes zero.
+/// Both rows scaled to unit length. One of rounding alone, whatever it measures (a direction, a length, its square),
+/// says nothing and becomes zero.
 fn normalized<T: Tolerances>(
     measure: Measure<T>,
     [p1, p2]: [Row<T>; 2],
@@ -110,7 +112,7 @@ fn determinant<T: Tolerances>([a, b]: &[Row<T>; 2]) -> T {
 /// Eliminates the side `p`, whose determinant does not vanish: with `u = adj(P) (q - p3)`, `|u| = |det P|`.
 ///
 /// Where every z is as good, it stays at home. Other families of solutions cross this one where the vector `across` (as
-/// z moves it) vanishes, which leaves the joint between x and z free; those places are further roots.
+/// z moves it) vanishes. There the joint between x and z is free, and those places are further roots.
 fn eliminated<T: Tolerances>(
     home: Home<T>,
     p: &[Row<T>; 2],
@@ -135,8 +137,9 @@ fn eliminated<T: Tolerances>(
         let [z1, z2, z3, z4] = z;
         Stage::solved([[x1, z1], [x2, z2], [x3, z3], [x4, z4]])
     };
-    // With coefficients of no more than rounding, or without any of z in the rows, every angle is as good. The polynomial
-    // is the difference of the squares of two lengths, one of them `det`; a coefficient has up to eight products and sums.
+    // With coefficients of no more than rounding, or without any of z in the rows, every angle is as good. The
+    // polynomial is the difference of the squares of two lengths, one of them `det`; a coefficient has up to eight
+    // products and sums.
     let vanishing = (T::EPSILON * T::from_f64(8.0) * (size + det * det)).max(T::VANISHING * det.abs());
     let anywhere = || {
         let crossings = across.map_or([None; 2], zeros);
@@ -216,8 +219,9 @@ mod tests {
 
     type Equations = ([Row<f64>; 2], [Row<f64>; 2], [Row<f64>; 4]);
 
-    /// Three parallel axes seen from a joint y between x and z, all at right angles: rows of the distance along their
-    /// direction and of its component along y, and the components across y, for a target that `(x, y, z)` reaches.
+    /// Three parallel axes seen from a joint y between x and z, all at right angles, for a target that `(x, y, z)`
+    /// reaches. The equations are rows of the distance along their direction and of its component along y, and the
+    /// components across y.
     fn three_parallel([x, y, z]: [f64; 3]) -> Equations {
         let (u, v, w) = (y.cos() * x.sin(), x.cos(), -y.sin() * x.sin());
         let (r1, r2) = (u * z.cos() + v * z.sin(), v * z.cos() - u * z.sin());

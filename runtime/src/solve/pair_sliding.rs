@@ -8,14 +8,14 @@ use super::{Measure, Stage, Tolerances, Turn};
 
 /// Solves `scale x = line (cos z, sin z, 1)` and `x^2 + m x + n = q (cos z, sin z, 1)` for `(x, z)`, `x` sliding.
 ///
-/// Either of the two is eliminated, whichever the rows know better. With `scale = 0` (the slide at right angles to
-/// the component that the first row measures) the first row has nothing of `x`: then it is `z`. Where both know
-/// nothing, the rows come apart: the first gives `z`, the second `x`. So `scale` may be anything, as long as `scale`
-/// and the first two of `line` do not vanish together.
+/// Either of the two is eliminated, whichever the rows know better. With `scale = 0` the slide is at right angles to
+/// the component that the first row measures. The first row then has nothing of `x`, and `z` is eliminated. Where both
+/// know nothing, the rows come apart: the first gives `z`, the second `x`. So `scale` may be anything, as long as
+/// `scale` and the first two of `line` do not vanish together.
 ///
-/// A joint between the two turns one vector onto another: `sliding` has its components across that joint's axis as `x` moves
-/// it, `[of x, constant]`, and `turning` the rows of `z`. Their lengths are equal, and known to rounding where the quartic
-/// knows two close roots to its root only.
+/// A joint between the two turns one vector onto another. The components across that joint's axis are `sliding` as `x`
+/// moves the vector, `[of x, constant]`, and `turning`, the rows of `z`. Their lengths are equal, and known to rounding
+/// where the quartic knows two close roots to its root only.
 pub fn pair_sliding<T: Tolerances>(
     measure: Measure<T>,
     line: Row<T>,
@@ -80,7 +80,7 @@ fn candidates<T: Tolerances>(
 
 /// Eliminates `z`: with `u = scale x - c` and `v = x^2 + m x + n - f` (the parabola less the constant of its row),
 /// `det (cos z, sin z) = (e u - b v, a v - d u)`, whose length is `|det|`: a quartic in `x`. As `x = tan(t/2)`, every
-/// polynomial of degree two over `1 + x^2` is a row of `t`, so that `x` is on a circle, too, and is never too large.
+/// polynomial of degree two over `1 + x^2` is a row of `t`. So `x` is on a circle, too, and is never too large.
 fn without_angle<T: Tolerances>(
     scale: T,
     det: T,
@@ -108,7 +108,8 @@ fn without_angle<T: Tolerances>(
     (roots.map(place), len)
 }
 
-/// Where the first row has no `x`, and the second the same combination of the angle: `z` from the one, `x` from the other.
+/// Where the first row has no `x`, and the second the same combination of the angle: `z` from the one, `x` from the
+/// other.
 fn separated<T: Tolerances>(
     Stroke([square, m, n]): &Stroke<T>,
     [[a, b, c], row]: &[Row<T>; 2],
@@ -142,8 +143,9 @@ mod tests {
         [c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]]
     }
 
-    /// A point that slides along `direction` and, on the other side of the axis y (the third), a point that circles
-    /// about an axis tilted by `tilt`: the roots of the pair that `[x, y, z]` closes, and how well the equations know it.
+    /// A point slides along `direction`. On the other side of the axis y (the third), a point circles about an axis
+    /// tilted by `tilt`. Returns the roots of the pair that `[x, y, z]` closes, and how well the equations know
+    /// `(x, z)`.
     fn solve(direction: V, [x, y, z]: V, [radius, height]: [f64; 2], offset: V, tilt: f64) -> (Vec<[f64; 2]>, f64) {
         let (ts, tc) = tilt.sin_cos();
         // rows of z: the circle, then tilted about the first axis

@@ -7,8 +7,8 @@ use super::{Facts, Search, Tolerances, Trail};
 use crate::math::wrap;
 use crate::{Branch, JointMask, Solution};
 
-/// Another member of crossing families is looked for at 1/16 of a turn from home, and if there is one, a further one at
-/// 9/16: odd sixteenths, because families cross at quarters and eighths.
+/// Another member of crossing families is looked for at 1/16 of a turn from home. If there is one, a further member is
+/// looked for at 9/16. Both are odd sixteenths, because families cross at quarters and eighths.
 const CROSSINGS: i32 = 2;
 
 /// What a further run of the cascade is for.
@@ -47,7 +47,7 @@ impl<T: Tolerances, const M: usize> Missed<T, M> for Levels<T, M> {
     }
 }
 
-/// An arm on which every stage after a free joint has its roots wherever that joint is: three joints that follow one
+/// An arm on which every stage after a free joint has its roots wherever that joint is. Three joints that follow one
 /// another bring a point to its place, one equation each, before a spherical wrist or nothing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Decoupled;
@@ -66,9 +66,9 @@ impl<T: Tolerances, const M: usize> Missed<T, M> for Decoupled {
     }
 }
 
-/// What is remembered at a pose that needs further passes: branches that are missed with a free joint at home, and
-/// branches with two joints free. There families of solutions cross, and the solution at home does not tell which joints
-/// move together on the other family. A second member is looked for elsewhere.
+/// The branches remembered at a pose that needs further passes. Some branches are missed with a free joint at home, the
+/// others have two joints free. Where two joints are free, families of solutions cross, and the solution at home does
+/// not tell which joints move together on the other family. A second member is looked for elsewhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Passes<T, const N: usize, const M: usize, P> {
     pass: Option<Pass>,
@@ -187,8 +187,8 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
         }
     }
 
-    /// A branch is to be followed again with its free joint elsewhere: a later stage has no root with that joint at home,
-    /// or the solution does not close there. `slack`: by how much a joint that is nearly free may move.
+    /// A branch is to be followed again with its free joint elsewhere. With that joint at home a later stage has no
+    /// root, or the solution does not close. `slack`: by how much a joint that is nearly free may move.
     pub(super) fn seek(&mut self, trail: Trail, state: &State<T>, solution: &Solution<T, N>, slack: T) {
         if P::NONE.levels().is_none() || self.passes().again() {
             return;

@@ -103,8 +103,8 @@ impl<T: Tolerances> Samples<T> {
         }
     }
 
-    /// A sample of one of the first `count` as a trigonometric polynomial of the step, by its discrete Fourier transform:
-    /// of degree 2 through 5 places, of degree 1 through 3.
+    /// One `part` of the samples at the first `count` places as a trigonometric polynomial of the step, by its discrete
+    /// Fourier transform. The polynomial is of degree 2 through 5 places, of degree 1 through 3.
     #[inline(never)]
     pub(super) fn series(&self, count: usize, part: usize) -> Circle<T> {
         let share = T::ONE / T::from_i32(count as i32);
@@ -123,11 +123,12 @@ impl<T: Tolerances> Samples<T> {
 
     /// The place of a joint that turns, from levels at `count` places: five, or three where the level is of degree 1.
     ///
-    /// The level is `g(x) / p(x)^2` with trigonometric polynomials of degree 2 and 1, where p is the coefficient of a
-    /// slide between the joint and the stage, else 1. So its range ends at roots of `g - low p^2` and `high p^2 - g`, two
-    /// quartics on the unit circle. The place lies in the feasible interval next to `now` (rad from home), inside it by a
-    /// quarter, or by `slack` if that is less. Without an interval it is the root at which the level misses its range by
-    /// least: the end of an interval that has shrunk to a point. `None` if the level does not depend on x.
+    /// The level is `g(x) / p(x)^2` with trigonometric polynomials of degree 2 and 1. The coefficient of a slide
+    /// between the joint and the stage is p; without a slide p is 1. So the range of the level ends at roots of
+    /// `g - low p^2` and `high p^2 - g`, two quartics on the unit circle. The place lies in the feasible interval next
+    /// to `now` (rad from home), inside it by a quarter, or by `slack` if that is less. Without an interval the place
+    /// is the root at which the level misses its range by least. That root is the end of an interval that has shrunk to
+    /// a point. `None` if the level does not depend on x.
     #[inline(never)]
     pub(super) fn turning(&self, count: usize, now: T, slack: T) -> Option<Place<T>> {
         let (g, square) = (self.series(count, 0), self.series(count, 1));
@@ -275,8 +276,8 @@ impl<T: Tolerances> Range<T> {
     }
 
     /// Without an interval, the end at which the stage misses by least, and whether by no more than the rounding of a
-    /// double root; of several such ends the nearest. Without any end the stage misses everywhere, and by least where the
-    /// slope of a bound vanishes.
+    /// double root; `false` for an equation without a joint of its own. Of several such ends the nearest one counts. Without any end the stage misses everywhere, and by
+    /// least where the slope of a bound vanishes.
     #[inline(never)]
     fn touching(&self, now: T) -> Option<(T, bool)> {
         let [above, below] = self.bounds;

@@ -35,11 +35,11 @@ impl<T: Tolerances> Roots<T> {
         }
     }
 
-    /// The place in the interval, or in another one of the first stage, at which the level is farthest inside its range,
-    /// on either root; rad from home. A narrow interval tells nothing about another one.
+    /// The place, rad from home, at which the level is farthest inside its range, on either root. The place is in the
+    /// interval, or in another interval of the first stage. A narrow interval tells nothing about another one.
     ///
-    /// With the roots of the first stage at `+-h`, `cos h` its own level, the levels are `u +- s sin(h)` with
-    /// trigonometric polynomials u and s of degree 2, which the nodes determine: Lagrange's form
+    /// The roots of the first stage are at `+-h`, with `cos h` its own level. The levels are `u +- s sin(h)` with
+    /// trigonometric polynomials u and s of degree 2. The nodes determine these polynomials by Lagrange's form
     /// `sum_k f_k prod_{j != k} sin((x - x_j) / 2) / sin((x_k - x_j) / 2)`.
     #[inline(never)]
     pub(super) fn place(&self, first: &Samples<T>, [middle, half]: [T; 2], other: [T; 2]) -> Option<T> {

@@ -14,8 +14,8 @@ use crate::{Branch, Flags, JointMask, Residual, Solution, Solutions, Status};
 /// The place of a virtual joint in a mask, beyond the joints of any arm with an inverse.
 pub(super) const VIRTUAL: usize = 15;
 
-/// The most states on one branch. A cascade solves at most seven joints, each stage one of them or more; besides its stages
-/// [`Search::directed`] may leave a state.
+/// The most states on one branch. A cascade solves at most seven joints, each stage one of them or more; besides its
+/// stages [`Search::directed`] may leave a state.
 const MOST_STATES: usize = 8;
 
 /// One run of the inverse kinematics. `P`: what it remembers of branches that are missed with a free joint at home,
@@ -34,11 +34,11 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, P> {
     pub(super) nearly: JointMask,
     /// How many evaluations of the arm are left.
     pub(super) left: usize,
-    /// What the branch that is followed has met, one state for each stage in doubt. Branches are followed depth first, so
-    /// a state stays until the branches behind it have ended.
+    /// What the branch that is followed has met, one state for each stage in doubt. Branches are followed depth first,
+    /// so a state stays until the branches behind it have ended.
     states: Option<[Option<State<T>>; MOST_STATES]>,
-    /// Every branch is verified: the arm misses its structure by more than rounding, or the target is so far away (a long
-    /// slide may reach there) that its rounding alone can exceed what closes.
+    /// Every branch is verified. The arm misses its structure by more than rounding, or the target is so far away that
+    /// its rounding alone can exceed what closes. A long slide may reach such a target.
     doubt: bool,
     /// The values of joints are given.
     given: bool,
@@ -73,8 +73,8 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
         }
     }
 
-    /// The same search with every branch verified: for an arm whose axes miss the structure of its equations by more than
-    /// rounding, so that their roots do.
+    /// The same search with every branch verified. The search is for an arm whose axes miss the structure of its
+    /// equations by more than rounding. The roots of the equations then miss by more than rounding, too.
     #[inline(always)]
     #[must_use]
     pub fn in_doubt(mut self) -> Self {
@@ -82,9 +82,10 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
         self
     }
 
-    /// Whether there is something to search. Otherwise the solutions get their status: [`Status::BadTarget`] if the
-    /// target or the reference is not finite; [`Status::Unreachable`] if the target is so far away, or the given value of
-    /// a slide so large, that squares overflow.
+    /// Whether there is something to search. Otherwise the solutions get their status. The status is
+    /// [`Status::BadTarget`] if the target is not finite, or the reference is none ([`Facts::can_refer`]). The status is
+    /// [`Status::Unreachable`] if the target is so far away, or the given value of a slide so large, that squares
+    /// overflow.
     #[inline(always)]
     #[must_use]
     pub fn begins(&mut self, near: Option<&[T; N]>) -> bool {
@@ -143,8 +144,8 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
         last.and_then(|last| *self.states.as_ref()?.get(last)?).unwrap_or(State::START)
     }
 
-    /// The levels of the first stages behind the first joint of a branch that is free or weak, one for each stage, known
-    /// or not.
+    /// The levels of the first stages behind the first joint of a branch that is free or weak, one for each stage,
+    /// known or not.
     pub(super) fn levels(&self, trail: Trail) -> [Behind<T>; LEVELS] {
         let mut levels = [Behind::NONE; LEVELS];
         let (mut pole, mut slides) = (T::ONE, false);
@@ -260,16 +261,16 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
         }
     }
 
-    /// The end of a pass. Returns whether it was the last one: if not, a joint is free or nearly so on some branch, and
-    /// the branches are to be followed once more with that joint elsewhere.
+    /// The end of a pass. Returns whether this pass was the last one. If not, a joint is free or nearly so on some
+    /// branch, and the branches are to be followed once more with that joint elsewhere.
     #[inline]
     #[must_use]
     pub fn complete(&mut self) -> bool {
         self.passes.is_none() || !self.next_pass()
     }
 
-    /// The end of the search: with a reference, solutions are unwound next to it and sorted; limits are marked, and
-    /// the status is set. `facts` are those of the search: seen where they are constants, what they exclude is left out.
+    /// The end of the search: with a reference, solutions are unwound next to it and sorted; limits are marked, and the
+    /// status is set. `facts` are those of the search: seen where they are constants, what they exclude is left out.
     #[inline]
     pub fn finish(&mut self, facts: &Facts<'_, T, N>, near: Option<&[T; N]>) {
         match near {

@@ -32,7 +32,7 @@ pub(super) fn separated<T: Tolerances>(
     }
 }
 
-/// A unit combination of the rows in which `x` drops out as far as it can; if it never appears, the combination with
+/// A unit combination of the rows in which `x` drops out as far as it can. If `x` never appears, the combination with
 /// the most of `z`.
 fn null_row<T: Tolerances>([a, b]: &[Row<T>; 2], [c, d]: &[Row<T>; 2]) -> [T; 2] {
     let size = |v: [T; 2]| v[0] * v[0] + v[1] * v[1];

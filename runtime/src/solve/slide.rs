@@ -5,8 +5,8 @@ use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
 use crate::JointMask;
 
-/// Solves for the position `x` of a point on a line at which its distance from another point is `rho`; the line passes
-/// that point at distance `across` (not negative), at `middle`: `x = middle +- sqrt(rho^2 - across^2)`.
+/// Solves for the position `x` of a point on a line at which its distance from another point is `rho`. The line passes
+/// that point at distance `across` (not negative), at `middle`. The solution is `x = middle +- sqrt(rho^2 - across^2)`.
 ///
 /// Two roots, the longer position first; one at the nearest approach, then with the gap `across - rho`.
 #[inline]

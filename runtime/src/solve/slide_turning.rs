@@ -4,11 +4,12 @@ use super::stage::Met;
 use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn, offset};
 
-/// Solves `[a1, a2] cos + [b1, b2] sin + [k1, k2] = s stroke`, rows `[a, b, k]`, for the angle and the position `s`: what is at
-/// right angles to the stroke gives the angle, as in [`offset`]; what is along it, the position.
+/// Solves `[a1, a2] cos + [b1, b2] sin + [k1, k2] = s stroke`, rows `[a, b, k]`, for the angle and the position `s`.
+/// The component at right angles to the stroke gives the angle, as in [`offset`]. The component along the stroke gives
+/// the position.
 ///
-/// Two roots; one where they meet or where there is none, then with the gap. With the stroke (dimensionless) vanishing the
-/// sliding joint is free, and both rows give the angle.
+/// Two roots; one where they meet or where there is none, then with the gap. With the stroke (dimensionless) vanishing
+/// the sliding joint is free, and both rows give the angle.
 #[inline]
 pub fn slide_turning<T: Tolerances>(
     homes: [Home<T>; 2],

@@ -40,10 +40,11 @@ impl<T: Tolerances> Measure<T> {
 
 /// A number that says whether a stage has roots: it has them if and only if `low <= value <= high`.
 ///
-/// A stage with two roots a half difference h apart solves `cos(h) = value` between -1 and 1; one that a slide solves
-/// needs a square that is not negative; an equation without a joint of its own needs the value 0. The value is known
-/// outside its range too. A joint that turns points about an axis moves it as `a + b cos(x - phi)`; with a slide between
-/// that follows, as a polynomial of degree 2 over the square of the slide's coefficient, the pole.
+/// A stage with two roots a half difference h apart solves `cos(h) = value` between -1 and 1. A stage that a slide
+/// solves needs a square that is not negative. An equation without a joint of its own needs the value 0. The value is
+/// known outside its range too. A joint that turns points about an axis moves the value as `a + b cos(x - phi)`. With a
+/// slide between that follows, the value moves as a polynomial of degree 2 over the square of the slide's coefficient,
+/// the pole.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Level<T> {
     pub(super) value: T,
@@ -106,8 +107,8 @@ impl<T: Tolerances> Behind<T> {
     pub(super) const NONE: Self = Self { level: Level::NONE, slides: false };
 }
 
-/// Where a branch of the cascade is: what generated code hands from stage to stage. What the branch has met is kept in
-/// the search, one `State` for each stage on the way that is in doubt; a branch without doubts has none.
+/// Where a branch of the cascade is: what generated code hands from stage to stage. The search keeps what the branch
+/// has met, one `State` for each stage on the way that is in doubt. A branch without doubts has none.
 ///
 /// One number, 0 without doubts: the number of states that belong to the branch, and two marks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -195,8 +196,9 @@ impl<T: Tolerances> State<T> {
     pub(super) fn note(&mut self, met: Option<Met<T>>, level: LevelOf<T>) {
         self.level = if self.loose().is_empty() { LevelOf::Nothing } else { level };
         let Some(Met { gap, angular, amplitude, weak, boundary, free }) = met else { return };
-        // What a stage leaves uncertain, the next one magnifies: where nothing but that is left of an amplitude between
-        // directions, any value of the joint is as good. Where two roots have met, refinement still moves the place.
+        // The next stage magnifies the uncertainty that a stage leaves. Where nothing but uncertainty is left of an
+        // amplitude between directions, any value of the joint is as good. Where two roots have met, refinement still
+        // moves the place.
         let product = self.amplitude * amplitude;
         let settled = angular && free.is_empty() && !self.flags.contains(Flags::BOUNDARY);
         let free = if settled && product < T::VANISHING * T::DOUBTFUL { weak } else { free };
@@ -246,8 +248,8 @@ impl<T: Tolerances> Met<T> {
     };
 }
 
-/// The roots of one equation for `K` joints, at most `R`, and how well they are determined. One that is not in doubt has
-/// met nothing: that is where every ordinary target passes, and nothing is written for it.
+/// The roots of one equation for `K` joints, at most `R`, and how well they are determined. One that is not in doubt
+/// has met nothing: that is where every ordinary target passes, and nothing is written for it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stage<T, const K: usize, const R: usize> {
     pub(super) roots: [[Turn<T>; K]; R],
@@ -264,8 +266,8 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         Self { roots, len: R, level: LevelOf::Nothing, met: None }
     }
 
-    /// The same with its level, and the relative amplitude of the equation: a small one makes the stage doubtful, and one
-    /// near zero leaves `weak` nearly free.
+    /// The same with its level, and the relative amplitude of the equation. A small amplitude makes the stage doubtful,
+    /// and an amplitude near zero leaves `weak` nearly free.
     #[inline(always)]
     pub(super) fn determined(
         roots: [[Turn<T>; K]; R],
@@ -360,7 +362,7 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         self.roots.get(first..end).unwrap_or(&[]).iter().enumerate().map(move |(index, root)| (name + index, root))
     }
 
-    /// The roots turned by a further half turn (first joint) if `reverse` is set: for links whose lengths have unlike
+    /// The roots turned by a further half turn (first joint) if `reverse` is set. For links whose lengths have unlike
     /// signs, stretched is where folded would be.
     #[inline]
     pub fn turned_back(mut self, reverse: bool) -> Self {

@@ -20,8 +20,8 @@ fn line<T: Tolerances>(wrist: V<T>, elbow: V<T>) -> V<T> {
     unit(if short { [T::ZERO; 3] } else { wrist })
 }
 
-/// The part of `v` across the unit vector `along`, normalized; of the axes that are least along it where that part
-/// vanishes, so that the result is always a unit vector.
+/// The part of `v` across the unit vector `along`, normalized. Where that part vanishes, the part of a
+/// coordinate axis more than 45 degrees from `along`, so that the result is always a unit vector.
 fn across<T: Tolerances>(along: V<T>, v: V<T>) -> V<T> {
     let part = |v: V<T>| {
         let k = dot(along, v);
@@ -30,7 +30,8 @@ fn across<T: Tolerances>(along: V<T>, v: V<T>) -> V<T> {
     };
     let own = part(v);
     if dot(own, own) > T::COINCIDENT * T::COINCIDENT {
-        // What is left of a vector nearly along has lost digits across: taken once more it is at right angles to rounding.
+        // What is left of a vector nearly along has lost digits across: taken once more it is at right angles to
+        // rounding.
         return unit(part(unit(own)));
     }
     let [x, y, _] = along.map(|e| e.abs());
@@ -44,9 +45,9 @@ fn across<T: Tolerances>(along: V<T>, v: V<T>) -> V<T> {
     }))
 }
 
-/// Where the elbow lies off the line from shoulder to wrist, as a unit vector: at right angles to the line and to the
-/// elbow's axis, on the elbow's side. An arm that is stretched out has the side of the axis turned by a right angle.
-/// `distance`: from shoulder to wrist; the shorter, the less is known of the direction of the line.
+/// Where the elbow lies off the line from shoulder to wrist, as a unit vector. This vector is at right angles to the
+/// line and to the elbow's axis, on the elbow's side. An arm that is stretched out has the side of the axis turned by a
+/// right angle. `distance`: from shoulder to wrist; the shorter, the less is known of the direction of the line.
 fn side<T: Tolerances>(line: V<T>, distance: T, axis: V<T>, elbow: V<T>) -> V<T> {
     let normal = across(line, axis);
     let away = cross(normal, line);
@@ -57,10 +58,10 @@ fn side<T: Tolerances>(line: V<T>, distance: T, axis: V<T>, elbow: V<T>) -> V<T>
 
 /// The rotation of the upper arm that puts the wrist where it has to be, with the elbow swung by the arm angle.
 ///
-/// `wrist`: from shoulder to wrist where it has to be, base frame of the shoulder; `moved`, `axis`, `elbow`: the same
-/// vector, the elbow's axis and the elbow in the frame of the upper arm; `(sin, cos)` of the arm angle. It is zero where
-/// the elbow lies on the side of the base's z axis (Kreutz-Delgado, Long, Seraji 1992); where the wrist lies on that
-/// axis, on the side of its x axis.
+/// `wrist`: from shoulder to wrist where it has to be, base frame of the shoulder. `moved`, `axis`, `elbow`: the same
+/// vector, the elbow's axis and the elbow in the frame of the upper arm. `(sin, cos)`: of the arm angle. The arm angle
+/// is zero where the elbow lies on the side of the base's z axis (Kreutz-Delgado, Long, Seraji 1992). Where the wrist
+/// lies on the base's z axis, the arm angle is zero with the elbow on the side of the base's x axis.
 #[inline]
 pub fn swivel<T: Tolerances>(wrist: V<T>, moved: V<T>, axis: V<T>, elbow: V<T>, (sin, cos): (T, T)) -> [[T; 3]; 3] {
     let a = line(wrist, elbow);

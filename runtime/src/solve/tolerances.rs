@@ -1,47 +1,50 @@
 //! The thresholds of the cascade, from the rounding of the scalar.
 //!
-//! Six numbers, each a formula of `eps`, the distance from 1 to the next number. The formulas are the same for both scalars.
+//! Six numbers, each a formula of `eps`, the distance from 1 to the next number. The formulas are the same for both
+//! scalars.
 //!
-//! An amplitude is the sine between two directions, or the radius of a circle relative to reach. At a singular pose it is 0, and
-//! rounding leaves [`LEFT`] of it: that of the target, and that of the rotations which take the target's axis to the
-//! joint's frame. A stage of amplitude `a` on the way there, an elbow nearly stretched, magnifies it by `1/a`.
+//! An amplitude is the sine between two directions, or the radius of a circle relative to reach. At a singular pose the
+//! amplitude is 0, and rounding leaves [`LEFT`] of it. This rounding is that of the target, and that of the rotations
+//! which take the target's axis to the joint's frame. A stage of amplitude `a` on the way there, an elbow nearly
+//! stretched, magnifies the rounding by `1/a`.
 
 use crate::math::Scalar;
 
 /// What rounding leaves of an amplitude that vanishes, in units of `eps`, where the stages before are well conditioned.
 ///
-/// A component of the wrist's axis is a sum of three products, of a column of the target and a column of a rotation. Either
-/// column has length 1, so that by Cauchy and Schwarz relative errors of the entries add up: half a unit for the entry
-/// of the target, two halves for that of the rotation, three for the products and their sum.
+/// A component of the wrist's axis is a sum of three products, of a column of the target and a column of a rotation.
+/// Either column has length 1, so that by Cauchy and Schwarz relative errors of the entries add up. The entry of the
+/// target adds half a unit, that of the rotation two halves, the products and their sum three halves.
 const LEFT: f64 = 3.0;
 
 /// Thresholds relative to the size of the quantities compared (reach for lengths, 1 for directions).
 pub trait Tolerances: Scalar {
-    /// Rounding of a chain: `64 eps`. Below it two roots are one, a gap is none, a rotation is one. A component passes the
-    /// rotations of six joints and six links, three products and two sums each.
+    /// Rounding of a chain: `64 eps`. Below it two roots are one, a gap is none, a rotation is one. A component passes
+    /// the rotations of six joints and six links, three products and two sums each.
     const ROUNDING: Self;
-    /// Joint vectors closer than this in every joint (rad, relative to reach) are one solution: `2 sqrt(ROUNDING)`. Two roots
-    /// `+-h` merge where `h^2` is below `ROUNDING`.
+    /// Joint vectors closer than this in every joint (rad, relative to reach) are one solution: `2 sqrt(ROUNDING)`. Two
+    /// roots `+-h` merge where `h^2` is below `ROUNDING`.
     const COINCIDENT: Self;
-    /// Amplitude below which a solution is checked in full, by forward kinematics: the cube root of `3 eps / COINCIDENT`. Of
-    /// the `3 eps` that rounding leaves, three stages in a row (shoulder, elbow, wrist) of this amplitude make `COINCIDENT`.
-    /// So a solution that is not checked is no other one.
+    /// Amplitude below which a solution is checked in full, by forward kinematics: the cube root of
+    /// `3 eps / COINCIDENT`. Of the `3 eps` that rounding leaves, three stages in a row (shoulder, elbow, wrist) of
+    /// this amplitude make `COINCIDENT`. So a solution that is not checked is no other one.
     const DOUBTFUL: Self;
-    /// Amplitude below which an equation does not determine its joint: `3 eps / DOUBTFUL`, what rounding leaves behind a
-    /// stage that is not checked. Behind one that is, its own amplitude counts in the place of `DOUBTFUL`.
+    /// Amplitude below which an equation does not determine its joint: `3 eps / DOUBTFUL`, what rounding leaves behind
+    /// a stage that is not checked. Behind one that is, its own amplitude counts in the place of `DOUBTFUL`.
     const VANISHING: Self;
     /// Amplitude below which a joint may be all wrong: `sqrt(eps) / DOUBTFUL`. A double root before it is known to
     /// `sqrt(eps)`, which makes the joint wrong by `sqrt(eps)` over its amplitude. Steps of verification lead back from
     /// `DOUBTFUL`. A root that misses another equation by more belongs to another branch.
     const WEAK: Self;
-    /// A residual up to this (relative to reach, and in rad) is exact: `2 VANISHING`. A joint that stays at its default value,
-    /// anywhere on its circle, misses by the diameter.
+    /// A residual up to this (relative to reach, and in rad) is exact: `2 VANISHING`. A joint that stays at its default
+    /// value, anywhere on its circle, misses by the diameter.
     const EXACT: Self;
     /// A sine far below rounding whose fourth power is a number.
     const LEAST_SINE: Self;
     /// -1.
     const MINUS_ONE: Self;
-    /// An angle beyond this, rad, is no reference: half a unit of its last place in every joint is about [`Self::EXACT`].
+    /// An angle beyond this, rad, is no reference: half a unit of its last place in every joint is about
+    /// [`Self::EXACT`].
     const MOST_WOUND: Self;
     /// An arm of this reach or more has squares of areas that overflow.
     const LARGEST_REACH: Self;
@@ -71,8 +74,8 @@ impl Derived {
     }
 }
 
-/// The root of degree `n` of `x` below 1: Newton's method on `y^n = x` from above. Each step leaves at most `(n - 1) / n` of y
-/// until it is close. From 1 to the least root here, that of `2^-52`, are 26 steps.
+/// The root of degree `n` of `x` below 1: Newton's method on `y^n = x` from above. Each step leaves at most
+/// `(n - 1) / n` of y until it is close. From 1 to the least root here, that of `2^-52`, are 26 steps.
 const fn root(n: u32, x: f64) -> f64 {
     let mut y = 1.0;
     let mut steps = 0;

@@ -20,7 +20,8 @@ impl<T: Tolerances> Turn<T> {
     pub const ZERO: Self = Self { value: T::ZERO, sin: T::ZERO, cos: T::ONE };
 
     /// No turn, where two roots have met: the limit of the first root, whose sine is positive. Far below rounding, the
-    /// sine still tells a later stage the direction of a vector that has become too short to have one of its own.
+    /// sine still tells a later stage the direction of a vector. That vector has become too short to have a direction
+    /// of its own.
     pub(super) const STRETCHED: Self = Self { sin: T::LEAST_SINE, ..Self::ZERO };
 
     /// The same half a turn further.
@@ -129,8 +130,8 @@ impl<T: Tolerances> Home<T> {
         if self.nearly.meets(self.joint) { T::WEAK } else { T::VANISHING }
     }
 
-    /// Whether an equation of this amplitude, of quantities of this size, leaves the joint free; so does one that is not a
-    /// number.
+    /// Whether an equation of this amplitude, of quantities of this size, leaves the joint free; so does one that is
+    /// not a number.
     #[inline(always)]
     pub(super) fn is_free(self, amplitude: T, scale: T) -> bool {
         // An ordinary amplitude is above either bound.

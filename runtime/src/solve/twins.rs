@@ -6,9 +6,9 @@ use super::{Stage, Tolerances};
 /// Replaces every root of the rows by one that is accurate: two candidates for two close roots by one each. Returns
 /// whether all of them are roots beyond doubt.
 ///
-/// The second row says that `across` is of equal length over either joint, and knows two close roots to the root of
-/// rounding where that vector nearly vanishes. Where two roots nearly meet elsewhere, Newton's method has no direction
-/// between them; there, too, both are taken from the lengths.
+/// The second row says that `across` is of equal length over either joint. Where that vector nearly vanishes, the
+/// second row knows two close roots to the root of rounding. Where two roots nearly meet elsewhere, Newton's method has
+/// no direction between them; there, too, both are taken from the lengths.
 pub(super) fn with_twins<T, X, Z>(stage: &mut Stage<T, 2, 4>, (p, q): (&[X; 2], &[Z; 2]), across: &Across<X, Z>) -> bool
 where
     T: Tolerances,

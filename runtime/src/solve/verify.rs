@@ -112,8 +112,8 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
         twin.flags |= Flags::BOUNDARY;
     }
 
-    /// Unwinds the joints next to the reference (inside the limits where some turn is), keeps the reference's own place
-    /// on a singular family, and sorts nearest first.
+    /// Unwinds the joints next to the reference (inside the limits where some turn is), and sorts nearest first. The
+    /// reference's own place on a singular family is kept.
     #[inline(never)]
     pub(super) fn next_to(&mut self, near: &[T; N]) {
         if self.solutions.is_awkward() {
@@ -139,7 +139,8 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
     }
 
     /// Near a singularity a whole family of joint vectors closes within rounding. The member next to the reference is
-    /// what a controller wants: it is found from the reference itself, and listed if no solution lies there yet.
+    /// what a controller wants. This member is found from the reference itself, and listed if no solution lies there
+    /// yet.
     #[cold]
     #[inline(never)]
     fn hold(&mut self, near: &[T; N]) {

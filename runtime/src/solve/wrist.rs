@@ -5,8 +5,8 @@ use super::tolerances::Tolerances;
 use super::{Home, Measure, Stage, Turn};
 
 /// Solves `R_z(a) R_y(b) e_z = m` for `(b, a)`: `b = +-atan2(|(mx, my)|, mz)`, `a = atan2(my, mx)` and half a turn
-/// further. With `(mx, my)` vanishing the outer joint `a` is free. `m` is a unit vector within the tolerance for targets;
-/// a target that is off by more than rounding is refined at the end.
+/// further. With `(mx, my)` vanishing the outer joint `a` is free. `m` is a unit vector within the tolerance for
+/// targets; a target that is off by more than rounding is refined at the end.
 #[inline]
 pub fn flip<T: Tolerances>(home: Home<T>, m: [T; 3]) -> Stage<T, 2, 2> {
     let [mx, my, mz] = m;

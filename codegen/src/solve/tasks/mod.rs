@@ -62,8 +62,8 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, U
     Err(failed.or_else(alternatives))
 }
 
-/// What to look at in a table that is meant for the other convention: read by that one it has an inverse for the task, or
-/// it is not singular everywhere, as it is by its own.
+/// The hint for a table that is meant for the other convention. Read by that convention, the table has an inverse for
+/// the task. Or only the reading by its own convention is singular everywhere.
 fn other_convention(model: &Model, own: &LoopChain) -> Option<String> {
     let convention = match model.convention {
         Convention::Standard => Convention::Modified,

@@ -1,9 +1,9 @@
 //! Angle of a unit vector, `f64`.
 //!
-//! With l the lesser and m the greater magnitude of sine and cosine, the angle from the nearest axis is l f(m), where
-//! f(m) = acos(m) / sqrt(1 - m^2) is smooth on [sqrt(1/2), 1]: a polynomial in 1 - m, a difference without rounding.
-//! So the second coordinate takes the place of the division, square root or table an inverse function needs. Every
-//! choice is a comparison of floats that masks floats: no branch, and arrays vectorize.
+//! With l the lesser and m the greater magnitude of sine and cosine, the angle from the nearest axis is l f(m). Here
+//! f(m) = acos(m) / sqrt(1 - m^2) is smooth on [sqrt(1/2), 1]: a polynomial in 1 - m, a difference without rounding. So
+//! the second coordinate takes the place of the division, square root or table an inverse function needs. Every choice
+//! is a comparison of floats that masks floats: no branch, and arrays vectorize.
 
 use super::SIGN;
 use core::f64::consts::FRAC_PI_2;
@@ -35,8 +35,8 @@ pub(in crate::math) fn angle(sin: f64, cos: f64) -> f64 {
     // The sign of a difference: of a comparison the compiler would make a branch.
     let steep = ((cos_size - sin_size).to_bits().cast_signed() >> 63).cast_unsigned();
     let side = cos.to_bits() & SIGN;
-    // The turn from the axis to the vector, both mirrored to the upper half plane, is positive from the x axis on the
-    // right and from the y axis on the left.
+    // Axis and vector are mirrored to the upper half plane. The turn from the axis to the vector is positive from the x
+    // axis on the right and from the y axis on the left.
     let less = f64::from_bits(less.to_bits() ^ side ^ (steep & SIGN));
     // 0, pi/2 or pi.
     let base = FRAC_PI_2 - f64::from_bits((FRAC_PI_2.to_bits() | side) & !steep);

@@ -1,8 +1,8 @@
 //! Angle of a vector, `f64`.
 //!
 //! The lesser coordinate over the greater, t, is at most 1. Above tan(pi/8), atan t = pi/4 + atan((t - 1) / (t + 1)).
-//! One division; the quotient is completed to double precision and a half from its exact remainder (as in Dekker,
-//! Numerische Mathematik 18, 1971), with operands cut to half their bits by a mask. Octants are chosen without a
+//! There is one division. The quotient is completed to double precision and a half from its exact remainder (as in
+//! Dekker, Numerische Mathematik 18, 1971). A mask cuts the operands to half their bits. Octants are chosen without a
 //! branch.
 
 use super::{MAGNITUDE, SIGN};

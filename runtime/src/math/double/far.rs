@@ -1,6 +1,6 @@
 //! Reduction by pi/2 of angles too large for Cody and Waite.
 //!
-//! M. Payne and R. Hanek, Radian reduction for trigonometric functions, SIGNUM Newsletter 18 (1983): only the bits of
+//! M. Payne and R. Hanek, Radian reduction for trigonometric functions, SIGNUM Newsletter 18 (1983). Only the bits of
 //! 2/pi matter whose product with the angle is neither a multiple of four nor below the precision wanted.
 
 use super::sin_cos::Reduced;

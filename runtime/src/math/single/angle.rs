@@ -17,8 +17,8 @@ pub(in crate::math) fn angle(sin: f32, cos: f32) -> f32 {
     let (less, more) = (sin_size.min(cos_size), sin_size.max(cos_size));
     let side = cos.to_bits() & SIGN;
     let steep = sin_size > cos_size;
-    // The turn from the axis to the vector, both mirrored to the upper half plane, is positive from the x axis on the
-    // right and from the y axis on the left.
+    // Axis and vector are mirrored to the upper half plane. The turn from the axis to the vector is positive from the x
+    // axis on the right and from the y axis on the left.
     let less = f32::from_bits(less ^ side ^ if steep { SIGN } else { 0 });
     // 0, pi/2 or pi.
     let along = PI.to_bits() & (side.cast_signed() >> 31).cast_unsigned();

@@ -1,15 +1,16 @@
 //! Square roots in integers, for processors whose root Rust without `std` cannot reach.
 //!
-//! With the argument scaled by an even power of two to `1 <= m < 4`, the steps are those of many a processor (Muller
-//! and others, Handbook of Floating-Point Arithmetic, second edition 2018, the chapters on division and square root):
+//! The argument is scaled by an even power of two to `1 <= m < 4`. The steps are those of many a processor. Source:
+//! Muller and others, Handbook of Floating-Point Arithmetic, second edition 2018, the chapters on division and square
+//! root.
 //! 1. `y = 1 / sqrt(m)` from a table of 64 chords, off by at most 5e-5 of it.
 //! 2. For `f64`, Newton's step on `1 / y^2 = m`: `y (3 - m y^2) / 2` is off by at most 3e-9.
 //! 3. Newton's step on the root, without a division: `r + (m - r^2) y / 2` with `r = m y`.
 //! 4. Its last bit: of two neighbors `c` and `c + 1`, the exact remainder `m - c^2` tells the nearer one.
 //!
-//! Step 3 is off by less than 0.2 units of the last place for either type, so rounded down it is the nearest
-//! integer or the one below. No root lies halfway between two floats: its square would have twice their bits.
-//! Every product is one of two 32-bit numbers, which a Cortex-M3 and its successors multiply in one instruction.
+//! Step 3 is off by less than 0.2 units of the last place for either type. So rounded down, the root is the nearest
+//! integer or the one below. No root lies halfway between two floats: its square would have twice their bits. Every
+//! product is one of two 32-bit numbers, which a Cortex-M3 and its successors multiply in one instruction.
 
 /// For each 32nd of an octave, of [2, 4) and then of [1, 2): `1 / sqrt(m)` at its beginning, 2^-32 a unit.
 /// The 13 low bits hold its fall to the end, 2^-19 a unit.

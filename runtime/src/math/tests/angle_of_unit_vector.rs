@@ -4,8 +4,8 @@ use super::random::Random;
 use crate::math;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-/// What the documentation of [`math::angle`] promises: ulp for a length of 1, rad and share of the angle from the
-/// nearest axis for what the length differs from 1.
+/// Bounds that the documentation of [`math::angle`] promises. The first is in ulp, for a length of 1. The others are
+/// for what the length differs from 1, in rad and as a share of the angle from the nearest axis.
 const BOUND: f64 = 1.7;
 const BOUND_RAD: f64 = 0.6;
 const BOUND_SHARE: f64 = 0.75;

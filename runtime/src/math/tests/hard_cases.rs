@@ -1,6 +1,6 @@
-//! Angles that are hard to reduce, with their sine and cosine: for exponents up to the greatest the double nearest to a
-//! multiple of pi/2 (from the continued fraction of 2^e / (pi/2)), then neighbors of small multiples, the ends of the
-//! two methods, and extremes. Computed with mpmath at 2600 bits.
+//! Angles that are hard to reduce, with their sine and cosine. For exponents up to the greatest, the angle is the
+//! double nearest to a multiple of pi/2 (from the continued fraction of 2^e / (pi/2)). Then come neighbors of small
+//! multiples, the ends of the two methods, and extremes. Computed with mpmath at 2600 bits.
 
 /// Bits of the angle; of the sine and of what that lacks; of the cosine and of what that lacks.
 pub(super) const HARD_CASES: [(u64, [u64; 2], [u64; 2]); 30] = [
