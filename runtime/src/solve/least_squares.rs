@@ -15,11 +15,12 @@ const MOST_STALLS: usize = 3;
 /// takes little may come before one that takes nearly all. On 6,000 random arms 0.7 loses more poses, and 0.9 takes 1.8
 /// times the evaluations at worst.
 const PROGRESS: f64 = 0.8;
-/// A descent converges to an error that is not zero where its gain falls. The gain of a step is the part of the squared
-/// error that the step takes, by its linear model. The descent has converged at a gain below the first bound, and below
-/// the second bound times the gain of the step before. Gains that fall on so make up less than 1.34 of this one in all.
-/// Near a saddle a gain falls as well, before the next ones rise: hence the first bound.
-const CONVERGED: [f64; 2] = [0.02, 0.25];
+/// The gain of a step is the part of the squared error that the step takes by its linear model. A descent is taken to
+/// converge to an error above zero where the gain is below `LITTLE`, and below `FALL` of the gain before. If all further
+/// gains fall like that, they take 4/3 of this gain in all. Near a saddle a gain falls as well, before the next ones
+/// rise: hence the first bound. No pose of 6,000 random arms depends on the steps that are left out.
+const LITTLE: f64 = 0.02;
+const FALL: f64 = 0.25;
 /// Parts of a step of which the one of least error is looked for, and Newton steps from there.
 const PARTS: usize = 8;
 const POLISH: usize = 4;
@@ -67,17 +68,17 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
         }
         let [x, y, z, u, v, w] = goal.error(&self.q, pose);
         self.error = [x * k, y * k, z * k, u, v, w];
-        self.size = product(&self.error, &self.error);
+        self.size = dot_out_of_line(&self.error, &self.error);
         self.residual = goal.misses(&self.q, pose);
     }
 }
 
 /// Damped least squares (Levenberg 1944, Marquardt 1963), damped in proportion to the squared error, so that
-/// convergence is quadratic. Joint vector and residual of `start` become those of the iterate of least error, angles in
-/// (-pi, pi].
+/// convergence is quadratic. Joint vector and residual of `start` become those of the iterate of least error. If there
+/// is a step, angles come into (-pi, pi]. What else is in `start` stays that of the first joint vector.
 ///
 /// There are at most 16 evaluations. No more follow after three steps in a row that stall (`PROGRESS`), after one if
-/// the solution is exact, or where the descent has `CONVERGED`. Of two steps in a row one has to reduce the error, else
+/// the solution is exact, or where the descent converges (`LITTLE`). Of two steps in a row one has to reduce the error, else
 /// neither is taken (the watchdog of Chamberlain, Powell, Lemarechal, Pedersen 1982). No step is tried whose linear
 /// model predicts a stall, if the model decides. The model decides for a step no longer than the error, and for the
 /// shorter step after a step that was not taken. A step that stalls is replaced by the best part of it ([`best_part`]),
@@ -97,6 +98,8 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
         return;
     }
     let held = goal.given();
+    // A free joint may stay at a reference that is wound by turns.
+    wrap_angles(&mut start.q, held, facts.prismatic);
     let mut other = *start;
     let (mut best, mut tried) = (&mut *start, &mut other);
     // Whether the best one is `other`.
@@ -105,7 +108,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
     let mut from_best = true;
     let (mut boost, mut stretch) = (T::ONE, T::ONE);
     let (mut stalls, mut folds) = (0, true);
-    // The part of the squared error that the last step took, by its linear model.
+    // That of the last step from the best joint vector.
     let mut last_gain = T::ZERO;
     let most = MOST_STEPS.min(*left);
     let mut taken = 0;
@@ -122,17 +125,21 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
         let Some(step) = damped_step(held, &place.columns, place.error, damping) else { break };
         // A step changes singular values by about its length, and those below the error are damped away.
         let decides = boost > T::ONE || step.square <= size;
-        let gain = T::ONE - step.left / size;
-        let converged = gain < T::from_f64(CONVERGED[0]) && gain < last_gain * T::from_f64(CONVERGED[1]);
-        last_gain = gain;
-        if from_best && (converged || decides && step.left > size * T::from_f64(PROGRESS)) {
-            break;
+        if from_best {
+            let gain = T::ONE - step.left / size;
+            let little = gain < T::from_f64(LITTLE) && gain < last_gain * T::from_f64(FALL);
+            // A step of length s changes the error by about s^2 beside its linear part.
+            let straight = step.square * step.square <= size * T::from_f64(16.0);
+            if little && straight || decides && step.left > size * T::from_f64(PROGRESS) {
+                break;
+            }
+            last_gain = gain;
         }
         let stalled = best.size * T::from_f64(PROGRESS);
         // The place is overwritten, unless it is the best one.
-        let before = (!from_best).then(|| (place.error, slope(&place.columns, &step.changes)));
+        let before = (!from_best).then(|| (place.error, slope_along(&place.columns, &step.changes)));
         let mut part = stretch;
-        let parts = stretch == T::ONE;
+        let may_cut = stretch == T::ONE;
         for last in [false, true] {
             tried.q = from;
             for (joint, (value, change)) in tried.q.iter_mut().zip(&step.changes).enumerate() {
@@ -140,10 +147,10 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
             }
             tried.evaluate(facts, goal, arm);
             taken += 1;
-            if last || !parts || tried.size < stalled || taken >= most {
+            if last || !may_cut || tried.size < stalled || taken >= most {
                 break;
             }
-            let (error, slope) = before.unwrap_or_else(|| (best.error, slope(&best.columns, &step.changes)));
+            let (error, slope) = before.unwrap_or_else(|| (best.error, slope_along(&best.columns, &step.changes)));
             let least;
             (part, least) = best_part(&error, &slope, &tried.error);
             // A part that is not a number is none.
@@ -195,7 +202,7 @@ struct Step<T, const N: usize> {
 
 /// By how much a step changes the error to first order, `-J step`.
 #[inline(never)]
-fn slope<T: Tolerances>(jacobian: &[[T; 6]], changes: &[T]) -> [T; 6] {
+fn slope_along<T: Tolerances>(jacobian: &[[T; 6]], changes: &[T]) -> [T; 6] {
     let mut slope = [T::ZERO; 6];
     for (column, change) in jacobian.iter().zip(changes) {
         for (sum, entry) in slope.iter_mut().zip(column) {
@@ -216,9 +223,9 @@ pub(super) fn wrap_angles<T: Tolerances>(q: &mut [T], held: JointMask, prismatic
 }
 
 /// The part t of a step, up to 1, at which the squared error is least, and that squared error. To second order the
-/// error along the step is `before + slope t + (after - before - slope) t^2`. A part that takes less than a quarter of
-/// the squared error is known to an eighth. Between two roots of a fold whole steps would go from one side of a root to
-/// the other without end.
+/// error along the step is `before + slope t + bend t^2`, `bend = after - before - slope`. A part that takes less than a
+/// quarter of the squared error is known to an eighth only, unless the bend is large. Between two roots of a fold whole
+/// steps would go from one side of a root to the other without end.
 #[inline(never)]
 fn best_part<T: Tolerances>(before: &[T; 6], slope: &[T; 6], after: &[T; 6]) -> (T, T) {
     let mut bend = *after;
@@ -227,23 +234,25 @@ fn best_part<T: Tolerances>(before: &[T; 6], slope: &[T; 6], after: &[T; 6]) -> 
     }
     // The squared error is a quartic in t.
     let quartic = [
-        product(before, before),
-        product(before, slope) * T::TWO,
-        product(slope, slope) + product(before, &bend) * T::TWO,
-        product(slope, &bend) * T::TWO,
-        product(&bend, &bend),
+        dot_out_of_line(before, before),
+        dot_out_of_line(before, slope) * T::TWO,
+        dot_out_of_line(slope, slope) + dot_out_of_line(before, &bend) * T::TWO,
+        dot_out_of_line(slope, &bend) * T::TWO,
+        dot_out_of_line(&bend, &bend),
     ];
+    let [k0, .., k4] = quartic;
     let eighth = T::HALF * T::HALF * T::HALF;
-    let (mut part, mut least) = (T::ONE, value(&quartic, T::ONE));
+    let (mut part, mut least) = (T::ONE, quartic_at(&quartic, T::ONE));
     let mut t = T::ZERO;
     for turn in 1..PARTS + POLISH {
-        // Before the first part the error falls by less than a quarter, for the linear model leaves (1 - t)^2 at least.
-        if turn == PARTS && !(least < (T::HALF + T::HALF * T::HALF) * quartic[0]) {
+        // With |bend| <= 8 |before| more than half of the squared error is left before the first part.
+        let bent = k4 > k0 * T::from_i32(64);
+        if turn == PARTS && !(bent || least < (T::HALF + T::HALF * T::HALF) * k0) {
             break;
         }
         // One of `PARTS`, then Newton steps on the derivative.
         t = if turn < PARTS { t + eighth } else { towards_extremum(&quartic, part).min(T::ONE) };
-        let error = value(&quartic, t);
+        let error = quartic_at(&quartic, t);
         if error < least {
             (part, least) = (t, error);
         }
@@ -253,7 +262,7 @@ fn best_part<T: Tolerances>(before: &[T; 6], slope: &[T; 6], after: &[T; 6]) -> 
 
 /// The value of a quartic, from its coefficients in ascending order.
 #[inline(never)]
-fn value<T: Tolerances>([k0, k1, k2, k3, k4]: &[T; 5], t: T) -> T {
+fn quartic_at<T: Tolerances>([k0, k1, k2, k3, k4]: &[T; 5], t: T) -> T {
     *k0 + t * (*k1 + t * (*k2 + t * (*k3 + t * *k4)))
 }
 
@@ -292,7 +301,7 @@ fn damped_step<T: Tolerances, const N: usize>(
         *value = line.iter().skip(j + 1).zip(behind).fold(*value, |value, (entry, x)| value - *entry * *x);
     }
     let square = changes.iter().fold(T::ZERO, |sum, x| sum + *x * *x);
-    square.is_finite().then_some(Step { changes, square, left: product(&error, &error) })
+    square.is_finite().then_some(Step { changes, square, left: dot_out_of_line(&error, &error) })
 }
 
 /// Reflects a column into `start` on the diagonal, and with it the columns `behind` and the error. Of the new line of
@@ -328,7 +337,7 @@ fn dot<T: Tolerances>([a, b, c, d, e, f]: &[T; 6], [u, v, w, x, y, z]: &[T; 6]) 
 
 /// The same as a function of its own, for code that seldom runs.
 #[inline(never)]
-fn product<T: Tolerances>(a: &[T; 6], b: &[T; 6]) -> T {
+fn dot_out_of_line<T: Tolerances>(a: &[T; 6], b: &[T; 6]) -> T {
     dot(a, b)
 }
 
@@ -354,6 +363,15 @@ mod tests {
     fn where_there_is_no_root_the_least_error_is_told() {
         let (part, least) = of(1.0);
         assert!((part - 0.5).abs() < 1e-6 && (least - 0.75 * 0.75).abs() < 1e-9, "{part} {least}");
+    }
+
+    /// `1 - t - k t^2` has its root off the parts, for a large k before the first one.
+    #[test]
+    fn a_root_between_parts_is_found() {
+        for (after, root, known) in [(-3.0, 0.434_258_545_910_664_9, 1e-6), (-200.0, 0.068_254_858_490_424_52, 1e-3)] {
+            let (part, least) = of(after);
+            assert!((part - root).abs() < known && least < 1e-4, "{after}: {part} {least}");
+        }
     }
 
     /// `1 - t + 3 t^2` is least at one sixth, where 121/144 are left of the squared error.

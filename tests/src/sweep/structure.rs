@@ -52,7 +52,7 @@ const STRUCTURES: [(&str, usize, Draw); 26] = [
     ("nearly parallel, nearly meeting", 2, nearly),
 ];
 
-/// Every arm of so many, without a weight: the others of a seed stay what they were before this structure came.
+/// One arm of so many has this structure, in place of one by weight. The other arms of a seed do not change by it.
 const AXIS_OF: usize = 32;
 const AXIS: &str = "a point and an axis of the tool";
 
@@ -119,7 +119,7 @@ fn point_and_axis(style: &mut Style) -> Skeleton {
             skeleton.kinds[3..].fill(Revolute);
             skeleton.links[4] = Link { a: 0.0, alpha: style.twist() };
             skeleton.links[5] = Link { a: 0.0, alpha: style.angle() };
-            skeleton.axes[4].0 = 0.0;
+            skeleton.axes[4].0 = style.length();
             skeleton
         }
     };
