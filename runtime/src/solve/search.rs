@@ -83,8 +83,8 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     }
 
     /// Whether there is something to search. Otherwise the solutions get their status. The status is
-    /// [`Status::BadTarget`] if the target is not finite, or the reference is none ([`Facts::can_refer`]). The status is
-    /// [`Status::Unreachable`] if the target is so far away, or the given value of a slide so large, that squares
+    /// [`Status::BadTarget`] if the target or the reference is not finite, or the reference is wound too far. The status
+    /// is [`Status::Unreachable`] if the target is so far away, or the given value of a slide so large, that squares
     /// overflow.
     #[inline(always)]
     #[must_use]
