@@ -76,8 +76,8 @@ impl<T: Tolerances> Points<T> {
 /// Up to four angles in (-pi, pi], each accurate as far as the coefficients are. A double root comes twice, also where
 /// rounding has made it no root: a nearly real pair is two candidates.
 ///
-/// With `x = cos t` and `y = sin t` the polynomial is a conic that the unit circle meets. Of all the conics through the
-/// same points, `conic + l (x^2 + y^2 - 1)`, one at least with `|l| <= |k2|` is a pair of real lines ([`lines`]).
+/// With `x = cos t` and `y = sin t` the polynomial is a conic that the unit circle meets. The conics through the same
+/// points are `conic + l (x^2 + y^2 - 1)`. At least one with `|l| <= |k2|` is a pair of real lines ([`lines`]).
 pub(super) fn angles<T: Tolerances>(circle: &Circle<T>) -> ([Turn<T>; 4], usize) {
     let largest = circle.largest();
     let mut points = Points::NONE;
@@ -128,8 +128,9 @@ impl<T: Tolerances> Conic<T> {
         Self { r, k0: -k0, k1: [-b, a] }
     }
 
-    /// The pair of lines `(p x - q y + e) (p x + q y + f) = conic + l (x^2 + y^2 - 1)`, where
-    /// `p^2 = r + l`, `q^2 = r - l`, `e + f = a/p`, `e - f = b/q`, `e f = k0 - l`, for `l` in `-r ..= 0`.
+    /// The pair of lines `(p x - q y + e) (p x + q y + f) = conic + l (x^2 + y^2 - 1)`, for `l` in `-r ..= 0`.
+    ///
+    /// There `p^2 = r + l` and `q^2 = r - l`. The others follow from `e + f = a/p`, `e - f = b/q` and `e f = k0 - l`.
     ///
     /// Both have normals of length `size`, the root of `2 r`. At an inexact `l`, the residual of `e f = k0 - l` is the
     /// cubic of `l` over `p^2 q^2`. So the lines are good wherever the cubic is small, at its double roots, too.

@@ -72,7 +72,8 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for Pose<T> {
     fn error(&self, _: &[T; N], pose: &Pose<T>) -> [T; 6] {
         let [x, y, z] = sub(self.translation, pose.translation);
         // The axis of the rotation from `pose` to the goal, times the sine of its angle. This vector is half the sum
-        // over the columns of the cross products, the columns of `pose` first. Its entries are half differences of dot products of rows.
+        // over the columns of the cross products, the columns of `pose` first. Its entries are half differences of dot
+        // products of rows.
         let ([a, b, c], [d, e, f]) = (pose.rotation, self.rotation);
         let [u, v, w] =
             [[b, f, c, e], [c, d, a, f], [a, e, b, d]].map(|[p, q, r, s]| (dot(p, q) - dot(r, s)) * T::HALF);

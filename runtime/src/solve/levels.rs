@@ -1,13 +1,16 @@
 //! Branches that are missed with a free joint at home, and where that joint has to be for them.
 
 use super::open::{LEVELS, Open, same};
-use super::place::{PLACES, stroke, turn};
+use super::place::{Beside, PLACES, stroke, turn};
 use super::roots::{NODES, node};
 use super::stage::{Behind, State};
-use super::{Facts, Tolerances};
+use super::{Facts, Tolerances, two_joints};
+use crate::effort::MOST_CASCADES;
 use crate::math::wrap;
 use crate::{Branch, JointMask};
 
+/// Open branches whose joints are placed together at most: home, three places, six runs and these make all cascades.
+const MOST_TOGETHER: usize = MOST_CASCADES - 1 - two_joints::PLACES - two_joints::RUNS;
 /// A slide is sampled at home and this many reaches either way.
 const STROKE: f64 = 2.0 / 3.0;
 
@@ -31,13 +34,16 @@ pub(super) enum Round {
     Sampled,
     /// The one that the level of a second stage tells.
     Second,
+    /// One of the other places at which the level has roots.
+    Other(usize),
 }
 
 /// The branches on which a joint is free or nearly so, and which are missed with that joint at home. Such a branch has
 /// roots for an interval of the joint, or at one place alone. Such a place has a stretched elbow that every other place
 /// of the joint would have to stretch more. Three runs of the cascade tell the level of the first stage that depends on
-/// the joint, and with that the place. Behind a slide the level is of degree 2, and five runs tell it. Five more tell
-/// the level of a second stage, where the first one alone does not lead to a solution.
+/// the joint, and with that the place. Behind a slide the level is of degree 2, and five runs tell it. Six more tell the
+/// level over two free joints that turn. Five more tell the level of a second stage, where the first one alone does not
+/// lead to a solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Levels<T, const M: usize> {
     /// Open branches, the first `len`.
@@ -53,6 +59,8 @@ pub struct Levels<T, const M: usize> {
     simple: bool,
     /// Whether a level depends on the first joint.
     depends: bool,
+    /// Whether the places of both joints are found together: both turn, and levels of degree 1 depend on both.
+    together: bool,
 }
 
 impl<T: Tolerances, const M: usize> Levels<T, M> {
@@ -64,6 +72,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         steps: [T::ZERO; 2],
         simple: true,
         depends: false,
+        together: false,
     };
 
     fn open(&self) -> &[Open<T>] {
@@ -118,8 +127,11 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
             Pass::Sample { second, place } => {
                 let (mut simple, mut depends) = (true, false);
                 for exact in [true, false] {
+                    let together = second && self.together;
                     for open in self.open_mut().iter_mut().filter(|open| same(open.branch, branch, exact)) {
-                        if second && place == 0 {
+                        if together {
+                            open.sample_both(place, levels, exact);
+                        } else if second && place == 0 {
                             open.begin(levels, exact);
                         } else {
                             open.sample(place, levels, exact);
@@ -159,7 +171,8 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
                 // The other way round the wrist it stands for the open branch only if that is not a branch of its own.
                 let other = |other: &Open<T>| same(other.branch, branch, true);
                 let stands = name == branch || !(listed(branch) || self.open().iter().any(other));
-                (stands && !listed(name)).then_some(name)
+                let again = matches!(round, Round::Other(_));
+                (stands && (again || !listed(name))).then_some(name)
             }
         }
     }
@@ -185,10 +198,14 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
 
     /// The number of places at which a joint is sampled: three for levels of degree 1. All passes together keep to
     /// their bound. A first joint that no level depends on is left after two places. If a level depends on the first
-    /// joint, the second joint has three places.
+    /// joint, the second joint has three places, or both joints are sampled together.
     fn places(&self, second: bool) -> usize {
-        let few = if second { self.depends } else { self.simple };
-        if few { 3 } else { PLACES }
+        match second {
+            true if self.together => two_joints::RUNS,
+            true if self.depends => 3,
+            false if self.simple => 3,
+            _ => PLACES,
+        }
     }
 
     /// Whether a place is the last one to be sampled.
@@ -199,7 +216,8 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
     /// The place of every open branch from the levels at the sampled places of a free joint.
     #[inline(never)]
     fn locate<const N: usize>(&mut self, facts: &Facts<T, N>, homes: &[T; N], second: bool) {
-        let (steps, count) = (self.steps, self.places(second));
+        let ([first, _], count) = (self.steps, self.places(second));
+        let both = second && self.together;
         for index in 0..self.len {
             if let Some((before, rest)) = self.open_mut().split_at_mut_checked(index)
                 && let Some((open, after)) = rest.split_first_mut()
@@ -209,23 +227,42 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         }
         for open in self.open_mut().iter_mut().filter(|open| !open.feasible) {
             let [one, other] = open.joints;
-            let Some(joint) = (if second { other } else { one }).iter().next() else { continue };
+            let Some(joint) = (if second && !both { other } else { one }).iter().next() else { continue };
             let home = homes.get(joint).copied().unwrap_or(T::ZERO);
-            let now = if open.slack < T::INFINITY && !second { open.value } else { home };
+            let now = if open.slack < T::INFINITY && (!second || both) { open.value } else { home };
+            if both {
+                open.locate_both(wrap(now - home));
+                continue;
+            }
             let place = if facts.prismatic.contains(joint) {
                 open.samples.sliding((now - home) / (facts.reach * T::from_f64(STROKE)))
             } else {
                 open.samples.turning(count, wrap(now - home), open.slack)
             };
-            if second || place.is_none_or(|place| !place.feasible) {
+            if second {
                 open.forget();
             }
             let Some(place) = place else { continue };
-            let [first, _] = steps;
-            open.steps = if second { [first, place.step] } else { [place.step, T::ZERO] };
-            (open.known, open.span, open.other) = (true, place.span, place.other);
-            open.feasible = place.feasible;
+            open.take(place);
+            open.steps = [place.step, T::ZERO];
+            if second {
+                (open.steps, open.beside) = ([first, place.step], Beside::NOWHERE);
+            }
         }
+        if !second {
+            self.decide_together(facts);
+        }
+    }
+
+    /// Decides, after the first joint has been placed, whether both joints are placed together. If not, the branches
+    /// without a place forget what they have sampled.
+    fn decide_together<const N: usize>(&mut self, facts: &Facts<T, N>) {
+        let turns = |joints: &JointMask| joints.iter().all(|joint| !facts.prismatic.contains(joint));
+        let misplaced = |open: &Open<T>| open.known && !open.feasible && open.two();
+        self.together = self.simple && self.len <= MOST_TOGETHER && self.moving.iter().all(turns);
+        self.together &= self.open().iter().any(misplaced);
+        let alone = !self.together;
+        self.open_mut().iter_mut().filter(|open| alone && !open.feasible).for_each(Open::forget);
     }
 
     /// The end of a pass; `met`: it has found a solution.
@@ -240,7 +277,8 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
             Pass::Sample { second, place } if self.sampled(second, place) => self.locate(facts, homes, second),
             Pass::Node { index, node } if node + 1 == NODES => {
                 if let Some(open) = self.open_mut().get_mut(index)
-                    && let Some(angle) = open.roots.place(&open.samples, open.span, open.other)
+                    && let Some(intervals) = open.intervals()
+                    && let Some(angle) = open.roots.place(&open.samples, intervals)
                 {
                     open.go(angle);
                 }
@@ -252,20 +290,6 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
     /// The pass after one; the first after the pass at home.
     #[inline(never)]
     pub(super) fn after(&self, pass: Option<Pass>) -> Option<Pass> {
-        let place = |from: usize| {
-            let mut rest = self.open().iter().enumerate().skip(from);
-            rest.find(|(_, open)| open.known).map(|(index, _)| Pass::Open { index, round: Round::Level })
-        };
-        let second = |index: usize| {
-            let spans = self.open().get(index).is_some_and(|open| !open.met && open.spans());
-            spans.then_some(Pass::Node { index, node: 0 })
-        };
-        let further = |from: usize| {
-            (from..self.len).find_map(|index| {
-                let sampled = self.open().get(index).is_some_and(|open| !open.met && open.sampled.is_some());
-                if sampled { Some(Pass::Open { index, round: Round::Sampled }) } else { second(index) }
-            })
-        };
         match pass {
             None => (self.len > 0).then_some(Pass::Sample { second: false, place: 0 }),
             Some(Pass::Sample { second, place }) if !self.sampled(second, place) => {
@@ -274,19 +298,59 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
             Some(Pass::Sample { second: false, .. }) if self.open().iter().any(|open| !open.feasible && open.two()) => {
                 Some(Pass::Sample { second: true, place: 0 })
             }
-            Some(Pass::Sample { .. }) => place(0).or_else(|| further(0)),
-            Some(Pass::Open { index, round: Round::Level }) => place(index + 1).or_else(|| further(0)),
-            Some(Pass::Open { index, round: Round::Sampled }) => second(index).or_else(|| further(index + 1)),
+            Some(Pass::Sample { .. }) => self.place_of(0),
+            Some(Pass::Open { index, round: Round::Level }) => self.place_of(index + 1),
+            Some(Pass::Open { index, round: Round::Sampled }) => {
+                self.node_of(index).or_else(|| self.further(index + 1))
+            }
             Some(Pass::Node { index, node }) if node + 1 < NODES => Some(Pass::Node { index, node: node + 1 }),
             Some(Pass::Node { index, .. }) => Some(Pass::Open { index, round: Round::Second }),
-            Some(Pass::Open { index, round: Round::Second }) => further(index + 1),
+            Some(Pass::Open { index, round: Round::Second }) => self.further(index + 1),
+            Some(Pass::Open { index, round: Round::Other(k) }) => self.other(index, k + 1),
         }
+    }
+
+    /// The place of the next open branch.
+    fn place_of(&self, from: usize) -> Option<Pass> {
+        let mut rest = self.open().iter().enumerate().skip(from);
+        let next = rest.find(|(_, open)| open.known).map(|(index, _)| Pass::Open { index, round: Round::Level });
+        next.or_else(|| self.further(0))
+    }
+
+    /// The second stage of a branch that has not been met.
+    fn node_of(&self, index: usize) -> Option<Pass> {
+        let spans = self.open().get(index).is_some_and(|open| !open.met && open.intervals().is_some());
+        spans.then_some(Pass::Node { index, node: 0 })
+    }
+
+    /// What else there is for the next branch that has not been met. The other places come last: their branches have a
+    /// solution.
+    #[inline(never)]
+    fn further(&self, from: usize) -> Option<Pass> {
+        let next = (from..self.len).find_map(|index| {
+            let sampled = self.open().get(index).is_some_and(|open| !open.met && open.sampled.is_some());
+            if sampled { Some(Pass::Open { index, round: Round::Sampled }) } else { self.node_of(index) }
+        });
+        next.or_else(|| self.other(0, 0))
+    }
+
+    /// The next one of the other places.
+    #[inline(never)]
+    fn other(&self, from: usize, k: usize) -> Option<Pass> {
+        let mut rest = self.open().iter().enumerate().skip(from);
+        rest.find_map(|(index, open)| {
+            let k = if index == from { k } else { 0 };
+            open.beside.step(k).map(|_| Pass::Open { index, round: Round::Other(k) })
+        })
     }
 
     /// Moves the free joints to their places in a pass.
     #[inline(never)]
     pub(super) fn begin(&mut self, pass: Pass) {
         self.steps = match pass {
+            Pass::Sample { second: true, place } if self.together => {
+                two_joints::places(place).map(|angle: T| angle / T::TAU)
+            }
             Pass::Sample { second, .. } => {
                 // The second joint, with the first one where the first open branch has it.
                 let open = self.open().iter().find(|open| !open.feasible && open.two());
@@ -294,16 +358,21 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
                 if second { [first, T::NAN] } else { [T::NAN, T::ZERO] }
             }
             Pass::Node { index, node: k } => {
-                if let Some(open) = self.open_mut().get_mut(index) {
-                    let [middle, half] = open.span;
+                if let Some(open) = self.open_mut().get_mut(index)
+                    && let Some([[middle, half], _]) = open.intervals()
+                {
                     open.go(middle + half * node(k));
                 }
                 self.open().get(index).map_or([T::ZERO; 2], |open| open.steps)
             }
-            Pass::Open { index, round } => {
-                let aside = round == Round::Sampled;
-                self.open().get(index).map_or([T::ZERO; 2], |open| if aside { open.aside } else { open.steps })
-            }
+            Pass::Open { index, round } => self.open().get(index).map_or([T::ZERO; 2], |open| match round {
+                Round::Level | Round::Second => open.steps,
+                Round::Sampled => open.aside,
+                Round::Other(k) => {
+                    let [_, second] = open.steps;
+                    [open.beside.step(k).unwrap_or(T::ZERO), second]
+                }
+            }),
         };
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! A generated `inverse` is a cascade of stages. Each stage is one scalar equation, or two equations in two joints,
 //! solved in closed form by one of the kernels here. A stage has at most two roots, [`aim`] three, the three kernels of
-//! pairs four. The next stage is solved for each of them. No kernel divides by something that vanishes at an ordinary pose. No kernel uses `acos` or `asin`: an angle is never
-//! taken from its stationary component.
+//! pairs four. The next stage is solved for each of them. No kernel divides by something that vanishes at an ordinary
+//! pose. No kernel uses `acos` or `asin`: an angle is never taken from its stationary component.
 //!
 //! | kernel | equation |
 //! |---|---|
@@ -41,6 +41,7 @@ mod pair;
 mod pair_sliding;
 mod passes;
 mod place;
+mod range;
 mod roots;
 mod search;
 mod select;
@@ -53,6 +54,7 @@ mod swivel;
 mod tolerances;
 mod turn;
 mod twins;
+mod two_joints;
 mod verify;
 mod wrist;
 

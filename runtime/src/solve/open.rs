@@ -1,9 +1,11 @@
 //! A branch that is missed with a free joint at home.
 
 use super::Tolerances;
-use super::place::{Sample, Samples};
+use super::place::{Beside, PLACES, Place, Sample, Samples};
 use super::roots::Roots;
 use super::stage::Behind;
+use super::two_joints::{self, Rows};
+use crate::math::wrap;
 use crate::{Branch, JointMask};
 
 /// The stages that are looked at behind a free joint: the first ones may not depend on the joint.
@@ -21,11 +23,12 @@ pub(super) struct Open<T> {
     pub(super) moved: Option<usize>,
     /// Samples of that level.
     pub(super) samples: Samples<T>,
-    /// Those of the next stage, and the interval in which the first stage has roots.
+    /// Those with the second joint off home.
+    pub(super) rows: Rows<T>,
+    /// Those of the next stage.
     pub(super) roots: Roots<T>,
-    pub(super) span: [T; 2],
-    /// Another such interval.
-    pub(super) other: [T; 2],
+    /// Where else than at the branch's place the first stage has roots.
+    pub(super) beside: Beside<T>,
     /// A sample at which no stage was missed (of the second joint, place), with the steps of that pass.
     pub(super) sampled: Option<(bool, usize)>,
     pub(super) aside: [T; 2],
@@ -49,9 +52,9 @@ impl<T: Tolerances> Open<T> {
         before: [Sample::NONE; LEVELS],
         moved: None,
         samples: Samples::NONE,
+        rows: Rows::NONE,
         roots: Roots::NONE,
-        span: [T::ZERO; 2],
-        other: [T::ZERO; 2],
+        beside: Beside::NOWHERE,
         sampled: None,
         aside: [T::ZERO; 2],
         steps: [T::ZERO; 2],
@@ -74,18 +77,49 @@ impl<T: Tolerances> Open<T> {
         (self.before, self.moved, self.samples) = ([Sample::NONE; LEVELS], None, Samples::NONE);
     }
 
-    /// Keeps a sample of the first level that depends on the free joint, `over` what has been kept there if it is set.
-    pub(super) fn sample(&mut self, place: usize, levels: &[Behind<T>; LEVELS], over: bool) {
+    /// Finds the first level that depends on a joint that has moved; at places before this one it was the same.
+    fn find(&mut self, place: usize, levels: &[Behind<T>; LEVELS]) -> Option<Behind<T>> {
         if self.moved.is_none() {
             let differs = |(before, behind): (&Sample<T>, &Behind<T>)| before.differs(&Sample::of(&behind.level));
             self.moved = self.before.iter().zip(levels).position(differs);
-            if let Some(before) = self.moved.and_then(|moved| self.before.get(moved)) {
-                self.samples.fill(place, *before);
+            if let Some((before, behind)) = self.moved.and_then(|moved| self.before.iter().zip(levels).nth(moved)) {
+                self.samples.fill(place, *before, behind);
             }
         }
-        if let Some(level) = self.moved.and_then(|moved| levels.get(moved)) {
-            self.samples.keep(place, level, over);
+        self.moved.and_then(|moved| levels.get(moved)).copied()
+    }
+
+    /// Keeps a sample of the first level that depends on the free joint, `over` what has been kept there if it is set.
+    pub(super) fn sample(&mut self, place: usize, levels: &[Behind<T>; LEVELS], over: bool) {
+        if let Some(behind) = self.find(place, levels) {
+            self.samples.keep(place, &behind, over);
         }
+    }
+
+    /// The same in a run with both joints off home.
+    pub(super) fn sample_both(&mut self, run: usize, levels: &[Behind<T>; LEVELS], over: bool) {
+        if let Some(behind) = self.find(PLACES, levels) {
+            self.rows.keep(run, &behind.level, over);
+        }
+    }
+
+    /// The place of both joints from these samples, with the first one next to `now`, rad from home. A branch without a
+    /// second joint stays where the first one is.
+    pub(super) fn locate_both(&mut self, now: T) {
+        if !self.two() {
+            return;
+        }
+        let Some(angle) = self.rows.place(&mut self.samples) else { return };
+        let both = self.samples.turning(two_joints::PLACES, now, self.slack);
+        if let Some(place) = both.or_else(|| self.samples.anywhere(now)) {
+            self.steps = [place.step, wrap(angle) / T::TAU];
+            self.take(place);
+        }
+    }
+
+    /// Takes what a place tells.
+    pub(super) fn take(&mut self, place: Place<T>) {
+        (self.known, self.feasible, self.beside) = (true, place.feasible, place.beside);
     }
 
     /// Goes to a place, rad from home.
@@ -102,10 +136,10 @@ impl<T: Tolerances> Open<T> {
         }
     }
 
-    /// Whether the first stage that depends on the joint has roots in an interval.
-    pub(super) fn spans(&self) -> bool {
-        let [_, half] = self.span;
-        half > T::COINCIDENT
+    /// The interval of the joint in which the first stage that depends on it has roots, and another one.
+    pub(super) fn intervals(&self) -> Option<[[T; 2]; 2]> {
+        let [[_, half], _] = self.beside.intervals;
+        (half > T::COINCIDENT).then_some(self.beside.intervals)
     }
 
     /// Whether `first` is one of the joints of this branch. `first` is the first joint that is free or nearly so on

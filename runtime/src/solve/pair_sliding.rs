@@ -78,8 +78,8 @@ fn candidates<T: Tolerances>(
     }
 }
 
-/// Eliminates `z`: with `u = scale x - c` and `v = x^2 + m x + n - f` (the parabola less the constant of its row),
-/// `det (cos z, sin z) = (e u - b v, a v - d u)`, whose length is `|det|`: a quartic in `x`. As `x = tan(t/2)`, every
+/// Eliminates `z`. With `u = scale x - c` and `v = x^2 + m x + n - f` (the parabola less the constant of its row),
+/// `det (cos z, sin z) = (e u - b v, a v - d u)`. Its length is `|det|`: a quartic in `x`. As `x = tan(t/2)`, every
 /// polynomial of degree two over `1 + x^2` is a row of `t`. So `x` is on a circle, too, and is never too large.
 fn without_angle<T: Tolerances>(
     scale: T,

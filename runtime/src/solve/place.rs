@@ -1,25 +1,44 @@
 //! Where a free joint has to be for a later stage to have roots.
 
 use super::Tolerances;
-use super::circle::{Circle, angles};
+use super::circle::Circle;
+use super::range::Range;
 use super::stage::{Behind, Level};
 use crate::math::{sin_cos, wrap};
-use core::cmp::Ordering;
 
 /// Places at which the level of a stage is sampled, for a joint that turns.
 pub(super) const PLACES: usize = 5;
 /// How far inside the range of feasible places the joint goes, as a part of that range: at its ends two roots meet.
-const INSIDE: f64 = 0.25;
+pub(super) const INSIDE: f64 = 0.25;
+/// Places of a joint beside the nearest one at which an equation is met: of degree 2 it has four roots in all.
+pub(super) const OTHERS: usize = 3;
 
 /// A place of a free joint, as a step from its home (in turns or in strokes), and whether the stage has roots there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Place<T> {
     pub(super) step: T,
     pub(super) feasible: bool,
-    /// The middle of the feasible interval, rad from home, and half its width; 0 where there is none.
-    pub(super) span: [T; 2],
-    /// The widest other one.
-    pub(super) other: [T; 2],
+    pub(super) beside: Beside<T>,
+}
+
+/// Where else a stage has roots.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Beside<T> {
+    /// Around the place of a joint that turns: the middle of the interval, rad from home, and half its width; of width
+    /// 0 without any. Then the same of the widest other interval.
+    pub(super) intervals: [[T; 2]; 2],
+    /// Without an interval: at other places alone, as steps; NaN behind the last one.
+    pub(super) places: [T; OTHERS],
+}
+
+impl<T: Tolerances> Beside<T> {
+    /// Nowhere.
+    pub(super) const NOWHERE: Self = Self { intervals: [[T::ZERO; 2]; 2], places: [T::NAN; OTHERS] };
+
+    /// One of the other places.
+    pub(super) fn step(&self, index: usize) -> Option<T> {
+        self.places.get(index).copied().filter(|step| step.is_finite())
+    }
 }
 
 /// A level times the square of its pole, and that square.
@@ -45,9 +64,19 @@ impl<T: Tolerances> Sample<T> {
         (one / pole - two / other).abs() > T::COINCIDENT
     }
 
-    fn is_known(&self) -> bool {
+    /// A level of degree 1.
+    pub(super) fn of_degree_1(level: T) -> Self {
+        Self([level, T::ONE])
+    }
+
+    /// The level, where that is of degree 1.
+    pub(super) fn value(&self) -> T {
         let Self([value, _]) = self;
-        value.is_finite()
+        *value
+    }
+
+    fn is_known(&self) -> bool {
+        self.value().is_finite()
     }
 
     /// Keeps a level, `over` what has been kept if it is set. An equation that is not met, on another root of the same
@@ -75,9 +104,14 @@ impl<T: Tolerances> Samples<T> {
     /// Nothing is known.
     pub(super) const NONE: Self = Self { values: [Sample::NONE; PLACES], low: T::NAN, high: T::NAN, slides: false };
 
-    /// The same level at every place before this one.
-    pub(super) fn fill(&mut self, place: usize, sample: Sample<T>) {
+    /// The same level at every place before this one; its range and its slides are those of `behind`.
+    pub(super) fn fill(&mut self, place: usize, sample: Sample<T>, behind: &Behind<T>) {
         self.values.iter_mut().take(place).for_each(|slot| *slot = sample);
+        self.take_range(behind);
+    }
+
+    fn take_range(&mut self, Behind { level, slides }: &Behind<T>) {
+        (self.low, self.high, self.slides) = (level.low, level.high, *slides);
     }
 
     /// Whether the level is of degree 1 in a joint that turns: no slide stands between, and none solves the stage.
@@ -86,10 +120,15 @@ impl<T: Tolerances> Samples<T> {
     }
 
     /// Keeps the level at a place; `over` what has been kept there if it is set.
-    pub(super) fn keep(&mut self, place: usize, Behind { level, slides }: &Behind<T>, over: bool) {
-        if self.values.get_mut(place).is_some_and(|slot| slot.keep(level, over)) {
-            (self.low, self.high, self.slides) = (level.low, level.high, *slides);
+    pub(super) fn keep(&mut self, place: usize, behind: &Behind<T>, over: bool) {
+        if self.values.get_mut(place).is_some_and(|slot| slot.keep(&behind.level, over)) {
+            self.take_range(behind);
         }
+    }
+
+    /// The samples at all places.
+    pub(super) fn iter_mut(&mut self) -> impl Iterator<Item = &mut Sample<T>> {
+        self.values.iter_mut()
     }
 
     /// Takes samples that are not known from another stage's, if those known to both are the same.
@@ -103,22 +142,10 @@ impl<T: Tolerances> Samples<T> {
         }
     }
 
-    /// One `part` of the samples at the first `count` places as a trigonometric polynomial of the step, by its discrete
-    /// Fourier transform. The polynomial is of degree 2 through 5 places, of degree 1 through 3.
-    #[inline(never)]
+    /// One `part` of the samples at the first `count` places as a trigonometric polynomial of the step.
     pub(super) fn series(&self, count: usize, part: usize) -> Circle<T> {
-        let share = T::ONE / T::from_i32(count as i32);
-        let mut circle = Circle { k0: T::ZERO, k1: [T::ZERO; 2], k2: [T::ZERO; 2] };
-        for (place, Sample(values)) in self.values.iter().enumerate().take(count) {
-            let value = values.get(part).copied().unwrap_or(T::NAN) * share;
-            let ((s, c), twice) = (sin_cos(turn(count, place)), value + value);
-            circle.k0 += value;
-            circle.k1 = add(circle.k1, [twice * c, twice * s]);
-            if count == PLACES {
-                circle.k2 = add(circle.k2, [twice * (c * c - s * s), twice * (s * c + s * c)]);
-            }
-        }
-        circle
+        let values = self.values.each_ref().map(|Sample(values)| values.get(part).copied().unwrap_or(T::NAN));
+        series(values.get(..count).unwrap_or(&[]))
     }
 
     /// The place of a joint that turns, from levels at `count` places: five, or three where the level is of degree 1.
@@ -144,21 +171,21 @@ impl<T: Tolerances> Samples<T> {
             return None;
         }
         let range = Range::new([above, below], square, self.low == self.high);
-        let (x, feasible) = match range.interval(now, slack) {
-            Some(x) => (x, true),
-            None => range.touching(now)?,
+        let (x, feasible, beside) = match range.interval(now, slack) {
+            Some(x) => (x, true, Beside { intervals: range.intervals(x), ..Beside::NOWHERE }),
+            None => {
+                let (x, feasible) = range.touching(now)?;
+                (x, feasible, Beside { places: range.others(x), ..Beside::NOWHERE })
+            }
         };
-        let (up, down) = if feasible { (range.next(x, T::ONE), range.next(x, -T::ONE)) } else { (T::ZERO, T::ZERO) };
-        let span = [x + (up - down) * T::HALF, ((up + down) * T::HALF).min(T::PI)];
-        let other = if feasible { range.other(span) } else { [T::ZERO; 2] };
-        Some(Place { step: wrap(x) / T::TAU, feasible, span, other })
+        Some(Place { step: wrap(x) / T::TAU, feasible, beside })
     }
 
     /// The same for a joint that slides, from the levels at home and one unit either way: `level = a + b u + c u^2`.
     #[inline(never)]
     pub(super) fn sliding(&self, now: T) -> Option<Place<T>> {
         let Self { values: [Sample([l0, _]), Sample([l1, _]), Sample([l2, _]), ..], low, high, .. } = *self;
-        let (span, other) = ([T::ZERO; 2], [T::ZERO; 2]);
+        let place = |step, feasible| Some(Place { step, feasible, beside: Beside::NOWHERE });
         let (a, b, c) = (l0, (l1 - l2) * T::HALF, (l1 + l2) * T::HALF - l0);
         if !(b.abs().max(c.abs()) > T::ROUNDING * (T::ONE + a.abs())) {
             return None;
@@ -172,13 +199,13 @@ impl<T: Tolerances> Samples<T> {
             false => (low, high),
         };
         if !(least <= most) {
-            return Some(Place { step: vertex, feasible: least < most + T::COINCIDENT, span, other });
+            return place(vertex, least < most + T::COINCIDENT);
         }
         let at = a + now * (b + now * c);
         let inside = ((most - least) * T::from_f64(INSIDE)).min(T::from_f64(INSIDE));
         let level = at.min(most - inside).max(least + inside);
         if level == at {
-            return Some(Place { step: now, feasible: true, span, other });
+            return place(now, true);
         }
         let step = if curved {
             let off = ((level - extreme) / c).max(T::ZERO).sqrt();
@@ -186,120 +213,40 @@ impl<T: Tolerances> Samples<T> {
         } else {
             (level - a) / b
         };
-        Some(Place { step, feasible: true, span, other })
+        let mirror = vertex + vertex - step;
+        let twice = curved && low == high && (mirror - step).abs() > T::WEAK;
+        let mut beside = Beside::NOWHERE;
+        if twice && let Some(place) = beside.places.first_mut() {
+            *place = mirror;
+        }
+        Some(Place { step, feasible: true, beside })
+    }
+
+    /// The place of a joint that turns and that the level does not depend on: where the joint is.
+    pub(super) fn anywhere(&self, now: T) -> Option<Place<T>> {
+        let Self { values: [level, ..], low, high, .. } = self;
+        let feasible = *low <= level.value() && level.value() <= *high;
+        level.is_known().then(|| Place { step: wrap(now) / T::TAU, feasible, beside: Beside::NOWHERE })
     }
 }
 
-/// Where a joint that turns leaves a stage roots: where both polynomials are positive, or for an equation vanish.
-struct Range<T> {
-    bounds: [Circle<T>; 2],
-    /// The square of the pole. Where it vanishes both bounds touch zero, which says nothing.
-    square: Circle<T>,
-    /// Where either vanishes, the first `len`.
-    ends: [T; 8],
-    len: usize,
-    equation: bool,
-}
-
-impl<T: Tolerances> Range<T> {
-    #[inline(never)]
-    fn new(bounds: [Circle<T>; 2], square: Circle<T>, equation: bool) -> Self {
-        let mut range = Self { bounds, square, ends: [T::ZERO; 8], len: 0, equation };
-        for bound in &bounds {
-            let (roots, found) = angles(bound);
-            for (slot, root) in range.ends.iter_mut().skip(range.len).zip(roots.iter().take(found)) {
-                *slot = root.value;
-            }
-            range.len += found;
+/// Samples at as many places as a trigonometric polynomial of the step, by its discrete Fourier transform. The
+/// polynomial is of degree 2 through 5 places, of degree 1 through 3.
+#[inline(never)]
+pub(super) fn series<T: Tolerances>(samples: &[T]) -> Circle<T> {
+    let count = samples.len();
+    let share = T::ONE / T::from_i32(count as i32);
+    let mut circle = Circle { k0: T::ZERO, k1: [T::ZERO; 2], k2: [T::ZERO; 2] };
+    for (place, sample) in samples.iter().enumerate() {
+        let value = *sample * share;
+        let ((s, c), twice) = (sin_cos(turn(count, place)), value + value);
+        circle.k0 += value;
+        circle.k1 = add(circle.k1, [twice * c, twice * s]);
+        if count == PLACES {
+            circle.k2 = add(circle.k2, [twice * (c * c - s * s), twice * (s * c + s * c)]);
         }
-        range
     }
-
-    fn ends(&self) -> impl Iterator<Item = T> {
-        self.ends.iter().copied().take(self.len)
-    }
-
-    /// Whether the pole says something at x: the slide is not itself nearly free there.
-    fn sound(&self, x: T) -> bool {
-        self.square.at(x) > T::WEAK * T::WEAK * self.square.largest()
-    }
-
-    /// By how much the stage has roots at x.
-    #[inline(never)]
-    fn inside(&self, x: T) -> T {
-        let [above, below] = self.bounds.map(|bound| bound.at(x));
-        if self.equation { -above.abs() } else { above.min(below) }
-    }
-
-    /// The angle from x to the next end one way round; a whole turn without any.
-    #[inline(never)]
-    fn next(&self, x: T, way: T) -> T {
-        let ahead = |end: T| {
-            let ahead = wrap(way * (end - x));
-            if ahead > T::ZERO { ahead } else { ahead + T::TAU }
-        };
-        self.ends().map(ahead).fold(T::TAU, |least, ahead| least.min(ahead))
-    }
-
-    /// The place next to `now` in an interval, inside it by a quarter or `slack`.
-    #[inline(never)]
-    fn interval(&self, now: T, slack: T) -> Option<T> {
-        let quarter = T::from_f64(INSIDE);
-        let here = (self.inside(now) > T::ZERO && self.sound(now)).then(|| {
-            let (up, down) = (self.next(now, T::ONE), self.next(now, -T::ONE));
-            let margin = ((up + down) * quarter).min(slack);
-            now + (margin - down).max(T::ZERO) - (margin - up).max(T::ZERO)
-        });
-        let beside = self.ends().flat_map(|end| [(end, T::ONE), (end, -T::ONE)]).filter_map(|(end, way)| {
-            let width = self.next(end, way);
-            let middle = end + way * width * T::HALF;
-            let within = self.inside(middle) > T::ZERO && self.sound(middle);
-            within.then(|| end + way * (width * quarter).min(slack))
-        });
-        nearest(here.into_iter().chain(beside), now)
-    }
-
-    /// The widest interval beside one, as its middle and half its width; of width 0 without any.
-    #[inline(never)]
-    fn other(&self, [middle, half]: [T; 2]) -> [T; 2] {
-        let mut widest = [T::ZERO; 2];
-        for end in self.ends() {
-            let width = self.next(end, T::ONE) * T::HALF;
-            let center = end + width;
-            let apart = wrap(center - middle).abs() > half;
-            let [_, most] = widest;
-            if apart && width > most && self.inside(center) > T::ZERO && self.sound(center) {
-                widest = [center, width];
-            }
-        }
-        widest
-    }
-
-    /// Without an interval, the end at which the stage misses by least, and whether by no more than the rounding of a
-    /// double root; `false` for an equation without a joint of its own. Of several such ends the nearest one counts. Without any end the stage misses everywhere, and by
-    /// least where the slope of a bound vanishes.
-    #[inline(never)]
-    fn touching(&self, now: T) -> Option<(T, bool)> {
-        let [above, below] = self.bounds;
-        let scale = T::COINCIDENT * above.largest().max(below.largest());
-        let ends = || self.ends().filter(|x| self.sound(*x));
-        if let Some(x) = nearest(ends().filter(|x| self.inside(*x) >= -scale), now) {
-            return Some((x, !self.equation));
-        }
-        let by_miss = |a: &T, b: &T| self.inside(*b).partial_cmp(&self.inside(*a)).unwrap_or(Ordering::Equal);
-        if let Some(x) = ends().min_by(by_miss) {
-            return Some((x, false));
-        }
-        let slopes = self.bounds.map(|bound| angles(&bound.slope()));
-        let flat = slopes.iter().flat_map(|(roots, found)| roots.iter().take(*found)).map(|root| root.value);
-        flat.filter(|x| self.sound(*x)).min_by(by_miss).map(|x| (x, false))
-    }
-}
-
-/// The one of several places that is nearest to `now`.
-fn nearest<T: Tolerances>(places: impl Iterator<Item = T>, now: T) -> Option<T> {
-    let far = |x: &T| wrap(*x - now).abs();
-    places.min_by(|a, b| far(a).partial_cmp(&far(b)).unwrap_or(Ordering::Equal))
+    circle
 }
 
 /// The step to a place where a joint that turns is sampled, rad. The first one is not home, and all are off the grids
@@ -319,4 +266,39 @@ pub(super) fn stroke<T: Tolerances>(place: usize) -> T {
 
 fn add<T: Tolerances>([a, b]: [T; 2], [c, d]: [T; 2]) -> [T; 2] {
     [a + c, b + d]
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::expect_used)]
+
+    use super::super::stage::LevelOf;
+    use super::*;
+
+    /// An equation that is met where `cos x = 0.3`, on either side of home.
+    #[test]
+    fn an_equation_is_met_at_every_root() {
+        let mut samples = Samples::<f64>::NONE;
+        for at in 0..3 {
+            let level = Level::from(LevelOf::Zero(turn::<f64>(3, at).cos() - 0.3));
+            samples.keep(at, &Behind { level, slides: false }, true);
+        }
+        let root = 0.3_f64.acos();
+        let place = samples.turning(3, 1.0, f64::INFINITY).expect("an equation in x");
+        assert!((place.step * std::f64::consts::TAU - root).abs() < 1e-9, "{place:?}");
+        let other = place.beside.step(0).expect("another root");
+        assert!((other * std::f64::consts::TAU + root).abs() < 1e-9 && place.beside.step(1).is_none(), "{place:?}");
+    }
+
+    /// `u^2 - 0.25` in strokes.
+    #[test]
+    fn a_free_slide_meets_an_equation_at_both_roots() {
+        let mut samples = Samples::<f64>::NONE;
+        for at in 0..3 {
+            let level = Level::from(LevelOf::Zero(stroke::<f64>(at).powi(2) - 0.25));
+            samples.keep(at, &Behind { level, slides: false }, true);
+        }
+        let place = samples.sliding(0.4).expect("an equation in u");
+        assert!((place.step - 0.5).abs() < 1e-12 && place.beside.step(0) == Some(-place.step), "{place:?}");
+    }
 }

@@ -7,7 +7,7 @@ use crate::math::sin_cos;
 
 /// The number of nodes in an interval.
 pub(super) const NODES: usize = 5;
-/// Places round the two roots of a stage at which the next one is looked at, and steps that narrow the best one down.
+/// Places round a turn at which a function is looked at, and steps that narrow the best one down.
 const ROUND: i32 = 32;
 const NARROW: usize = 24;
 
@@ -42,7 +42,7 @@ impl<T: Tolerances> Roots<T> {
     /// trigonometric polynomials u and s of degree 2. The nodes determine these polynomials by Lagrange's form
     /// `sum_k f_k prod_{j != k} sin((x - x_j) / 2) / sin((x_k - x_j) / 2)`.
     #[inline(never)]
-    pub(super) fn place(&self, first: &Samples<T>, [middle, half]: [T; 2], other: [T; 2]) -> Option<T> {
+    pub(super) fn place(&self, first: &Samples<T>, [[middle, half], other]: [[T; 2]; 2]) -> Option<T> {
         let series = [first.series(3, 0), first.series(3, 1)];
         // Half angles from the middle, so that a narrow interval loses no digits.
         let halves: [(T, T); NODES] = core::array::from_fn(|k| sin_cos(half * node(k) * T::HALF));
@@ -88,26 +88,33 @@ impl<T: Tolerances> Roots<T> {
             (level - self.low).min(self.high - level)
         };
         let best = |span: [T; 2]| {
-            let mut step = T::TAU / T::from_i32(ROUND);
-            let mut best = None;
-            for turn in (0..ROUND).map(|k| step * T::from_i32(k)) {
-                best = better(best, turn, inside(span, turn));
-            }
-            for _ in 0..NARROW {
-                step *= T::HALF;
-                let (middle, _) = best?;
-                for turn in [middle - step, middle + step] {
-                    best = better(best, turn, inside(span, turn));
-                }
-            }
             let [center, width] = span;
-            best.map(|(turn, inside)| (center + width * sin_cos(turn).1, inside))
+            highest(&|turn| inside(span, turn)).map(|(turn, inside)| (center + width * sin_cos(turn).1, inside))
         };
         let [_, width] = other;
         let here = best([middle, half]);
         let there = if width > T::ZERO && half * half > T::WEAK { best(other) } else { None };
         there.into_iter().fold(here, |best, (place, inside)| better(best, place, inside)).map(|(place, _)| place)
     }
+}
+
+/// The turn at which a periodic function is highest, rad, and its value there: the best one of [`ROUND`], narrowed down.
+/// `None` if the function is nowhere finite.
+#[inline(never)]
+pub(super) fn highest<T: Tolerances>(inside: &dyn Fn(T) -> T) -> Option<(T, T)> {
+    let mut step = T::TAU / T::from_i32(ROUND);
+    let mut best = None;
+    for turn in (0..ROUND).map(|k| step * T::from_i32(k)) {
+        best = better(best, turn, inside(turn));
+    }
+    for _ in 0..NARROW {
+        step *= T::HALF;
+        let (middle, _) = best?;
+        for turn in [middle - step, middle + step] {
+            best = better(best, turn, inside(turn));
+        }
+    }
+    best
 }
 
 /// The better one of two turns: where a stage has its roots by more. One that says nothing does not count.

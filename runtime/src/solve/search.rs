@@ -83,9 +83,9 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     }
 
     /// Whether there is something to search. Otherwise the solutions get their status. The status is
-    /// [`Status::BadTarget`] if the target or the reference is not finite, or the reference is wound too far. The status
-    /// is [`Status::Unreachable`] if the target is so far away, or the given value of a slide so large, that squares
-    /// overflow.
+    /// [`Status::BadTarget`] if the target or the reference is not finite, or the reference is wound too far. The
+    /// status is [`Status::Unreachable`] if the target is so far away, or the given value of a slide so large, that
+    /// squares overflow.
     #[inline(always)]
     #[must_use]
     pub fn begins(&mut self, near: Option<&[T; N]>) -> bool {

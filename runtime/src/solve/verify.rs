@@ -109,7 +109,10 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
         if facts.relative(&solution.residual) < facts.relative(&twin.residual) {
             *twin = *solution;
         }
-        twin.flags |= Flags::BOUNDARY;
+        // One branch that is met again is no two roots.
+        if !(again && twin.branch == solution.branch) {
+            twin.flags |= Flags::BOUNDARY;
+        }
     }
 
     /// Unwinds the joints next to the reference (inside the limits where some turn is), and sorts nearest first. The
