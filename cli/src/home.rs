@@ -31,8 +31,8 @@ pub fn home(arm: &Arm) -> Option<Home> {
 }
 
 /// The largest distance of the tool from the origin. While one joint turns, the square of the distance is
-/// `c + 2 m (u cos q + v sin q)` with m the middle of the tool's circle and u, v its radii; while one slides it is
-/// largest at an end. Joint after joint to its best value, from several starts, until nothing grows.
+/// `c + 2 m (u cos q + v sin q)`, with m the middle of the tool's circle and u, v its radii. While a joint slides, the
+/// distance is largest at an end. Joint after joint goes to its best value, from several starts, until nothing grows.
 fn farthest(chain: &Chain, model: &Model) -> Option<f64> {
     const STARTS: usize = 8;
     const SWEEPS: usize = 40;

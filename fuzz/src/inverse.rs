@@ -51,8 +51,11 @@ fn arms() -> &'static [DynamicArm] {
     })
 }
 
-/// The first byte chooses the arm, the second what is made of the rest: a joint vector's own target, the same with
-/// numbers replaced, or all of it bits.
+/// The first byte chooses the arm. The second byte chooses how joint vector and target are made from the rest:
+/// - 0: a joint vector of any bits, and the target of that joint vector;
+/// - 1: a joint vector of numbers in `(-4, 4)`, and the target of that joint vector;
+/// - 2: as 1, with some numbers of the target and the given joint value changed by less than 1;
+/// - 3: as 1, with some numbers of target, given joint value and joint vector replaced by any bits.
 pub fn run(data: &[u8]) {
     let mut bytes = Bytes::new(data);
     let arms = arms();

@@ -91,8 +91,7 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
     /// The same Jacobian with lengths measured in `unit`: the linear rows over `unit`.
     ///
     /// With the reach of the arm as the unit, lengths and angles are of one order. Values computed from the Jacobian
-    /// then do not depend on meters or millimeters. The unit is finite and not zero; entries
-    /// over zero are not finite.
+    /// then do not depend on meters or millimeters. The unit is finite and not zero; entries over zero are not finite.
     #[inline]
     #[must_use]
     pub fn with_length_unit(&self, unit: T) -> Self {

@@ -74,8 +74,8 @@ impl<T: Scalar> Pose<T> {
     /// How far `other` is from `self`: the distance of the origins, and the angle of the rotation between the frames.
     ///
     /// The angle lies in `[0, pi]`. It is the `atan2` of the axis vector and the trace of `R1^T R2`. The axis vector is
-    /// formed from `R2 - R1`, so that an angle of 1e-16 rad comes out as such (an arc cosine loses everything below
-    /// 1e-8). Where the matrices deviate from rotations by `delta`, an angle `theta` is off by at most the order of
+    /// formed from `R2 - R1`, so that an angle of 1e-16 rad comes out as such. An arc cosine loses everything below
+    /// 1e-8. Where the matrices deviate from rotations by `delta`, an angle `theta` is off by at most the order of
     /// `delta * theta + delta^2`. The deviation itself is not part of the angle. Not finite when a pose is not.
     #[must_use]
     pub fn residual(&self, other: &Self) -> Residual<T> {

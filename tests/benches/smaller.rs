@@ -1,5 +1,8 @@
-//! Tables of ratios: inverses of three to five joints over their own `atan2` and square roots, counted alone; seven
-//! joints with one given over the same arm with that joint fixed; lengths bound at run time over constants.
+//! Tables of ratios, each of one time over another:
+//!
+//! - inverses of two to five joints over their own `atan2` and square roots, counted alone;
+//! - seven joints with one given over the same arm with that joint fixed;
+//! - lengths bound at run time over constants.
 //!
 //! `cargo bench -p denhart-tests --no-default-features --bench smaller`
 

@@ -1,5 +1,5 @@
-//! How much longer than an ordinary call the slow calls of `inverse` take: their times over the median time of ordinary
-//! targets, and the most cascades and evaluations of a call.
+//! How much longer than an ordinary call the slow calls of `inverse` take. The tables print the times of the calls over
+//! the median time of ordinary targets. The tables also print the most cascades and evaluations of a call.
 //!
 //! `cargo bench -p denhart-tests --no-default-features --bench tail`
 
@@ -151,8 +151,8 @@ fn names<T>(targets: &[(String, T)]) -> Vec<String> {
     names
 }
 
-/// Where a target whose point moves in a random direction leaves the arm's reach, and that direction, of length 1;
-/// nothing if it stays in reach.
+/// The place where a target whose point moves in a random direction leaves the arm's reach. The second value is that
+/// direction, of length 1. `None` if the target stays in reach.
 fn edge<const N: usize>(
     subject: &Subject<N>,
     start: &Goal,

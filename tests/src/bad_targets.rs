@@ -28,8 +28,8 @@ pub trait Spoil: Clone + std::fmt::Debug {
         Vec::new()
     }
 
-    /// A copy that fails by up to `size` in every entry to be a target, and the pose that it stands for; nothing where
-    /// every target is one.
+    /// A copy whose rotation is off by up to `size` in every entry, and the pose that the copy stands for. `None` where
+    /// the target has no rotation matrix.
     fn almost(&self, _size: f64, _random: &mut Random) -> Option<(Self, Isometry3<f64>)> {
         None
     }

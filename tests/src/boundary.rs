@@ -28,8 +28,9 @@ pub struct Carried {
 }
 
 impl Carried {
-    /// The tool point, where it is all that is asked for; the wrist center, where the last three axes meet and none of
-    /// these joints is given; else nothing. Nothing where a slide has no end.
+    /// The point of the task. For a task of a position alone, the point is the tool point. For a pose with as many
+    /// equations as joints, the point is the wrist center. The last three axes must meet there, and none of their
+    /// joints may be given. Otherwise there is no point, and none for an arm with a prismatic joint.
     pub fn of<const N: usize>(subject: &Subject<N>) -> Option<Self> {
         if subject.has_prismatic() {
             return None;
@@ -44,8 +45,8 @@ impl Carried {
         }
     }
 
-    /// The same for an arm whose equations nobody has looked at: the gap may be as many times the push as the arm is ill
-    /// conditioned.
+    /// The same for an arm whose equations nobody has looked at. The gap of such an arm may be larger than the push, by
+    /// a factor up to the conditioning of the arm.
     #[must_use]
     pub fn of_any_arm(self) -> Self {
         Self { measured: false, ..self }
@@ -71,8 +72,8 @@ fn wrist_center<const N: usize>(subject: &Subject<N>) -> Option<Point3<f64>> {
     meets.then(|| tool.inverse_transform_point(&center.into()))
 }
 
-/// Joints that carry the point as far along `direction` as it goes, the given joint being where it is: no target with
-/// the point farther that way is in reach.
+/// Joints that carry the point as far along `direction` as the point goes, while the given joint keeps its value. No
+/// target whose point lies farther in that direction is in reach.
 ///
 /// One joint at a time is turned to the top of its sinusoid, from several starts; the best start is kept.
 fn outermost<const N: usize>(
@@ -113,12 +114,13 @@ fn outermost<const N: usize>(
     std::array::from_fn(|joint| if carried.joints.contains(&joint) { best[joint] } else { others[joint] })
 }
 
-/// Pushes targets out of the outermost boundary by `1e-12 .. 1e-3` of reach: the arm says by how much the best branch is
-/// short of a solution, and lists the stretched arm as long as it comes within the tolerance.
+/// Pushes targets out of the outermost boundary by `1e-12 .. 1e-3` of reach. The arm must report by how much the best
+/// branch is short of a solution. The stretched arm must be listed as long as its miss is within the tolerance.
 ///
-/// The residual of Unreachable is the least gap of a stage: at most twice the push where the first stage measures the
-/// distance that is too long. With a joint given, the stage that misses may come after one that bends the elbow, and
-/// measure the push over the sine of that joint, which is above 1e-3 at the joints drawn here.
+/// The residual of Unreachable is the least gap of a stage. If the first stage measures the distance that is too long,
+/// that residual is at most twice the push. With a joint given, the stage that misses may come after one that bends the
+/// elbow. That stage then measures the push over the sine of the elbow joint, which is above 1e-3 at the joints drawn
+/// here.
 pub fn check_outermost<const N: usize>(
     subject: &Subject<N>,
     carried: &Carried,
@@ -174,9 +176,9 @@ pub fn check_outermost<const N: usize>(
     }
 }
 
-/// Pushes targets across folds of the singular surface, outward by `1e-12 .. 1e-3`: below the tolerance the branch that
-/// ends there is still listed and comes as close as the fold itself, up to the conditioning of the arm. For tasks with
-/// as many equations as joints.
+/// Pushes targets across folds of the singular surface, outward by `1e-12 .. 1e-3`. At pushes below a hundredth of the
+/// tolerance, the branch that ends there is still listed. That branch comes as close as the fold itself, up to the
+/// conditioning of the arm, a factor of at most 100. For tasks with as many equations as joints.
 pub fn check_folds<const N: usize>(subject: &Subject<N>, attempts: usize, random: &mut Random, report: &mut Report) {
     const FAMILY: &str = "pushed across a fold";
     for (q, _) in singular::surface(subject, random, attempts) {
@@ -197,8 +199,9 @@ pub fn check_folds<const N: usize>(subject: &Subject<N>, attempts: usize, random
     }
 }
 
-/// Moves targets by `1e-12 .. 1e-3` in ways that an arm with fewer joints than equations cannot follow: below the
-/// tolerance the branch is still listed and comes as close, up to the conditioning of the arm.
+/// Moves targets by `1e-12 .. 1e-3` in ways that an arm with fewer joints than equations cannot follow. At moves below
+/// a hundredth of the tolerance, the branch is still listed. That branch comes as close as the move, up to the
+/// conditioning of the arm, a factor of at most 100.
 pub fn check_leftover<const N: usize>(subject: &Subject<N>, count: usize, random: &mut Random, report: &mut Report) {
     const FAMILY: &str = "beside what the arm can do";
     let space = Space::of(subject);
@@ -232,8 +235,9 @@ pub fn check_leftover<const N: usize>(subject: &Subject<N>, count: usize, random
     }
 }
 
-/// The direction in which a target on the singular surface lies at the edge of its branch, as a unit vector over the
-/// equations (lengths in reaches); `None` where the arm moves on or stays as it goes along its null vector.
+/// The direction in which a target on the singular surface lies at the edge of its branch. The direction is a unit
+/// vector over the equations (lengths in reaches). `None` where the arm moves on or stays as it goes along its null
+/// vector, or where the second smallest singular value is below 0.03.
 fn fold<const N: usize>(subject: &Subject<N>, q: &[f64; N]) -> Option<[f64; EQUATIONS]> {
     const STEP: f64 = 1e-3;
     let columns = subject.columns(q);

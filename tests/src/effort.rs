@@ -128,8 +128,8 @@ where
     report.assert_empty();
 }
 
-/// Every function of the arm keeps to the bound at random, grid, singular, pushed and absurd targets, and answers each
-/// with a status and with numbers; the most that a call took.
+/// Every function of the arm keeps to the bound at random, grid, singular, pushed and absurd targets. Each target gets
+/// an answer with a status and with numbers. The result is the most that a call took.
 ///
 /// Singular: two and three joints at special values, zeros of det J by bisection, found in so many attempts. Each target
 /// is also pushed in a random direction of what is asked for, by 1e-13 to 1e-2 of reach or rad.

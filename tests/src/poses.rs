@@ -192,8 +192,8 @@ impl<const N: usize> Space<N> {
 /// How often the suites try to find a zero of the determinant.
 pub const SURFACE: usize = 180;
 
-/// Joint vectors on the singular surface of the arm and beside it: stretched elbows, wrist centers on axis 1, folded
-/// wrists, as the determinant of the Jacobian finds them in so many attempts.
+/// Joint vectors on the singular surface of the arm and beside that surface: stretched elbows, wrist centers on axis 1,
+/// folded wrists. The determinant of the Jacobian finds them in so many attempts.
 pub fn singular_surface<const N: usize>(subject: &Subject<N>, attempts: usize, random: &mut Random) -> Family<N> {
     let mut poses = Vec::new();
     for (on, joint) in singular::surface(subject, random, attempts) {

@@ -10,8 +10,9 @@ use crate::singular::{self, Svd};
 use crate::subject::{Answer, Subject, wrap};
 use crate::task::Goal;
 
-/// A solution flagged EXACT reaches its target within this, in reaches and in rad: some thousand roundings, so that it
-/// holds after any chain of six joints, and far below every tolerance that lets an inexact solution pass.
+/// A solution flagged EXACT reaches its target within this, in reaches and in rad. The bound is some thousand
+/// roundings, so that it holds after any chain of six joints. The bound is far below every tolerance that lets an
+/// inexact solution pass.
 pub const CLOSES: f64 = 1e-12;
 
 /// Joint vectors closer than this, in rad and in reaches, are the same.
@@ -31,8 +32,8 @@ pub enum Form<'a, const N: usize> {
 /// With `s` the least singular value of the Jacobian scaled by reach:
 /// - `s >= 1e-9`: an EXACT solution equals `q` within `max(1e-6, 1e-14 / s)`, as one rounding of the pose moves the
 ///   joints by up to `1e-16 / s`;
-/// - below, at one rank less than the arm has joints: an EXACT solution equals `q` in every joint that the null space does not move, neither along the
-///   self-motion through `q` nor at the solution;
+/// - below, at one rank less than the arm has joints: an EXACT solution equals `q` in every joint that no null space
+///   moves. The null spaces are those along the self-motion through `q` and at the solution;
 /// - below, at a lower rank: whatever is EXACT closes, and something is;
 /// - where two singular values are below the root of rounding, a solution with free joints counts as all of its family;
 /// - always: `inverse_near` with reference `q` contains `q` within 1e-6.
@@ -66,7 +67,7 @@ fn check_near<const N: usize>(
     }
 }
 
-/// Checks `inverse_near` with references that are whole turns away from `q`, and with one a little beside `q`: away
+/// Checks `inverse_near` with references that are whole turns away from `q`, and with one a little beside `q`. Away
 /// from singularities `q` is then the nearest solution.
 pub fn check_references<const N: usize>(
     subject: &Subject<N>,
@@ -119,8 +120,8 @@ fn recovered<const N: usize>(subject: &Subject<N>, q: &[f64; N], answer: &Answer
     if svd.rank() + 1 < N {
         return answer.exact().next().is_some();
     }
-    // A free joint that takes another value may lead to a pose that is singular in one more way, such as a wrist that
-    // comes out straight: what moves there moves too.
+    // A free joint that takes another value may lead to a pose that is singular in one more way. An example is a wrist
+    // that comes out straight. The joints that move at that pose count as moved too.
     let moved_at: Vec<[bool; N]> = answer.exact().map(|solution| Svd::at(subject, &solution.q).moved()).collect();
     singular::accepts_moved(subject, q, &svd, |moved| {
         answer.exact().zip(&moved_at).any(|(solution, also)| {
@@ -129,14 +130,14 @@ fn recovered<const N: usize>(subject: &Subject<N>, q: &[f64; N], answer: &Answer
     })
 }
 
-/// Whether a solution whose joints are partly free stands for `q`: asked for next to itself, but with these joints where
-/// `q` has them, the arm gives `q`. All other joints of that reference are those of the solution, so that nothing but
-/// the free joints comes from `q`.
+/// Whether a solution whose joints are partly free stands for `q`. The arm is asked for the solutions next to this
+/// solution, with the free joints where `q` has them. The answer must give `q`. All other joints of that reference are
+/// those of the solution, so that nothing but the free joints comes from `q`.
 ///
-/// Only where two singular values are below the root of rounding. There a fold (a stretched elbow) is not resolved: what
-/// `q` is beside it changes the pose by the square, which is rounding. So the pose knows that joint, and with it the
-/// Jacobian, to the root of rounding only, and singular values below it may as well be zero. With two of them the rank
-/// is so low that the rule above would ask for closure alone; this asks for more.
+/// Only where two singular values are below the root of rounding. There a fold (a stretched elbow) is not resolved: a
+/// distance of `q` from the fold changes the pose by its square, which is rounding. So the pose determines that joint,
+/// and with it the Jacobian, only to the root of rounding. Singular values below that root may as well be zero. With
+/// two of them the rank is so low that the rule above would ask for closure alone; this asks for more.
 fn stood_for<const N: usize>(subject: &Subject<N>, target: &Goal, q: &[f64; N], answer: &Answer<N>) -> bool {
     Svd::at(subject, q).below(f64::EPSILON.sqrt()) >= 2
         && answer.exact().filter(|solution| !solution.free.is_empty()).any(|solution| {
@@ -147,8 +148,8 @@ fn stood_for<const N: usize>(subject: &Subject<N>, target: &Goal, q: &[f64; N], 
         })
 }
 
-/// Checks what holds for every answer, whether its target can be reached or not: solutions are finite, distinct, in
-/// range, in order, and every flag says the truth.
+/// Checks what holds for every answer, whether its target can be reached or not. Solutions are finite, distinct, in
+/// range and in order, and every flag says the truth.
 pub fn examine<const N: usize>(
     subject: &Subject<N>,
     report: &mut Report,
@@ -245,13 +246,14 @@ fn broken_rule<const N: usize>(
     None
 }
 
-/// A reference that is farther outside a limit than this is followed. `inverse_near` follows one beyond 7.5e-10, 0.05 times
-/// the root of rounding; joint vectors lie powers of ten beside a limit, so that none is between the two.
+/// A reference that is farther outside a limit than this is followed. `inverse_near` follows a reference beyond
+/// 7.5e-10, which is 0.05 times the root of rounding. Joint vectors lie powers of ten beside a limit, so that none is
+/// between the two.
 const FOLLOWED: f64 = 8e-10;
 
-/// Whether an angle is on the turn that `inverse_near` has to choose: of those inside the limits the nearest to the
-/// reference, within half a turn of it if none is inside or the reference is not. Within rounding of a limit either will
-/// do.
+/// Whether an angle is on the turn that `inverse_near` has to choose. Of the turns inside the limits, the right turn is
+/// the nearest to the reference. If none is inside, or the reference is not, the right turn is within half a turn of
+/// the reference. Within rounding of a limit either will do.
 fn next_to(angle: f64, reference: f64, [low, high]: [f64; 2]) -> bool {
     let distance = (angle - reference).abs();
     let near = reference + wrap(angle - reference);

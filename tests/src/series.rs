@@ -1,5 +1,6 @@
-//! The table of an arm evaluated over numbers that carry two derivatives by time (truncated power series, dual numbers
-//! of second order): poses with their velocities and accelerations, exact to rounding and without a Jacobian.
+//! The table of an arm evaluated over numbers that carry two derivatives by time. Such numbers are truncated power
+//! series, also called dual numbers of second order. Poses come with their velocities and accelerations, exact to
+//! rounding and without a Jacobian.
 
 use std::ops::{Add, Mul};
 

@@ -87,8 +87,8 @@ impl<const N: usize> Svd<N> {
 
     /// The joints that the null space moves; none where the matrix is regular.
     ///
-    /// Near a pose of one rank less, where two self-motions all but cross, one turns into the other within a short way:
-    /// there the joints of both count.
+    /// Near a pose of one rank less, where two self-motions all but cross, one turns into the other within a short way.
+    /// There the joints of both self-motions count.
     pub fn moved(&self) -> [bool; N] {
         let null = |k: usize| self.least() < SELF_MOTION && self.values[k] < CROSSING;
         // A joint that moves less than this changes by less than the tolerance over a turn.
@@ -200,8 +200,8 @@ impl<const N: usize> Step<N> {
     }
 }
 
-/// The joints that move where the clearance is least within two strides after `before`, by a golden section search;
-/// none besides those of the one self-motion where nothing crosses.
+/// The joints that move where the clearance is least within two strides after `before`, by a golden section search.
+/// Where nothing crosses, no joints besides those of the one self-motion move.
 fn crossing<const N: usize>(subject: &Subject<N>, target: &Goal, before: &Step<N>) -> [bool; N] {
     let look = |stride: f64| before.ahead(subject, target, stride);
     let clearance = |stride: f64| look(stride).map_or(f64::INFINITY, |(step, _)| step.clearance);
@@ -224,11 +224,11 @@ fn back_onto<const N: usize>(subject: &Subject<N>, target: &Goal, mut q: [f64; N
     None
 }
 
-/// A joint vector on the singular surface, to the last place of one joint: a random vector of which joint `joint` is
-/// moved to a change of sign of the Jacobian's determinant, if there is one.
+/// A joint vector on the singular surface, to the last place of one joint. In a random vector, joint `joint` is moved
+/// to a change of sign of the Jacobian's determinant, if there is one.
 ///
-/// Where the task has more equations than the arm has joints there is no determinant; then the joint is moved to a zero
-/// of the least singular value.
+/// Where the task has a different number of equations than the arm has joints, there is no determinant. Then the joint
+/// is moved to a zero of the least singular value.
 pub fn on_surface<const N: usize>(
     subject: &Subject<N>,
     q: &[f64; N],
@@ -275,8 +275,9 @@ fn minimum(f: impl Fn(f64) -> f64, steps: usize, [mut low, mut high]: [f64; 2]) 
 pub fn surface<const N: usize>(subject: &Subject<N>, random: &mut Random, count: usize) -> Vec<([f64; N], usize)> {
     let space = crate::poses::Space::of(subject);
     let mut found = Vec::new();
-    // An arm whose determinant is exactly zero where it is sampled (a gantry at q5 = 0) needs samples beside; a column
-    // whose slide starts on its axis is singular at the end of the range, so that it has to be left.
+    // An arm whose determinant is exactly zero where it is sampled (a gantry at q5 = 0) needs samples beside that
+    // place. A column whose slide starts on its axis is singular at the end of the range. The samples must therefore go
+    // beyond that end.
     for aside in [|_| 0.0, |_| 0.1, |[low, high]: [f64; 2]| 0.9 * (low - high)] {
         for attempt in 0..count {
             let joint = attempt % N;

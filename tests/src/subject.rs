@@ -220,8 +220,9 @@ impl<const N: usize> Subject<N> {
         [shift.norm() / self.reach, if displaced > orientation { displaced } else { orientation }]
     }
 
-    /// How far the slides at `q` reach beyond their travel, as a factor on the reach: a slide at a thousand reaches
-    /// cannot be given more finely than to a thousand roundings. 1 within the limits.
+    /// The sum of the absolute values of the slides at `q`, over the reach, and at least 1. The sum is a factor on the
+    /// reach: a slide at a thousand reaches cannot be given more finely than to a thousand roundings. The factor is 1
+    /// within finite limits, because the reach includes the travel.
     pub fn extension(&self, q: &[f64; N]) -> f64 {
         let slides = (0..N).filter(|&joint| self.kinds[joint] == JointKind::Prismatic);
         slides.map(|joint| q[joint].abs() / self.reach).sum::<f64>().max(1.0)

@@ -78,8 +78,8 @@ pub fn compare(title: &str, mut cases: Vec<Case<'_>>, rounds: usize) -> Table {
     Table { title: title.to_owned(), lines: lines.collect() }
 }
 
-/// Time of one call for each input, ns: the least of several passes over all inputs, so that an interrupt of the machine
-/// does not count as a slow call.
+/// Time of one call for each input, ns. The time is the least of several passes over all inputs, so that an interrupt
+/// of the machine does not count as a slow call.
 ///
 /// A pass repeats each call until it has taken `steady`, far longer than reading the clock takes.
 pub fn least<I, O>(inputs: &[I], passes: usize, steady: Duration, function: impl Fn(&I) -> O) -> Vec<f64> {

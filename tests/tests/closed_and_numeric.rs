@@ -9,8 +9,8 @@ use denhart_tests::random::Random;
 use denhart_tests::subject::Specified;
 use nalgebra::DMatrix;
 
-/// The iteration ends within 1e-12 of the length and 1e-12 rad of the target, the closed form too: a joint may differ by
-/// that over the least singular value, which is 4e-10 here.
+/// The iteration ends within 1e-12 of the length and 1e-12 rad of the target, and so does the closed form. A joint may
+/// differ by the sum of both over the least singular value, which is 4e-10 here.
 const LEAST: f64 = 5e-3;
 const PLACE: Task<f64> = Task::Components([true, true, true, false, false, false]);
 const PLANE: Task<f64> = Task::Components([true, true, false, false, false, true]);

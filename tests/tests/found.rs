@@ -1,5 +1,5 @@
-//! Arms at which a sweep found a defect (`arms/found/`): everything that a sweep asks of them, and the joint vectors at the
-//! head of their files; and their generated code beside their evaluation.
+//! Arms at which a sweep found a defect (`arms/found/`). Each arm is examined by everything that a sweep asks of it,
+//! and at the joint vectors at the head of its file. The generated code of the arm is compared with its evaluation.
 
 use denhart_tests::sweep::replay::replay;
 
@@ -44,6 +44,8 @@ found! {
     // Two free joints, and a stage that has no root with either at home.
     sweep_1_714 6 "arms/found/sweep_1_714.yaml";
     sweep_1_1142 6 "arms/found/sweep_1_1142.yaml";
+    // Two free joints that have to move together.
+    sweep_1_3184 6 "arms/found/sweep_1_3184.yaml";
     // A given slide of 1e308.
     sweep_1_433 7 "arms/found/sweep_1_433.yaml";
     // Axes that miss the structure by 1e-11: every branch is verified.
@@ -52,4 +54,7 @@ found! {
     sweep_1_15785 6 "arms/found/sweep_1_15785.yaml";
     // A fifth joint that slides where a pose needs one that rolls.
     sweep_1_4652 5 "arms/found/sweep_1_4652.yaml";
+    // A free joint meets an equation at several places: a solution for each.
+    sweep_1_5719 6 "arms/found/sweep_1_5719.yaml";
+    sweep_1_1329 6 "arms/found/sweep_1_1329.yaml";
 }

@@ -15,8 +15,8 @@ fn determinant(subject: &Subject<6>, q: &[f64; 6]) -> f64 {
     nalgebra::Matrix6::from_fn(|row, column| scaled[(row, column)]).determinant()
 }
 
-/// Over random joint vectors the product is the determinant times one constant, sign included, and every factor has
-/// places where it is zero: there the determinant is.
+/// Over random joint vectors the product is the determinant times one constant, sign included. Every factor has places
+/// where it is zero, and the determinant is zero at those places.
 fn proportional<A, const K: usize>(margins: impl Fn(&[f64; 6]) -> [Margin<f64>; K])
 where
     A: Specified<6> + InverseKinematics<f64, 6, Target = Pose<f64>>,

@@ -1,6 +1,6 @@
-//! Velocities, accelerations, the Jacobian's derivative and other forms, and the manipulability of every arm of
-//! `specs/`, and of one that points: beside numbers that carry their derivatives, beside extrapolated differences of the
-//! chain, and beside singular values.
+//! Velocities, accelerations, the Jacobian's derivative and other forms, and the manipulability. The arms are every arm
+//! of `specs/` and one that points. The values are held beside numbers that carry their derivatives, beside
+//! extrapolated differences of the chain, and beside singular values.
 
 use std::path::Path;
 
@@ -112,10 +112,10 @@ impl<const N: usize> Arm<N> {
         assert!(error < second, "{name} at {q:?}: acceleration of the chain {error:e}");
     }
 
-    /// Along `q + qd t + qdd t^2 / 2`, with rates scaled to a sum of at most 1: an entry of the Jacobian, in reaches,
-    /// then has derivatives of order 1, and four central differences from step 1/4 on, extrapolated, are off by
-    /// `(1/4)^8 / 4^6 / 9!`, below 1e-13. What remains are the roundings of the chain over the least step, with the
-    /// weights of the extrapolation: twice `ROUNDING` times 32.
+    /// The joints move along `q + qd t + qdd t^2 / 2`, with rates scaled to a sum of at most 1. An entry of the
+    /// Jacobian, in reaches, then has derivatives of order 1. Four central differences from step 1/4 on, extrapolated,
+    /// are off by `(1/4)^8 / 4^6 / 9!`, below 1e-13. What remains are the roundings of the chain over the least step,
+    /// with the weights of the extrapolation: twice `ROUNDING` times 32.
     fn beside_differences(&self, q: &Joints<N>, qd: &Joints<N>, qdd: &Joints<N>) {
         let scaled = |rates: &Joints<N>| rates.map(|rate| rate / (2 * N) as f64);
         let (qd, qdd) = (scaled(qd), scaled(qdd));

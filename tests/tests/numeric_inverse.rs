@@ -138,8 +138,8 @@ fn least_singular_value<A: Arm<f64, 6>>(arm: &A, q: &[f64; 6]) -> f64 {
     DMatrix::from_row_iterator(6, 6, arm.jacobian(q).rows.into_iter().flatten()).singular_values().min()
 }
 
-/// From a start near a closed-form solution the iteration ends on it. What the pose is off by, up to 1e-12, a joint is off
-/// by as much over the least singular value: to 1e-9 wherever that is above 1e-3.
+/// From a start near a closed-form solution the iteration ends on it. The pose is off by up to 1e-12. A joint is off by
+/// as much over the least singular value: up to 1e-9 wherever that value is above 1e-3.
 fn agrees<A>(name: &str, arm: &A)
 where
     A: InverseKinematics<f64, 6, Target = Pose<f64>>,
@@ -198,8 +198,8 @@ fn a_numeric_solution_is_one_of_the_branches() {
     assert!(compared > 150, "{compared}");
 }
 
-/// Stretched, folded and aligned configurations as start and as target: every answer is finite and says what it is, and
-/// no step is longer than the cap.
+/// Stretched, folded and aligned configurations as start and as target. Every answer is finite and states truly whether
+/// it converged, and no step is longer than the cap.
 #[test]
 fn singular_starts_and_targets() {
     let mut random = Random::named("singular");

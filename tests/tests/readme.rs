@@ -1,13 +1,15 @@
 //! What README.md and the pages of `docs/` show works as it stands.
 //!
-//! - A fence under a line with the name of a file in backticks is a file of a crate, which ends with its `src/main.rs` or
-//!   `src/lib.rs`. The crate is built and run. `Cargo.toml` and `arm.yaml` are those of the README where it has none.
+//! - A fence under a line with the name of a file in backticks is a file of a crate. The crate ends with its
+//!   `src/main.rs` or `src/lib.rs`. The crate is built and run. `Cargo.toml` and `arm.yaml` are those of the README
+//!   where it has none.
 //! - Under the name of a file of this repository, it is an excerpt of that file.
 //! - A `yaml` fence without a name is a section of an arm file, tried with the arm of the README.
 //! - A `rust` fence `generated from FILE` is an excerpt of the code of an arm file.
 //! - A `text` fence is what the crate before it prints, or what the command prints that it is `from`.
-//! - Every line of an `sh` fence is run (`denhart`), has the options of its help (`denhart` where it writes files), or names
-//!   what exists (`cargo`, a script of this repository).
+//! - Every line of an `sh` fence meets one of three rules. The line is run (`denhart`), or has the options of its help
+//!   (`denhart` where it writes files). Otherwise the line names an existing thing (`cargo`, a script of this
+//!   repository).
 //! - A `json` fence is JSON; a `toml` fence without a name has features that the crate has.
 //! - There is no other fence.
 #![allow(clippy::unwrap_used)]

@@ -12,8 +12,8 @@ const ROUNDING: f64 = 4e-6;
 /// A pose whose least singular value is greater is a regular one, which closes to rounding.
 const REGULAR: f64 = 0.02;
 
-/// What is called exact at another pose closes within 1.8e-5 by the arm's own forward kinematics; the target's rounding and
-/// that of the check come on top.
+/// A solution called exact at another pose closes within 1.8e-5 by the arm's own forward kinematics. The roundings of
+/// the target and of the check come on top.
 const CLOSES: f64 = 1.8e-5 + 2.0 * ROUNDING;
 
 /// How far a joint vector may move: the roundings of target and stages, over the least singular value.

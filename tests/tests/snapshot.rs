@@ -1,5 +1,6 @@
-//! The generated code of every arm of `specs/`, what `denhart check` says about it, and what the stages before code
-//! hand on, as they were last reviewed; and what holds for the code of every arm.
+//! The generated code of every arm of `specs/`, the report of `denhart check`, and the output of the stages before
+//! code. Each is compared with its form when last reviewed. The rules that hold for the code of every arm are also
+//! checked.
 //!
 //! `INSTA_UPDATE=always cargo test -p denhart-tests --test snapshot` accepts what changed: read the difference first.
 

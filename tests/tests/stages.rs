@@ -1,4 +1,4 @@
-//! The generator is a pipeline: each stage imports only itself and the stages before it, and within a stage no files import
+//! The generator is a pipeline: each stage imports only itself and the stages before it. Within a stage no files import
 //! each other in a circle.
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -98,8 +98,9 @@ fn the_denso_trajectory() {
     }
 }
 
-/// Velocity and acceleration are the derivatives of the positions printed, angular velocity and acceleration those of
-/// the matrices: central differences of step h = 0.001 s, off by `h^2` of the fourth derivatives at most.
+/// Velocity and acceleration are the derivatives of the positions printed. Angular velocity is that of the matrices
+/// printed, and angular acceleration is the derivative of the angular velocity printed. Central differences of step h =
+/// 0.001 s are off by `h^2` of the fourth derivatives at most.
 #[test]
 fn rates_are_those_of_the_motion() {
     let laws = "20 sin(2 pi t / 5), -90 + 3t^2, 90 - 10 exp(-t/2) t, 30/(1+t), 40 sqrt(1 + t), 5t - t^3/9";

@@ -1,9 +1,10 @@
 //! Following a path: straight lines and circles of 1,000 poses that lead exactly through, or closely past, singular
 //! places. Each answer of `inverse_near` is the reference of the next.
 //!
-//! At every step the nearest solution is exact, closes within 1e-9, and is at most 1.5 times as far from the reference as
-//! a continuation in steps a hundred times finer comes, by Newton's method. Steps in which the least
-//! singular value of the Jacobian (lengths in reaches) falls below 1e-6 are free to turn as far as they must.
+//! At every step the nearest solution is exact and closes within 1e-9. A continuation in steps a hundred times finer,
+//! by Newton's method, also leads from the reference to the next pose. The nearest solution is at most 1.5 times as far
+//! from the reference as the end of that continuation. Steps in which the least singular value of the Jacobian (lengths
+//! in reaches) falls below 1e-6 are free to turn as far as they must.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -4,8 +4,8 @@
 //! Joint values and targets are rounded before: the pose of the rounded vector, and the rounded pose, are what single
 //! precision is asked for. Lengths are relative to reach.
 //!
-//! Directions have a bar of their own, see `rounded_sums`: a sum of joint values is rounded by up to 2.4e-7 rad beyond 4 rad, by
-//! 4.8e-7 beyond 8, by 9.5e-7 beyond 16, and three parallel joints that turn by 360 degrees reach 18.8.
+//! Directions have a bar of their own, see `rounded_sums`. A sum of joint values is rounded by up to 2.4e-7 rad beyond
+//! 4 rad, by 4.8e-7 beyond 8, and by 9.5e-7 beyond 16. Three parallel joints that turn by 360 degrees reach 18.8.
 #![allow(clippy::unwrap_used)]
 
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -25,9 +25,9 @@ const JACOBIAN: f64 = 4e-7;
 const SMALL_SUM: f64 = 4.0;
 /// Random joint values times this keep sums of three within half a turn or little more.
 const NEAR_ZERO: f64 = 0.2;
-/// What the position of solutions called exact misses by: ninety-nine in a hundred, all. A free joint stays at its default
-/// value, though a target beside the singular one determines it: then the solution misses by up to the diameter of that
-/// circle, which is `EXACT`.
+/// What the position of solutions called exact misses by: ninety-nine in a hundred, all. A free joint stays at its
+/// default value, though a target beside the singular one determines it. Then the solution misses by up to the diameter
+/// of the joint's circle, which is `EXACT`.
 const MISSED: [f64; 2] = [3e-7, 1e-6];
 /// Random joint vectors.
 const RANDOM: usize = 1_000;
@@ -226,9 +226,9 @@ fn null_space<const N: usize>(chain: &Chain, q: &[f64; N], reach: f64) -> (usize
     (null.len(), std::array::from_fn(|joint| null.iter().any(|&k| vectors[(k, joint)].abs() > SINGULAR)))
 }
 
-/// The rule of singular poses in single precision: an exact solution equals the joint vector that the pose was made from
-/// in every joint that the null space does not move, neither there nor at the solution; at a rank two lower, something
-/// exact is there.
+/// The rule of singular poses in single precision. An exact solution equals the joint vector that the pose was made
+/// from, in every joint that no null space moves. The null spaces are those at the joint vector and at the solution. At
+/// a rank at least two lower, some exact solution is there.
 fn grid<A, const N: usize>(name: &str, table: &DhTable)
 where
     A: InverseKinematics<f32, N, Target = Pose<f32>> + Default,

@@ -7,8 +7,8 @@ use k::{JointType, NodeBuilder, SerialChain};
 
 /// The arm of a table, with limits where they are finite.
 ///
-/// One node a joint, turning or sliding along z, whose origin is what lies between it and the joint before; a fixed node
-/// for what comes after the last one.
+/// Each joint is one node, which turns or slides along z. The origin of a node is the transform between the joint
+/// before and this joint. A fixed node holds the transform after the last joint.
 pub fn chain(table: &DhTable, limits: &[[f64; 2]]) -> SerialChain<f64> {
     let mut limits = limits.iter();
     let mut origin = frame(&table.base);

@@ -21,8 +21,8 @@ pub struct Path<'r> {
 /// The chain from `base` (else the root) to `tool` (else the one leaf with the most moving joints between).
 ///
 /// # Errors
-/// A link that is none, several leaves as good as each other, a chain without a moving joint, a joint with more than
-/// one degree of freedom in it.
+/// A name that is no link's, or several leaves as good as each other. A chain without a moving joint, or with a joint of
+/// more than one degree of freedom.
 pub fn find<'r>(robot: &'r Robot, base: Option<&str>, tool: Option<&str>) -> Result<Path<'r>, String> {
     let base = named(robot, base.unwrap_or(&robot.root))?;
     let tool = match tool {

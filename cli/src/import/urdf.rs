@@ -52,8 +52,8 @@ pub struct Mimic {
 /// Reads the text of a URDF.
 ///
 /// # Errors
-/// The first mistake with its line: no XML, no robot, a joint without parent or child, a number that is none, links
-/// that are no tree.
+/// The first mistake with its line. Mistakes are: no XML, no robot, a joint without parent or child, text in the place
+/// of a number, links that are no tree.
 pub fn read(text: &str) -> Result<Robot, String> {
     let document = Document::parse(text).map_err(|error| format!("this is not XML: {error}"))?;
     let root = document.root_element();

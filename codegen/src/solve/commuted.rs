@@ -24,8 +24,8 @@ pub fn commuted(chain: &LoopChain) -> Vec<LoopChain> {
 }
 
 impl LoopChain {
-    /// The chain with the prismatic joint `i` moved past the joint after it: a prismatic one, or a revolute one about
-    /// a parallel axis, `T_z(d) C R_z(t) = C R_z(t) T_z(+-d)`.
+    /// The chain with the prismatic joint `i` moved past the joint after it. The joint after it is prismatic, or
+    /// revolute about a parallel axis: `T_z(d) C R_z(t) = C R_z(t) T_z(+-d)`.
     pub fn prismatic_later(&self, i: usize) -> Option<LoopChain> {
         let (slides, next) = (self.loop_joints.get(i)?, self.loop_joints.get(i + 1)?);
         if slides.revolute {

@@ -31,8 +31,8 @@ pub fn rotation(c: &mut LoopClosure, m: &Mat3, [first, second, third]: [usize; 3
     if c.vanish(&cosines, Unit::Direction)
         && let (Some([fa, ba]), Some([fb, bb])) = (c.right_angle(&link_a), c.right_angle(&link_b))
     {
-        // Each link is R_z(f) X R_z(-b), X the half turn about x + z. So M is R_z(a + fa - 90) R_y(b + fb - ba) R_z(c +
-        // 90 - bb). The constant turns outside are taken to the other side.
+        // Each link is R_z(f) X R_z(-b), X the half turn about x + z. So M is
+        // R_z(a + fa - 90) R_y(b + fb - ba) R_z(c + 90 - bb). The constant turns outside go to the other side.
         let quarter = Angle::degrees(90.0);
         let left = c.g.turn(quarter.add(fa.neg()));
         let right = c.g.turn(bb.add(quarter.neg()));

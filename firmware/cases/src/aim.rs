@@ -8,9 +8,9 @@ pub trait Aim<T: Scalar>: Copy {
     const BLANK: Self;
     /// How many candidates [`Aim::at`] has for a pose.
     const CANDIDATES: usize = 1;
-    /// The target at `pose`, one of the candidates: a pose alone does not tell which axis of the tool an arm points,
-    /// nor how it counts its angle in its own plane. `angle`: how far candidate 0 misses in orientation, rad;
-    /// `given`: the value of the joint that comes with the target.
+    /// The target at `pose`, one of the candidates. A pose alone does not determine which axis of the tool an arm
+    /// points. Nor does a pose determine how an arm counts the angle in its own plane. `angle`: how far candidate 0
+    /// misses in orientation, rad; `given`: the value of the joint that comes with the target.
     fn at(pose: &Pose<T>, candidate: usize, angle: T, given: T) -> Self;
     /// Its point times `factor`.
     fn pushed(self, factor: T) -> Self;

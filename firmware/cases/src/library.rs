@@ -7,8 +7,8 @@ use denhart::{Arm, EulerOrder, InverseKinematics, Pose, Scalar, Solution};
 use crate::aim::Aim;
 use crate::{Bits, Case, Digest, Subject};
 
-/// The solutions of a case after all that can be asked of them: turns within the limits, the turn next to where the arm
-/// is, those within the limits, exact ones.
+/// Digests the solutions of a case and the results of their methods. For each solution these are the turn next to where
+/// the arm is, up to four windings within the limits, and the residual. The status of all solutions comes last.
 pub fn solutions<S, T, const N: usize>(arm: &S, case: &Case<T, S::Target, N>, digest: &mut Digest)
 where
     S: Subject<T, N>,

@@ -1,7 +1,7 @@
 //! For build scripts: modules of generated arms, each with a call of every function that the arm has.
 //!
-//! The functions are read from the generated code, not from a list: a function that is new in the generator is
-//! measured and proved from then on. An argument that no case has is an error of the build.
+//! The functions are read from the generated code, not from a list. A function that is new in the generator is
+//! therefore measured and proved from then on. An argument that no case has is an error of the build.
 
 mod functions;
 mod module;

@@ -10,8 +10,8 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
     /// Velocities of the link frames `[N]` in the base frame, each at the frame's own origin, for joint rates `qd` `[N]`.
     ///
     /// `tool` is the pose that the Jacobian belongs to, `links` are the poses of the links at the same joint values.
-    /// The columns of the joints up to link i, each times its rate, sum up to the velocity of its body at the tool point. That velocity,
-    /// shifted to the link's origin by `w x (p_i - p)`, is the velocity of the frame.
+    /// The columns of the joints up to link i, each times its rate, sum up to the velocity of its body at the tool
+    /// point. That velocity, shifted to the link's origin by `w x (p_i - p)`, is the velocity of the frame.
     #[must_use]
     pub fn link_velocities(&self, tool: &Pose<T>, links: &[Pose<T>; N], qd: &[T; N]) -> [Twist<T>; N] {
         let mut twists = [Twist::zero(); N];
@@ -29,8 +29,8 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
     /// `qd` `[N]`, and `qdd` `[N]` are their derivatives; `tool` and `links` as in
     /// [`link_velocities`](Self::link_velocities).
     ///
-    /// The derivative of the same sum: with `V_i` the velocity of body i at the tool point `p`, which itself moves with
-    /// the tool, `a_i = dV_i/dt + dw_i/dt x (p_i - p) + w_i x (v_i - v)`. Each linear part is the second derivative of the
+    /// The derivative of the same sum: `a_i = dV_i/dt + dw_i/dt x (p_i - p) + w_i x (v_i - v)`. `V_i` is the velocity of
+    /// body i at the tool point `p`, which itself moves with the tool. Each linear part is the second derivative of the
     /// position of the link's origin.
     #[must_use]
     pub fn link_accelerations(

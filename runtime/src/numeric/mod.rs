@@ -24,10 +24,10 @@
 //! [`Method::NewtonRaphson`] has no damping but what rounding asks for: the pseudoinverse (Whitney 1969; for six joints
 //! the inverse), with capped steps.
 //!
-//! Up to six joints the normal equations `(J^T J + lambda I) dq = J^T e` are solved, with more joints
-//! `(J J^T + lambda I) y = e, dq = J^T y`: a symmetric 6 x 6 system either way. Both square the singular values: those
-//! below 1e-8 of the largest (f32: 3e-4) count as zero. Damping never falls below rounding, so that no step divides by
-//! zero.
+//! For up to six joints the step solves the normal equations `(J^T J + lambda I) dq = J^T e`. For more joints it solves
+//! `(J J^T + lambda I) y = e, dq = J^T y`. Either system is symmetric, of at most 6 x 6. Both square the singular values:
+//! those below 1e-8 of the largest (f32: 3e-4) count as zero. Damping never falls below rounding, so that no step
+//! divides by zero.
 //!
 //! # Targets out of reach
 //! The closed form says that a target is out of reach, and by how much one of its equations is missed at least. The

@@ -4,8 +4,8 @@ use super::linear;
 use super::model::Joints;
 use crate::math::Scalar;
 
-/// The step `dq` that minimizes `|W (J dq - e)|^2 + damping |C^-1 dq|^2`, with `W` dividing the rows of lengths by
-/// `length` and `C` the diagonal of `columns` (none: ones). A joint whose column is 0 does not move.
+/// The step `dq` that minimizes `|W (J dq - e)|^2 + damping |C^-1 dq|^2`. `W` divides the rows of lengths by `length`.
+/// `C` is the diagonal of `columns` (none: ones). A joint whose column is 0 does not move.
 ///
 /// `damping` must be above 0. Nothing then divides by zero, and what is finite stays finite unless it overflows.
 #[inline(always)]

@@ -88,8 +88,8 @@ impl<T: Scalar> Pose<T> {
     ///
     /// A body that moves by the twist for a unit of time goes from this pose to the target. The velocity `v` of its
     /// origin and its angular velocity `w` are constant, both in the base frame. `w` is the exact logarithm of
-    /// `R_target R^T`, accurate from the smallest turn up to `pi`; at `pi` its sign is a convention, as with
-    /// [`rotation_vector`](Self::rotation_vector). It is what the rows of a [`Jacobian`](crate::Jacobian) are for:
+    /// `R_target R^T`, accurate from the smallest turn up to `pi`. At `pi` its sign is a convention, as with
+    /// [`rotation_vector`](Self::rotation_vector). The twist has the rows of a [`Jacobian`](crate::Jacobian):
     /// `J dq = error` is Newton's step. Not finite where a pose is not.
     ///
     /// ```

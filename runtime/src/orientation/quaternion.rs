@@ -34,9 +34,9 @@ impl<T: Scalar> Pose<T> {
 
     /// The orientation as a unit quaternion `[w, x, y, z]`, scalar part first.
     ///
-    /// Of the two signs the one with `w >= 0`, for half a turn (`w = 0`) the one whose first part that is not zero is
-    /// positive. Taken from the largest of the four parts (Shepperd 1978, "Quaternion from rotation matrix", J. Guidance
-    /// and Control 1(3)), so no part loses accuracy anywhere. Not a number where the rotation is not finite.
+    /// Of the two signs, the one with `w >= 0`. For half a turn (`w = 0`) the first part that is not zero is positive.
+    /// Taken from the largest of the four parts (Shepperd 1978, "Quaternion from rotation matrix", J. Guidance and
+    /// Control 1(3)), so no part loses accuracy anywhere. Not a number where the rotation is not finite.
     #[must_use]
     pub fn quaternion(&self) -> [T; 4] {
         of_rotation(&self.rotation)

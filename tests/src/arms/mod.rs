@@ -11,8 +11,8 @@ mod derived;
 #[cfg(feature = "arms")]
 pub use derived::*;
 
-/// Derives an arm from its file and makes it one that the suites can test: test name, type, number of joints, file from
-/// the folder of this package, [`Task`](crate::task::Task).
+/// Derives an arm from its file, and implements what the suites need for a test of the arm. The arguments are test
+/// name, type, number of joints, file from the folder of this package, [`Task`](crate::task::Task).
 #[macro_export]
 macro_rules! arm {
     ($name:ident $Type:ident $dof:tt $file:literal $task:expr) => {

@@ -12,9 +12,9 @@ use denhart_tests::sweep::run::Sweep;
 
 /// Draws arms of every structure and holds their kinematics against the table and against the rules of the suites.
 ///
-/// Exit code 0: what failed is what `tests/data/sweep_known.json` explains. 1: something else failed, or something listed
-/// did not. 2: a file cannot be
-/// read or written.
+/// Exit code 0: every failure is one that `tests/data/sweep_known.json` explains. Exit code 1: another failure
+/// occurred, or a listed failure of a drawn arm did not occur. Exit code 2: a file cannot be read or written. With
+/// `--replay`, any failure gives exit code 1.
 #[derive(Parser)]
 struct Options {
     /// How many arms.

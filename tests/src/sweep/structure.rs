@@ -108,8 +108,8 @@ fn link(style: &mut Style) -> Link {
     Link { a: style.length(), alpha }
 }
 
-/// Five joints, asked for a point and the direction of an axis of the tool: with a wrist of two axes, or three axes that
-/// meet or are parallel.
+/// Five joints, asked for a point and the direction of an axis of the tool. The arm has a wrist of two axes, or three
+/// axes that meet or are parallel.
 fn point_and_axis(style: &mut Style) -> Skeleton {
     let skeleton = match style.random.below(6) {
         0 => meeting(style, 5, false),

@@ -1,5 +1,5 @@
-//! `denhart export c`: a program in C that calls the library of an arm prints the bits that Rust computes, for every task
-//! and both scalars.
+//! `denhart export c`: a program in C calls the library of an arm. The program prints the bits that Rust computes, for
+//! every task and both scalars.
 #![allow(clippy::unwrap_used)]
 
 mod bits;

@@ -157,8 +157,9 @@ parametric!(
 );
 
 parametric!(
-    /// Shoulder axes that meet in a point where the lengths put it, askew; then an elbow out of line, two parallel axes and
-    /// a wrist of one more: the triple is the shoulder, and its meeting point depends on two parameters.
+    /// Three shoulder axes meet, askew, in a point whose place depends on the lengths. Then come an elbow out of line,
+    /// two parallel axes and a wrist of one more axis. The triple is the shoulder, and its meeting point depends on two
+    /// parameters.
     Askew,
     FoldedAskew,
     6,

@@ -29,7 +29,7 @@ fn names_after(text: &str, before: &str) -> BTreeSet<String> {
     text.split(before).skip(1).map(name).collect()
 }
 
-/// The variants of `Kernel` are in the plans of these arms: a new one needs an arm here, whose code the other tests
+/// The variants of `Kernel` are in the plans of these arms. A new variant needs an arm here, whose code the other tests
 /// compile and compare with the chain.
 #[test]
 fn every_kernel_is_in_a_plan_with_bound_lengths() {

@@ -9,8 +9,8 @@ use nalgebra::{DMatrix, Vector3};
 
 use crate::tables::apart;
 
-/// What the pose is off by, up to 1e-12 of the length both ways, a joint is off by over the least singular value: to
-/// 6e-10 where that is at least this.
+/// The pose is off by up to 1e-12 of the length both ways. A joint is off by that error over the least singular value:
+/// by up to 6e-10 where that value is at least this.
 const LEAST: f64 = 5e-3;
 
 /// The Jacobian of what the task counts, lengths over `length`.
@@ -41,8 +41,8 @@ pub struct Both<A> {
 }
 
 impl<A> Both<A> {
-    /// Holds the iteration beside `closed`, which gives all joint vectors that do what the task counts as the tool does at
-    /// the joint vector it is given.
+    /// Holds the iteration beside `closed`. Given a joint vector, `closed` gives all joint vectors at which the tool
+    /// does the same, in what the task counts.
     ///
     /// From a start near a solution the iteration ends on it; from anywhere it ends on one of them.
     pub fn agree<const N: usize>(&self, name: &str, closed: impl Fn(&A, &[f64; N]) -> Vec<[f64; N]>)

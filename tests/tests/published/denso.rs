@@ -77,8 +77,8 @@ fn the_inverse_leads_back_to_the_law() {
     }
 }
 
-/// Velocity and acceleration of the tool under the law, beside those of the chain, which shares no code with them, and
-/// beside differences of the positions of the table, as near as steps of 1 s come.
+/// Velocity and acceleration of the tool under the law. Both are held beside those of the chain, which shares no code
+/// with them. Both are also held beside differences of the positions of the table, as near as steps of 1 s come.
 #[test]
 fn velocity_and_acceleration_along_the_motion() {
     let (rates, rest) = ([3.0_f64.to_radians(); 6], [0.0; 6]);

@@ -1,8 +1,9 @@
 //! Nasution, Alfaris and Siagian, inverse kinematics with Newton-Raphson: three links in a plane.
 //!
-//! The paper prints no table, its R code cannot run, and the matrix it takes for a rotation is none: so the task is taken
-//! from it and not the numbers. Transforms from roll, pitch and yaw, the Jacobian, the pose error, Newton's steps, a motion
-//! from a start to a target; and what the paper asks for at its end: the analytic Jacobian, links of any length, more links.
+//! The paper prints no table, its R code cannot run, and the matrix it takes for a rotation is none. So the task is
+//! taken from the paper and not the numbers. The task has transforms from roll, pitch and yaw, the Jacobian, the pose
+//! error, Newton's steps, and a motion from a start to a target. The paper asks at its end for the analytic Jacobian,
+//! links of any length and more links, which are also here.
 
 use denhart::numeric::{Method, NumericInverse, Task};
 use denhart::{Arm, PlanarPose, Pose};
@@ -92,8 +93,8 @@ fn the_convergence_table() {
     assert!(errors[0] > 0.1 && errors[6] < 1e-14, "{errors:?}");
 }
 
-/// A motion from a start to a target on a straight line, each pose solved from the one before: a few steps each, on the
-/// branch of the start all the way, which is the closed form's.
+/// A motion from a start to a target on a straight line. Each pose is solved from the one before, in a few steps. The
+/// motion stays on the branch of the start all the way, which is the branch of the closed form.
 #[test]
 fn a_motion_from_a_start_to_a_target() {
     let arm = Planar3r::nominal();

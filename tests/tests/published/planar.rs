@@ -86,8 +86,9 @@ fn table_1_with_the_links_of_each_row() {
     }
 }
 
-/// Printed: `+-theta1, +-theta2`, cut off after three decimals. True: the second solution has another theta1 altogether,
-/// and its theta2 the opposite sign, because the elbow is mirrored at the line to the target and not at the x axis.
+/// Printed: `+-theta1, +-theta2`, cut off after three decimals. True: the second solution has another theta1
+/// altogether, and its theta2 has the opposite sign. The elbow is mirrored at the line to the target and not at the x
+/// axis.
 #[test]
 fn misprint_table_1_pairs_the_signs_wrongly() {
     let true_pairs = [
@@ -135,8 +136,8 @@ fn table_2_with_the_links_of_each_row() {
     }
 }
 
-/// The paper prints Table 2 cut off after three decimals: with these the tool is where a thousandth of a degree in each
-/// joint leaves it, and no further.
+/// The paper prints Table 2 cut off after three decimals. With these angles the tool misses the target, by less than a
+/// thousandth of a degree in each joint moves the tool.
 #[test]
 fn misprint_table_2_is_cut_off() {
     for row in rows::<ThreeLinks>("planar3r_inverse") {

@@ -125,8 +125,9 @@ fn table_5_four_branches_limits_and_pulses() {
     }
 }
 
-/// In the paper left is the arm that faces the target, up the elbow above the line from the shoulder to the tool. denhart
-/// names roots: facing the target is the second one, right; up is a positive joint 3.
+/// In the paper, left is the arm that faces the target. Up is the elbow above the line from the shoulder to the tool.
+/// The names of denhart are those of roots. The root that faces the target is the second one, right. Up is a positive
+/// joint 3.
 #[test]
 fn names_of_the_branches() {
     let solutions = Salman.inverse(&TARGET);

@@ -1,5 +1,5 @@
-//! Numeric inverse kinematics of denhart beside `k::JacobianIkSolver`: success and time on random reachable poses from
-//! random starts, from one start and with up to 20 restarts.
+//! Numeric inverse kinematics of denhart beside `k::JacobianIkSolver`. Success and time are measured on random
+//! reachable poses from random starts. The runs are from one start and with up to 20 restarts.
 //!
 //! `cargo run --release --bin numeric [POSES]`
 

@@ -29,8 +29,8 @@ impl<T: Copy> Output<T> {
     /// The place at `to`; `None` for a pointer that is null or not aligned.
     ///
     /// # Safety
-    /// Any other pointer is to memory for a `T` that nobody else reads or writes as long as the `Output` is used; what it
-    /// holds does not matter.
+    /// Any other pointer is to memory for a `T`, with any content. Nobody else reads or writes this memory as long as
+    /// the `Output` is used.
     unsafe fn at(to: *mut T) -> Option<Self> {
         (!to.is_null() && to.is_aligned()).then_some(Self(to))
     }

@@ -5,8 +5,8 @@ use super::equation::{Equation, Form};
 use super::pivot::{Pivot, Variables};
 use crate::symbolic::{Expr, Graph};
 
-/// `a cos + b sin = d` of lengths and of directions, as `[a, b, d]`: two equations for one joint, of which the runtime
-/// takes the better conditioned one. Each is subproblem 4 of IK-Geo.
+/// `a cos + b sin = d` of lengths and of directions, as `[a, b, d]`: two equations for one joint. The runtime takes the
+/// better conditioned one. Each is subproblem 4 of IK-Geo.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OffsetOfTwo {
     /// Of lengths.

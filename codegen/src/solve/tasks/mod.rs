@@ -63,7 +63,7 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, U
 }
 
 /// The hint for a table that is meant for the other convention. Read by that convention, the table has an inverse for
-/// the task. Or only the reading by its own convention is singular everywhere.
+/// the task. Or the table is singular everywhere, but not by that convention.
 fn other_convention(model: &Model, own: &LoopChain) -> Option<String> {
     let convention = match model.convention {
         Convention::Standard => Convention::Modified,
