@@ -1,6 +1,7 @@
 //! The inverse of an arm known at run time.
 
 use denhart::solve::Swivel;
+use denhart::solve::wrap;
 use denhart::{Branch, PlanarPose, PointAngle, PointAxis, Pose, Residual, Status, math};
 use denhart_codegen::lower::{Given, Goal, Inverse};
 
@@ -96,7 +97,11 @@ impl DynamicArm {
     fn beside(&self, given: Option<f64>) -> Result<f64, DynamicError> {
         match (self.given()?, given) {
             (None, None) => Ok(f64::NAN),
-            (Some(_), Some(value)) => Ok(value),
+            (Some(_), Some(value)) => {
+                // Sums with a given angle lose no digits to its turns.
+                let turns = matches!(self.inverse_program()?.given, Some(Given::Joint { revolute: true, .. }));
+                Ok(if turns { wrap(value) } else { value })
+            }
             (Some(name), None) => Err(DynamicError::Given(format!("the value of {name}"))),
             (None, Some(_)) => Err(DynamicError::NothingGiven),
         }

@@ -119,9 +119,10 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
             }
             (lower::Goal::PositionAngle { .. }, DynamicTarget::PositionAngle(target)) => {
                 let goal = self.in_plane(target);
-                let (sin, cos) = math::sin_cos(target.angle);
+                let angle = target.wrapped().angle;
+                let (sin, cos) = math::sin_cos(angle);
                 let number = |input| match input {
-                    Input::Angle => target.angle,
+                    Input::Angle => angle,
                     Input::SinAngle => sin,
                     Input::CosAngle => cos,
                     other => component(&target.point, other),
@@ -129,9 +130,10 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
                 self.search(&goal, asked, number, &mut solutions);
             }
             (lower::Goal::PlanarPose, DynamicTarget::PlanarPose(target)) => {
-                let (sin, cos) = math::sin_cos(target.phi);
+                let phi = target.wrapped().phi;
+                let (sin, cos) = math::sin_cos(phi);
                 let number = |input| match input {
-                    Input::Phi => target.phi,
+                    Input::Phi => phi,
                     Input::SinPhi => sin,
                     Input::CosPhi => cos,
                     other => component(&[target.x, target.y], other),

@@ -1,7 +1,7 @@
 //! Targets of arms with fewer freedoms than a whole pose.
 
 use crate::arm::{Arm, InverseKinematics};
-use crate::math::Scalar;
+use crate::math::{Scalar, wrap};
 use crate::pose::Pose;
 use crate::solution::Residual;
 use crate::solve::{Goal, Tolerances};
@@ -99,6 +99,15 @@ impl<T> PointAngle<T> {
     }
 }
 
+impl<T: Scalar> PointAngle<T> {
+    /// The same target with its angle in (-pi, pi]: sums with the angle lose no digits to its turns.
+    #[inline]
+    #[must_use]
+    pub fn wrapped(&self) -> Self {
+        PointAngle { point: self.point, angle: wrap(self.angle) }
+    }
+}
+
 /// A point and the direction of one of the tool's axes: the target of the task `position_axis`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PointAxis<T> {
@@ -131,6 +140,15 @@ impl<T> PlanarPose<T> {
     /// Position and direction.
     pub const fn new(x: T, y: T, phi: T) -> Self {
         PlanarPose { x, y, phi }
+    }
+}
+
+impl<T: Scalar> PlanarPose<T> {
+    /// The same target with its direction in (-pi, pi]: sums with the angle lose no digits to its turns.
+    #[inline]
+    #[must_use]
+    pub fn wrapped(&self) -> Self {
+        PlanarPose { x: self.x, y: self.y, phi: wrap(self.phi) }
     }
 }
 

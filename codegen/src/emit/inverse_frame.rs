@@ -196,6 +196,9 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
     let (target_type, goal) = (&task.target, &task.goal);
     let argument = q.as_ref().map(|q| quote!(, #q: #scalar));
     let pass = q.as_ref().map(|q| quote!(#q,));
+    // Sums with a given angle lose no digits to its turns.
+    let turns = matches!(plan.task.given, Some(Given::Joint { revolute: true, .. }));
+    let pass_wrapped = if turns { q.as_ref().map(|q| quote!(#krate::solve::wrap(#q),)) } else { pass.clone() };
     let from_reference = plan.task.given.map(|given| match given {
         Given::ArmAngle => quote!(let arm_angle = self.arm_angle(q_ref);),
         Given::Joint { joint, .. } => {
@@ -234,7 +237,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
         #[must_use]
         pub fn inverse(&self, target: &#target_type #argument) -> #solutions {
             #list
-            branches(self, target, #pass ::core::option::Option::None, ALL, &mut solutions);
+            branches(self, target, #pass_wrapped ::core::option::Option::None, ALL, &mut solutions);
             solutions
         }
 
@@ -247,7 +250,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
             branch: #krate::Branch,
         ) -> #krate::OneSolution<#scalar, #n> {
             #list
-            branches(self, target, #pass ::core::option::Option::None, branch, &mut solutions);
+            branches(self, target, #pass_wrapped ::core::option::Option::None, branch, &mut solutions);
             solutions.first_or_status()
         }
 

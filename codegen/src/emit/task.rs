@@ -76,7 +76,8 @@ pub fn task(model: &Model, program: &Inverse, target: &Target) -> TaskCode {
                 unpack: {
                     let (angle, sin, cos) = (field(Input::Angle), pattern(Input::SinAngle), pattern(Input::CosAngle));
                     quote! {
-                        let #krate::PointAngle { point: [#(#position),*], #angle } = *target;
+                        let target = target.wrapped();
+                        let #krate::PointAngle { point: [#(#position),*], #angle } = target;
                         let (#sin, #cos) = #krate::math::sin_cos(target.angle);
                     }
                 },
@@ -93,7 +94,8 @@ pub fn task(model: &Model, program: &Inverse, target: &Target) -> TaskCode {
                 let ([px, py, _], phi) = (&position, field(Input::Phi));
                 let (sin, cos) = (pattern(Input::SinPhi), pattern(Input::CosPhi));
                 quote! {
-                    let #krate::PlanarPose { x: #px, y: #py, #phi } = *target;
+                    let target = target.wrapped();
+                    let #krate::PlanarPose { x: #px, y: #py, #phi } = target;
                     let (#sin, #cos) = #krate::math::sin_cos(target.phi);
                 }
             },

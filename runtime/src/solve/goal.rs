@@ -202,7 +202,7 @@ impl<T: Tolerances, const N: usize> InPlane<T, N> {
     /// The angle is the sum of the joints by `signs` (0 for joints that do not count), plus `offset`.
     #[inline]
     pub fn new(target: &PointAngle<T>, signs: [T; N], offset: T) -> Self {
-        InPlane { target: *target, signs, offset }
+        InPlane { target: target.wrapped(), signs, offset }
     }
 
     fn missing(&self, q: &[T; N]) -> T {
@@ -264,7 +264,7 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for PlanarPose<T> {
 
     fn error(&self, _: &[T; N], pose: &Pose<T>) -> [T; 6] {
         let ([x, y, _], [[c, ..], [s, ..], _]) = (pose.translation, pose.rotation);
-        [self.x - x, self.y - y, T::ZERO, wrap(self.phi - atan2(s, c)), T::ZERO, T::ZERO]
+        [self.x - x, self.y - y, T::ZERO, wrap(wrap(self.phi) - atan2(s, c)), T::ZERO, T::ZERO]
     }
 
     fn restrict(&self, _: &Pose<T>, jacobian: &mut Jacobian<T, N>) {

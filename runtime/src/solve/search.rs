@@ -7,7 +7,6 @@ use super::stage::{Behind, Level, LevelOf, Met, State};
 use super::{Facts, Goal, Home, Measure, Stage, Tolerances, Trail};
 use crate::effort::MOST_EVALUATIONS;
 use crate::limits::within;
-use crate::math::wrap;
 use crate::vector::norm;
 use crate::{Branch, Flags, JointMask, Residual, Solution, Solutions, Status};
 
@@ -40,8 +39,6 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, P> {
     /// Every branch is verified. The arm misses its structure by more than rounding, or the target is so far away that
     /// its rounding alone can exceed what closes. A long slide may reach such a target.
     doubt: bool,
-    /// The values of joints are given.
-    given: bool,
     /// What is remembered at a pose that needs further passes.
     pub(super) passes: Option<Passes<T, N, M, P>>,
 }
@@ -68,7 +65,6 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
             left: MOST_EVALUATIONS,
             states: None,
             doubt: false,
-            given: false,
             passes: None,
         }
     }
@@ -91,8 +87,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     pub fn begins(&mut self, near: Option<&[T; N]>) -> bool {
         let [x, y, z] = self.goal.point();
         let mut size = x.abs() + y.abs() + z.abs();
-        self.given = !self.goal.given().is_empty();
-        if self.given {
+        if !self.goal.given().is_empty() {
             size += self.given_strokes();
         }
         self.doubt |= size > self.facts.reach * T::from_f64(10.0);
@@ -273,10 +268,8 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     /// status is set. `facts` are those of the search: seen where they are constants, what they exclude is left out.
     #[inline]
     pub fn finish(&mut self, facts: &Facts<'_, T, N>, near: Option<&[T; N]>) {
-        match near {
-            Some(near) => self.next_to(near),
-            None if self.given => self.wrap_given(),
-            None => {}
+        if let Some(near) = near {
+            self.next_to(near);
         }
         if facts.limited || !facts.combined.is_empty() {
             self.mark_limits(facts);
@@ -284,16 +277,6 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
         let exact = self.solutions.iter().any(|s| s.flags.contains(Flags::EXACT));
         let status = if exact { Status::Reachable } else { self.unreachable() };
         self.solutions.set_status(status);
-    }
-
-    /// A given angle may have come with whole turns; in a solution it is in (-pi, pi] like every other.
-    #[inline]
-    fn wrap_given(&mut self) {
-        for joint in self.goal.given().iter().filter(|joint| !self.facts.prismatic.contains(*joint)) {
-            for value in self.solutions.as_mut_slice().iter_mut().filter_map(|solution| solution.q.get_mut(joint)) {
-                *value = wrap(*value);
-            }
-        }
     }
 
     #[inline]

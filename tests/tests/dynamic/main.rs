@@ -5,6 +5,7 @@
 
 mod lists;
 mod more;
+mod wound;
 
 use denhart_tests::{evaluated, margins_of};
 
