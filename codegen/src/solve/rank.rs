@@ -5,6 +5,8 @@ use super::loop_chain::LoopChain;
 
 /// Relative size below which a direction counts as missing.
 const MISSING: f64 = 1e-9;
+/// So many generic configurations.
+const SAMPLES: usize = 4;
 
 /// The motion of the tool that a task needs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,11 +23,11 @@ pub enum ToolMotion {
 /// Names the joints that can always move without moving the tool.
 pub fn check(chain: &LoopChain, motion: ToolMotion) -> Result<(), Unsupported> {
     let mut idle = None;
-    for seed in 0..4 {
+    for seed in 0..SAMPLES {
         let columns = columns(chain, motion, seed);
-        match null_motion(&columns) {
-            None => return Ok(()),
-            Some(motion) => idle = Some(motion),
+        match eliminate(&columns) {
+            (_, None) => return Ok(()),
+            (_, Some(motion)) => idle = Some(motion),
         }
     }
     let named: Vec<String> = idle
@@ -42,6 +44,21 @@ pub fn check(chain: &LoopChain, motion: ToolMotion) -> Result<(), Unsupported> {
         named.split_last().map_or((String::new(), String::new()), |(last, rest)| (last.clone(), rest.join(", ")));
     let together = if rest.is_empty() { last } else { format!("{rest} and {last} together") };
     Err(Unsupported::new(format!("the arm is singular everywhere: {together} can always move without moving the tool")))
+}
+
+/// Fails for a chain of more than six joints that moves the tool in fewer than six ways wherever it is.
+///
+/// # Errors
+/// Says in how many ways the tool moves.
+pub fn check_redundant(chain: &LoopChain) -> Result<(), Unsupported> {
+    let ranks = (0..SAMPLES).map(|seed| eliminate(&columns(chain, ToolMotion::Pose, seed)).0);
+    match ranks.max() {
+        Some(most) if most < 6 => Err(Unsupported::new(format!(
+            "the arm is singular everywhere: its {} joints move the tool in {most} of the six ways only",
+            chain.loop_joints.len()
+        ))),
+        _ => Ok(()),
+    }
 }
 
 /// The columns of the Jacobian, lengths over reach.
@@ -64,8 +81,9 @@ fn columns(chain: &LoopChain, motion: ToolMotion, seed: usize) -> Vec<[f64; 6]> 
         .collect()
 }
 
-/// A combination of the columns that vanishes, if there is one: by elimination with complete pivoting.
-fn null_motion(columns: &[[f64; 6]]) -> Option<Vec<f64>> {
+/// The rank of the columns, and a combination of them that vanishes, if there is one: by elimination with complete
+/// pivoting.
+fn eliminate(columns: &[[f64; 6]]) -> (usize, Option<Vec<f64>>) {
     // Each column with the combination of the original ones that it has become.
     let count = columns.len();
     let mut rows: Vec<(Vec<f64>, Vec<f64>)> = columns
@@ -75,7 +93,7 @@ fn null_motion(columns: &[[f64; 6]]) -> Option<Vec<f64>> {
         .collect();
     while let Some((place, pivot, size)) = largest(&rows) {
         if size <= MISSING {
-            return rows.into_iter().next().map(|(_, combination)| combination);
+            return (count - rows.len(), rows.into_iter().next().map(|(_, combination)| combination));
         }
         let (chosen, combination) = rows.swap_remove(place);
         let head = chosen.get(pivot).copied().unwrap_or(1.0);
@@ -85,7 +103,7 @@ fn null_motion(columns: &[[f64; 6]]) -> Option<Vec<f64>> {
             own.iter_mut().zip(&combination).for_each(|(a, b)| *a -= factor * b);
         }
     }
-    None
+    (count, None)
 }
 
 fn largest(rows: &[(Vec<f64>, Vec<f64>)]) -> Option<(usize, usize, f64)> {

@@ -7,6 +7,7 @@ use super::kernel::Unit;
 use super::loop_chain::LoopChain;
 use super::loop_closure::LoopClosure;
 use super::plan::{Branching, Plan, PlanStep};
+use super::rank;
 use super::sides::Side;
 use super::task::{Given, Goal, PlanTask, SwivelFacts};
 use super::triple;
@@ -19,7 +20,8 @@ use crate::symbolic::{Expr, Rigid, transpose};
 /// The plan, or why the arm has no arm angle.
 ///
 /// # Errors
-/// If there are not seven joints that turn, three axes intersecting at the shoulder and three at the wrist.
+/// If there are not seven joints that turn, three axes intersecting at the shoulder and three at the wrist; if the arm is
+/// singular everywhere.
 pub fn plan(mut joints: LoopChain, chain: &Chain) -> Result<Plan, Unsupported> {
     let triples = joints.triples();
     let meets = |first: usize| triples.contains(&Triple { first, kind: TripleKind::Intersecting });
@@ -29,6 +31,7 @@ pub fn plan(mut joints: LoopChain, chain: &Chain) -> Result<Plan, Unsupported> {
             "an arm angle needs seven joints that turn, axes 1, 2, 3 meeting in a point and axes 5, 6, 7 in another",
         ));
     }
+    rank::check_redundant(&joints)?;
     let names = [["u11", "u12", "u13"], ["u21", "u22", "u23"], ["u31", "u32", "u33"]];
     let swung = names.map(|row| row.map(|name| joints.g.symbol(name)));
     let shoulder = Triple { first: 0, kind: TripleKind::Intersecting };
