@@ -1,10 +1,11 @@
 //! Where an arm comes closest to a target that it does not reach, and what it misses there.
 
 use denhart::numeric::{NumericInverse, Task};
-use denhart::{Pose, Residual};
+use denhart::{PointAngle, Pose, Residual};
 use denhart_dynamic::{DynamicArm, DynamicTarget};
 
 use crate::arm;
+use std::f64::consts::PI;
 
 /// So many starts besides the first one.
 const RESTARTS: usize = 20;
@@ -12,6 +13,10 @@ const RESTARTS: usize = 20;
 const STEPS: usize = 300;
 /// The length, over the reach, that counts as much as 1 rad where only the direction is missed: the point comes first.
 const POINT_FIRST: f64 = 1e-3;
+
+/// Turns of an angle up to half a turn, and how often the last one is halved.
+const TURNS: u32 = 360;
+const BISECTIONS: u32 = 40;
 
 /// What is missed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,9 +47,29 @@ pub fn missed(arm: &DynamicArm, target: &DynamicTarget, pose: &Pose<f64>, start:
             let [x, y, z] = asked.axis;
             Task::PositionAxis(pose.inverse().rotation.map(|[a, b, c]| a * x + b * y + c * z))
         }
-        DynamicTarget::Position(_) | DynamicTarget::PlanarPosition(_) | DynamicTarget::PositionAngle(_) => return None,
+        DynamicTarget::PositionAngle(asked) => return nearest_angle(arm, asked).map(Missed::Direction),
+        DynamicTarget::Position(_) | DynamicTarget::PlanarPosition(_) => return None,
     };
     let reach = arm.program().inverse.as_ref().ok()?.facts.reach;
     let whole = solve(numeric(whole).length(POINT_FIRST * reach), &at_point.q)?;
     (!whole.converged()).then_some(Missed::Direction(whole.residual))
+}
+
+/// By how much the angle is missed with the point in its place: the least turn of the asked angle, either way, after
+/// which the inverse reaches the target. Turns of half a degree, then bisection.
+fn nearest_angle(arm: &DynamicArm, asked: &PointAngle<f64>) -> Option<Residual<f64>> {
+    let reaches = |turn: f64| {
+        [turn, -turn].into_iter().any(|turn| {
+            let target = DynamicTarget::PositionAngle(PointAngle::new(asked.point, asked.angle + turn));
+            arm.inverse(&target, None).is_ok_and(|found| found.status().is_reachable())
+        })
+    };
+    let turn = |k: u32| f64::from(k) * (PI / f64::from(TURNS));
+    let outside = (0..TURNS).find(|k| reaches(turn(k + 1)))?;
+    let (mut beyond, mut within) = (turn(outside), turn(outside + 1));
+    for _ in 0..BISECTIONS {
+        let middle = 0.5 * (beyond + within);
+        if reaches(middle) { within = middle } else { beyond = middle }
+    }
+    Some(Residual { position: 0.0, orientation: within })
 }

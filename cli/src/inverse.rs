@@ -176,7 +176,7 @@ impl Shown<'_> {
         let (length, angle) = (self.length(), self.units);
         match self.missed {
             Some(Missed::Distance(distance)) => format!(
-                "distance: the point is out of reach. The tool comes no closer than {} {length}",
+                "distance: the point is out of reach. The closest that iteration finds is {} {length} away",
                 short(distance)
             ),
             Some(Missed::Direction(left)) => format!(
@@ -185,7 +185,7 @@ impl Shown<'_> {
                 short(angle.of(left.orientation)),
                 angle.symbol()
             ),
-            None => "an iteration does not tell which of distance and direction is missed".to_owned(),
+            None => "target: whether in distance or direction, iteration does not tell".to_owned(),
         }
     }
 

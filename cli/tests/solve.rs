@@ -121,7 +121,7 @@ fn what_is_missed_is_said_with_its_unit() {
     let far = denhart(&["inverse", "specs/ur5.yaml", "--pose", "2 0 0 0 0 0"]);
     assert_eq!(far.status.code(), Some(3));
     let text = said(&far.stdout);
-    assert!(text.contains("Missed is the distance") && text.contains(" m\n"), "{text}");
+    assert!(text.contains("Missed is the distance") && text.contains(" m away\n"), "{text}");
     // A SCARA cannot turn its tool upward.
     let target = ["inverse", "specs/scara_rrrp_325_275.yaml", "--pose", "400 100 0 90 0 0"];
     let upward = denhart(&target);
@@ -134,6 +134,22 @@ fn what_is_missed_is_said_with_its_unit() {
         (Some("unreachable"), Some("direction"))
     );
     assert!((answer["missed"]["orientation"].as_f64().unwrap() - 90.0).abs() < 1.0, "{answer}");
+}
+
+#[test]
+fn the_nearest_angle_of_a_tool_that_pitches_is_said() {
+    let at = |angle: f64| {
+        let pose = format!("0.35 -0.15 0.1 {angle}");
+        json(&["inverse", "specs/al5d.yaml", "--pose", &pose, "--json"])
+    };
+    let answer = at(60.0);
+    assert_eq!(
+        (answer["status"].as_str(), answer["missed"]["what"].as_str()),
+        (Some("unreachable"), Some("direction"))
+    );
+    let off = answer["missed"]["orientation"].as_f64().unwrap();
+    let reachable = |turn: f64| [60.0 + turn, 60.0 - turn].iter().any(|angle| at(*angle)["status"] == "reachable");
+    assert!(reachable(off + 1e-6) && !reachable(off - 1e-6), "{off}");
 }
 
 #[test]

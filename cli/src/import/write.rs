@@ -13,7 +13,7 @@ const DIGITS: f64 = 1e-13;
 /// # Errors
 /// Motors that the joints do not determine.
 pub fn file(name: &str, head: &[String], table: &Table, drive: &Drive) -> Result<String, String> {
-    let mut lines: Vec<String> = head.iter().map(|line| format!("# {line}").trim_end().to_owned()).collect();
+    let mut lines: Vec<String> = head.iter().map(|line| comment(line)).collect();
     lines.push(format!("name: {}", arm_name(name)));
     lines.push("convention: standard".to_owned());
     lines.push("units: {length: m, angle: deg}".to_owned());
@@ -96,6 +96,16 @@ fn coupling(drive: &Drive, length: &dyn Fn(f64) -> String) -> Result<Vec<String>
     Ok(lines)
 }
 
+/// A line of the head comment. Line breaks in a name of the URDF do not end the comment.
+fn comment(line: &str) -> String {
+    format!("# {}", line.replace(breaks, " ")).trim_end().to_owned()
+}
+
+/// Whether a character may end a line of YAML, or is none that can be seen.
+fn breaks(c: char) -> bool {
+    c.is_control() || matches!(c, '\u{2028}' | '\u{2029}' | '\u{feff}')
+}
+
 /// A name as YAML: in quotes unless it is a plain word.
 fn quoted(name: &str) -> String {
     let plain = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
@@ -104,7 +114,13 @@ fn quoted(name: &str) -> String {
     if plain && !word.contains(&name.to_lowercase().as_str()) {
         name.to_owned()
     } else {
-        format!("\"{}\"", name.replace('\\', "\\\\").replace('"', "\\\""))
+        let escaped = name.chars().map(|c| match c {
+            '\\' => "\\\\".to_owned(),
+            '"' => "\\\"".to_owned(),
+            c if breaks(c) => format!("\\u{:04x}", u32::from(c)),
+            c => c.to_string(),
+        });
+        format!("\"{}\"", escaped.collect::<String>())
     }
 }
 
@@ -117,12 +133,14 @@ fn arm_name(name: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{arm_name, quoted};
+    use super::{arm_name, comment, quoted};
 
     #[test]
     fn names_are_yaml() {
         assert_eq!(quoted("joint_a1"), "joint_a1");
         assert_eq!(quoted("arm/joint 1"), "\"arm/joint 1\"");
+        assert_eq!(quoted("j\n1\u{2028}"), "\"j\\u000a1\\u2028\"");
+        assert_eq!(comment("from `base\nname: evil`\r\n"), "# from `base name: evil`");
         assert_eq!(quoted("no"), "\"no\"");
         assert_eq!(quoted("7"), "\"7\"");
         assert_eq!(arm_name("kuka-kr6 r700"), "kuka_kr6_r700");

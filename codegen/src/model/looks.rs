@@ -49,7 +49,7 @@ fn long(spec: &Spec) -> Option<Diagnostic> {
 
 /// Limits of less than a turn in rad, in a file of degrees: both within 2 pi, at least 0.5 apart, and no whole number.
 fn radians(spec: &Spec) -> Option<Diagnostic> {
-    let small = |row: &RowSpec| -> Option<Place> {
+    let small = |row: &RowSpec| -> Option<(Place, String)> {
         let (LimitsSpec::Angles(ends), place) = row.limits.as_ref()? else { return None };
         let degrees: Option<Vec<f64>> = ends
             .iter()
@@ -65,18 +65,20 @@ fn radians(spec: &Spec) -> Option<Diagnostic> {
         let broken = degrees.iter().any(|value| value.fract() != 0.0);
         // One that is near a multiple of pi/4 has a warning already.
         let said = degrees.iter().any(|value| looks_like_radians(*value).is_some());
-        (within && apart && broken && !said).then(|| place.clone())
+        let ends = degrees.iter().map(|value| format!("{value} rad")).collect::<Vec<_>>().join(", ");
+        (within && apart && broken && !said).then(|| (place.clone(), format!("[{ends}]")))
     };
-    let places: Vec<Place> = spec.rows.iter().filter_map(small).collect();
-    let first = places.first()?;
-    let others = match places.len() - 1 {
+    let found: Vec<(Place, String)> = spec.rows.iter().filter_map(small).collect();
+    let (first, in_radians) = found.first()?;
+    let others = match found.len() - 1 {
         0 => String::new(),
         more => format!(" (and {more} more)"),
     };
     let written = spec.source.written(first);
     let message = format!("`limits`: {written} looks like radians{others}, and is degrees as the file's `units` say");
-    let help =
-        "write `2.96 rad`, or the limits in degrees; `angle: rad` in `units` makes all angles of the file radians";
+    let help = format!(
+        "write `{in_radians}`, or the limits in degrees; `angle: rad` in `units` makes all angles of the file radians"
+    );
     Some(spec.source.warning(first, message).help(help))
 }
 
