@@ -31,10 +31,15 @@ fn import(name: &str, arguments: &[&str]) -> (String, String) {
     (text(&output.stdout), text(&output.stderr))
 }
 
-fn refused(urdf: &str, arguments: &[&str]) -> String {
+/// What becomes of the text of a URDF.
+fn written(urdf: &str, arguments: &[&str]) -> Output {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{:x}.urdf", urdf.len() + arguments.len()));
     fs::write(&path, urdf).unwrap();
-    let output = run(&[&["import", path.to_str().unwrap()], arguments].concat());
+    run(&[&["import", path.to_str().unwrap()], arguments].concat())
+}
+
+fn refused(urdf: &str, arguments: &[&str]) -> String {
+    let output = written(urdf, arguments);
     assert_eq!(output.status.code(), Some(1), "{}", text(&output.stdout));
     assert!(output.stdout.is_empty());
     text(&output.stderr)
@@ -293,6 +298,43 @@ fn a_finger_that_mimics_one_outside_the_chain_is_driven_by_it() {
     assert_eq!(file.joints[0].name, "panda_finger_joint1");
     let values = |q: &[f64]| [("panda_finger_joint2".to_owned(), q[0])].into();
     assert!(worst("franka_panda", ["panda_hand", "panda_rightfinger"], &file, values) < 1e-12);
+}
+
+/// A chain of three joints that turn; the second one, about `axis`, mimics another.
+fn mimicking(axis: &str, mimic: &str, limits: [f64; 2]) -> String {
+    let joint = |name: &str, [parent, child]: [&str; 2], axis: &str, [low, high]: [f64; 2], mimic: &str| {
+        format!(
+            "<joint name=\"{name}\" type=\"revolute\"><parent link=\"{parent}\"/><child link=\"{child}\"/>\
+             <origin xyz=\"0 0 0.3\"/><axis xyz=\"{axis}\"/><limit lower=\"{low}\" upper=\"{high}\"/>{mimic}</joint>\n"
+        )
+    };
+    let links = ["l0", "l1", "l2", "l3", "aside"].map(|name| format!("<link name=\"{name}\"/>\n")).concat();
+    let joints = [
+        joint("j1", ["l0", "l1"], "0 0 1", [-2.0, 2.0], ""),
+        joint("j2", ["l1", "l2"], axis, limits, mimic),
+        joint("j3", ["l2", "l3"], "0 1 0", [-1.0, 1.0], ""),
+        joint("outside", ["l0", "aside"], "0 0 1", [-1.0, 0.5], ""),
+    ];
+    format!("<robot name=\"mimicking\">{links}{}</robot>", joints.concat())
+}
+
+#[test]
+fn every_joint_that_follows_a_motor_keeps_its_limits() {
+    let limits = |urdf: &str| -> Vec<Option<[f64; 2]>> {
+        let output = written(urdf, &["--tool", "l3"]);
+        model(&text(&output.stdout)).joints.iter().map(|joint| joint.limits).collect()
+    };
+    // On one line with j1, the sum 2 j1: the limits of j2 let j1 move by 0.1 only.
+    assert_eq!(limits(&mimicking("0 0 1", "<mimic joint=\"j1\"/>", [-0.1, 0.1]))[0], Some([-0.2, 0.2]));
+    // Driven by a joint outside the chain, 2 u + 0.1 with u from -1 to 0.5.
+    let outside = "<mimic joint=\"outside\" multiplier=\"2\" offset=\"0.1\"/>";
+    assert_eq!(limits(&mimicking("1 0 0", outside, [-9.0, 9.0]))[1], Some([-1.9, 1.1]));
+    // Limits without a value in common.
+    let said = refused(&mimicking("1 0 0", outside, [8.0, 9.0]), &["--tool", "l3"]);
+    assert!(
+        said.contains("joint `outside` and the joints that mimic it have no value within the limits of all"),
+        "{said}"
+    );
 }
 
 #[test]

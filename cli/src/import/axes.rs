@@ -16,7 +16,6 @@ pub struct Axis {
     pub point: V,
     /// A unit vector: the joint's positive direction.
     pub direction: V,
-    pub limits: Option<[f64; 2]>,
 }
 
 /// All axes, and the tool link's frame at zero.
@@ -89,7 +88,6 @@ pub fn axes(path: &Path, held: &dyn Fn(&Joint) -> Option<f64>) -> Axes {
                 turns: joint.kind == Kind::Turning,
                 point: frame.p,
                 direction: scale(frame.turn(joint.axis), if passed.backward { -1.0 } else { 1.0 }),
-                limits: joint.limits,
             }),
             None => {}
         }

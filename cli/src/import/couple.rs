@@ -14,6 +14,7 @@ use super::urdf::{Joint, Kind, Robot};
 pub struct Motor {
     pub name: String,
     pub turns: bool,
+    /// Where every joint that follows it keeps its limits.
     pub limits: Option<[f64; 2]>,
 }
 
@@ -27,7 +28,7 @@ pub struct Drive {
     pub constant: Vec<f64>,
     /// Per axis, the joints of the URDF that it is the sum of.
     pub sums: Vec<Vec<String>>,
-    /// The joints' own ranges. A sum has none.
+    /// The ranges of the axes that one motor drives. A sum of several motors has none.
     pub limits: Vec<Option<[f64; 2]>>,
 }
 
@@ -110,11 +111,43 @@ pub fn drive(robot: &Robot, path: &Path) -> Result<Drive, String> {
     let matrix = groups.iter().map(|group| motors.iter().map(|motor| entry(group, motor)).collect()).collect();
     let constant = groups.iter().map(|g| g.terms.iter().map(|(_, sign, law)| sign * law.offset).sum()).collect();
     let sums = groups.iter().map(|group| group.terms.iter().map(|(name, ..)| name.clone()).collect()).collect();
-    let single = |group: &Group| group.axis.limits.filter(|_| group.terms.len() == 1);
-    let limits = groups.iter().map(single).collect();
+    let limits = groups.iter().map(|group| range(&motors, group)).collect();
     let axes = groups.into_iter().zip(&motors).map(|(group, motor)| Axis { name: motor.name.clone(), ..group.axis });
     let axes = Axes { axes: axes.collect(), tool };
     Ok(Drive { axes, motors, matrix, constant, sums, limits })
+}
+
+/// The values of a motor at which every joint that follows it keeps its limits; `multiplier * motor + offset` each.
+///
+/// # Errors
+/// Limits that exclude each other.
+fn motor_range(robot: &Robot, groups: &[Group], motor: &str) -> Result<Option<[f64; 2]>, String> {
+    let limits_of = |name: &str| robot.joints.iter().find(|joint| joint.name == name).and_then(|joint| joint.limits);
+    let followers = groups.iter().flat_map(|group| &group.terms).filter(|(_, _, law)| law.motor == motor);
+    let of_followers = followers
+        .filter(|(_, _, law)| law.multiplier != 0.0)
+        .filter_map(|(name, _, law)| Some(sorted(limits_of(name)?.map(|end| (end - law.offset) / law.multiplier))));
+    let all = limits_of(motor).into_iter().chain(of_followers);
+    match all.reduce(|[a, b], [c, d]| [a.max(c), b.min(d)]) {
+        Some([low, high]) if low > high => {
+            Err(format!("joint `{motor}` and the joints that mimic it have no value within the limits of all"))
+        }
+        range => Ok(range),
+    }
+}
+
+/// The range of an axis that one motor drives.
+fn range(motors: &[Motor], group: &Group) -> Option<[f64; 2]> {
+    let (_, _, Law { motor: name, .. }) = group.terms.first()?;
+    let alone = group.terms.iter().all(|(_, _, law)| law.motor == *name);
+    let limits = motors.iter().find(|motor| motor.name == *name).filter(|_| alone)?.limits?;
+    let sum = |of: fn(&Law) -> f64| group.terms.iter().map(|(_, sign, law)| sign * of(law)).sum::<f64>();
+    let (factor, constant) = (sum(|law| law.multiplier), sum(|law| law.offset));
+    Some(sorted(limits.map(|end| factor * end + constant)))
+}
+
+fn sorted([a, b]: [f64; 2]) -> [f64; 2] {
+    if a <= b { [a, b] } else { [b, a] }
 }
 
 fn same_line(one: &Axis, other: &Axis, size: f64) -> bool {
@@ -147,7 +180,8 @@ fn motors(robot: &Robot, groups: &[Group]) -> Result<Vec<Motor>, String> {
         if (joint.kind == Kind::Turning) != group.axis.turns {
             return Err(format!("joint `{}` mimics `{name}`: one turns, the other slides", group.axis.name));
         }
-        motors.push(Motor { name, turns: group.axis.turns, limits: joint.limits });
+        let limits = motor_range(robot, groups, &name)?;
+        motors.push(Motor { name, turns: group.axis.turns, limits });
     }
     // What a row takes of a motor that slides where it turns has no place in an arm file.
     for group in groups {

@@ -69,8 +69,13 @@ pub fn read(text: &str) -> Result<Robot, String> {
         ));
     }
     let mut joints = Vec::new();
+    let mut lines = HashMap::new();
     for node in elements(&root, "joint") {
-        joints.push(joint(&node)?);
+        let joint = joint(&node)?;
+        if let Some(first) = lines.insert(joint.name.clone(), line(&node)) {
+            return Err(format!("line {}: a second joint `{}`, the first is in line {first}", line(&node), joint.name));
+        }
+        joints.push(joint);
     }
     let root_link = tree(&joints, elements(&root, "link").filter_map(|link| link.attribute("name")))?;
     let name = root.attribute("name").unwrap_or("robot").to_owned();
@@ -96,14 +101,15 @@ fn joint(node: &Node) -> Result<Joint, String> {
     };
     let number = |tag: &'static str, key: &str| -> Result<Option<f64>, String> {
         let text = child(tag).and_then(|node| node.attribute(key));
-        text.map(|text| real(text).ok_or_else(|| of(format!("`{key}=\"{text}\"`: expected a number")))).transpose()
+        let refused = |text: &str| of(format!("`{key}=\"{text}\"`: expected a number{}", meant(text)));
+        text.map(|text| real(text).ok_or_else(|| refused(text))).transpose()
     };
     let vector = |tag: &'static str, key: &str, default: V| -> Result<V, String> {
         let Some(text) = child(tag).and_then(|node| node.attribute(key)) else { return Ok(default) };
         let numbers: Vec<f64> = text.split_whitespace().map_while(real).collect();
         match numbers[..] {
             [x, y, z] if text.split_whitespace().count() == 3 => Ok([x, y, z]),
-            _ => Err(of(format!("`{key}=\"{text}\"`: expected three numbers"))),
+            _ => Err(of(format!("`{key}=\"{text}\"`: expected three numbers{}", meant(text)))),
         }
     };
     let written = node.attribute("type").ok_or_else(|| of("no `type`".to_owned()))?;
@@ -152,6 +158,15 @@ fn joint(node: &Node) -> Result<Joint, String> {
     })
 }
 
+/// A help line for a text that is no number.
+fn meant(text: &str) -> &'static str {
+    match text {
+        text if text.contains("${") => "\nhelp: expand the template first: xacro robot.urdf.xacro > robot.urdf",
+        text if text.contains(',') => "\nhelp: write a decimal point, and spaces between numbers",
+        _ => "",
+    }
+}
+
 fn real(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|value: &f64| value.is_finite())
 }
@@ -167,8 +182,9 @@ fn tree<'a>(joints: &'a [Joint], links: impl Iterator<Item = &'a str>) -> Result
             ));
         }
     }
+    let declared: Vec<&str> = links.collect();
     let mut roots: Vec<&str> = Vec::new();
-    for link in links.chain(joints.iter().map(|joint| joint.parent.as_str())) {
+    for link in declared.iter().copied().chain(joints.iter().map(|joint| joint.parent.as_str())) {
         if !parent_of.contains_key(link) && !roots.contains(&link) {
             roots.push(link);
         }
@@ -176,7 +192,16 @@ fn tree<'a>(joints: &'a [Joint], links: impl Iterator<Item = &'a str>) -> Result
     match roots[..] {
         [root] => Ok(root.to_owned()),
         [] => Err("no link is the root: the joints go round in a circle".to_owned()),
-        _ => Err(format!("the links are no tree: {} have no parent", roots.join(", "))),
+        _ => {
+            let unknown = joints.iter().find(|joint| !declared.contains(&joint.parent.as_str()));
+            let told = unknown.map_or_else(String::new, |joint| {
+                format!(
+                    "\nhelp: joint `{}` has the parent `{}`, and no `<link>` has this name",
+                    joint.name, joint.parent
+                )
+            });
+            Err(format!("the links are no tree: {} have no parent{told}", roots.join(", ")))
+        }
     }
 }
 
@@ -209,6 +234,24 @@ mod tests {
             (joint(&format!("{ends}<axis xyz=\"0 0\"/>")), "line 3: joint `j`: `xyz=\"0 0\"`: expected three numbers"),
             (joint(&format!("{ends}<axis xyz=\"0 0 0\"/>")), "has no direction"),
             (joint(&format!("{ends}<limit lower=\"2\" upper=\"1\"/>")), "the lower limit 2 is above the upper one 1"),
+            (
+                joint(&format!("{ends}<axis xyz=\"0, 0, 1\"/>")),
+                "expected three numbers\nhelp: write a decimal point, and spaces",
+            ),
+            (
+                joint(&format!("{ends}<limit lower=\"-${{pi}}\"/>")),
+                "expected a number\nhelp: expand the template first",
+            ),
+            (
+                joint("<parent link=\"base\"/><child link=\"b\"/>"),
+                "a, base have no parent\nhelp: joint `j` has the parent `base`, and no `<link>` has this name",
+            ),
+            (
+                format!(
+                    "<robot>\n<joint name=\"j\" type=\"fixed\">{ends}</joint>\n<joint name=\"j\" type=\"fixed\">{ends}</joint></robot>"
+                ),
+                "line 3: a second joint `j`, the first is in line 2",
+            ),
             ("<robot".to_owned(), "this is not XML"),
             ("<sdf/>".to_owned(), "expected `<robot>`, found `<sdf>`"),
             (

@@ -80,8 +80,8 @@ fn coupling(drive: &Drive, length: &dyn Fn(f64) -> String) -> Result<Vec<String>
         let constant = if value(*offset) == "0" { String::new() } else { format!(", offset: {}", value(*offset)) };
         let name = quoted(&motor.name);
         motors.push(format!("  {name}: {{{}{constant}}}", terms.join(", ")));
-        // A sum of several joints, whose row has no range of its own.
-        if let (Some([low, high]), true) = (motor.limits, drive.sums.get(index).is_some_and(|sum| sum.len() > 1)) {
+        // A row that several motors drive has no range of its own.
+        if let (Some([low, high]), Some(None)) = (motor.limits, drive.limits.get(index)) {
             let ends = [low - offset, high - offset].map(value).join(", ");
             ranges.push(format!("  - {{sum: {{{}}}, limits: [{ends}]}}", terms.join(", ")));
         }
