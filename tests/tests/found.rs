@@ -54,6 +54,8 @@ found! {
     sweep_1_15785 6 "arms/found/sweep_1_15785.yaml";
     // A fifth joint that slides where a pose needs one that rolls.
     sweep_1_4652 5 "arms/found/sweep_1_4652.yaml";
+    // A quartic with a fourfold root, behind which a joint is free.
+    fourfold_root 6 "arms/found/fourfold_root.yaml";
     // A free joint meets an equation at several places: a solution for each.
     sweep_1_5719 6 "arms/found/sweep_1_5719.yaml";
     sweep_1_1329 6 "arms/found/sweep_1_1329.yaml";

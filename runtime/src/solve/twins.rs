@@ -51,9 +51,13 @@ where
                 .into_iter()
                 .flatten()
                 .min_by(|a, b| apart(a, &root).partial_cmp(&apart(b, &root)).unwrap_or(core::cmp::Ordering::Equal));
-            // One that is farther away belongs to another candidate, unless this one is no root itself.
-            let close = size.min(T::DOUBTFUL) * T::HALF * T::HALF + T::COINCIDENT;
-            let taken = |other: &Place<T>| apart(other, &root) < close || across.gap(rows, &itself) > T::VANISHING;
+            // One that is farther away belongs to another candidate, unless this one is no root itself. The lengths tell
+            // more than the rows, which close anywhere beside a fourfold root.
+            let least = size.min(T::DOUBTFUL) * T::HALF * T::HALF + T::COINCIDENT;
+            let gap = across.gap(rows, &itself);
+            let taken = |other: &Place<T>| {
+                apart(other, &root) < least || gap > T::VANISHING || gap > T::ROUNDING && close(other)
+            };
             [nearest.filter(taken).or(Some(itself)), None]
         };
         for value in pair.into_iter().flatten() {
