@@ -167,7 +167,7 @@ mod tests {
 
     fn axis(turns: bool, point: V, direction: V) -> Axis {
         let direction = unit(direction).unwrap_or([0.0, 0.0, 1.0]);
-        Axis { name: String::new(), turns, point, direction, limits: None }
+        Axis { name: String::new(), turns, point, direction }
     }
 
     /// `exp(S1 q1) exp(S2 q2) .. T(0)`
