@@ -50,7 +50,7 @@ pub fn missed(arm: &DynamicArm, target: &DynamicTarget, pose: &Pose<f64>, start:
         DynamicTarget::PositionAngle(asked) => return nearest_angle(arm, asked).map(Missed::Direction),
         DynamicTarget::Position(_) | DynamicTarget::PlanarPosition(_) => return None,
     };
-    let reach = arm.program().inverse.as_ref().ok()?.facts.reach;
+    let reach = arm.program().inverse.as_ref().ok()?.constants.reach;
     let whole = solve(numeric(whole).length(POINT_FIRST * reach), &at_point.q)?;
     (!whole.converged()).then_some(Missed::Direction(whole.residual))
 }

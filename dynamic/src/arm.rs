@@ -67,7 +67,7 @@ impl DynamicArm {
     pub fn named(text: &str, file: &str) -> Result<Self, DynamicError> {
         let program = program(text, file)?;
         let both = Straight::new(&program.functions.both);
-        let reach = program.inverse.as_ref().map_or(1.0, |inverse| inverse.facts.reach);
+        let reach = program.inverse.as_ref().map_or(1.0, |inverse| inverse.constants.reach);
         let solver = match &program.inverse {
             Ok(inverse) => solver(inverse, &both),
             Err(reason) => Err(DynamicError::NoInverse(reason.clone())),

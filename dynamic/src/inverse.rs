@@ -128,9 +128,9 @@ impl DynamicArm {
     /// # Errors
     /// An arm whose inverse does not take an arm angle; another number of joint values than joints.
     pub fn arm_angle(&self, q: &[f64]) -> Result<f64, DynamicError> {
-        let facts = self.inverse_program()?.swivel.as_ref().ok_or(DynamicError::NothingGiven)?;
-        let shoulder = Pose { rotation: facts.shoulder.r, translation: facts.shoulder.p };
-        let swivel = Swivel { shoulder, wrist: facts.wrist, axis: facts.axis, elbow: facts.elbow };
+        let constants = self.inverse_program()?.swivel.as_ref().ok_or(DynamicError::NothingGiven)?;
+        let shoulder = Pose { rotation: constants.shoulder.r, translation: constants.shoulder.p };
+        let swivel = Swivel { shoulder, wrist: constants.wrist, axis: constants.axis, elbow: constants.elbow };
         let links = self.link_poses(q)?;
         Ok(links.get(3).map_or(f64::NAN, |link| swivel.angle(link)))
     }

@@ -1,6 +1,6 @@
 //! A call of a kernel of the runtime, with its numbers taken from registers.
 
-use denhart::solve::{self, Cone, Elbow, Home, Measure, Missed, Search, Sight, Stage, Trail, Turn};
+use denhart::solve::{self, BranchState, Cone, DefaultValue, Elbow, Measure, Missed, Search, Sight, Stage, Turn};
 use denhart_codegen::lower::kernel::{
     Aim, Align, Flip, Offset, OffsetOfTwo, Pair, PairSliding, Quadratic, Slide, SlideTo, SlideTurning, Wrist,
 };
@@ -89,47 +89,47 @@ pub fn measure(unit: Unit, reach: f64) -> Measure<f64> {
 }
 
 /// Solves a stage.
-pub fn solve(call: &Call, homes: [Home<f64>; 2], known: &Known, reach: f64, values: Values) -> Roots {
+pub fn solve(call: &Call, defaults: [DefaultValue<f64>; 2], known: &Known, reach: f64, values: Values) -> Roots {
     let measure = measure(call.unit, reach);
-    let [home, outer] = homes;
+    let [default, outer] = defaults;
     let v = |slot: &Slot| values.of(*slot);
     match &call.kernel {
-        Kernel::Offset(Offset { a, b, d }) => Roots::TwoOfOne(solve::offset(home, measure, v(a), v(b), v(d))),
+        Kernel::Offset(Offset { a, b, d }) => Roots::TwoOfOne(solve::offset(default, measure, v(a), v(b), v(d))),
         Kernel::OffsetOfTwo(OffsetOfTwo { length, direction }) => {
             let (length, direction) = (values.all(length), values.all(direction));
-            Roots::TwoOfOne(solve::offset_of_two(home, measure, length, direction))
+            Roots::TwoOfOne(solve::offset_of_two(default, measure, length, direction))
         }
         Kernel::Distance(kernel) => {
-            let stage = solve::distance(home, measure, v(&kernel.rho), known.elbow);
+            let stage = solve::distance(default, measure, v(&kernel.rho), known.elbow);
             Roots::TwoOfOne(counted(stage, call.counted, known, values))
         }
         Kernel::Cone(kernel) => {
-            let stage = solve::cone(home, measure, v(&kernel.d), v(&kernel.rho), known.cone);
+            let stage = solve::cone(default, measure, v(&kernel.d), v(&kernel.rho), known.cone);
             Roots::TwoOfOne(counted(stage, call.counted, known, values))
         }
         Kernel::Align(Align { from, to }) => {
-            Roots::OneOfOne(solve::align(home, measure, values.all(from), values.all(to)))
+            Roots::OneOfOne(solve::align(default, measure, values.all(from), values.all(to)))
         }
         Kernel::Flip(Flip { m }) => Roots::TwoOfTwo(solve::flip(outer, values.all(m))),
-        Kernel::Wrist(Wrist { m }) => Roots::TwoOfThree(solve::wrist(home, values.rows(m))),
+        Kernel::Wrist(Wrist { m }) => Roots::TwoOfThree(solve::wrist(default, values.rows(m))),
         Kernel::Slide(Slide { rho, across, middle }) => {
             Roots::TwoOfOne(solve::slide(measure, v(rho), v(across), v(middle)))
         }
         Kernel::SlideTo(SlideTo { denominator, numerator }) => {
-            Roots::OneOfOne(solve::slide_to(home, measure, v(denominator), v(numerator)))
+            Roots::OneOfOne(solve::slide_to(default, measure, v(denominator), v(numerator)))
         }
         Kernel::SlideTurning(SlideTurning { direction, rows }) => {
-            Roots::TwoOfTwo(solve::slide_turning(homes, measure, values.all(direction), values.rows(rows)))
+            Roots::TwoOfTwo(solve::slide_turning(defaults, measure, values.all(direction), values.rows(rows)))
         }
         Kernel::Aim(Aim { moved: [x, z], frames: [frame_x, frame_z] }) => {
             let sight = |moved, frame| Sight { moved: values.all(moved), frame: values.rows(frame) };
-            Roots::ThreeOfTwo(solve::aim(homes, sight(x, frame_x), sight(z, frame_z)))
+            Roots::ThreeOfTwo(solve::aim(defaults, sight(x, frame_x), sight(z, frame_z)))
         }
         Kernel::Pair(Pair { p, q, across, .. }) => {
             let (p, q) = (values.rows(p), values.rows(q));
             Roots::FourOfTwo(match across {
-                None => solve::pair(homes, measure, p, q),
-                Some([[a, b], [c, d]]) => solve::pair_turning(homes, measure, p, q, values.rows(&[*a, *b, *c, *d])),
+                None => solve::pair(defaults, measure, p, q),
+                Some([[a, b], [c, d]]) => solve::pair_turning(defaults, measure, p, q, values.rows(&[*a, *b, *c, *d])),
             })
         }
         Kernel::PairSliding(PairSliding { line, scale, square, q, sliding, turning }) => {
@@ -152,12 +152,12 @@ fn counted(stage: Stage<f64, 1, 2>, from: Counted, known: &Known, values: Values
     }
 }
 
-/// The trail after a stage; the one before where the stage has no roots yet.
+/// The state after a stage; the one before where the stage has no roots yet.
 pub fn follow<const N: usize, const M: usize, P: Missed<f64, M>>(
     search: &mut Search<'_, f64, N, M, P>,
-    before: &Trail,
+    before: &BranchState,
     roots: &Option<Roots>,
-) -> Trail {
+) -> BranchState {
     match roots {
         None => *before,
         Some(roots) => with_roots!(roots, stage => search.follow(before, stage)),

@@ -35,8 +35,8 @@
 //! [`DynamicError::Unsupported`].
 
 mod arm;
+mod arm_constants;
 mod error;
-mod facts;
 mod function;
 mod inverse;
 mod joints;

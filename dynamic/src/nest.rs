@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use denhart_codegen::lower::{Each, Given, Inverse, Level, Part, Root, RootRange, Statement, Trail};
+use denhart_codegen::lower::{BranchState, Each, Given, Inverse, Level, Part, Root, RootRange, Statement};
 
 use crate::kernel::Known;
 use crate::tape::{Compiler, Places, Tape};
@@ -60,18 +60,18 @@ impl Nest {
         Nest { tape, places, levels, known, program: program.clone() }
     }
 
-    /// The place of a trail among all trails.
-    pub fn trail(&self, trail: Trail) -> usize {
-        match trail {
-            Trail::Start => 0,
-            Trail::Swung => 1,
-            Trail::Stage(stage) => 2 + stage,
-            Trail::Agreed(index) => 2 + self.program.stages + index,
+    /// The place of a state among all states.
+    pub fn state(&self, state: BranchState) -> usize {
+        match state {
+            BranchState::Start => 0,
+            BranchState::Swung => 1,
+            BranchState::Stage(stage) => 2 + stage,
+            BranchState::Agreed(index) => 2 + self.program.stages + index,
         }
     }
 
-    /// How many trails there are.
-    pub fn trails(&self) -> usize {
+    /// How many states there are.
+    pub fn states(&self) -> usize {
         2 + self.program.stages + self.program.agreements
     }
 

@@ -1,7 +1,9 @@
 //! One run of the inverse: the nest of a program, with the runtime's search.
 
 use denhart::math;
-use denhart::solve::{self, Cone, Elbow, Facts, Home, MOST_CASCADES, Missed, Search, Select, Trail, Turn};
+use denhart::solve::{
+    self, ArmConstants, BranchState, Cone, DefaultValue, Elbow, MOST_CASCADES, Missed, Search, Select, Turn,
+};
 use denhart::{Branch, Elbow as ElbowSide, Shoulder, Wrist};
 use denhart_codegen::lower::{self, Branching, Call, Each, Root, Slot, Statement, Unit};
 
@@ -14,7 +16,7 @@ pub struct Run<'a> {
     nest: &'a Nest,
     registers: Registers,
     known: Vec<Known>,
-    trails: Vec<Trail>,
+    states: Vec<BranchState>,
     /// Sine and cosine of the arm angle, where that is given.
     swing: (f64, f64),
     /// The branch to follow; none for all of them.
@@ -24,25 +26,25 @@ pub struct Run<'a> {
 impl<'a> Run<'a> {
     /// Before the first statement, with the target's numbers in their registers.
     pub fn new(nest: &'a Nest, registers: Registers, swing: (f64, f64), wanted: Option<Branch>) -> Self {
-        Run { nest, registers, known: nest.known.clone(), trails: Vec::new(), swing, wanted }
+        Run { nest, registers, known: nest.known.clone(), states: Vec::new(), swing, wanted }
     }
 
-    /// Once; again with a free joint at another place, where a later stage has no root with that joint at home.
+    /// Once; again with a free joint at another place, where a later stage has no root with it at its default.
     pub fn search<const N: usize, const M: usize, P: Missed<f64, M>>(
         mut self,
         mut search: Search<'_, f64, N, M, P>,
-        facts: &Facts<'_, f64, N>,
+        constants: &ArmConstants<'_, f64, N>,
         near: Option<&[f64; N]>,
     ) {
         for _ in 0..MOST_CASCADES {
-            self.trails.clear();
-            self.trails.resize(self.nest.trails(), search.start());
+            self.states.clear();
+            self.states.resize(self.nest.states(), search.start());
             self.level(0, Branch::NONE, &mut search);
             if search.complete() {
                 break;
             }
         }
-        search.finish(facts, near);
+        search.finish(constants, near);
     }
 
     fn level<const N: usize, const M: usize, P: Missed<f64, M>>(
@@ -59,9 +61,9 @@ impl<'a> Run<'a> {
         }
         let Some(each) = nest.levels.get(depth + 1).and_then(|next| next.each.as_ref()) else { return };
         let Some(roots) = self.known.get(each.stage).and_then(|known| known.roots) else { return };
-        let (trail, wanted) = (self.trail(each.trail, search), self.root_wanted(each.branching));
+        let (state, wanted) = (self.state(each.state, search), self.root_wanted(each.branching));
         with_roots!(&roots, stage => {
-            for (index, root) in stage.each(&trail, wanted) {
+            for (index, root) in stage.each(&state, wanted) {
                 self.take(&each.roots, root);
                 self.level(depth + 1, named(branch, each, index), search);
             }
@@ -94,9 +96,9 @@ impl<'a> Run<'a> {
             }
             Statement::Solve(call) => self.solve(call, search),
             Statement::Follow { stage, before } => {
-                let before = self.trail(*before, search);
+                let before = self.state(*before, search);
                 let roots = self.known.get(*stage).and_then(|known| known.roots);
-                self.set_trail(lower::Trail::Stage(*stage), follow(search, &before, &roots));
+                self.set_state(lower::BranchState::Stage(*stage), follow(search, &before, &roots));
             }
             Statement::Only { stage, roots } => {
                 let Some(solved) = self.known.get(*stage).and_then(|known| known.roots) else { return };
@@ -109,12 +111,12 @@ impl<'a> Run<'a> {
                 self.set(*symbol, angle);
             }
             Statement::Agree { index, before, unit, misses, .. } => {
-                let measure = measure(*unit, self.nest.program.facts.reach);
-                let mut trail = self.trail(*before, search);
+                let measure = measure(*unit, self.nest.program.constants.reach);
+                let mut state = self.state(*before, search);
                 for miss in misses {
-                    trail = search.agree(&trail, measure, [self.value(*miss)]);
+                    state = search.agree(&state, measure, [self.value(*miss)]);
                 }
-                self.set_trail(lower::Trail::Agreed(*index), trail);
+                self.set_state(lower::BranchState::Agreed(*index), state);
             }
             Statement::Swivel { symbols, vectors, before, .. } => {
                 let [wrist, moved, axis, elbow] = self.values().rows(vectors);
@@ -122,10 +124,10 @@ impl<'a> Run<'a> {
                 for (symbol, value) in symbols.iter().flatten().zip(rotation.iter().flatten()) {
                     self.set(*symbol, *value);
                 }
-                let length = measure(Unit::Length, self.nest.program.facts.reach);
-                let homes = [search.home(0), search.home(1)];
-                let trail = search.directed(&self.trail(*before, search), length, wrist, homes);
-                self.set_trail(lower::Trail::Swung, trail);
+                let length = measure(Unit::Length, self.nest.program.constants.reach);
+                let defaults = [search.default(0), search.default(1)];
+                let state = search.directed(&self.state(*before, search), length, wrist, defaults);
+                self.set_state(lower::BranchState::Swung, state);
             }
             Statement::Value { symbol, terms, constant } => {
                 let add = |sum: Option<f64>, (term, negative): &(Slot, bool)| {
@@ -141,13 +143,13 @@ impl<'a> Run<'a> {
                 let sum = if constant.is_zero() { sum } else { sum + constant.rad() };
                 self.set(*symbol, solve::wrap(sum));
             }
-            Statement::Push { trail, q } => {
-                let trail = self.trail(*trail, search);
+            Statement::Push { state, q } => {
+                let state = self.state(*state, search);
                 let mut values = [f64::NAN; N];
                 for (value, slot) in values.iter_mut().zip(q) {
                     *value = self.value(*slot);
                 }
-                search.push(&trail, values, branch);
+                search.push(&state, values, branch);
             }
         }
     }
@@ -157,21 +159,21 @@ impl<'a> Run<'a> {
         call: &Call,
         search: &Search<'_, f64, N, M, P>,
     ) {
-        let homes = call.defaults.map(|default| self.home(default, search));
-        let reach = self.nest.program.facts.reach;
+        let defaults = call.defaults.map(|default| self.default(default, search));
+        let reach = self.nest.program.constants.reach;
         let Some(known) = self.known.get(call.stage) else { return };
-        let roots = solve(call, homes, known, reach, self.values());
+        let roots = solve(call, defaults, known, reach, self.values());
         self.prepare(call.stage, |known| known.roots = Some(roots));
     }
 
-    fn home<const N: usize, const M: usize, P: Missed<f64, M>>(
+    fn default<const N: usize, const M: usize, P: Missed<f64, M>>(
         &self,
         default: lower::DefaultValue,
         search: &Search<'_, f64, N, M, P>,
-    ) -> Home<f64> {
+    ) -> DefaultValue<f64> {
         let at = match default.joint {
-            Some(joint) => search.home(joint),
-            None => search.virtual_home(),
+            Some(joint) => search.default(joint),
+            None => search.virtual_default(),
         };
         if default.shift.is_zero() { at } else { at.shifted(default.shift.rad()) }
     }
@@ -202,16 +204,16 @@ impl<'a> Run<'a> {
         }
     }
 
-    fn trail<const N: usize, const M: usize, P: Missed<f64, M>>(
+    fn state<const N: usize, const M: usize, P: Missed<f64, M>>(
         &self,
-        trail: lower::Trail,
+        state: lower::BranchState,
         search: &Search<'_, f64, N, M, P>,
-    ) -> Trail {
-        self.trails.get(self.nest.trail(trail)).copied().unwrap_or_else(|| search.start())
+    ) -> BranchState {
+        self.states.get(self.nest.state(state)).copied().unwrap_or_else(|| search.start())
     }
 
-    fn set_trail(&mut self, trail: lower::Trail, value: Trail) {
-        if let Some(place) = self.trails.get_mut(self.nest.trail(trail)) {
+    fn set_state(&mut self, state: lower::BranchState, value: BranchState) {
+        if let Some(place) = self.states.get_mut(self.nest.state(state)) {
             *place = value;
         }
     }

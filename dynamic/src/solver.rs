@@ -7,7 +7,7 @@ use denhart::solve::{Decoupled, Evaluate, Goal, InPlane, Levels, Locked, Missed,
 use denhart::{Branch, Jacobian, Pose, Residual, Solutions, Status};
 use denhart_codegen::lower::{self, Given, Input, Inverse};
 
-use crate::facts::Facts;
+use crate::arm_constants::ArmConstants;
 use crate::function::Straight;
 use crate::nest::Nest;
 use crate::run::Run;
@@ -75,7 +75,7 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
 #[derive(Debug)]
 struct Solver<const N: usize, const M: usize, P> {
     nest: Nest,
-    facts: Facts<N>,
+    constants: ArmConstants<N>,
     both: Evaluator<N>,
     missed: PhantomData<P>,
 }
@@ -97,8 +97,8 @@ impl<const N: usize> Evaluate<f64, N> for Evaluator<N> {
 
 impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send + Sync + 'static> Solver<N, M, P> {
     fn boxed(program: &Inverse, both: &Straight) -> Option<Box<dyn Solve>> {
-        let facts = Facts::of(&program.facts)?;
-        Some(Box::new(Self { nest: Nest::new(program), facts, both: Evaluator(both.clone()), missed: PhantomData }))
+        let constants = ArmConstants::of(&program.constants)?;
+        Some(Box::new(Self { nest: Nest::new(program), constants, both: Evaluator(both.clone()), missed: PhantomData }))
     }
 
     fn solutions(&self, asked: &Asked) -> Solutions<f64, N, M> {
@@ -175,8 +175,8 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
             Some(locked) => locked,
             None => goal,
         };
-        let facts = self.facts.get();
-        let search = Search::<f64, N, M, P>::new(&facts, &self.both, sought, near, solutions);
+        let constants = self.constants.get();
+        let search = Search::<f64, N, M, P>::new(&constants, &self.both, sought, near, solutions);
         let mut search = if self.nest.program.in_doubt { search.in_doubt() } else { search };
         if !search.begins(near) {
             return;
@@ -194,7 +194,7 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
             };
             registers.set(self.nest.places.of(*slot), value);
         }
-        Run::new(&self.nest, registers, (sin, cos), asked.branch).search(search, &facts, near);
+        Run::new(&self.nest, registers, (sin, cos), asked.branch).search(search, &constants, near);
     }
 }
 

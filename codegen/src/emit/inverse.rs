@@ -7,7 +7,7 @@ use super::task::task;
 use super::tokens::{array, bound, ident};
 use super::{Target, angle, docs};
 use crate::lower::kernel::Quantity;
-use crate::lower::{self, Branching, Call, Each, Given, Part, Root, Statement, Trail};
+use crate::lower::{self, BranchState, Branching, Call, Each, Given, Part, Root, Statement};
 use crate::model::Model;
 use crate::solve::{Plan, Stage};
 use crate::symbolic::{Expr, Input};
@@ -85,8 +85,8 @@ impl Nest<'_> {
 
     fn head(&self, each: &Each) -> TokenStream {
         let number = self.number(each.stage);
-        let (roots, index, trail) =
-            (ident(&format!("roots{number}")), ident(&format!("index{number}")), self.trail(each.trail));
+        let (roots, index, state) =
+            (ident(&format!("roots{number}")), ident(&format!("index{number}")), self.state(each.state));
         let pattern = self.pattern(&each.roots);
         let part = match each.branching {
             Branching::None => quote!(::core::option::Option::None),
@@ -95,7 +95,7 @@ impl Nest<'_> {
             Branching::Wrist => quote!(wanted.wrist()),
             Branching::Root => quote!(wanted.root()),
         };
-        quote!(for (#index, &#pattern) in #roots.each(&#trail, #part))
+        quote!(for (#index, &#pattern) in #roots.each(&#state, #part))
     }
 
     /// The name of a branch, from the roots that it follows.
@@ -154,9 +154,9 @@ impl Nest<'_> {
                 quote!(#meaning let #roots = #call;)
             }
             Statement::Follow { stage, before } => {
-                let (trail, before) = (self.trail(Trail::Stage(*stage)), self.trail(*before));
+                let (state, before) = (self.state(BranchState::Stage(*stage)), self.state(*before));
                 let roots = ident(&format!("roots{}", self.number(*stage)));
-                quote!(let #trail = search.follow(&#before, &#roots);)
+                quote!(let #state = search.follow(&#before, &#roots);)
             }
             Statement::Only { stage, roots } => {
                 let (pattern, roots) = (self.pattern(roots), ident(&format!("roots{}", self.number(*stage))));
@@ -167,7 +167,7 @@ impl Nest<'_> {
                 quote!(#doc let #symbol = #krate::math::atan2(#y, #x);)
             }
             Statement::Agree { index, before, unit, misses, meaning } => {
-                let (before, agreed) = (self.trail(*before), self.trail(Trail::Agreed(*index)));
+                let (before, agreed) = (self.state(*before), self.state(BranchState::Agreed(*index)));
                 let (measure, doc) = (kernel::measure(self, *unit), docs::lines(meaning));
                 let entries = misses.iter().map(w);
                 quote!(#doc let #agreed = search.agree(&#before, #measure, [#(#entries),*]);)
@@ -175,13 +175,14 @@ impl Nest<'_> {
             Statement::Swivel { symbols, vectors, before, meaning } => {
                 let vectors = vectors.each_ref().map(|vector| array(vector.iter().map(w)));
                 let rows = symbols.iter().map(|row| array(row.iter().map(|symbol| self.leaf(*symbol))));
-                let (doc, wrist, before) = (docs::lines(meaning), vectors.first(), self.trail(*before));
-                let swung = self.trail(Trail::Swung);
+                let (doc, wrist, before) = (docs::lines(meaning), vectors.first(), self.state(*before));
+                let swung = self.state(BranchState::Swung);
                 let length = kernel::measure(self, lower::Unit::Length);
                 let free = docs::lines("A wrist in the shoulder leaves joints 1 and 2 free.");
                 quote! {
                     #doc let [#(#rows),*] = #krate::solve::swivel(#(#vectors),*, swing);
-                    #free let #swung = search.directed(&#before, #length, #wrist, [search.home(0), search.home(1)]);
+                    #free let #swung =
+                        search.directed(&#before, #length, #wrist, [search.default(0), search.default(1)]);
                 }
             }
             Statement::Value { symbol, terms, constant } => {
@@ -189,10 +190,10 @@ impl Nest<'_> {
                 let (name, sum) = (self.leaf(*symbol), angle::sum(terms, *constant, self.target));
                 quote!(let #name = #krate::solve::wrap(#sum);)
             }
-            Statement::Push { trail, q } => {
-                let (trail, branch) = (self.trail(*trail), self.branch());
+            Statement::Push { state, q } => {
+                let (state, branch) = (self.state(*state), self.branch());
                 let q = q.iter().map(|slot| self.leaf(*slot));
-                quote!(let branch = #branch; search.push(&#trail, [#(#q),*], branch);)
+                quote!(let branch = #branch; search.push(&#state, [#(#q),*], branch);)
             }
         }
     }

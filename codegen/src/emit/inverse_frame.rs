@@ -13,26 +13,26 @@ use quote::quote;
 /// Reach, tolerances and limits as constants.
 pub(super) fn items(model: &Model, program: &Inverse, target: &Target, ranges: TokenStream) -> TokenStream {
     let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
-    let facts = &program.facts;
-    let reach = worked_out::reach(facts.reach, model, target);
-    let limited = facts.limited;
-    let sliding = facts
+    let constants = &program.constants;
+    let reach = worked_out::reach(constants.reach, model, target);
+    let limited = constants.limited;
+    let sliding = constants
         .prismatic
         .iter()
         .map(|joint| integer(*joint))
         .map(|index| quote!(.union(#krate::JointMask::single(#index))));
-    let weights = facts.weights.iter().copied().map(number);
-    let length = worked_out::position_tolerance(facts, model, target);
-    let angle = number(facts.angle);
+    let weights = constants.weights.iter().copied().map(number);
+    let length = worked_out::position_tolerance(constants, model, target);
+    let angle = number(constants.angle);
     let unit = model.length_unit.symbol();
     let reach_doc = format!(" Reach of the arm, {unit}: the scale of every length comparison.");
     let type_name = &target.type_name;
     let combined = combined_limits::reference(model, target);
-    let stands_for = match facts.stands_for.map(integer) {
+    let stands_for = match constants.stands_for.map(integer) {
         Some(last) => quote!(#krate::JointMask::single(#last)),
         None => quote!(#krate::JointMask::NONE),
     };
-    let (measure, facts_doc) = if model.parameters.is_empty() {
+    let (measure, constants_doc) = if model.parameters.is_empty() {
         let measure = quote! {
             /// Lengths are compared relative to the reach.
             const LENGTH: #krate::solve::Measure<#scalar> = #krate::solve::Measure::length(REACH);
@@ -46,8 +46,8 @@ pub(super) fn items(model: &Model, program: &Inverse, target: &Target, ranges: T
         #[doc = #reach_doc]
         const REACH: #scalar = #reach;
         #measure
-        #[doc = #facts_doc]
-        const FACTS: #krate::solve::Facts<#scalar, #n> = #krate::solve::Facts {
+        #[doc = #constants_doc]
+        const CONSTANTS: #krate::solve::ArmConstants<#scalar, #n> = #krate::solve::ArmConstants {
             limits: &#type_name::LIMITS,
             combined: #combined,
             weights: &[#(#weights),*],
@@ -108,10 +108,10 @@ pub(super) fn function(
         goal = quote!(#goal let locked = &#krate::solve::Locked::new(goal, #joint, #q););
     }
     let sought = ident(if given(plan).is_some() { "locked" } else { "goal" });
-    let (facts, sizes) = if model.parameters.is_empty() {
-        (quote!(&FACTS), TokenStream::new())
+    let (constants, sizes) = if model.parameters.is_empty() {
+        (quote!(&CONSTANTS), TokenStream::new())
     } else {
-        (quote!(&facts), parameters::sizes(model, target))
+        (quote!(&constants), parameters::sizes(model, target))
     };
     let (passes, missed, search_doc) = if program.decoupled {
         let passes = "Once; again with two free joints at other places, where two families of solutions cross.";
@@ -119,8 +119,8 @@ pub(super) fn function(
         (passes, quote!(#krate::solve::Decoupled), search)
     } else {
         let passes =
-            "Once; again with a free joint at another place, where a later stage has no root with that joint at home.";
-        let search = "The search; it remembers the branches that are missed with a free joint at home.";
+            "Once; again with a free joint at another place, where a later stage has no root with it at its default.";
+        let search = "The search; it remembers the branches that are missed with a free joint at its default value.";
         (passes, quote!(#krate::solve::Levels<#scalar, #m>), search)
     };
     let search_doc = docs::lines(search_doc);
@@ -147,7 +147,7 @@ pub(super) fn function(
             #sizes
             #goal
             #missed_doc
-            let mut search = InverseSearch::new(#facts, arm, #sought, near, solutions) #in_doubt;
+            let mut search = InverseSearch::new(#constants, arm, #sought, near, solutions) #in_doubt;
             if search.begins(near) {
                 #unpack
                 #given_symbols
@@ -159,7 +159,7 @@ pub(super) fn function(
                         break;
                     }
                 }
-                search.finish(#facts, near);
+                search.finish(#constants, near);
             }
         }
     }
@@ -274,12 +274,12 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
 
 /// The arm angle of a joint vector.
 fn arm_angle(plan: &Plan, target: &Target) -> Option<TokenStream> {
-    let facts = plan.task.swivel.as_ref()?;
+    let constants = plan.task.swivel.as_ref()?;
     let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(plan.joints()));
     let vector = |v: [f64; 3]| array(v.map(number));
-    let rows = array(facts.shoulder.r.map(vector));
+    let rows = array(constants.shoulder.r.map(vector));
     let (origin, wrist, axis, elbow) =
-        (vector(facts.shoulder.p), vector(facts.wrist), vector(facts.axis), vector(facts.elbow));
+        (vector(constants.shoulder.p), vector(constants.wrist), vector(constants.axis), vector(constants.elbow));
     Some(quote! {
         /// The arm angle of a joint vector, rad in (-pi, pi]: how far the elbow is swung, about the line from shoulder
         /// to wrist, from the side of the first joint's axis. Where the wrist lies on that axis it counts from the side

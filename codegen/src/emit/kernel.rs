@@ -67,8 +67,8 @@ fn argument(nest: &Nest, call: &Call, of: &Argument) -> TokenStream {
 
 fn default_value(nest: &Nest, DefaultValue { joint, shift }: &DefaultValue) -> TokenStream {
     let value = match joint.map(integer) {
-        Some(joint) => quote!(search.home(#joint)),
-        None => quote!(search.virtual_home()),
+        Some(joint) => quote!(search.default(#joint)),
+        None => quote!(search.virtual_default()),
     };
     if shift.is_zero() {
         return value;

@@ -40,7 +40,7 @@ const ENTRIES: [Entry; 17] = [
     (&["over_?"], "over_x: x of the vector that the target asks for"),
     (&["reach_?"], "reach_x: x of the vector that has to be turned there"),
     (&["h#_?"], "h1_x: x of the direction of the parallel axes, seen over joint 1"),
-    (&["roots#"], "roots3, trail3: the roots of the equation of joint 3, and what is known of a branch after it"),
+    (&["roots#"], "roots3, state3: the roots of the equation of joint 3, and what is known of a branch after it"),
     (&["minus_*", "*_part"], "minus_s23: -s23; p_1x_part: a partial sum of p_1x"),
 ];
 

@@ -2,7 +2,7 @@
 
 use super::Target;
 use super::tokens::{Writer, ident};
-use crate::lower::{self, Slot, Trail};
+use crate::lower::{self, BranchState, Slot};
 use crate::solve::Plan;
 use crate::symbolic::Label;
 use proc_macro2::Ident;
@@ -37,12 +37,12 @@ impl Nest<'_> {
     }
 
     /// What is known of a branch after a step, by its name.
-    pub fn trail(&self, trail: Trail) -> Ident {
-        match trail {
-            Trail::Start => ident("start"),
-            Trail::Stage(stage) => ident(&format!("trail{}", self.number(stage))),
-            Trail::Agreed(_) => ident("agreed"),
-            Trail::Swung => ident("swung"),
+    pub fn state(&self, state: BranchState) -> Ident {
+        match state {
+            BranchState::Start => ident("start"),
+            BranchState::Stage(stage) => ident(&format!("state{}", self.number(stage))),
+            BranchState::Agreed(_) => ident("agreed"),
+            BranchState::Swung => ident("swung"),
         }
     }
 }

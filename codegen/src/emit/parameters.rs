@@ -187,16 +187,16 @@ pub fn reach(model: &Model, target: &Target) -> TokenStream {
     }
 }
 
-/// The size of the arm as it is bound, and what follows from it: `length`, `facts`.
+/// The size of the arm as it is bound, and what follows from it: `length`, `constants`.
 pub fn sizes(model: &Model, target: &Target) -> TokenStream {
     let krate = &target.krate;
     let tolerance = worked_out::bound_tolerance(model);
     quote! {
         let reach = reach(arm);
-        let ::core::option::Option::Some(facts) = FACTS.with_reach(reach, #tolerance) else {
+        let ::core::option::Option::Some(constants) = CONSTANTS.with_reach(reach, #tolerance) else {
             return;
         };
-        let length = #krate::solve::Measure::length(facts.reach);
+        let length = #krate::solve::Measure::length(constants.reach);
     }
 }
 

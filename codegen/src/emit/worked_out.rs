@@ -4,7 +4,7 @@
 
 use super::tokens::number;
 use super::{Scalar, Target};
-use crate::lower::Facts;
+use crate::lower::ArmConstants;
 use crate::model::{DEFAULT_TOLERANCE, Model, ReachTerm, reach_terms};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -66,10 +66,10 @@ pub fn reach(reach: f64, model: &Model, target: &Target) -> TokenStream {
 }
 
 /// The tolerance on a position: that of the file, else a share of the reach.
-pub fn position_tolerance(facts: &Facts, model: &Model, target: &Target) -> TokenStream {
+pub fn position_tolerance(constants: &ArmConstants, model: &Model, target: &Target) -> TokenStream {
     match model.inverse.tolerance_length {
         Some(tolerance) => number(tolerance),
-        None => written(facts.length, facts.length, share_of(&quote!(REACH)), target),
+        None => written(constants.length, constants.length, share_of(&quote!(REACH)), target),
     }
 }
 

@@ -7,10 +7,10 @@
 //! Two visitors exist: `emit` writes a program as Rust, the crate `denhart-dynamic` evaluates it. Both follow the same
 //! statements, so equal programs give equal results.
 
+mod arm_constants;
 mod block;
 mod call;
 mod coupling;
-mod facts;
 mod function;
 mod margins;
 mod nest;
@@ -20,18 +20,18 @@ mod straight;
 #[cfg(test)]
 mod tests;
 
+pub use arm_constants::{ArmConstants, limits};
 pub use block::{Block, Names};
 pub use call::{Call, Counted, DefaultValue, RootRange};
 pub use coupling::{Linear, Linked, linked};
-pub use facts::{Facts, limits};
 pub use function::{Function, Functions};
 pub use margins::{Margins, Plane, Variable, constant, margins};
 pub use nest::inverse;
-pub use program::{Each, Inverse, Level, Root, Statement, Trail};
+pub use program::{BranchState, Each, Inverse, Level, Root, Statement};
 pub use straight::Straight;
 
 pub use crate::solve::kernel::{self, Kernel, Unit};
-pub use crate::solve::{Branching, Factor, Given, Goal, SwivelFacts};
+pub use crate::solve::{Branching, Factor, Given, Goal, SwivelConstants};
 pub use crate::symbolic::{AngleSum, BoundAngle, Dimension, Expr, Graph, Input, Node, Part};
 
 /// A value of a program: a leaf or an expression of its graph.

@@ -1,7 +1,7 @@
 //! The inverse: the plan as nested loops over the roots of its stages.
 
 use super::stage::call;
-use super::{Block, Each, Facts, Inverse, Level, Root, Slot, Statement, Trail};
+use super::{ArmConstants, Block, BranchState, Each, Inverse, Level, Root, Slot, Statement};
 use crate::model::Model;
 use crate::solve::{Plan, PlanStep, Stage, Unit};
 use crate::symbolic::{Graph, Input, Mat3, Node, Part, Symbol, Unknown};
@@ -15,7 +15,7 @@ struct Nest<'a> {
     /// The level at which a leaf is known.
     known: HashMap<Slot, usize>,
     used: HashSet<Slot>,
-    trail: Trail,
+    state: BranchState,
     agreements: usize,
 }
 
@@ -34,7 +34,7 @@ pub fn inverse(model: &Model, plan: &Plan) -> Inverse {
         levels: vec![Level::default()],
         known: HashMap::new(),
         used,
-        trail: Trail::Start,
+        state: BranchState::Start,
         agreements: 0,
         graph,
     };
@@ -67,7 +67,7 @@ pub fn inverse(model: &Model, plan: &Plan) -> Inverse {
     Inverse {
         graph,
         names: block.bound,
-        facts: Facts::of(model, plan),
+        constants: ArmConstants::of(model, plan),
         goal: plan.task.goal.clone(),
         given: plan.task.given,
         swivel: plan.task.swivel.clone(),
@@ -83,7 +83,7 @@ pub fn inverse(model: &Model, plan: &Plan) -> Inverse {
 }
 
 /// Names that the code around the expressions uses, before the label of a joint.
-const PREFIXES: [&str; 7] = ["q", "index", "roots", "trail", "elbow", "cone", "phase"];
+const PREFIXES: [&str; 7] = ["q", "index", "roots", "state", "elbow", "cone", "phase"];
 
 /// Names that it uses as they are.
 const NAMES: [&str; 13] = [
@@ -103,7 +103,7 @@ const NAMES: [&str; 13] = [
 ];
 
 /// The size of an arm with run-time parameters.
-const SIZES: [&str; 3] = ["reach", "facts", "length"];
+const SIZES: [&str; 3] = ["reach", "constants", "length"];
 
 fn reserved(model: &Model, plan: &Plan) -> Vec<String> {
     let labels =
@@ -152,15 +152,15 @@ impl Nest<'_> {
         }
         self.at(level, Statement::Solve(call));
         let deepest = self.deepest();
-        self.at(deepest, Statement::Follow { stage: index, before: self.trail });
-        self.trail = Trail::Stage(index);
+        self.at(deepest, Statement::Follow { stage: index, before: self.state });
+        self.state = BranchState::Stage(index);
         if stage.kernel.form().roots == 1 {
             let roots = self.roots(stage);
             self.at(deepest, Statement::Only { stage: index, roots });
         } else {
             self.levels.push(Level::default());
             let roots = self.roots(stage);
-            let each = Each { stage: index, trail: self.trail, roots, branching: stage.branching };
+            let each = Each { stage: index, state: self.state, roots, branching: stage.branching };
             if let Some(level) = self.levels.last_mut() {
                 level.each = Some(each);
             }
@@ -194,18 +194,18 @@ impl Nest<'_> {
 
     fn agreement(&mut self, meaning: &str, unit: Unit, misses: &[Slot]) {
         self.bind(misses);
-        let (index, before, deepest) = (self.agreements, self.trail, self.deepest());
+        let (index, before, deepest) = (self.agreements, self.state, self.deepest());
         let (misses, meaning) = (misses.to_vec(), meaning.to_string());
         self.at(deepest, Statement::Agree { index, before, unit, misses, meaning });
         self.agreements += 1;
-        self.trail = Trail::Agreed(index);
+        self.state = BranchState::Agreed(index);
     }
 
     fn swivel(&mut self, rotation: &Mat3, meaning: &str, vectors: [[Slot; 3]; 4]) {
         let level = self.bind(&vectors.concat());
-        let (before, meaning) = (self.trail, meaning.to_string());
+        let (before, meaning) = (self.state, meaning.to_string());
         self.at(level, Statement::Swivel { symbols: *rotation, vectors, before, meaning });
-        self.trail = Trail::Swung;
+        self.state = BranchState::Swung;
         for symbol in rotation.iter().flatten() {
             self.known.insert(*symbol, level);
         }
@@ -227,7 +227,7 @@ impl Nest<'_> {
 
     fn push(&mut self) {
         let q = (0..self.plan.joints()).map(|joint| self.graph.symbol(self.plan.value(joint))).collect();
-        let (trail, deepest) = (self.trail, self.deepest());
-        self.at(deepest, Statement::Push { trail, q });
+        let (state, deepest) = (self.state, self.deepest());
+        self.at(deepest, Statement::Push { state, q });
     }
 }

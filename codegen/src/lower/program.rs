@@ -1,9 +1,9 @@
 //! The inverse as a program: its statements and loops.
 
-use super::{Call, Facts, Names, Slot};
+use super::{ArmConstants, Call, Names, Slot};
 use crate::model::Angle;
 use crate::solve::kernel::{ConeRange, ElbowRange, Phase};
-use crate::solve::{Branching, Given, Goal, SwivelFacts, Unit};
+use crate::solve::{Branching, Given, Goal, SwivelConstants, Unit};
 use crate::symbolic::{Graph, Input, Part};
 
 /// The inverse as a program.
@@ -14,13 +14,13 @@ pub struct Inverse {
     /// The names of the shared expressions.
     pub names: Names,
     /// The arm constants.
-    pub facts: Facts,
+    pub constants: ArmConstants,
     /// The task, with its numbers.
     pub goal: Goal,
     /// What is given beside it.
     pub given: Option<Given>,
     /// What the arm angle of a joint vector is read from, where that is given.
-    pub swivel: Option<SwivelFacts>,
+    pub swivel: Option<SwivelConstants>,
     /// What is read of both.
     pub inputs: Vec<(Slot, Input)>,
     /// Statements and loops: the first level stands before every loop, each other one is the body of a loop in the level
@@ -63,7 +63,7 @@ pub struct Each {
     /// The stage.
     pub stage: usize,
     /// The state that says whether the branch goes on.
-    pub trail: Trail,
+    pub state: BranchState,
     /// What is taken of each root, by the stage's joints.
     pub roots: Vec<Root>,
     /// What the roots are called.
@@ -76,7 +76,7 @@ pub struct Root(pub Vec<(Part, Slot)>);
 
 /// The state of a branch, by the step that it has passed last.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Trail {
+pub enum BranchState {
     /// None.
     Start,
     /// A stage.
@@ -122,7 +122,7 @@ pub enum Statement {
         /// The stage.
         stage: usize,
         /// The branch state before.
-        before: Trail,
+        before: BranchState,
     },
     /// Takes the root of a stage that has just one.
     Only {
@@ -147,7 +147,7 @@ pub enum Statement {
         /// The place of this comparison among them.
         index: usize,
         /// The branch state before.
-        before: Trail,
+        before: BranchState,
         /// What is compared.
         unit: Unit,
         /// By how much each is missed.
@@ -162,7 +162,7 @@ pub enum Statement {
         /// Wrist where it has to be, wrist, elbow's axis and elbow in the frame of the upper arm.
         vectors: [[Slot; 3]; 4],
         /// The branch state before.
-        before: Trail,
+        before: BranchState,
         /// What it is.
         meaning: String,
     },
@@ -178,7 +178,7 @@ pub enum Statement {
     /// Adds a solution.
     Push {
         /// The state of its branch.
-        trail: Trail,
+        state: BranchState,
         /// The joint values.
         q: Vec<Slot>,
     },

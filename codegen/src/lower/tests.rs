@@ -1,7 +1,7 @@
 //! What holds for every program of the arms in `specs/`.
 #![allow(clippy::unwrap_used)]
 
-use super::{Functions, Inverse, Node, Root, Slot, Statement, Straight, Trail};
+use super::{BranchState, Functions, Inverse, Node, Root, Slot, Statement, Straight};
 use crate::Program;
 use crate::program;
 use crate::symbolic::Graph;
@@ -43,7 +43,7 @@ fn functions_read_joint_values_and_their_sines_alone() {
 #[derive(Default)]
 struct Known {
     slots: HashSet<Slot>,
-    trails: HashSet<Trail>,
+    trails: HashSet<BranchState>,
     solved: HashSet<usize>,
     prepared: HashSet<usize>,
 }
@@ -83,7 +83,7 @@ impl Known {
             }
             Statement::Follow { stage, before } => {
                 assert!(self.solved.contains(stage) && self.trails.contains(before), "{what}");
-                self.trails.insert(Trail::Stage(*stage));
+                self.trails.insert(BranchState::Stage(*stage));
             }
             Statement::Only { stage, roots } => {
                 assert!(self.solved.contains(stage), "{what}");
@@ -96,12 +96,12 @@ impl Known {
             Statement::Agree { index, before, misses, .. } => {
                 self.read(inverse, misses, &what);
                 assert!(self.trails.contains(before), "{what}");
-                self.trails.insert(Trail::Agreed(*index));
+                self.trails.insert(BranchState::Agreed(*index));
             }
             Statement::Swivel { symbols, vectors, before, .. } => {
                 self.read(inverse, &vectors.concat(), &what);
                 assert!(self.trails.contains(before), "{what}");
-                self.trails.insert(Trail::Swung);
+                self.trails.insert(BranchState::Swung);
                 self.slots.extend(symbols.iter().flatten());
             }
             Statement::Value { symbol, terms, .. } => {
@@ -109,9 +109,9 @@ impl Known {
                 self.read(inverse, &terms, &what);
                 self.slots.insert(*symbol);
             }
-            Statement::Push { trail, q } => {
+            Statement::Push { state, q } => {
                 self.read(inverse, q, &what);
-                assert!(self.trails.contains(trail) && q.len() == inverse.joints, "{what}");
+                assert!(self.trails.contains(state) && q.len() == inverse.joints, "{what}");
             }
         }
     }
@@ -125,11 +125,11 @@ fn everything_has_a_value_before_it_is_read() {
         inverses += 1;
         let mut known = Known::default();
         known.slots.extend(inverse.inputs.iter().map(|(slot, _)| *slot));
-        known.trails.insert(Trail::Start);
+        known.trails.insert(BranchState::Start);
         for (depth, level) in inverse.levels.iter().enumerate() {
             assert_eq!(level.each.is_some(), depth > 0, "{name}: which levels are loops");
             if let Some(each) = &level.each {
-                assert!(known.solved.contains(&each.stage) && known.trails.contains(&each.trail), "{name}: {each:?}");
+                assert!(known.solved.contains(&each.stage) && known.trails.contains(&each.state), "{name}: {each:?}");
                 known.take(&each.roots);
             }
             for statement in &level.body {

@@ -37,6 +37,6 @@ pub use description::describe;
 pub use kernel::{Kernel, Unit};
 pub use margins::{Factor, margins};
 pub use plan::{Branching, Plan, PlanStep, Stage};
-pub use task::{Given, Goal, SwivelFacts};
+pub use task::{Given, Goal, SwivelConstants};
 pub use tasks::plan;
 pub use unsupported::Unsupported;

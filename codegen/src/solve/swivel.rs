@@ -9,7 +9,7 @@ use super::loop_closure::LoopClosure;
 use super::plan::{Branching, Plan, PlanStep};
 use super::rank;
 use super::sides::Side;
-use super::task::{Given, Goal, PlanTask, SwivelFacts};
+use super::task::{Given, Goal, PlanTask, SwivelConstants};
 use super::triple;
 use super::unsupported::Unsupported;
 use crate::model::chain::Chain;
@@ -87,12 +87,12 @@ pub fn plan(mut joints: LoopChain, chain: &Chain) -> Result<Plan, Unsupported> {
     triple::rotation(&mut c, &left, [4, 5, 6], Branching::Wrist);
     Ok(c.finish(
         shoulder,
-        PlanTask { swivel: facts(&numeric, chain), ..PlanTask::new(Goal::Pose, Some(Given::ArmAngle)) },
+        PlanTask { swivel: constants(&numeric, chain), ..PlanTask::new(Goal::Pose, Some(Given::ArmAngle)) },
     ))
 }
 
 /// Where shoulder, wrist and elbow axis lie, as numbers.
-fn facts(joints: &LoopChain, chain: &Chain) -> Option<SwivelFacts> {
+fn constants(joints: &LoopChain, chain: &Chain) -> Option<SwivelConstants> {
     let sample = joints.generic.samples().first()?;
     let (axes, _) = joints.axes_and_tool(sample, 0);
     let base = joints.numeric(0, sample);
@@ -101,7 +101,7 @@ fn facts(joints: &LoopChain, chain: &Chain) -> Option<SwivelFacts> {
     let body = joints.body(chain, 3);
     let elbow = axes.get(3)?;
     let reach = joints.reach;
-    Some(SwivelFacts {
+    Some(SwivelConstants {
         shoulder: Transform { r: base.r.map(|row| as_written(row, 1.0)), p: as_written(shoulder, reach) },
         wrist: as_written(body.seen(wrist), reach),
         axis: as_written(body.turned_back(elbow.direction), 1.0),

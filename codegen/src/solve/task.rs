@@ -16,7 +16,7 @@ pub struct PlanTask {
     /// Why an axis before this one is not the one that points, where the file names none.
     pub passed_over: Option<String>,
     /// What the arm angle of a joint vector is read from, where that is given.
-    pub swivel: Option<SwivelFacts>,
+    pub swivel: Option<SwivelConstants>,
 }
 
 /// A task with its numbers.
@@ -60,7 +60,7 @@ pub enum Given {
 
 /// What the arm angle of a joint vector is read from.
 #[derive(Debug, Clone, PartialEq)]
-pub struct SwivelFacts {
+pub struct SwivelConstants {
     /// The shoulder, with the first joint's axis as z, in the base frame.
     pub shoulder: Transform,
     /// The wrist in the frame of the link after the elbow.

@@ -1,8 +1,8 @@
 //! One direction seen from two joints with a sliding joint between them.
 
-use super::stage::{LevelOf, Met};
+use super::stage::{Doubt, LevelOf};
 use super::tolerances::Tolerances;
-use super::{Home, Measure, Stage, Turn, offset};
+use super::{DefaultValue, Measure, Stage, Turn, offset};
 use crate::vector::{cross, dot, norm, scale};
 
 /// A vector that a joint turns about its z axis, and the frame in which the vector has to be seen. The rows of the
@@ -31,21 +31,21 @@ impl<T: Tolerances> Sight<T> {
 /// accurate to the rounding of the axes, also where the axes are nearly parallel. Two roots; one where the cones touch
 /// or do not meet, then with the gap.
 ///
-/// A joint whose axis `h` lies along is free. With parallel axes x is free. The roots are then x at home, and up to two
-/// where `h` is at right angles to the slide. Those two are roots because the slide does nothing there for the distance
-/// along `h`.
+/// A joint whose axis `h` lies along is free. With parallel axes x is free. The roots are then x at its default, and up
+/// to two where `h` is at right angles to the slide. Those two are roots because the slide does nothing there for the
+/// distance along `h`.
 #[inline]
-pub fn aim<T: Tolerances>(homes: [Home<T>; 2], x: Sight<T>, z: Sight<T>) -> Stage<T, 2, 3> {
+pub fn aim<T: Tolerances>(defaults: [DefaultValue<T>; 2], x: Sight<T>, z: Sight<T>) -> Stage<T, 2, 3> {
     let measure = Measure::DIRECTION;
-    let [home_x, home_z] = homes;
+    let [default_x, default_z] = defaults;
     let ([_, _, nx], [_, _, nz]) = (x.frame, z.frame);
     let ([_, _, kx], [_, _, kz]) = (x.moved, z.moved);
     let (sx, sz) = (x.across(), z.across());
     let normal = cross(nx, nz);
     let square = dot(normal, normal);
     let least = square.sqrt().min(sx).min(sz);
-    if !(least > home_x.free_below().max(home_z.free_below())) {
-        return undetermined(homes, &x, &z);
+    if !(least > default_x.free_below().max(default_z.free_below())) {
+        return undetermined(defaults, &x, &z);
     }
     let (sum, difference) = (plus(nx, nz, T::ONE), plus(nx, nz, -T::ONE));
     let (sum2, difference2) = (dot(sum, sum), dot(difference, difference));
@@ -63,39 +63,49 @@ pub fn aim<T: Tolerances>(homes: [Home<T>; 2], x: Sight<T>, z: Sight<T>) -> Stag
         let c = height / square;
         let [first, second] = [c, -c].map(|c| angles(&x, &z, plus(middle, normal, c)));
         let roots = [first, second, second];
-        Stage { len: 2, ..Stage::determined(roots, measure, LevelOf::Nothing, height.min(square), home_x.joint) }
+        Stage { len: 2, ..Stage::determined(roots, measure, LevelOf::Nothing, height.min(square), default_x.joint) }
     } else {
         let gap = (-inner).max(-outer).max(T::ZERO);
         Stage::edge(angles(&x, &z, unit(middle)), gap, measure)
     };
-    if least < T::DOUBTFUL { nearly(stage, homes, [sx, sz], square.sqrt()) } else { stage }
+    if least < T::DOUBTFUL { nearly(stage, defaults, [sx, sz], square.sqrt()) } else { stage }
 }
 
 /// The roots where a joint is nearly free: its axis all but along h, or the axes all but parallel.
 #[cold]
 #[inline(never)]
-fn nearly<T: Tolerances>(mut stage: Stage<T, 2, 3>, homes: [Home<T>; 2], across: [T; 2], between: T) -> Stage<T, 2, 3> {
+fn nearly<T: Tolerances>(
+    mut stage: Stage<T, 2, 3>,
+    defaults: [DefaultValue<T>; 2],
+    across: [T; 2],
+    between: T,
+) -> Stage<T, 2, 3> {
     // About axes that are nearly parallel, z follows x.
-    let ([home_x, home_z], [across_x, across_z]) = (homes, across);
-    stage = stage.nearly_free(home_x, Measure::DIRECTION, across_x.min(between));
-    if across_z < between { stage.nearly_free(home_z, Measure::DIRECTION, across_z) } else { stage }
+    let ([default_x, default_z], [across_x, across_z]) = (defaults, across);
+    stage = stage.nearly_free(default_x, Measure::DIRECTION, across_x.min(between));
+    if across_z < between { stage.nearly_free(default_z, Measure::DIRECTION, across_z) } else { stage }
 }
 
 /// The cases in which a joint is free.
 #[cold]
 #[inline(never)]
-fn undetermined<T: Tolerances>(homes: [Home<T>; 2], x: &Sight<T>, z: &Sight<T>) -> Stage<T, 2, 3> {
-    let [home_x, home_z] = homes;
-    let below = home_x.free_below().max(home_z.free_below());
+fn undetermined<T: Tolerances>(defaults: [DefaultValue<T>; 2], x: &Sight<T>, z: &Sight<T>) -> Stage<T, 2, 3> {
+    let [default_x, default_z] = defaults;
+    let below = default_x.free_below().max(default_z.free_below());
     let lies_along = |sight: &Sight<T>| !(sight.across() > below);
     match [x, z].map(lies_along) {
-        [false, false] => in_line(homes, x, z),
-        free => known(homes, x, z, free),
+        [false, false] => in_line(defaults, x, z),
+        free => known(defaults, x, z, free),
     }
 }
 
 /// The vector lies along the axis of one joint or of both, which are free; the other sees it there.
-fn known<T: Tolerances>(homes: [Home<T>; 2], x: &Sight<T>, z: &Sight<T>, mut free: [bool; 2]) -> Stage<T, 2, 3> {
+fn known<T: Tolerances>(
+    defaults: [DefaultValue<T>; 2],
+    x: &Sight<T>,
+    z: &Sight<T>,
+    mut free: [bool; 2],
+) -> Stage<T, 2, 3> {
     let [(along, seen), (other, wanted)] = {
         let ([.., nx], [.., nz]) = (x.frame, z.frame);
         let ([.., kx], [.., kz]) = (x.moved, z.moved);
@@ -112,18 +122,18 @@ fn known<T: Tolerances>(homes: [Home<T>; 2], x: &Sight<T>, z: &Sight<T>, mut fre
     let across = (T::ONE - wanted * wanted).max(T::ZERO).sqrt();
     let gap = (sine * wanted - cosine * across).abs();
     let mut root = angles(x, z, h);
-    let mut met = Met { gap: beyond_free(gap), angular: true, ..Met::NOTHING };
-    for ((turn, home), free) in root.iter_mut().zip(homes).zip(free) {
+    let mut doubt = Doubt { gap: beyond_free(gap), angular: true, ..Doubt::NOTHING };
+    for ((turn, default), free) in root.iter_mut().zip(defaults).zip(free) {
         if free {
-            *turn = Turn::at(home.value);
-            met.free |= home.joint;
+            *turn = Turn::at(default.value);
+            doubt.free |= default.joint;
         }
     }
-    Stage { len: 1, met: Some(met), ..Stage::solved([root; 3]) }
+    Stage { len: 1, doubt: Some(doubt), ..Stage::solved([root; 3]) }
 }
 
 /// Both joints turn about the same direction: z follows x.
-fn in_line<T: Tolerances>([home, _]: [Home<T>; 2], x: &Sight<T>, z: &Sight<T>) -> Stage<T, 2, 3> {
+fn in_line<T: Tolerances>([default, _]: [DefaultValue<T>; 2], x: &Sight<T>, z: &Sight<T>) -> Stage<T, 2, 3> {
     let ([row1, row2, nx], [.., nz]) = (x.frame, z.frame);
     let ([ax, ay, kx], [.., kz]) = (x.moved, z.moved);
     let follow = |turn: Turn<T>| {
@@ -133,12 +143,13 @@ fn in_line<T: Tolerances>([home, _]: [Home<T>; 2], x: &Sight<T>, z: &Sight<T>) -
     };
     // The slide is along the third axis of its own frame.
     let ([.., c1], [.., c2], [.., c3]) = (row1, row2, nx);
-    let across = offset(home, Measure::DIRECTION, c1 * ax + c2 * ay, c1 * ay - c2 * ax, -(c3 * kx));
+    let across = offset(default, Measure::DIRECTION, c1 * ax + c2 * ay, c1 * ay - c2 * ax, -(c3 * kx));
     let [[first], [second]] = across.roots;
-    let more = if across.met.is_none_or(|met| met.free.is_empty() && met.gap <= T::ROUNDING) { across.len } else { 0 };
-    let stay = follow(Turn::at(home.value));
+    let more =
+        if across.doubt.is_none_or(|doubt| doubt.free.is_empty() && doubt.gap <= T::ROUNDING) { across.len } else { 0 };
+    let stay = follow(Turn::at(default.value));
     let gap = beyond_free((kx * dot(nx, nz) - kz).abs());
-    let stage = Stage::<T, 2, 3>::left_free(stay, home, gap, Measure::DIRECTION);
+    let stage = Stage::<T, 2, 3>::left_free(stay, default, gap, Measure::DIRECTION);
     Stage { roots: [stay, follow(first), follow(second)], len: 1 + more, ..stage }
 }
 
@@ -176,8 +187,8 @@ mod tests {
     use crate::math::wrap;
     use std::vec::Vec;
 
-    fn homes() -> [Home<f64>; 2] {
-        [(0, 0.3), (1, -0.8)].map(|(joint, value)| Home::at(value, JointMask::single(joint)))
+    fn defaults() -> [DefaultValue<f64>; 2] {
+        [(0, 0.3), (1, -0.8)].map(|(joint, value)| DefaultValue::at(value, JointMask::single(joint)))
     }
 
     /// Axes at the angle `between` to each other and a slide askew to both, and what joints at `(x, z)` move onto `h`.
@@ -213,9 +224,9 @@ mod tests {
                 let h = [a.cos() * b.sin(), a.sin() * b.sin(), b.cos()];
                 let (x, z) = (wrap(x), wrap(z));
                 let [over_x, over_z] = sights(between, h, [x, z]);
-                let stage = aim(homes(), over_x, over_z);
+                let stage = aim(defaults(), over_x, over_z);
                 // Where the cones touch, two roots are as far apart as the root of rounding.
-                let accuracy = accuracy / stage.met.unwrap_or(Met::NOTHING).amplitude.clamp(1e-8, 1.0);
+                let accuracy = accuracy / stage.doubt.unwrap_or(Doubt::NOTHING).amplitude.clamp(1e-8, 1.0);
                 assert!(found(&stage, [x, z]) < accuracy.max(1e-13), "{between} {k}: {stage:?}");
             }
         }
@@ -224,10 +235,10 @@ mod tests {
     #[test]
     fn a_joint_whose_axis_the_vector_lies_along_is_free() {
         let [over_x, over_z] = sights(0.9, [0.64, -0.48, 0.6], [0.0, 0.4]);
-        let stage = aim(homes(), over_x, over_z);
+        let stage = aim(defaults(), over_x, over_z);
         assert_eq!(
-            (stage.len, stage.met),
-            (1, Some(Met { angular: true, free: JointMask::single(0), ..Met::NOTHING }))
+            (stage.len, stage.doubt),
+            (1, Some(Doubt { angular: true, free: JointMask::single(0), ..Doubt::NOTHING }))
         );
         assert!(found(&stage, [0.3, 0.4]) < 1e-15);
     }
@@ -235,10 +246,10 @@ mod tests {
     #[test]
     fn parallel_axes_leave_the_first_joint_free_and_offer_what_the_slide_does_not_move() {
         let [over_x, over_z] = sights(0.0, [1.0, 0.0, 0.0], [0.9, 0.4]);
-        let stage = aim(homes(), over_x, over_z);
+        let stage = aim(defaults(), over_x, over_z);
         assert_eq!(
-            (stage.len, stage.met),
-            (3, Some(Met { angular: true, free: JointMask::single(0), ..Met::NOTHING }))
+            (stage.len, stage.doubt),
+            (3, Some(Doubt { angular: true, free: JointMask::single(0), ..Doubt::NOTHING }))
         );
         // h is at right angles to the slide, the third axis, at x = 0.9.
         assert!(found(&stage, [0.9, 0.4]) < 1e-15 && found(&stage, [0.3, 1.0]) < 1e-15, "{stage:?}");

@@ -2,18 +2,18 @@
 
 use super::stage::LevelOf;
 use super::tolerances::Tolerances;
-use super::{Home, Measure, Stage, Turn};
+use super::{DefaultValue, Measure, Stage, Turn};
 
 /// The turn that takes the direction of `from` to that of `to`: `atan2(from x to, from . to)`. One root. With either
 /// vector vanishing the joint is free.
 #[inline]
-pub fn align<T: Tolerances>(home: Home<T>, measure: Measure<T>, from: [T; 2], to: [T; 2]) -> Stage<T, 1, 1> {
+pub fn align<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, from: [T; 2], to: [T; 2]) -> Stage<T, 1, 1> {
     let ([ux, uy], [vx, vy]) = (from, to);
     let (u2, v2) = (ux * ux + uy * uy, vx * vx + vy * vy);
     let (cross, dot) = (ux * vy - uy * vx, ux * vx + uy * vy);
     let doubtful = T::DOUBTFUL * measure.scale;
     if !(u2 >= doubtful * doubtful && v2 >= doubtful * doubtful) {
-        return short(home, measure, from, to);
+        return short(default, measure, from, to);
     }
     // |(cross, dot)| = |from| |to|. The root and the division, both slow, at the same time.
     let square = u2 * v2;
@@ -26,17 +26,17 @@ pub fn align<T: Tolerances>(home: Home<T>, measure: Measure<T>, from: [T; 2], to
 /// limit on its branch.
 #[cold]
 #[inline(never)]
-fn short<T: Tolerances>(home: Home<T>, measure: Measure<T>, from: [T; 2], to: [T; 2]) -> Stage<T, 1, 1> {
+fn short<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, from: [T; 2], to: [T; 2]) -> Stage<T, 1, 1> {
     let [u, v] = [from, to].map(|[x, y]| x.abs().max(y.abs()));
-    let vanishing = home.free_below() * measure.scale;
+    let vanishing = default.free_below() * measure.scale;
     // What a later stage sees of an edge root's sine; rounding leaves more of a vector that vanishes by itself.
     let limit = u.min(v) > T::ZERO && u.min(v) <= T::LEAST_SINE * T::TWO * measure.scale;
     if !(u.min(v) > vanishing || limit && u.max(v) > vanishing) {
-        return Stage::left_free([Turn::ZERO], home, T::ZERO, measure);
+        return Stage::left_free([Turn::ZERO], default, T::ZERO, measure);
     }
     // Scaled first, so that no square vanishes.
     let ([ux, uy], [vx, vy]) = (from.map(|e| e / u), to.map(|e| e / v));
     let turn = Turn::towards(ux * vy - uy * vx, ux * vx + uy * vy);
     let amplitude = (u.min(v) / measure.scale).max(T::VANISHING);
-    Stage::determined([[turn]], measure, LevelOf::Nothing, amplitude, home.joint)
+    Stage::determined([[turn]], measure, LevelOf::Nothing, amplitude, default.joint)
 }

@@ -2,7 +2,7 @@
 
 use super::stage::LevelOf;
 use super::tolerances::Tolerances;
-use super::{Home, Measure, Stage, Turn};
+use super::{DefaultValue, Measure, Stage, Turn};
 use crate::JointMask;
 
 /// The range of that component. The vector's length is fixed, so each end also has a component across.
@@ -33,15 +33,21 @@ impl<T: Tolerances> Cone<T> {
 ///
 /// Two roots, positive first; one at the ends of the range or outside it, then with the gap to the range.
 #[inline]
-pub fn cone<T: Tolerances>(home: Home<T>, measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> Stage<T, 1, 2> {
+pub fn cone<T: Tolerances>(
+    default: DefaultValue<T>,
+    measure: Measure<T>,
+    d: T,
+    rho: T,
+    cone: Cone<T>,
+) -> Stage<T, 1, 2> {
     let ([max, max_across], [min, _]) = (cone.max, cone.min);
     let range = max - min;
-    if home.is_free(range, measure.scale) {
-        return Stage::left_free([Turn::ZERO], home, gap(d, rho, max, max_across), measure);
+    if default.is_free(range, measure.scale) {
+        return Stage::left_free([Turn::ZERO], default, gap(d, rho, max, max_across), measure);
     }
     let mut stage = within(measure, d, rho, cone);
     if range < T::DOUBTFUL * measure.scale {
-        stage.narrowed(home, measure, range / measure.scale);
+        stage.narrowed(default, measure, range / measure.scale);
     }
     stage
 }
@@ -61,11 +67,11 @@ fn within<T: Tolerances>(measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> St
     // The rounding of the component itself; roots farther apart are told apart.
     let close = T::EPSILON * (T::TWO + T::TWO) * measure.scale;
     let level = LevelOf::Cosine((bottom - top) / (max - min));
-    let met = |end: T, across: T| (end - d).abs() <= close && (rho - across.abs()).abs() <= close;
-    if !(top > T::ZERO) || met(max, max_across) {
+    let touches = |end: T, across: T| (end - d).abs() <= close && (rho - across.abs()).abs() <= close;
+    if !(top > T::ZERO) || touches(max, max_across) {
         return Stage::edge([Turn::STRETCHED], gap(d, rho, max, max_across), measure).at_level(level);
     }
-    if !(bottom > T::ZERO) || met(min, min_across) {
+    if !(bottom > T::ZERO) || touches(min, min_across) {
         return Stage::edge([Turn::FOLDED], gap(d, rho, min, min_across), measure).at_level(level);
     }
     // |(2 sqrt(top bottom), bottom - top)| = top + bottom
@@ -89,12 +95,12 @@ mod tests {
     /// A short vector across the turning axis, next to a long one along it: the angle is as accurate as the component.
     #[test]
     fn a_small_component_of_a_long_vector() {
-        let home = Home::at(0.0, JointMask::single(0));
+        let default = DefaultValue::at(0.0, JointMask::single(0));
         for t in [0.3, 1.2, 1.57, 2.0, 3.0_f64] {
             let (along, across) = (-0.8, 4e-8);
             let d = across * t.cos();
             let rho = (along * along + (across * t.sin()).powi(2)).sqrt();
-            let stage = cone(home, Measure::length(1.0), d, rho, Cone::new(along, across, 0.0, 1.0));
+            let stage = cone(default, Measure::length(1.0), d, rho, Cone::new(along, across, 0.0, 1.0));
             assert!((stage.roots[0][0].value - t).abs() < 1e-12, "{t}: {:?}", stage.roots);
         }
     }

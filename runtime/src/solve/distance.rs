@@ -2,7 +2,7 @@
 
 use super::stage::LevelOf;
 use super::tolerances::Tolerances;
-use super::{Home, Measure, Stage, Turn};
+use super::{DefaultValue, Measure, Stage, Turn};
 use crate::JointMask;
 
 /// The range of the distance between a point on one link and a point on the next.
@@ -43,14 +43,19 @@ impl<T: Tolerances> Elbow<T> {
 ///
 /// Two roots, positive first; one at the ends of the range or outside it, then with the gap to the range.
 #[inline(always)]
-pub fn distance<T: Tolerances>(home: Home<T>, measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<T, 1, 2> {
+pub fn distance<T: Tolerances>(
+    default: DefaultValue<T>,
+    measure: Measure<T>,
+    rho: T,
+    elbow: Elbow<T>,
+) -> Stage<T, 1, 2> {
     let range = elbow.max - elbow.min;
-    if home.is_free(range, measure.scale) {
-        return Stage::left_free([Turn::ZERO], home, (elbow.max - rho).abs(), measure);
+    if default.is_free(range, measure.scale) {
+        return Stage::left_free([Turn::ZERO], default, (elbow.max - rho).abs(), measure);
     }
     let mut stage = within(measure, rho, elbow);
     if range < T::DOUBTFUL * measure.scale {
-        stage.narrowed(home, measure, range / measure.scale);
+        stage.narrowed(default, measure, range / measure.scale);
     }
     stage
 }
@@ -90,16 +95,16 @@ mod tests {
     /// A point close to the axis turns through any angle within a narrow range of distances: the joint is nearly free.
     #[test]
     fn a_point_close_to_the_axis_leaves_the_joint_nearly_free() {
-        let home = Home::at(0.0, JointMask::single(2));
+        let default = DefaultValue::at(0.0, JointMask::single(2));
         let solved = |a: f64| {
             let t = 0.7_f64;
             let rho = (a * a + 0.25 + a * t.cos()).sqrt();
-            distance(home, Measure::length(1.0), rho, Elbow::new(a, 0.5, 0.0))
+            distance(default, Measure::length(1.0), rho, Elbow::new(a, 0.5, 0.0))
         };
-        assert_eq!(solved(0.3).met, None);
-        assert!(solved(1e-4).met.is_some_and(|met| met.weak.is_empty()));
-        assert_eq!(solved(1e-9).met.map(|met| met.weak), Some(home.joint));
+        assert_eq!(solved(0.3).doubt, None);
+        assert!(solved(1e-4).doubt.is_some_and(|doubt| doubt.weak.is_empty()));
+        assert_eq!(solved(1e-9).doubt.map(|doubt| doubt.weak), Some(default.joint));
         assert!((solved(1e-9).roots[0][0].value - 0.7).abs() < 1e-6);
-        assert_eq!(solved(1e-14).free(), home.joint);
+        assert_eq!(solved(1e-14).free(), default.joint);
     }
 }

@@ -2,8 +2,8 @@
 
 use core::iter;
 
-use super::facts::Evaluate;
-use super::{Facts, Goal, Tolerances};
+use super::arm_constants::Evaluate;
+use super::{ArmConstants, Goal, Tolerances};
 use crate::math::wrap;
 use crate::{JointMask, Residual};
 
@@ -43,28 +43,33 @@ pub(super) struct Iterate<T, const N: usize> {
 impl<T: Tolerances, const N: usize> Iterate<T, N> {
     /// Evaluates the arm at `q`.
     #[inline]
-    pub(super) fn at(facts: &Facts<T, N>, goal: &dyn Goal<T, N>, arm: &dyn Evaluate<T, N>, q: [T; N]) -> Self {
+    pub(super) fn at(
+        constants: &ArmConstants<T, N>,
+        goal: &dyn Goal<T, N>,
+        arm: &dyn Evaluate<T, N>,
+        q: [T; N],
+    ) -> Self {
         let mut iterate =
             Self { q, residual: Residual::ZERO, columns: [[T::ZERO; 6]; N], error: [T::ZERO; 6], size: T::ZERO };
-        iterate.evaluate(facts, goal, arm);
+        iterate.evaluate(constants, goal, arm);
         iterate
     }
 
     /// Evaluates the arm at its joint vector.
     #[inline(never)]
-    fn evaluate(&mut self, facts: &Facts<T, N>, goal: &dyn Goal<T, N>, arm: &dyn Evaluate<T, N>) {
+    fn evaluate(&mut self, constants: &ArmConstants<T, N>, goal: &dyn Goal<T, N>, arm: &dyn Evaluate<T, N>) {
         let mut evaluated = arm.evaluate(&self.q);
         let (pose, jacobian) = &mut evaluated;
         goal.restrict(pose, jacobian);
-        let k = T::ONE / facts.reach;
+        let k = T::ONE / constants.reach;
         let [x, y, z, u, v, w] = &jacobian.rows;
         let rows = x.iter().zip(y).zip(z).zip(u.iter().zip(v).zip(w));
         for (column, (((x, y), z), ((u, v), w))) in self.columns.iter_mut().zip(rows) {
             *column = [*x * k, *y * k, *z * k, *u, *v, *w];
         }
-        for joint in facts.prismatic.iter() {
+        for joint in constants.prismatic.iter() {
             let column = self.columns.get_mut(joint).into_iter().flatten();
-            column.for_each(|entry| *entry *= facts.reach);
+            column.for_each(|entry| *entry *= constants.reach);
         }
         let [x, y, z, u, v, w] = goal.error(&self.q, pose);
         self.error = [x * k, y * k, z * k, u, v, w];
@@ -87,7 +92,7 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
 #[cold]
 #[inline(never)]
 pub(super) fn refine<T: Tolerances, const N: usize>(
-    facts: &Facts<T, N>,
+    constants: &ArmConstants<T, N>,
     goal: &dyn Goal<T, N>,
     arm: &dyn Evaluate<T, N>,
     start: &mut Iterate<T, N>,
@@ -99,7 +104,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
     }
     let held = goal.given();
     // A free joint may stay at a reference that is wound by turns.
-    wrap_angles(&mut start.q, held, facts.prismatic);
+    wrap_angles(&mut start.q, held, constants.prismatic);
     let mut other = *start;
     let (mut best, mut tried) = (&mut *start, &mut other);
     // Whether the best one is `other`.
@@ -114,7 +119,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
     let mut taken = 0;
     // Every turn takes an evaluation, or is the last one.
     while taken < most {
-        let exact = facts.relative(&best.residual) <= T::EXACT;
+        let exact = constants.relative(&best.residual) <= T::EXACT;
         let done = if exact { stalls > 0 } else { stalls >= MOST_STALLS };
         let place = if from_best { &*best } else { &*tried };
         let (from, size) = (place.q, place.size);
@@ -143,9 +148,9 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
         for last in [false, true] {
             tried.q = from;
             for (joint, (value, change)) in tried.q.iter_mut().zip(&step.changes).enumerate() {
-                *value += *change * part * facts.unit(joint);
+                *value += *change * part * constants.unit(joint);
             }
-            tried.evaluate(facts, goal, arm);
+            tried.evaluate(constants, goal, arm);
             taken += 1;
             if last || !may_cut || tried.size < stalled || taken >= most {
                 break;
@@ -186,7 +191,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
     if swapped {
         (start.q, start.residual) = (other.q, other.residual);
     }
-    wrap_angles(&mut start.q, held, facts.prismatic);
+    wrap_angles(&mut start.q, held, constants.prismatic);
 }
 
 /// A damped step.

@@ -1,17 +1,18 @@
-//! Branches that are missed with a free joint at home, and where that joint has to be for them.
+//! Branches that are missed with a free joint at its default, and where that joint has to be for them.
 
 use super::open::{LEVELS, Open, same};
 use super::place::{Beside, PLACES, stroke, turn};
 use super::roots::{NODES, node};
-use super::stage::{Behind, State};
-use super::{Facts, Tolerances, two_joints};
+use super::stage::{Behind, Doubts};
+use super::{ArmConstants, Tolerances, two_joints};
 use crate::effort::MOST_CASCADES;
 use crate::math::wrap;
 use crate::{Branch, JointMask};
 
-/// Open branches whose joints are placed together at most: home, three places, six runs and these make all cascades.
+/// Open branches whose joints are placed together at most: the defaults, three places, six runs and these make all
+/// cascades.
 const MOST_TOGETHER: usize = MOST_CASCADES - 1 - two_joints::PLACES - two_joints::RUNS;
-/// A slide is sampled at home and this many reaches either way.
+/// A slide is sampled at its default and this many reaches either way.
 const STROKE: f64 = 2.0 / 3.0;
 
 /// What a further run of the cascade is for.
@@ -38,12 +39,12 @@ pub(super) enum Round {
     Other(usize),
 }
 
-/// The branches on which a joint is free or nearly so, and which are missed with that joint at home. Such a branch has
-/// roots for an interval of the joint, or at one place alone. Such a place has a stretched elbow that every other place
-/// of the joint would have to stretch more. Three runs of the cascade tell the level of the first stage that depends on
-/// the joint, and with that the place. Behind a slide the level is of degree 2, and five runs tell it. Six more tell the
-/// level over two free joints that turn. Five more tell the level of a second stage, where the first one alone does not
-/// lead to a solution.
+/// The branches on which a joint is free or nearly so, and which are missed with that joint at its default. Such a
+/// branch has roots for an interval of the joint, or at one place alone. Such a place has a stretched elbow that every
+/// other place of the joint would have to stretch more. Three runs of the cascade tell the level of the first stage
+/// that depends on the joint, and with that the place. Behind a slide the level is of degree 2, and five runs tell it.
+/// Six more tell the level over two free joints that turn. Five more tell the level of a second stage, where the first
+/// one alone does not lead to a solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Levels<T, const M: usize> {
     /// Open branches, the first `len`.
@@ -53,7 +54,7 @@ pub struct Levels<T, const M: usize> {
     pub(super) free: JointMask,
     /// Of these the first ones, and others: those that either step moves.
     moving: [JointMask; 2],
-    /// How far the free joints are from home in this pass, in turns or strokes.
+    /// How far the free joints are from their defaults in this pass, in turns or strokes.
     steps: [T; 2],
     /// Whether every level that depends on its joint is of degree 1 in it: no slide follows the joint.
     simple: bool,
@@ -83,12 +84,12 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         self.open.get_mut(..self.len).unwrap_or(&mut [])
     }
 
-    /// Remembers a branch that is missed at home, at the joint vector `q`. `slack`: by how much a joint that is nearly
-    /// free may move.
+    /// Remembers a branch that is missed at its default, at the joint vector `q`. `slack`: by how much a joint that is
+    /// nearly free may move.
     #[inline(never)]
     pub(super) fn remember<const N: usize>(
         &mut self,
-        state: &State<T>,
+        doubts: &Doubts<T>,
         levels: &[Behind<T>; LEVELS],
         branch: Branch,
         q: &[T; N],
@@ -97,15 +98,15 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         if self.open().iter().any(|other| same(other.branch, branch, true)) {
             return;
         }
-        let first = state.first.iter().next();
+        let first = doubts.first.iter().next();
         let single = |joint: Option<usize>| joint.map_or(JointMask::NONE, JointMask::single);
-        let joints = [single(first), single(state.loose().iter().find(|joint| Some(*joint) != first))];
+        let joints = [single(first), single(doubts.loose().iter().find(|joint| Some(*joint) != first))];
         if let Some(slot) = self.open.get_mut(self.len) {
             let value = first.and_then(|joint| q.get(joint)).copied().unwrap_or(T::ZERO);
             (slot.branch, slot.joints, slot.value, slot.slack) = (branch, joints, value, slack);
             slot.begin(levels, true);
             self.len += 1;
-            self.free |= state.loose();
+            self.free |= doubts.loose();
             for (moving, joint) in self.moving.iter_mut().zip(joints) {
                 *moving |= joint;
             }
@@ -118,7 +119,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
     pub(super) fn takes(
         &mut self,
         pass: Pass,
-        state: &State<T>,
+        doubts: &Doubts<T>,
         levels: &[Behind<T>; LEVELS],
         branch: Branch,
         listed: impl Fn(Branch) -> bool,
@@ -145,7 +146,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
                     self.depends |= depends;
                 }
                 let steps = self.steps;
-                let without = self.open_mut().iter_mut().filter(|open| !state.missed && open.sampled.is_none());
+                let without = self.open_mut().iter_mut().filter(|open| !doubts.missed && open.sampled.is_none());
                 for open in without.filter(|open| same(open.branch, branch, false)) {
                     (open.sampled, open.aside) = (Some((second, place)), steps);
                 }
@@ -153,7 +154,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
             }
             Pass::Node { index, node } => {
                 let open = self.open_mut().get_mut(index);
-                if let Some(open) = open.filter(|open| open.moves(state.first)) {
+                if let Some(open) = open.filter(|open| open.moves(doubts.first)) {
                     let behind = open.moved.and_then(|moved| levels.get(moved + 1..)).unwrap_or(&[]);
                     if let Some(then) = behind.iter().find(|behind| behind.level.value.is_finite()) {
                         open.roots.keep(node, &then.level);
@@ -163,7 +164,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
             }
             Pass::Open { index, round } => {
                 let open = self.open().get(index)?;
-                let moves = round == Round::Second && open.moves(state.first);
+                let moves = round == Round::Second && open.moves(doubts.first);
                 if !(moves || same(open.branch, branch, false)) {
                     return None;
                 }
@@ -177,12 +178,18 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         }
     }
 
-    /// Where a joint stays in a pass, given its home.
+    /// Where a joint stays in a pass, given its default value.
     #[inline(never)]
-    pub(super) fn away<const N: usize>(&self, facts: &Facts<T, N>, pass: Pass, joint: usize, home: T) -> T {
+    pub(super) fn away<const N: usize>(
+        &self,
+        constants: &ArmConstants<T, N>,
+        pass: Pass,
+        joint: usize,
+        default: T,
+    ) -> T {
         let moved = self.moving.iter().zip(self.steps).find(|(moving, _)| moving.contains(joint));
         let step = moved.map_or(T::ZERO, |(_, step)| step);
-        let slides = facts.prismatic.contains(joint);
+        let slides = constants.prismatic.contains(joint);
         let sample = match pass {
             Pass::Sample { second, place } => Some((second, place)),
             Pass::Open { index, round: Round::Sampled } => self.open().get(index).and_then(|open| open.sampled),
@@ -193,7 +200,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
             Some((second, place)) => turn::<T>(self.places(second), place) / T::TAU,
             None => step,
         };
-        if slides { home + facts.reach * T::from_f64(STROKE) * step } else { wrap(home + T::TAU * step) }
+        if slides { default + constants.reach * T::from_f64(STROKE) * step } else { wrap(default + T::TAU * step) }
     }
 
     /// The number of places at which a joint is sampled: three for levels of degree 1. All passes together keep to
@@ -215,7 +222,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
 
     /// The place of every open branch from the levels at the sampled places of a free joint.
     #[inline(never)]
-    fn locate<const N: usize>(&mut self, facts: &Facts<T, N>, homes: &[T; N], second: bool) {
+    fn locate<const N: usize>(&mut self, constants: &ArmConstants<T, N>, defaults: &[T; N], second: bool) {
         let ([first, _], count) = (self.steps, self.places(second));
         let both = second && self.together;
         for index in 0..self.len {
@@ -228,16 +235,16 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         for open in self.open_mut().iter_mut().filter(|open| !open.feasible) {
             let [one, other] = open.joints;
             let Some(joint) = (if second && !both { other } else { one }).iter().next() else { continue };
-            let home = homes.get(joint).copied().unwrap_or(T::ZERO);
-            let now = if open.slack < T::INFINITY && (!second || both) { open.value } else { home };
+            let default = defaults.get(joint).copied().unwrap_or(T::ZERO);
+            let now = if open.slack < T::INFINITY && (!second || both) { open.value } else { default };
             if both {
-                open.locate_both(wrap(now - home));
+                open.locate_both(wrap(now - default));
                 continue;
             }
-            let place = if facts.prismatic.contains(joint) {
-                open.samples.sliding((now - home) / (facts.reach * T::from_f64(STROKE)))
+            let place = if constants.prismatic.contains(joint) {
+                open.samples.sliding((now - default) / (constants.reach * T::from_f64(STROKE)))
             } else {
-                open.samples.turning(count, wrap(now - home), open.slack)
+                open.samples.turning(count, wrap(now - default), open.slack)
             };
             if second {
                 open.forget();
@@ -250,14 +257,14 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
             }
         }
         if !second {
-            self.decide_together(facts);
+            self.decide_together(constants);
         }
     }
 
     /// Decides, after the first joint has been placed, whether both joints are placed together. If not, the branches
     /// without a place forget what they have sampled.
-    fn decide_together<const N: usize>(&mut self, facts: &Facts<T, N>) {
-        let turns = |joints: &JointMask| joints.iter().all(|joint| !facts.prismatic.contains(joint));
+    fn decide_together<const N: usize>(&mut self, constants: &ArmConstants<T, N>) {
+        let turns = |joints: &JointMask| joints.iter().all(|joint| !constants.prismatic.contains(joint));
         let misplaced = |open: &Open<T>| open.known && !open.feasible && open.two();
         self.together = self.simple && self.len <= MOST_TOGETHER && self.moving.iter().all(turns);
         self.together &= self.open().iter().any(misplaced);
@@ -265,16 +272,22 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         self.open_mut().iter_mut().filter(|open| alone && !open.feasible).for_each(Open::forget);
     }
 
-    /// The end of a pass; `met`: it has found a solution.
+    /// The end of a pass; `found`: it has found a solution.
     #[inline(never)]
-    pub(super) fn end<const N: usize>(&mut self, facts: &Facts<T, N>, homes: &[T; N], pass: Pass, met: bool) {
+    pub(super) fn end<const N: usize>(
+        &mut self,
+        constants: &ArmConstants<T, N>,
+        defaults: &[T; N],
+        pass: Pass,
+        found: bool,
+    ) {
         match pass {
             Pass::Open { index, .. } => {
                 if let Some(open) = self.open_mut().get_mut(index) {
-                    open.met |= met;
+                    open.found |= found;
                 }
             }
-            Pass::Sample { second, place } if self.sampled(second, place) => self.locate(facts, homes, second),
+            Pass::Sample { second, place } if self.sampled(second, place) => self.locate(constants, defaults, second),
             Pass::Node { index, node } if node + 1 == NODES => {
                 if let Some(open) = self.open_mut().get_mut(index)
                     && let Some(intervals) = open.intervals()
@@ -287,7 +300,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         }
     }
 
-    /// The pass after one; the first after the pass at home.
+    /// The pass after one; the first after the pass at the defaults.
     #[inline(never)]
     pub(super) fn after(&self, pass: Option<Pass>) -> Option<Pass> {
         match pass {
@@ -317,18 +330,18 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         next.or_else(|| self.further(0))
     }
 
-    /// The second stage of a branch that has not been met.
+    /// The second stage of a branch that has no solution yet.
     fn node_of(&self, index: usize) -> Option<Pass> {
-        let spans = self.open().get(index).is_some_and(|open| !open.met && open.intervals().is_some());
+        let spans = self.open().get(index).is_some_and(|open| !open.found && open.intervals().is_some());
         spans.then_some(Pass::Node { index, node: 0 })
     }
 
-    /// What else there is for the next branch that has not been met. The other places come last: their branches have a
-    /// solution.
+    /// What else there is for the next branch that has no solution yet. The other places come last: their branches have
+    /// a solution.
     #[inline(never)]
     fn further(&self, from: usize) -> Option<Pass> {
         let next = (from..self.len).find_map(|index| {
-            let sampled = self.open().get(index).is_some_and(|open| !open.met && open.sampled.is_some());
+            let sampled = self.open().get(index).is_some_and(|open| !open.found && open.sampled.is_some());
             if sampled { Some(Pass::Open { index, round: Round::Sampled }) } else { self.node_of(index) }
         });
         next.or_else(|| self.other(0, 0))

@@ -25,12 +25,12 @@
 
 mod aim;
 mod align;
+mod arm_constants;
 mod circle;
 mod cone;
 mod curve;
 mod distance;
 mod drift;
-mod facts;
 mod goal;
 mod least_squares;
 mod levels;
@@ -60,11 +60,11 @@ mod wrist;
 
 pub use aim::{Sight, aim};
 pub use align::align;
+pub use arm_constants::{ArmConstants, Evaluate};
 pub use cone::{Cone, cone};
 pub use distance::{Elbow, distance};
 pub(crate) use drift::as_rotation;
 pub use drift::nearest_rotation;
-pub use facts::{Evaluate, Facts};
 pub use goal::{Goal, InPlane, Locked, Pointing};
 pub use levels::Levels;
 pub use offset::offset;
@@ -76,11 +76,11 @@ pub use search::Search;
 pub use select::{Every, Select};
 pub use slide::{quadratic, slide, slide_to};
 pub use slide_turning::slide_turning;
-pub use stage::{Measure, Stage, Trail};
+pub use stage::{BranchState, Measure, Stage};
 pub use steps::steps;
 pub use swivel::{Swivel, swivel};
 pub use tolerances::Tolerances;
-pub use turn::{Home, Turn};
+pub use turn::{DefaultValue, Turn};
 pub use wrist::{flip, wrist};
 
 pub use crate::effort::MOST_CASCADES;

@@ -2,7 +2,7 @@
 
 use super::stage::LevelOf;
 use super::tolerances::Tolerances;
-use super::{Home, Measure, Stage, Turn};
+use super::{DefaultValue, Measure, Stage, Turn};
 use crate::JointMask;
 
 /// Solves `a cos(t) + b sin(t) = d` for `t`: `t = atan2(b, a) +- atan2(sqrt(r^2 - d^2), d)`, `r = |(a, b)|`.
@@ -10,11 +10,11 @@ use crate::JointMask;
 /// Two roots, in this order; one where they meet (`|d| = r`) or where the equation has no solution, then with the gap
 /// `|d| - r`. With `r` vanishing the joint is free.
 #[inline]
-pub fn offset<T: Tolerances>(home: Home<T>, measure: Measure<T>, a: T, b: T, d: T) -> Stage<T, 1, 2> {
+pub fn offset<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, a: T, b: T, d: T) -> Stage<T, 1, 2> {
     let r2 = a * a + b * b;
     let r = r2.sqrt();
-    if home.is_free(r, measure.scale) {
-        return Stage::left_free([Turn::ZERO], home, d.abs(), measure);
+    if default.is_free(r, measure.scale) {
+        return Stage::left_free([Turn::ZERO], default, d.abs(), measure);
     }
     let h2 = (r - d) * (r + d);
     // The rounding of h2 itself; roots farther apart are told apart.

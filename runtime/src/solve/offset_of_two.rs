@@ -1,7 +1,7 @@
 //! Two equations for one joint.
 
 use super::tolerances::Tolerances;
-use super::{Home, Measure, Stage, offset};
+use super::{DefaultValue, Measure, Stage, offset};
 
 /// Solves `a cos(t) + b sin(t) = d` given twice, for lengths and for directions, where one of the two equations may
 /// lose its amplitude. The equation of larger relative amplitude gives the roots, the other equation chooses among
@@ -10,7 +10,7 @@ use super::{Home, Measure, Stage, offset};
 /// A root that misses the other equation by far is dropped; if both do, the better one stays, with its gap.
 #[inline]
 pub fn offset_of_two<T: Tolerances>(
-    home: Home<T>,
+    default: DefaultValue<T>,
     lengths: Measure<T>,
     length: [T; 3],
     direction: [T; 3],
@@ -22,7 +22,7 @@ pub fn offset_of_two<T: Tolerances>(
     } else {
         (direction, Measure::DIRECTION, length, lengths)
     };
-    let mut stage = offset(home, measure, a, b, d);
+    let mut stage = offset(default, measure, a, b, d);
     let missed = |stage: &Stage<T, 1, 2>, root: usize| {
         stage.roots.get(root).map_or(T::INFINITY, |[t]| (e * t.cos + f * t.sin - g).abs() / other.scale)
     };
@@ -34,10 +34,10 @@ pub fn offset_of_two<T: Tolerances>(
         stage.len = 1;
         let left = first.min(second);
         if left > T::ROUNDING {
-            let met = stage.doubted(measure);
-            if left > T::WEAK && met.free.is_empty() {
-                met.gap = met.gap.max(left * other.scale);
-                met.angular = other.is_angular();
+            let doubt = stage.doubted(measure);
+            if left > T::WEAK && doubt.free.is_empty() {
+                doubt.gap = doubt.gap.max(left * other.scale);
+                doubt.angular = other.is_angular();
             }
         }
     } else if first.max(second) > T::ROUNDING {

@@ -1,4 +1,4 @@
-//! A branch that is missed with a free joint at home.
+//! A branch that is missed with a free joint at its default.
 
 use super::Tolerances;
 use super::place::{Beside, PLACES, Place, Sample, Samples};
@@ -11,7 +11,7 @@ use crate::{Branch, JointMask};
 /// The stages that are looked at behind a free joint: the first ones may not depend on the joint.
 pub(super) const LEVELS: usize = 5;
 
-/// A branch that is still to be met.
+/// A branch without a solution so far.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Open<T> {
     pub(super) branch: Branch,
@@ -23,7 +23,7 @@ pub(super) struct Open<T> {
     pub(super) moved: Option<usize>,
     /// Samples of that level.
     pub(super) samples: Samples<T>,
-    /// Those with the second joint off home.
+    /// Those with the second joint off its default.
     pub(super) rows: Rows<T>,
     /// Those of the next stage.
     pub(super) roots: Roots<T>,
@@ -32,13 +32,13 @@ pub(super) struct Open<T> {
     /// A sample at which no stage was missed (of the second joint, place), with the steps of that pass.
     pub(super) sampled: Option<(bool, usize)>,
     pub(super) aside: [T; 2],
-    /// How far the free joints are from home at the branch's place, in turns or strokes.
+    /// How far the free joints are from their defaults at the branch's place, in turns or strokes.
     pub(super) steps: [T; 2],
     /// Whether that place is known, and whether the stage has roots there.
     pub(super) known: bool,
     pub(super) feasible: bool,
     /// Whether a solution has been found there.
-    pub(super) met: bool,
+    pub(super) found: bool,
     /// Where a joint that is nearly free has been, and how far it may move from there without moving the tool. For a
     /// joint that is free, the `slack` is infinite.
     pub(super) value: T,
@@ -60,7 +60,7 @@ impl<T: Tolerances> Open<T> {
         steps: [T::ZERO; 2],
         known: false,
         feasible: false,
-        met: false,
+        found: false,
         value: T::ZERO,
         slack: T::INFINITY,
     };
@@ -96,15 +96,15 @@ impl<T: Tolerances> Open<T> {
         }
     }
 
-    /// The same in a run with both joints off home.
+    /// The same in a run with both joints off their defaults.
     pub(super) fn sample_both(&mut self, run: usize, levels: &[Behind<T>; LEVELS], over: bool) {
         if let Some(behind) = self.find(PLACES, levels) {
             self.rows.keep(run, &behind.level, over);
         }
     }
 
-    /// The place of both joints from these samples, with the first one next to `now`, rad from home. A branch without a
-    /// second joint stays where the first one is.
+    /// The place of both joints from these samples, with the first one next to `now`, rad from its default. A branch
+    /// without a second joint stays where the first one is.
     pub(super) fn locate_both(&mut self, now: T) {
         if !self.two() {
             return;
@@ -122,7 +122,7 @@ impl<T: Tolerances> Open<T> {
         (self.known, self.feasible, self.beside) = (true, place.feasible, place.beside);
     }
 
-    /// Goes to a place, rad from home.
+    /// Goes to a place, rad from its default.
     pub(super) fn go(&mut self, angle: T) {
         let [first, _] = &mut self.steps;
         *first = angle / T::TAU;

@@ -3,9 +3,9 @@
 use super::circle::{Circle, angles};
 use super::curve::{Across, Found, Moving, Row, newton};
 use super::separated::{combined, separated};
-use super::stage::Met;
+use super::stage::Doubt;
 use super::twins::{distinct, with_twins};
-use super::{Home, Measure, Stage, Tolerances, Turn};
+use super::{DefaultValue, Measure, Stage, Tolerances, Turn};
 
 /// Solves the two rows `p (cos x, sin x, 1) = q (cos z, sin z, 1)` for `(x, z)`. One side is eliminated, which leaves a
 /// trigonometric polynomial of degree two (a quartic), so at most four pairs. Each pair is polished by Newton's method
@@ -15,9 +15,14 @@ use super::{Home, Measure, Stage, Tolerances, Turn};
 ///
 /// The roots are marked for a full check, unless each root closes both rows to rounding, and the rows determine the
 /// root well. Near a double root a candidate may turn out not to be a solution.
-pub fn pair<T: Tolerances>(homes: [Home<T>; 2], measure: Measure<T>, p: [Row<T>; 2], q: [Row<T>; 2]) -> Stage<T, 2, 4> {
+pub fn pair<T: Tolerances>(
+    defaults: [DefaultValue<T>; 2],
+    measure: Measure<T>,
+    p: [Row<T>; 2],
+    q: [Row<T>; 2],
+) -> Stage<T, 2, 4> {
     let (p, q) = normalized(measure, p, q);
-    let mut stage = candidates(homes, &p, &q, None);
+    let mut stage = candidates(defaults, &p, &q, None);
     let mut sure = true;
     for root in stage.roots.iter_mut().take(stage.len) {
         let Found { place, sure: known, .. } = newton(&p, &q, *root);
@@ -25,7 +30,7 @@ pub fn pair<T: Tolerances>(homes: [Home<T>; 2], measure: Measure<T>, p: [Row<T>;
         sure &= known;
     }
     let sure = sure && distinct::<T, Row<T>, Row<T>>(&stage);
-    finished(stage, sure, homes, measure, [&p, &q])
+    finished(stage, sure, defaults, measure, [&p, &q])
 }
 
 /// The same where a joint between the two turns one vector onto another, which both joints move. The last four rows
@@ -35,7 +40,7 @@ pub fn pair<T: Tolerances>(homes: [Home<T>; 2], measure: Measure<T>, p: [Row<T>;
 /// Where the vectors themselves vanish, two roots meet and the second row knows them to the root of rounding only.
 /// There they are found from the lengths across, which are accurate, along the curve that the first row describes.
 pub fn pair_turning<T: Tolerances>(
-    homes: [Home<T>; 2],
+    defaults: [DefaultValue<T>; 2],
     measure: Measure<T>,
     p: [Row<T>; 2],
     q: [Row<T>; 2],
@@ -43,9 +48,9 @@ pub fn pair_turning<T: Tolerances>(
 ) -> Stage<T, 2, 4> {
     let across = Across { x: [x1, x2], z: [z1, z2] };
     let (p, q) = normalized(measure, p, q);
-    let mut stage = candidates(homes, &p, &q, Some(&across));
+    let mut stage = candidates(defaults, &p, &q, Some(&across));
     let sure = with_twins(&mut stage, (&p, &q), &across);
-    finished(stage, sure, homes, measure, [&p, &q])
+    finished(stage, sure, defaults, measure, [&p, &q])
 }
 
 /// How far a joint moves its rows.
@@ -56,17 +61,17 @@ fn amplitude<T: Tolerances>(rows: &[Row<T>; 2]) -> T {
 fn finished<T: Tolerances>(
     mut stage: Stage<T, 2, 4>,
     sure: bool,
-    homes: [Home<T>; 2],
+    defaults: [DefaultValue<T>; 2],
     measure: Measure<T>,
     sides: [&[Row<T>; 2]; 2],
 ) -> Stage<T, 2, 4> {
-    if sure && stage.len > 0 && stage.met.is_none_or(|met| met.free.is_empty() && met.weak.is_empty()) {
-        return Stage { met: None, ..stage };
+    if sure && stage.len > 0 && stage.doubt.is_none_or(|doubt| doubt.free.is_empty() && doubt.weak.is_empty()) {
+        return Stage { doubt: None, ..stage };
     }
-    let met = stage.doubted(measure);
-    (met.angular, met.gap) = (measure.is_angular(), T::ZERO);
-    for (home, rows) in homes.into_iter().zip(sides) {
-        stage = stage.nearly_free(home, measure, amplitude(rows));
+    let doubt = stage.doubted(measure);
+    (doubt.angular, doubt.gap) = (measure.is_angular(), T::ZERO);
+    for (default, rows) in defaults.into_iter().zip(sides) {
+        stage = stage.nearly_free(default, measure, amplitude(rows));
     }
     stage
 }
@@ -90,18 +95,18 @@ fn normalized<T: Tolerances>(
 
 /// The roots as the quartic (or what takes its place) gives them.
 fn candidates<T: Tolerances>(
-    [home_x, home_z]: [Home<T>; 2],
+    [default_x, default_z]: [DefaultValue<T>; 2],
     p: &[Row<T>; 2],
     q: &[Row<T>; 2],
     across: Option<&Across<Row<T>, Row<T>>>,
 ) -> Stage<T, 2, 4> {
     let (det_p, det_q) = (determinant(p), determinant(q));
     if det_p.abs().max(det_q.abs()) < T::COINCIDENT {
-        separated([home_x, home_z], p, q)
+        separated([default_x, default_z], p, q)
     } else if det_p.abs() >= det_q.abs() {
-        eliminated(home_z, p, det_p, q, across.map(|across| &across.z))
+        eliminated(default_z, p, det_p, q, across.map(|across| &across.z))
     } else {
-        eliminated(home_x, q, det_q, p, across.map(|across| &across.x)).swapped()
+        eliminated(default_x, q, det_q, p, across.map(|across| &across.x)).swapped()
     }
 }
 
@@ -111,10 +116,10 @@ fn determinant<T: Tolerances>([a, b]: &[Row<T>; 2]) -> T {
 
 /// Eliminates the side `p`, whose determinant does not vanish: with `u = adj(P) (q - p3)`, `|u| = |det P|`.
 ///
-/// Where every z is as good, it stays at home. Other families of solutions cross this one where the vector `across` (as
-/// z moves it) vanishes. There the joint between x and z is free, and those places are further roots.
+/// Where every z is as good, it stays at its default. Other families of solutions cross this one where the vector
+/// `across` (as z moves it) vanishes. There the joint between x and z is free, and those places are further roots.
 fn eliminated<T: Tolerances>(
-    home: Home<T>,
+    default: DefaultValue<T>,
     p: &[Row<T>; 2],
     det: T,
     q: &[Row<T>; 2],
@@ -143,7 +148,7 @@ fn eliminated<T: Tolerances>(
     let vanishing = (T::EPSILON * T::from_f64(8.0) * (size + det * det)).max(T::VANISHING * det.abs());
     let anywhere = || {
         let crossings = across.map_or([None; 2], zeros);
-        let mut places = [Turn::at(crate::math::wrap(home.value)); 4];
+        let mut places = [Turn::at(crate::math::wrap(default.value)); 4];
         let mut len = 1;
         for (slot, z) in places.iter_mut().skip(1).zip(crossings.into_iter().flatten()) {
             *slot = z;
@@ -151,20 +156,20 @@ fn eliminated<T: Tolerances>(
         }
         Stage { len, ..paired(places) }
     };
-    let vanishing = vanishing.max(home.free_below() * det.abs());
-    if circle.largest() <= vanishing || amplitude(q) < home.free_below() {
-        return Stage { met: Some(Met { free: home.joint, ..Met::NOTHING }), ..anywhere() };
+    let vanishing = vanishing.max(default.free_below() * det.abs());
+    if circle.largest() <= vanishing || amplitude(q) < default.free_below() {
+        return Stage { doubt: Some(Doubt { free: default.joint, ..Doubt::NOTHING }), ..anywhere() };
     }
     let (roots, len) = angles(&circle);
     let amplitude = circle.largest() / det.abs();
     // Of small coefficients without a root: a target that is missed by little, wherever z is.
     if len == 0 && amplitude < T::WEAK {
-        return Stage { met: Some(Met { weak: home.joint, ..Met::NOTHING }), ..anywhere() };
+        return Stage { doubt: Some(Doubt { weak: default.joint, ..Doubt::NOTHING }), ..anywhere() };
     }
     let mut stage = Stage { len, ..paired(roots) };
     // Of small coefficients with roots: these are known to the root of rounding over the coefficients.
     if amplitude < T::WEAK {
-        stage.met = Some(Met { weak: home.joint, amplitude, ..Met::NOTHING });
+        stage.doubt = Some(Doubt { weak: default.joint, amplitude, ..Doubt::NOTHING });
     }
     stage
 }
@@ -213,8 +218,8 @@ mod tests {
 
     const LENGTH: Measure<f64> = Measure::length(1.0);
 
-    fn homes() -> [Home<f64>; 2] {
-        [0, 1].map(|joint| Home::at(0.0, JointMask::single(joint)))
+    fn defaults() -> [DefaultValue<f64>; 2] {
+        [0, 1].map(|joint| DefaultValue::at(0.0, JointMask::single(joint)))
     }
 
     type Equations = ([Row<f64>; 2], [Row<f64>; 2], [Row<f64>; 4]);
@@ -245,7 +250,7 @@ mod tests {
         for k in 0..500 {
             let [x, y, z] = [2.399, 1.117, 4.441].map(|step| (f64::from(k) * step).sin() * 3.1);
             let (p, q, across) = three_parallel([x, y, z]);
-            for stage in [pair(homes(), LENGTH, p, q), pair_turning(homes(), LENGTH, p, q, across)] {
+            for stage in [pair(defaults(), LENGTH, p, q), pair_turning(defaults(), LENGTH, p, q, across)] {
                 let nearest = roots(&stage).into_iter().map(|root| distance(root, [x, z])).fold(9.0, f64::min);
                 assert!(nearest < 1e-10, "{x} {y} {z}: {nearest:e}");
             }
@@ -259,7 +264,7 @@ mod tests {
             {
                 let [x, y, z] = [middle + sign * 10.0_f64.powi(-digits), 0.7, -1.2];
                 let (p, q, across) = three_parallel([x, y, z]);
-                let found = roots(&pair_turning(homes(), LENGTH, p, q, across));
+                let found = roots(&pair_turning(defaults(), LENGTH, p, q, across));
                 assert!(found.iter().any(|root| distance(*root, [x, z]) < 1e-13), "{x} {z}: {found:?}");
                 // The twin is as far on the other side of where the vector vanishes.
                 let beside = |root: &[f64; 2]| distance(*root, [x, z]) > 1e-13 && distance(*root, [x, z]) < 1e-2;
@@ -272,10 +277,10 @@ mod tests {
     fn a_joint_that_moves_nothing_is_free() {
         // cos x = 0, sin x = 1, whatever z is.
         let p = [[0.0, 0.3, -0.3], [1.0, 0.0, 0.0]];
-        let stage = pair(homes(), LENGTH, p, [[0.0; 3]; 2]);
+        let stage = pair(defaults(), LENGTH, p, [[0.0; 3]; 2]);
         assert_eq!(stage.free(), JointMask::single(1));
         assert_eq!(roots(&stage), [[core::f64::consts::FRAC_PI_2, 0.0]]);
-        let stage = pair(homes(), LENGTH, [[0.0; 3]; 2], p);
+        let stage = pair(defaults(), LENGTH, [[0.0; 3]; 2], p);
         assert_eq!(stage.free(), JointMask::single(0));
     }
 
@@ -283,9 +288,9 @@ mod tests {
     fn joints_that_move_together_leave_one_free() {
         // (cos x, sin x) = (cos z, sin z)
         let rows = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-        let [_, home_z] = homes();
-        let away = Home { value: 0.4, ..home_z };
-        let stage = pair([homes()[0], away], LENGTH, rows, rows);
+        let [_, default_z] = defaults();
+        let away = DefaultValue { value: 0.4, ..default_z };
+        let stage = pair([defaults()[0], away], LENGTH, rows, rows);
         assert_eq!(stage.free(), JointMask::single(1));
         assert!(distance(roots(&stage)[0], [0.4, 0.4]) < 1e-15);
     }
@@ -294,6 +299,6 @@ mod tests {
     fn a_joint_that_moves_little_is_weak() {
         let p = [[0.0, 0.3, -0.3], [1.0, 0.0, 0.0]];
         let q = [[1e-9, 0.0, 0.0], [0.0, 1e-9, 0.0]];
-        assert_eq!(pair(homes(), LENGTH, p, q).met.map(|met| met.weak), Some(JointMask::single(1)));
+        assert_eq!(pair(defaults(), LENGTH, p, q).doubt.map(|doubt| doubt.weak), Some(JointMask::single(1)));
     }
 }

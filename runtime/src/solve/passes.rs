@@ -2,26 +2,26 @@
 
 use super::levels::{self, Levels};
 use super::search::VIRTUAL;
-use super::stage::State;
-use super::{Facts, Search, Tolerances, Trail};
+use super::stage::Doubts;
+use super::{ArmConstants, BranchState, Search, Tolerances};
 use crate::math::wrap;
 use crate::{Branch, JointMask, Solution};
 
-/// Another member of crossing families is looked for at 1/16 of a turn from home. If there is one, a further member is
-/// looked for at 9/16. Both are odd sixteenths, because families cross at quarters and eighths.
+/// Another member of crossing families is looked for at 1/16 of a turn from its default. If there is one, a further
+/// member is looked for at 9/16. Both are odd sixteenths, because families cross at quarters and eighths.
 const CROSSINGS: i32 = 2;
 
 /// What a further run of the cascade is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Pass {
-    /// A branch that is missed with a free joint at home.
+    /// A branch that is missed with a free joint at its default.
     Level(levels::Pass),
     /// One more member of crossing families.
     Cross(i32),
 }
 
-/// What a search remembers of branches that are missed with a free joint at home: [`Levels`], or for an arm that is
-/// [`Decoupled`] nothing.
+/// What a search remembers of branches that are missed with a free joint at its default: [`Levels`], or for an arm that
+/// is [`Decoupled`] nothing.
 pub trait Missed<T, const M: usize>: Copy {
     /// Nothing yet.
     const NONE: Self;
@@ -66,9 +66,10 @@ impl<T: Tolerances, const M: usize> Missed<T, M> for Decoupled {
     }
 }
 
-/// The branches remembered at a pose that needs further passes. Some branches are missed with a free joint at home, the
-/// others have two joints free. Where two joints are free, families of solutions cross, and the solution at home does
-/// not tell which joints move together on the other family. A second member is looked for elsewhere.
+/// The branches remembered at a pose that needs further passes. Some branches are missed with a free joint at its
+/// default, the others have two joints free. Where two joints are free, families of solutions cross, and the solution
+/// at the defaults does not tell which joints move together on the other family. A second member is looked for
+/// elsewhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Passes<T, const N: usize, const M: usize, P> {
     pass: Option<Pass>,
@@ -78,23 +79,23 @@ pub(super) struct Passes<T, const N: usize, const M: usize, P> {
     len: usize,
     /// The joints that are free on crossings.
     crossed: JointMask,
-    /// Where joints stay with the free joints at home.
-    homes: [T; N],
-    /// The number of solutions after the pass at home, and of exact ones after the last pass.
-    at_home: usize,
+    /// Where joints stay with the free joints at their defaults.
+    defaults: [T; N],
+    /// The number of solutions after the pass at the defaults, and of exact ones after the last pass.
+    at_defaults: usize,
     exact: usize,
 }
 
 impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Passes<T, N, M, P> {
-    fn new(homes: [T; N]) -> Self {
+    fn new(defaults: [T; N]) -> Self {
         Self {
             pass: None,
             missed: P::NONE,
             crossings: [(Branch::NONE, JointMask::NONE); M],
             len: 0,
             crossed: JointMask::NONE,
-            homes,
-            at_home: 0,
+            defaults,
+            at_defaults: 0,
             exact: 0,
         }
     }
@@ -113,26 +114,26 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Passes<T, N
         self.crossed | self.missed.levels().map_or(JointMask::NONE, |levels| levels.free)
     }
 
-    /// Where a joint stays in this pass, given its home.
+    /// Where a joint stays in this pass, given its default value.
     #[cold]
     #[inline(never)]
-    pub(super) fn away(&self, facts: &Facts<T, N>, joint: usize, home: T) -> T {
+    pub(super) fn away(&self, constants: &ArmConstants<T, N>, joint: usize, default: T) -> T {
         match (self.pass, self.missed.levels()) {
-            (Some(Pass::Cross(k)), _) if self.crossed.contains(joint) && !facts.prismatic.contains(joint) => {
+            (Some(Pass::Cross(k)), _) if self.crossed.contains(joint) && !constants.prismatic.contains(joint) => {
                 // Each of the free joints at another place.
                 let before = self.crossed.iter().filter(|other| *other < joint).count();
                 let sixteenths = T::from_i32((1 + 8 * k) * (1 + 2 * before as i32));
-                wrap(home + T::TAU * T::from_f64(0.0625) * sixteenths)
+                wrap(default + T::TAU * T::from_f64(0.0625) * sixteenths)
             }
-            (Some(Pass::Level(pass)), Some(levels)) => levels.away(facts, pass, joint, home),
-            _ => home,
+            (Some(Pass::Level(pass)), Some(levels)) => levels.away(constants, pass, joint, default),
+            _ => default,
         }
     }
 
-    /// The pass after this one; `met`: it has found a solution.
-    fn following(&self, met: bool) -> Option<Pass> {
+    /// The pass after this one; `found`: it has found a solution.
+    fn following(&self, found: bool) -> Option<Pass> {
         let next = match self.pass {
-            Some(Pass::Cross(k)) => return (k + 1 < CROSSINGS && met).then_some(Pass::Cross(k + 1)),
+            Some(Pass::Cross(k)) => return (k + 1 < CROSSINGS && found).then_some(Pass::Cross(k + 1)),
             Some(Pass::Level(pass)) => self.missed.levels().and_then(|levels| levels.after(Some(pass))),
             None => self.missed.levels().and_then(|levels| levels.after(None)),
         };
@@ -143,70 +144,71 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Passes<T, N
 impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, T, N, M, P> {
     #[inline(never)]
     fn passes(&mut self) -> &mut Passes<T, N, M, P> {
-        let homes = self.homes;
-        self.passes.get_or_insert_with(|| Passes::new(homes))
+        let defaults = self.defaults;
+        self.passes.get_or_insert_with(|| Passes::new(defaults))
     }
 
     /// Whether the solution at the end of a doubtful branch is to be verified in this pass. Its branch gets the name of
     /// the open branch that it stands for. A branch that is missed is remembered.
-    pub(super) fn takes(&mut self, trail: Trail, state: &State<T>, solution: &mut Solution<T, N>) -> bool {
+    pub(super) fn takes(&mut self, state: BranchState, doubts: &Doubts<T>, solution: &mut Solution<T, N>) -> bool {
         let branch = solution.branch;
         let pass = self.passes.as_ref().and_then(|passes| passes.pass);
         let samples = matches!(pass, Some(Pass::Level(levels::Pass::Sample { .. } | levels::Pass::Node { .. })));
-        if state.missed && !samples {
-            self.misses_by(&state.gap);
+        if doubts.missed && !samples {
+            self.misses_by(&doubts.gap);
         }
         match pass {
             None => {
-                if state.missed {
-                    self.seek(trail, state, solution, T::INFINITY);
-                } else if !state.free.is_empty() && state.loose().len() > 1 {
+                if doubts.missed {
+                    self.seek(state, doubts, solution, T::INFINITY);
+                } else if !doubts.free.is_empty() && doubts.loose().len() > 1 {
                     // Beside a free joint another one is free, or nearly so.
-                    self.cross(state, branch);
+                    self.cross(doubts, branch);
                 }
-                !state.missed
+                !doubts.missed
             }
             Some(Pass::Level(pass)) => {
-                let met = self.levels(trail);
+                let behind = self.levels(state);
                 let Some(levels) = self.passes.as_mut().and_then(|passes| passes.missed.levels_mut()) else {
                     return false;
                 };
                 let listed = |name: Branch| self.solutions.exact().any(|listed| listed.branch == name);
-                let name = levels.takes(pass, state, &met, branch, listed);
+                let name = levels.takes(pass, doubts, &behind, branch, listed);
                 solution.branch = name.unwrap_or(branch);
                 name.is_some()
             }
             Some(Pass::Cross(_)) => {
-                let loose = state.loose();
+                let loose = doubts.loose();
                 let passes = self.passes();
-                let crosses = passes.crossings().iter().any(|(name, at_home)| *name == branch && *at_home != loose);
-                let at_home = passes.at_home;
-                let listed = |s: &Solution<T, N>| s.branch == branch && s.free == state.free && s.is_exact();
-                !state.missed && crosses && !self.solutions.iter().skip(at_home).any(listed)
+                let crosses =
+                    passes.crossings().iter().any(|(name, at_defaults)| *name == branch && *at_defaults != loose);
+                let at_defaults = passes.at_defaults;
+                let listed = |s: &Solution<T, N>| s.branch == branch && s.free == doubts.free && s.is_exact();
+                !doubts.missed && crosses && !self.solutions.iter().skip(at_defaults).any(listed)
             }
         }
     }
 
-    /// A branch is to be followed again with its free joint elsewhere. With that joint at home a later stage has no
-    /// root, or the solution does not close. `slack`: by how much a joint that is nearly free may move.
-    pub(super) fn seek(&mut self, trail: Trail, state: &State<T>, solution: &Solution<T, N>, slack: T) {
+    /// A branch is to be followed again with its free joint elsewhere. With that joint at its default a later stage has
+    /// no root, or the solution does not close. `slack`: by how much a joint that is nearly free may move.
+    pub(super) fn seek(&mut self, state: BranchState, doubts: &Doubts<T>, solution: &Solution<T, N>, slack: T) {
         if P::NONE.levels().is_none() || self.passes().again() {
             return;
         }
-        let met = self.levels(trail);
+        let behind = self.levels(state);
         if let Some(levels) = self.passes().missed.levels_mut() {
-            levels.remember(state, &met, solution.branch, &solution.q, slack);
+            levels.remember(doubts, &behind, solution.branch, &solution.q, slack);
         }
     }
 
     /// A branch on which families cross is remembered.
-    fn cross(&mut self, state: &State<T>, branch: Branch) {
+    fn cross(&mut self, doubts: &Doubts<T>, branch: Branch) {
         let passes = self.passes();
         let known = passes.crossings().iter().any(|(name, _)| *name == branch);
         if let Some(slot) = passes.crossings.get_mut(passes.len).filter(|_| !known) {
-            *slot = (branch, state.loose());
+            *slot = (branch, doubts.loose());
             passes.len += 1;
-            passes.crossed |= state.free;
+            passes.crossed |= doubts.free;
         }
     }
 
@@ -214,24 +216,24 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
     #[cold]
     #[inline(never)]
     pub(super) fn next_pass(&mut self) -> bool {
-        let (facts, listed, exact) = (self.facts, self.solutions.len(), self.solutions.exact().count());
+        let (constants, listed, exact) = (self.constants, self.solutions.len(), self.solutions.exact().count());
         let Some(passes) = &mut self.passes else { return false };
-        let met = passes.exact < exact;
+        let found = passes.exact < exact;
         passes.exact = exact;
         match (passes.pass, passes.missed.levels_mut()) {
-            (None, _) => passes.at_home = listed,
-            (Some(Pass::Level(pass)), Some(levels)) => levels.end(facts, &passes.homes, pass, met),
+            (None, _) => passes.at_defaults = listed,
+            (Some(Pass::Level(pass)), Some(levels)) => levels.end(constants, &passes.defaults, pass, found),
             _ => {}
         }
-        let Some(pass) = passes.following(met) else { return false };
+        let Some(pass) = passes.following(found) else { return false };
         passes.pass = Some(pass);
         if let (Pass::Level(pass), Some(levels)) = (pass, passes.missed.levels_mut()) {
             levels.begin(pass);
         }
         self.nearly = passes.free();
-        self.away = passes.away(facts, VIRTUAL, T::ZERO);
-        for (joint, (slot, home)) in self.homes.iter_mut().zip(passes.homes).enumerate() {
-            *slot = passes.away(facts, joint, home);
+        self.away = passes.away(constants, VIRTUAL, T::ZERO);
+        for (joint, (slot, default)) in self.defaults.iter_mut().zip(passes.defaults).enumerate() {
+            *slot = passes.away(constants, joint, default);
         }
         true
     }

@@ -10,10 +10,11 @@ use crate::math::{sin_cos, wrap};
 pub(super) const PLACES: usize = 5;
 /// How far inside the range of feasible places the joint goes, as a part of that range: at its ends two roots meet.
 pub(super) const INSIDE: f64 = 0.25;
-/// Places of a joint beside the nearest one at which an equation is met: of degree 2 it has four roots in all.
+/// Places of a joint beside the nearest one at which an equation holds: of degree 2 it has four roots in all.
 pub(super) const OTHERS: usize = 3;
 
-/// A place of a free joint, as a step from its home (in turns or in strokes), and whether the stage has roots there.
+/// A place of a free joint, as a step from its default value (in turns or in strokes), and whether the stage has roots
+/// there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Place<T> {
     pub(super) step: T,
@@ -24,8 +25,8 @@ pub(super) struct Place<T> {
 /// Where else a stage has roots.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Beside<T> {
-    /// Around the place of a joint that turns: the middle of the interval, rad from home, and half its width; of width
-    /// 0 without any. Then the same of the widest other interval.
+    /// Around the place of a joint that turns: the middle of the interval, rad from its default, and half its width; of
+    /// width 0 without any. Then the same of the widest other interval.
     pub(super) intervals: [[T; 2]; 2],
     /// Without an interval: at other places alone, as steps; NaN behind the last one.
     pub(super) places: [T; OTHERS],
@@ -49,7 +50,7 @@ impl<T: Tolerances> Sample<T> {
     /// Nothing is known.
     pub(super) const NONE: Self = Self([T::NAN; 2]);
 
-    /// An equation that is met says nothing.
+    /// An equation that holds says nothing.
     pub(super) fn of(level: &Level<T>) -> Self {
         if level.is_met() {
             return Self::NONE;
@@ -79,8 +80,8 @@ impl<T: Tolerances> Sample<T> {
         self.value().is_finite()
     }
 
-    /// Keeps a level, `over` what has been kept if it is set. An equation that is not met, on another root of the same
-    /// name, does not count beside it. Returns whether the level has been kept.
+    /// Keeps a level, `over` what has been kept if it is set. An equation that does not hold, on another root of the
+    /// same name, does not count beside it. Returns whether the level has been kept.
     pub(super) fn keep(&mut self, level: &Level<T>, over: bool) -> bool {
         let keeps = over && level.low < level.high || !self.is_known();
         if keeps {
@@ -151,11 +152,11 @@ impl<T: Tolerances> Samples<T> {
     /// The place of a joint that turns, from levels at `count` places: five, or three where the level is of degree 1.
     ///
     /// The level is `g(x) / p(x)^2` with trigonometric polynomials of degree 2 and 1. The coefficient of a slide
-    /// between the joint and the stage is p; without a slide p is 1. So the range of the level ends at roots of
-    /// `g - low p^2` and `high p^2 - g`, two quartics on the unit circle. The place lies in the feasible interval next
-    /// to `now` (rad from home), inside it by a quarter, or by `slack` if that is less. Without an interval the place
-    /// is the root at which the level misses its range by least. That root is the end of an interval that has shrunk to
-    /// a point. `None` if the level does not depend on x.
+    /// between the joint and the stage is p; without a slide p is 1. So the range of the level ends at roots of `g -
+    /// low p^2` and `high p^2 - g`, two quartics on the unit circle. The place lies in the feasible interval next to
+    /// `now` (rad from its default), inside it by a quarter, or by `slack` if that is less. Without an interval the
+    /// place is the root at which the level misses its range by least. That root is the end of an interval that has
+    /// shrunk to a point. `None` if the level does not depend on x.
     #[inline(never)]
     pub(super) fn turning(&self, count: usize, now: T, slack: T) -> Option<Place<T>> {
         let (g, square) = (self.series(count, 0), self.series(count, 1));
@@ -181,7 +182,8 @@ impl<T: Tolerances> Samples<T> {
         Some(Place { step: wrap(x) / T::TAU, feasible, beside })
     }
 
-    /// The same for a joint that slides, from the levels at home and one unit either way: `level = a + b u + c u^2`.
+    /// The same for a joint that slides, from the levels at the default and one unit either way: `level = a + b u + c
+    /// u^2`.
     #[inline(never)]
     pub(super) fn sliding(&self, now: T) -> Option<Place<T>> {
         let Self { values: [Sample([l0, _]), Sample([l1, _]), Sample([l2, _]), ..], low, high, .. } = *self;
@@ -249,8 +251,8 @@ pub(super) fn series<T: Tolerances>(samples: &[T]) -> Circle<T> {
     circle
 }
 
-/// The step to a place where a joint that turns is sampled, rad. The first one is not home, and all are off the grids
-/// on which arms are singular.
+/// The step to a place where a joint that turns is sampled, rad. The first one is not the default, and all are off the
+/// grids on which arms are singular.
 pub(super) fn turn<T: Tolerances>(count: usize, place: usize) -> T {
     T::TAU * (T::from_f64(0.03) + T::from_i32(place as i32) / T::from_i32(count as i32))
 }
@@ -275,7 +277,7 @@ mod tests {
     use super::super::stage::LevelOf;
     use super::*;
 
-    /// An equation that is met where `cos x = 0.3`, on either side of home.
+    /// An equation that holds where `cos x = 0.3`, on either side of home.
     #[test]
     fn an_equation_is_met_at_every_root() {
         let mut samples = Samples::<f64>::NONE;

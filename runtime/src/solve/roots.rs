@@ -35,8 +35,8 @@ impl<T: Tolerances> Roots<T> {
         }
     }
 
-    /// The place, rad from home, at which the level is farthest inside its range, on either root. The place is in the
-    /// interval, or in another interval of the first stage. A narrow interval tells nothing about another one.
+    /// The place, rad from its default, at which the level is farthest inside its range, on either root. The place is
+    /// in the interval, or in another interval of the first stage. A narrow interval tells nothing about another one.
     ///
     /// The roots of the first stage are at `+-h`, with `cos h` its own level. The levels are `u +- s sin(h)` with
     /// trigonometric polynomials u and s of degree 2. The nodes determine these polynomials by Lagrange's form
@@ -98,8 +98,8 @@ impl<T: Tolerances> Roots<T> {
     }
 }
 
-/// The turn at which a periodic function is highest, rad, and its value there: the best one of [`ROUND`], narrowed down.
-/// `None` if the function is nowhere finite.
+/// The turn at which a periodic function is highest, rad, and its value there: the best one of [`ROUND`], narrowed
+/// down. `None` if the function is nowhere finite.
 #[inline(never)]
 pub(super) fn highest<T: Tolerances>(inside: &dyn Fn(T) -> T) -> Option<(T, T)> {
     let mut step = T::TAU / T::from_i32(ROUND);

@@ -1,10 +1,10 @@
 //! Following the branches of the cascade and collecting the solutions.
 
-use super::facts::Evaluate;
+use super::arm_constants::Evaluate;
 use super::open::LEVELS;
 use super::passes::{Missed, Passes};
-use super::stage::{Behind, Level, LevelOf, Met, State};
-use super::{Facts, Goal, Home, Measure, Stage, Tolerances, Trail};
+use super::stage::{Behind, Doubt, Doubts, Level, LevelOf};
+use super::{ArmConstants, BranchState, DefaultValue, Goal, Measure, Stage, Tolerances};
 use crate::effort::MOST_EVALUATIONS;
 use crate::limits::within;
 use crate::vector::norm;
@@ -13,19 +13,19 @@ use crate::{Branch, Flags, JointMask, Residual, Solution, Solutions, Status};
 /// The place of a virtual joint in a mask, beyond the joints of any arm with an inverse.
 pub(super) const VIRTUAL: usize = 15;
 
-/// The most states on one branch. A cascade solves at most seven joints, each stage one of them or more; besides its
+/// The most doubts on one branch. A cascade solves at most seven joints, each stage one of them or more; besides its
 /// stages [`Search::directed`] may leave a state.
-const MOST_STATES: usize = 8;
+const MOST_DOUBTS: usize = 8;
 
-/// One run of the inverse kinematics. `P`: what it remembers of branches that are missed with a free joint at home,
-/// [`Levels`](super::Levels), or [`Decoupled`](super::Decoupled) for an arm that has none.
+/// One run of the inverse kinematics. `P`: what it remembers of branches that are missed with a free joint at its
+/// default, [`Levels`](super::Levels), or [`Decoupled`](super::Decoupled) for an arm that has none.
 pub struct Search<'a, T: 'static, const N: usize, const M: usize, P> {
-    pub(super) facts: &'a Facts<'a, T, N>,
+    pub(super) constants: &'a ArmConstants<'a, T, N>,
     pub(super) arm: &'a dyn Evaluate<T, N>,
     pub(super) goal: &'a dyn Goal<T, N>,
     pub(super) solutions: &'a mut Solutions<T, N, M>,
     /// Where each joint stays if it is free, and where a virtual one does.
-    pub(super) homes: [T; N],
+    pub(super) defaults: [T; N],
     pub(super) away: T,
     /// The least gap of a stage at which a branch ended, or what a branch that went on misses by.
     pub(super) least: Option<T>,
@@ -33,9 +33,9 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, P> {
     pub(super) nearly: JointMask,
     /// How many evaluations of the arm are left.
     pub(super) left: usize,
-    /// What the branch that is followed has met, one state for each stage in doubt. Branches are followed depth first,
-    /// so a state stays until the branches behind it have ended.
-    states: Option<[Option<State<T>>; MOST_STATES]>,
+    /// The doubts of the branch that is followed, one entry for each stage in doubt. Branches are followed depth first,
+    /// so an entry stays until the branches behind it have ended.
+    doubts: Option<[Option<Doubts<T>>; MOST_DOUBTS]>,
     /// Every branch is verified. The arm misses its structure by more than rounding, or the target is so far away that
     /// its rounding alone can exceed what closes. A long slide may reach such a target.
     doubt: bool,
@@ -47,23 +47,23 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     /// A search that fills `solutions`.
     #[inline(always)]
     pub fn new(
-        facts: &'a Facts<'a, T, N>,
+        constants: &'a ArmConstants<'a, T, N>,
         arm: &'a dyn Evaluate<T, N>,
         goal: &'a dyn Goal<T, N>,
         near: Option<&[T; N]>,
         solutions: &'a mut Solutions<T, N, M>,
     ) -> Self {
         Self {
-            facts,
+            constants,
             arm,
             goal,
             solutions,
-            homes: facts.homes(near),
+            defaults: constants.defaults(near),
             away: T::ZERO,
             least: None,
             nearly: JointMask::NONE,
             left: MOST_EVALUATIONS,
-            states: None,
+            doubts: None,
             doubt: false,
             passes: None,
         }
@@ -90,8 +90,8 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
         if !self.goal.given().is_empty() {
             size += self.given_strokes();
         }
-        self.doubt |= size > self.facts.reach * T::from_f64(10.0);
-        let finite = self.goal.is_finite() && near.is_none_or(|q| self.facts.can_refer(q));
+        self.doubt |= size > self.constants.reach * T::from_f64(10.0);
+        let finite = self.goal.is_finite() && near.is_none_or(|q| self.constants.can_refer(q));
         let begins = finite && size <= T::SQRT_MAX * T::from_f64(1e-3);
         if !begins {
             let status = if finite { Status::Unreachable { residual: size.min(T::MAX) } } else { Status::BadTarget };
@@ -103,85 +103,89 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     /// The given values of slides, as a sum of lengths.
     #[inline(never)]
     fn given_strokes(&self) -> T {
-        let strokes = self.goal.given().iter().filter(|joint| self.facts.prismatic.contains(*joint));
-        let placed = self.goal.placed(self.homes);
+        let strokes = self.goal.given().iter().filter(|joint| self.constants.prismatic.contains(*joint));
+        let placed = self.goal.placed(self.defaults);
         strokes.filter_map(|joint| placed.get(joint)).fold(T::ZERO, |sum, stroke| sum + stroke.abs())
     }
 
     /// The start of every branch.
     #[inline]
-    pub fn start(&self) -> Trail {
+    pub fn start(&self) -> BranchState {
         crate::effort::cascade();
-        Trail::start(self.doubt || self.passes.is_some())
+        BranchState::start(self.doubt || self.passes.is_some())
     }
 
     /// Where a joint stays if it is free: its reference value; without one 0, or the limit nearest to 0.
     #[inline]
-    pub fn home(&self, joint: usize) -> Home<T> {
-        self.home_at(joint, self.homes.get(joint).copied().unwrap_or(T::ZERO))
+    pub fn default(&self, joint: usize) -> DefaultValue<T> {
+        self.default_at(joint, self.defaults.get(joint).copied().unwrap_or(T::ZERO))
     }
 
     /// The same for a virtual joint: 0.
     #[inline]
-    pub fn virtual_home(&self) -> Home<T> {
-        self.home_at(VIRTUAL, self.away)
+    pub fn virtual_default(&self) -> DefaultValue<T> {
+        self.default_at(VIRTUAL, self.away)
     }
 
     #[inline]
-    fn home_at(&self, joint: usize, value: T) -> Home<T> {
-        Home { value, joint: JointMask::single(joint), nearly: self.nearly }
+    fn default_at(&self, joint: usize, value: T) -> DefaultValue<T> {
+        DefaultValue { value, joint: JointMask::single(joint), nearly: self.nearly }
     }
 
-    /// What a branch has met.
+    /// The doubts of a branch.
     #[inline(never)]
-    pub(super) fn state(&self, trail: Trail) -> State<T> {
-        let last = trail.depth().checked_sub(1);
-        last.and_then(|last| *self.states.as_ref()?.get(last)?).unwrap_or(State::START)
+    pub(super) fn doubts(&self, state: BranchState) -> Doubts<T> {
+        let last = state.depth().checked_sub(1);
+        last.and_then(|last| *self.doubts.as_ref()?.get(last)?).unwrap_or(Doubts::START)
     }
 
     /// The levels of the first stages behind the first joint of a branch that is free or weak, one for each stage,
     /// known or not.
-    pub(super) fn levels(&self, trail: Trail) -> [Behind<T>; LEVELS] {
+    pub(super) fn levels(&self, state: BranchState) -> [Behind<T>; LEVELS] {
         let mut levels = [Behind::NONE; LEVELS];
         let (mut pole, mut slides) = (T::ONE, false);
         let (mut places, mut behind) = (levels.iter_mut(), false);
-        for state in self.states.iter().flatten().take(trail.depth()).flatten() {
+        for doubts in self.doubts.iter().flatten().take(state.depth()).flatten() {
             if behind && let Some(place) = places.next() {
-                let level = Level::from(state.level);
+                let level = Level::from(doubts.level);
                 pole *= level.pole;
                 slides |= level.is_slide();
                 *place = Behind { level: Level { pole, ..level }, slides };
             }
-            behind = !state.loose().is_empty();
+            behind = !doubts.loose().is_empty();
         }
         levels
     }
 
-    /// The trail of a branch that has met something more.
-    fn with_state(&mut self, trail: Trail, state: State<T>, ended: bool) -> Trail {
-        if let Some(slot) = self.states.get_or_insert([None; MOST_STATES]).get_mut(trail.depth()) {
-            *slot = Some(state);
+    /// The state of a branch with further doubts.
+    fn with_doubts(&mut self, state: BranchState, doubts: Doubts<T>, ended: bool) -> BranchState {
+        if let Some(slot) = self.doubts.get_or_insert([None; MOST_DOUBTS]).get_mut(state.depth()) {
+            *slot = Some(doubts);
         }
-        trail.deeper(ended)
+        state.deeper(ended)
     }
 
-    /// The trail of a branch after a stage. A stage that misses by more than the tolerance ends the branch; its gap is
+    /// The state of a branch after a stage. A stage that misses by more than the tolerance ends the branch; its gap is
     /// remembered.
     #[inline(always)]
-    pub fn follow<const K: usize, const R: usize>(&mut self, trail: &Trail, stage: &Stage<T, K, R>) -> Trail {
-        if stage.met.is_some() | trail.doubt() { self.doubtful(*trail, stage.met, stage.level) } else { *trail }
+    pub fn follow<const K: usize, const R: usize>(
+        &mut self,
+        state: &BranchState,
+        stage: &Stage<T, K, R>,
+    ) -> BranchState {
+        if stage.doubt.is_some() | state.doubt() { self.doubtful(*state, stage.doubt, stage.level) } else { *state }
     }
 
     #[cold]
     #[inline(never)]
-    fn doubtful(&mut self, trail: Trail, met: Option<Met<T>>, level: LevelOf<T>) -> Trail {
-        let before = self.state(trail);
+    fn doubtful(&mut self, state: BranchState, doubt: Option<Doubt<T>>, level: LevelOf<T>) -> BranchState {
+        let before = self.doubts(state);
         let mut next = before;
-        next.note(met, level);
+        next.note(doubt, level);
         let mut ended = false;
-        let Met { gap, angular, .. } = met.unwrap_or(Met::NOTHING);
-        let measure = if angular { Measure::DIRECTION } else { Measure::length(self.facts.reach) };
-        let tolerance = if angular { self.facts.tolerance.orientation } else { self.facts.tolerance.position };
+        let Doubt { gap, angular, .. } = doubt.unwrap_or(Doubt::NOTHING);
+        let measure = if angular { Measure::DIRECTION } else { Measure::length(self.constants.reach) };
+        let tolerance = if angular { self.constants.tolerance.orientation } else { self.constants.tolerance.position };
         // What an earlier stage of small amplitude leaves uncertain shows up here magnified.
         let rounding = measure.rounding() / before.amplitude;
         next.clamped |= gap > rounding && before.loose().is_empty();
@@ -193,7 +197,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
                 self.misses(gap);
             }
         }
-        self.with_state(trail, next, ended)
+        self.with_doubts(state, next, ended)
     }
 
     /// A branch misses by this.
@@ -211,40 +215,40 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
         self.misses(residual.position.max(residual.orientation));
     }
 
-    /// The trail of a branch on which equations without a joint to meet them are missed by this much. Beyond rounding
+    /// The state of a branch on which equations without a joint to meet them are missed by this much. Beyond rounding
     /// its end is verified: what is asked for may be beyond the arm.
     #[inline]
-    pub fn agree<const K: usize>(&self, trail: &Trail, measure: Measure<T>, misses: [T; K]) -> Trail {
+    pub fn agree<const K: usize>(&self, state: &BranchState, measure: Measure<T>, misses: [T; K]) -> BranchState {
         let agreed = misses.iter().fold(true, |agreed, miss| agreed & (miss.abs() <= measure.rounding()));
-        trail.doubted(!agreed)
+        state.doubted(!agreed)
     }
 
-    /// The trail of a branch on which the direction of a vector tells where joints turn: one without length leaves the
+    /// The state of a branch on which the direction of a vector tells where joints turn: one without length leaves the
     /// first two free.
     #[inline]
     pub fn directed(
         &mut self,
-        trail: &Trail,
+        state: &BranchState,
         measure: Measure<T>,
         vector: [T; 3],
-        [first, second]: [Home<T>; 2],
-    ) -> Trail {
+        [first, second]: [DefaultValue<T>; 2],
+    ) -> BranchState {
         if norm(vector) > measure.vanishing() {
-            return *trail;
+            return *state;
         }
-        let mut state = self.state(*trail);
-        state.free |= first.joint | second.joint;
-        state.first = first.joint;
-        state.flags |= Flags::FREE;
-        state.level = LevelOf::Nothing;
-        self.with_state(*trail, state, false)
+        let mut doubts = self.doubts(*state);
+        doubts.free |= first.joint | second.joint;
+        doubts.first = first.joint;
+        doubts.flags |= Flags::FREE;
+        doubts.level = LevelOf::Nothing;
+        self.with_doubts(*state, doubts, false)
     }
 
     /// Adds a solution. `q`: joint angles in (-pi, pi], rad; strokes in the length unit.
     #[inline]
-    pub fn push(&mut self, trail: &Trail, q: [T; N], branch: Branch) {
-        if trail.doubt() | self.solutions.is_awkward() {
-            self.candidate(*trail, q, branch);
+    pub fn push(&mut self, state: &BranchState, q: [T; N], branch: Branch) {
+        if state.doubt() | self.solutions.is_awkward() {
+            self.candidate(*state, q, branch);
         } else {
             self.solutions.push(Solution {
                 q,
@@ -265,14 +269,15 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     }
 
     /// The end of the search: with a reference, solutions are unwound next to it and sorted; limits are marked, and the
-    /// status is set. `facts` are those of the search: seen where they are constants, what they exclude is left out.
+    /// status is set. `constants` are those of the search: the compiler sees their values here, and leaves out what they
+    /// exclude.
     #[inline]
-    pub fn finish(&mut self, facts: &Facts<'_, T, N>, near: Option<&[T; N]>) {
+    pub fn finish(&mut self, constants: &ArmConstants<'_, T, N>, near: Option<&[T; N]>) {
         if let Some(near) = near {
             self.next_to(near);
         }
-        if facts.limited || !facts.combined.is_empty() {
-            self.mark_limits(facts);
+        if constants.limited || !constants.combined.is_empty() {
+            self.mark_limits(constants);
         }
         let exact = self.solutions.iter().any(|s| s.flags.contains(Flags::EXACT));
         let status = if exact { Status::Reachable } else { self.unreachable() };
@@ -280,11 +285,11 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     }
 
     #[inline]
-    fn mark_limits(&mut self, facts: &Facts<'_, T, N>) {
+    fn mark_limits(&mut self, constants: &ArmConstants<'_, T, N>) {
         for solution in self.solutions.as_mut_slice() {
-            let mut joints = solution.q.iter().zip(facts.limits);
+            let mut joints = solution.q.iter().zip(constants.limits);
             let inside = joints.all(|(q, limits)| within(*q, *limits, q.abs()));
-            if !(inside && facts.combined.iter().all(|limit| limit.holds(&solution.q))) {
+            if !(inside && constants.combined.iter().all(|limit| limit.holds(&solution.q))) {
                 solution.flags |= Flags::OUT_OF_LIMITS;
             }
         }
@@ -295,6 +300,6 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     fn unreachable(&self) -> Status<T> {
         // A quartic without real roots has no gap: all that is known is that the target is not near.
         let known = self.least.filter(|gap| *gap > T::ZERO);
-        Status::Unreachable { residual: known.unwrap_or(self.facts.reach) }
+        Status::Unreachable { residual: known.unwrap_or(self.constants.reach) }
     }
 }

@@ -1,8 +1,8 @@
 //! Two equations in two joints whose rows lose rank.
 
 use super::curve::Row;
-use super::stage::Met;
-use super::{Home, Measure, Stage, Tolerances, Turn, offset};
+use super::stage::Doubt;
+use super::{DefaultValue, Measure, Stage, Tolerances, Turn, offset};
 
 impl<T: Tolerances> Stage<T, 2, 4> {
     /// The same with the joints in the other order.
@@ -16,7 +16,7 @@ impl<T: Tolerances> Stage<T, 2, 4> {
 
 /// Rows of lost rank: the combination without `x` gives `z`, the other one `x`; or the other way round.
 pub(super) fn separated<T: Tolerances>(
-    [home_x, home_z]: [Home<T>; 2],
+    [default_x, default_z]: [DefaultValue<T>; 2],
     p: &[Row<T>; 2],
     q: &[Row<T>; 2],
 ) -> Stage<T, 2, 4> {
@@ -26,9 +26,9 @@ pub(super) fn separated<T: Tolerances>(
         a * a + b * b
     };
     if amplitude(n, q) >= amplitude(m, p) {
-        in_turn([home_x, home_z], n, p, q)
+        in_turn([default_x, default_z], n, p, q)
     } else {
-        in_turn([home_z, home_x], m, q, p).swapped()
+        in_turn([default_z, default_x], m, q, p).swapped()
     }
 }
 
@@ -53,7 +53,7 @@ pub(super) fn combined<T: Tolerances>([n1, n2]: [T; 2], [a, b]: &[Row<T>; 2]) ->
 }
 
 fn in_turn<T: Tolerances>(
-    [home_x, home_z]: [Home<T>; 2],
+    [default_x, default_z]: [DefaultValue<T>; 2],
     n: [T; 2],
     p: &[Row<T>; 2],
     q: &[Row<T>; 2],
@@ -61,7 +61,7 @@ fn in_turn<T: Tolerances>(
     let ([.., p0], [qc, qs, q0]) = (combined(n, p), combined(n, q));
     let across = [-n[1], n[0]];
     let ([pc, ps, p1], [rc, rs, r0]) = (combined(across, p), combined(across, q));
-    let first = offset(home_z, Measure::DIRECTION, qc, qs, p0 - q0);
+    let first = offset(default_z, Measure::DIRECTION, qc, qs, p0 - q0);
     let mut roots = [[Turn::ZERO; 2]; 4];
     let mut slots = roots.iter_mut();
     let (mut len, mut free) = (0, first.free());
@@ -71,10 +71,10 @@ fn in_turn<T: Tolerances>(
         wanted * wanted > pc * pc + ps * ps
     };
     let moved = !free.is_empty() && first.roots.first().is_some_and(beyond);
-    let first = if moved { offset(home_z, Measure::DIRECTION, rc, rs, p1 - r0) } else { first };
+    let first = if moved { offset(default_z, Measure::DIRECTION, rc, rs, p1 - r0) } else { first };
     for [z] in first.roots.iter().take(first.len) {
         let wanted = rc * z.cos + rs * z.sin + r0 - p1;
-        let second = offset(home_x, Measure::DIRECTION, pc, ps, wanted);
+        let second = offset(default_x, Measure::DIRECTION, pc, ps, wanted);
         let fits = second.free().is_empty() || wanted.abs() <= T::COINCIDENT;
         for [x] in second.roots.iter().take(if fits { second.len } else { 0 }) {
             if let Some(slot) = slots.next() {
@@ -84,6 +84,6 @@ fn in_turn<T: Tolerances>(
             }
         }
     }
-    let met = (!free.is_empty()).then_some(Met { free, ..Met::NOTHING });
-    Stage { len, met, ..Stage::solved(roots) }
+    let doubt = (!free.is_empty()).then_some(Doubt { free, ..Doubt::NOTHING });
+    Stage { len, doubt, ..Stage::solved(roots) }
 }

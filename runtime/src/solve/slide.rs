@@ -1,8 +1,8 @@
 //! Sliding joints.
 
-use super::stage::{LevelOf, Met};
+use super::stage::{Doubt, LevelOf};
 use super::tolerances::Tolerances;
-use super::{Home, Measure, Stage, Turn};
+use super::{DefaultValue, Measure, Stage, Turn};
 use crate::JointMask;
 
 /// Solves for the position `x` of a point on a line at which its distance from another point is `rho`. The line passes
@@ -23,14 +23,19 @@ pub fn slide<T: Tolerances>(measure: Measure<T>, rho: T, across: T, middle: T) -
 
 /// Solves `denominator x = numerator`. One root. With the denominator (dimensionless) vanishing the joint is free.
 #[inline]
-pub fn slide_to<T: Tolerances>(home: Home<T>, measure: Measure<T>, denominator: T, numerator: T) -> Stage<T, 1, 1> {
-    if home.is_free(denominator.abs(), T::ONE) {
-        let mut stage = Stage::left_free([Turn::ZERO], home, numerator.abs(), measure);
-        stage.roots = [[Turn::position(home.value)]];
+pub fn slide_to<T: Tolerances>(
+    default: DefaultValue<T>,
+    measure: Measure<T>,
+    denominator: T,
+    numerator: T,
+) -> Stage<T, 1, 1> {
+    if default.is_free(denominator.abs(), T::ONE) {
+        let mut stage = Stage::left_free([Turn::ZERO], default, numerator.abs(), measure);
+        stage.roots = [[Turn::position(default.value)]];
         return stage.at_level(LevelOf::Zero(numerator / measure.scale));
     }
     let root = [Turn::position(numerator / denominator)];
-    Stage::determined([root], measure, LevelOf::Slide(denominator), denominator.abs(), home.joint)
+    Stage::determined([root], measure, LevelOf::Slide(denominator), denominator.abs(), default.joint)
 }
 
 /// Solves `a x^2 + b x + c = 0` (`a` dimensionless, `b` a length, `c` its square) without cancellation. Two roots; one
@@ -40,7 +45,7 @@ pub fn quadratic<T: Tolerances>(measure: Measure<T>, [a, b, c]: [T; 3]) -> Stage
     let half = b * T::HALF;
     if !(a.abs() > T::VANISHING) {
         let root = if half == T::ZERO { T::ZERO } else { -c / b };
-        return Stage { len: 1, met: Some(Met::NOTHING), ..Stage::solved([[Turn::position(root)]; 2]) };
+        return Stage { len: 1, doubt: Some(Doubt::NOTHING), ..Stage::solved([[Turn::position(root)]; 2]) };
     }
     let discriminant = half * half - a * c;
     // Rounding of the discriminant itself; roots farther apart are told apart.

@@ -1,8 +1,8 @@
 //! A turning and a sliding joint, seen along a third one that slides.
 
-use super::stage::Met;
+use super::stage::Doubt;
 use super::tolerances::Tolerances;
-use super::{Home, Measure, Stage, Turn, offset};
+use super::{DefaultValue, Measure, Stage, Turn, offset};
 
 /// Solves `[a1, a2] cos + [b1, b2] sin + [k1, k2] = s stroke`, rows `[a, b, k]`, for the angle and the position `s`.
 /// The component at right angles to the stroke gives the angle, as in [`offset`]. The component along the stroke gives
@@ -12,32 +12,32 @@ use super::{Home, Measure, Stage, Turn, offset};
 /// the sliding joint is free, and both rows give the angle.
 #[inline]
 pub fn slide_turning<T: Tolerances>(
-    homes: [Home<T>; 2],
+    defaults: [DefaultValue<T>; 2],
     measure: Measure<T>,
     stroke: [T; 2],
     rows: [[T; 3]; 2],
 ) -> Stage<T, 2, 2> {
-    let ([home, home_s], [u, v]) = (homes, stroke);
+    let ([default, default_s], [u, v]) = (defaults, stroke);
     let length = (u * u + v * v).sqrt();
-    if home_s.is_free(length, T::ONE) {
-        return standing(homes, measure, rows);
+    if default_s.is_free(length, T::ONE) {
+        return standing(defaults, measure, rows);
     }
     let k = T::ONE / length;
     let (u, v) = (u * k, v * k);
     let [[a1, b1, k1], [a2, b2, k2]] = rows;
-    let angle = offset(home, measure, u * a2 - v * a1, u * b2 - v * b1, v * k1 - u * k2);
+    let angle = offset(default, measure, u * a2 - v * a1, u * b2 - v * b1, v * k1 - u * k2);
     let [a, b, c] = [u * a1 + v * a2, u * b1 + v * b2, u * k1 + v * k2].map(|e| e * k);
     let roots = angle.roots.map(|[turn]| [turn, Turn::position(a * turn.cos + b * turn.sin + c)]);
-    let Stage { len, level, met, .. } = angle;
-    let stage = Stage { roots, len, level, met };
-    if length < T::DOUBTFUL { stage.nearly_free(home_s, measure, length) } else { stage }
+    let Stage { len, level, doubt, .. } = angle;
+    let stage = Stage { roots, len, level, doubt };
+    if length < T::DOUBTFUL { stage.nearly_free(default_s, measure, length) } else { stage }
 }
 
 /// The sliding joint moves nothing across the third one: two equations for the angle alone.
 #[cold]
 #[inline(never)]
 fn standing<T: Tolerances>(
-    [home, slide]: [Home<T>; 2],
+    [default, slide]: [DefaultValue<T>; 2],
     measure: Measure<T>,
     [[a1, b1, k1], [a2, b2, k2]]: [[T; 3]; 2],
 ) -> Stage<T, 2, 2> {
@@ -51,20 +51,20 @@ fn standing<T: Tolerances>(
         let length = (x * x + y * y).sqrt();
         let gap = (length - T::ONE).abs() * determinant.abs() / size.sqrt();
         let gap = if gap > measure.rounding() { gap } else { T::ZERO };
-        let met = Met { gap, angular: measure.is_angular(), free: slide.joint, ..Met::NOTHING };
-        return Stage { len: 1, met: Some(met), ..Stage::solved([[Turn::direction(y, x), there]; 2]) };
+        let doubt = Doubt { gap, angular: measure.is_angular(), free: slide.joint, ..Doubt::NOTHING };
+        return Stage { len: 1, doubt: Some(doubt), ..Stage::solved([[Turn::direction(y, x), there]; 2]) };
     }
     // Seen edge-on: along its longer axis it has both roots.
     let (p, q) = if first >= second { ([a1, b1, k1], [a2, b2, k2]) } else { ([a2, b2, k2], [a1, b1, k1]) };
-    let angle = offset(home, measure, p[0], p[1], -p[2]);
+    let angle = offset(default, measure, p[0], p[1], -p[2]);
     let roots = angle.roots.map(|[turn]| [turn, there]);
     let miss = |turn: &Turn<T>| (q[0] * turn.cos + q[1] * turn.sin + q[2]).abs();
     let least = roots.iter().take(angle.len).fold(T::INFINITY, |least, [turn, _]| least.min(miss(turn)));
     let least = if least > measure.rounding() { least } else { T::ZERO };
-    let Met { gap, boundary, free, .. } = angle.met.unwrap_or(Met::NOTHING);
+    let Doubt { gap, boundary, free, .. } = angle.doubt.unwrap_or(Doubt::NOTHING);
     let (gap, free, angular) = (gap + least, free | slide.joint, measure.is_angular());
-    let met = Met { gap, angular, boundary, free, ..Met::NOTHING };
-    Stage { len: angle.len, met: Some(met), ..Stage::solved(roots) }
+    let doubt = Doubt { gap, angular, boundary, free, ..Doubt::NOTHING };
+    Stage { len: angle.len, doubt: Some(doubt), ..Stage::solved(roots) }
 }
 
 #[cfg(test)]
@@ -73,13 +73,13 @@ mod tests {
     use crate::JointMask;
 
     fn solve(stroke: [f64; 2], rows: [[f64; 2]; 2], [angle, s]: [f64; 2]) -> Stage<f64, 2, 2> {
-        let homes = [(0, 0.0), (1, 0.25)].map(|(joint, value)| Home::at(value, JointMask::single(joint)));
+        let defaults = [(0, 0.0), (1, 0.25)].map(|(joint, value)| DefaultValue::at(value, JointMask::single(joint)));
         let (sin, cos) = angle.sin_cos();
         let [first, second] = [0, 1].map(|i| {
             let [a, b] = rows[i];
             [a, b, s * stroke[i] - a * cos - b * sin]
         });
-        slide_turning(homes, Measure::length(1.0), stroke, [first, second])
+        slide_turning(defaults, Measure::length(1.0), stroke, [first, second])
     }
 
     fn found(stage: &Stage<f64, 2, 2>, [angle, s]: [f64; 2], accuracy: f64) -> bool {
@@ -102,7 +102,11 @@ mod tests {
         for rows in [[[0.3, 0.2], [-0.4, 0.1]], [[0.3, 0.2], [0.6, 0.4]], [[0.0, 0.0], [0.3, 0.4]]] {
             for angle in [-2.9, -0.7, 0.2, 1.6] {
                 let stage = solve([0.0, 0.0], rows, [angle, 7.0]);
-                assert_eq!(stage.met.map(|met| (met.free, met.gap)), Some((JointMask::single(1), 0.0)), "{stage:?}");
+                assert_eq!(
+                    stage.doubt.map(|doubt| (doubt.free, doubt.gap)),
+                    Some((JointMask::single(1), 0.0)),
+                    "{stage:?}"
+                );
                 assert!(found(&stage, [angle, 0.25], 1e-14), "{angle} {stage:?}");
             }
         }

@@ -1,6 +1,6 @@
 //! Stages, their roots, and what is remembered along a branch.
 
-use super::{Home, Tolerances, Turn};
+use super::{DefaultValue, Tolerances, Turn};
 use crate::{Flags, JointMask, Residual};
 
 /// What the numbers of an equation measure: their typical size, and whether a gap is a length or an angle.
@@ -62,7 +62,7 @@ impl<T: Tolerances> Level<T> {
         self.low.is_finite() && !self.value.is_finite()
     }
 
-    /// Whether an equation without a joint of its own is met.
+    /// Whether an equation without a joint of its own holds.
     pub(super) fn is_met(&self) -> bool {
         self.low == self.high && self.value.abs() <= T::COINCIDENT
     }
@@ -108,13 +108,13 @@ impl<T: Tolerances> Behind<T> {
 }
 
 /// Where a branch of the cascade is: what generated code hands from stage to stage. The search keeps what the branch
-/// has met, one `State` for each stage on the way that is in doubt. A branch without doubts has none.
+/// knows the doubts of each stage on the way. A branch without doubts has none.
 ///
-/// One number, 0 without doubts: the number of states that belong to the branch, and two marks.
+/// One number, 0 without doubts: the number of doubts that belong to the branch, and two marks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Trail(u32);
+pub struct BranchState(u32);
 
-impl Trail {
+impl BranchState {
     const DOUBT: u32 = 0x100;
     const ENDED: u32 = 0x200;
 
@@ -136,7 +136,7 @@ impl Trail {
         self.0 & Self::ENDED != 0
     }
 
-    /// The number of states that belong to the branch.
+    /// The number of doubts that belong to the branch.
     pub(super) fn depth(self) -> usize {
         (self.0 & (Self::DOUBT - 1)) as usize
     }
@@ -153,9 +153,9 @@ impl Trail {
     }
 }
 
-/// What a branch has met so far.
+/// What puts a branch in doubt, all its stages so far taken together.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct State<T> {
+pub(super) struct Doubts<T> {
     pub(super) gap: Residual<T>,
     pub(super) flags: Flags,
     pub(super) free: JointMask,
@@ -173,7 +173,7 @@ pub(super) struct State<T> {
     pub(super) level: LevelOf<T>,
 }
 
-impl<T: Tolerances> State<T> {
+impl<T: Tolerances> Doubts<T> {
     /// Nothing yet.
     pub(super) const START: Self = Self {
         gap: Residual::ZERO,
@@ -192,12 +192,12 @@ impl<T: Tolerances> State<T> {
         self.free | self.weak
     }
 
-    /// Adds what a stage has met.
-    pub(super) fn note(&mut self, met: Option<Met<T>>, level: LevelOf<T>) {
+    /// Adds the doubt of a stage.
+    pub(super) fn note(&mut self, doubt: Option<Doubt<T>>, level: LevelOf<T>) {
         self.level = if self.loose().is_empty() { LevelOf::Nothing } else { level };
-        let Some(Met { gap, angular, amplitude, weak, boundary, free }) = met else { return };
+        let Some(Doubt { gap, angular, amplitude, weak, boundary, free }) = doubt else { return };
         // The next stage magnifies the uncertainty that a stage leaves. Where nothing but uncertainty is left of an
-        // amplitude between directions, any value of the joint is as good. Where two roots have met, refinement still
+        // amplitude between directions, any value of the joint is as good. Where two roots coincide, refinement still
         // moves the place.
         let product = self.amplitude * amplitude;
         let settled = angular && free.is_empty() && !self.flags.contains(Flags::BOUNDARY);
@@ -214,7 +214,7 @@ impl<T: Tolerances> State<T> {
         }
         if boundary {
             self.flags |= Flags::BOUNDARY;
-            // Where two roots have met, the place is known to the root of what the equation is known to.
+            // Where two roots coincide, the place is known to the root of what the equation is known to.
             self.amplitude = self.amplitude.min((T::ROUNDING * self.amplitude * T::HALF).sqrt());
         }
         if !free.is_empty() {
@@ -224,9 +224,9 @@ impl<T: Tolerances> State<T> {
     }
 }
 
-/// What a stage in doubt has met.
+/// What puts a stage in doubt.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Met<T> {
+pub(super) struct Doubt<T> {
     pub(super) gap: T,
     pub(super) angular: bool,
     pub(super) boundary: bool,
@@ -236,7 +236,7 @@ pub(super) struct Met<T> {
     pub(super) free: JointMask,
 }
 
-impl<T: Tolerances> Met<T> {
+impl<T: Tolerances> Doubt<T> {
     /// Nothing.
     pub(super) const NOTHING: Self = Self {
         gap: T::ZERO,
@@ -248,22 +248,22 @@ impl<T: Tolerances> Met<T> {
     };
 }
 
-/// The roots of one equation for `K` joints, at most `R`, and how well they are determined. One that is not in doubt
-/// has met nothing: that is where every ordinary target passes, and nothing is written for it.
+/// The roots of one equation for `K` joints, at most `R`, and how well they are determined. A stage that is
+/// not in doubt has no `doubt`: every ordinary target passes there, and nothing is written for it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stage<T, const K: usize, const R: usize> {
     pub(super) roots: [[Turn<T>; K]; R],
     pub(super) len: usize,
     /// Whether there are roots.
     pub(super) level: LevelOf<T>,
-    pub(super) met: Option<Met<T>>,
+    pub(super) doubt: Option<Doubt<T>>,
 }
 
 impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
     /// Roots that solve the equation.
     #[inline]
     pub(super) fn solved(roots: [[Turn<T>; K]; R]) -> Self {
-        Self { roots, len: R, level: LevelOf::Nothing, met: None }
+        Self { roots, len: R, level: LevelOf::Nothing, doubt: None }
     }
 
     /// The same with its level, and the relative amplitude of the equation. A small amplitude makes the stage doubtful,
@@ -284,7 +284,7 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
     #[inline]
     pub(super) fn of_amplitude(mut self, measure: Measure<T>, amplitude: T, weak: JointMask) -> Self {
         let weak = if amplitude < T::WEAK { weak } else { JointMask::NONE };
-        self.met = Some(Met { angular: measure.angular, amplitude, weak, ..Met::NOTHING });
+        self.doubt = Some(Doubt { angular: measure.angular, amplitude, weak, ..Doubt::NOTHING });
         self
     }
 
@@ -295,36 +295,36 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         self
     }
 
-    /// What it has met, in doubt from now on.
-    pub(super) fn doubted(&mut self, measure: Measure<T>) -> &mut Met<T> {
-        self.met.get_or_insert(Met { angular: measure.angular, ..Met::NOTHING })
+    /// Its doubt, from now on.
+    pub(super) fn doubted(&mut self, measure: Measure<T>) -> &mut Doubt<T> {
+        self.doubt.get_or_insert(Doubt { angular: measure.angular, ..Doubt::NOTHING })
     }
 
     /// The joints that it leaves free.
     #[inline]
     pub(super) fn free(&self) -> JointMask {
-        self.met.map_or(JointMask::NONE, |met| met.free)
+        self.doubt.map_or(JointMask::NONE, |doubt| doubt.free)
     }
 
     /// The same roots where the joint moves its point or direction by a small share of the scale only: the joint is
     /// nearly free.
     #[cold]
     #[inline(never)]
-    pub(super) fn narrowed(&mut self, home: Home<T>, measure: Measure<T>, share: T) {
-        let met = self.doubted(measure);
-        met.amplitude *= share;
-        if met.amplitude < T::WEAK {
-            met.weak = home.joint;
+    pub(super) fn narrowed(&mut self, default: DefaultValue<T>, measure: Measure<T>, share: T) {
+        let doubt = self.doubted(measure);
+        doubt.amplitude *= share;
+        if doubt.amplitude < T::WEAK {
+            doubt.weak = default.joint;
         }
     }
 
     /// A further joint that this amplitude leaves nearly free.
     #[inline]
-    pub(super) fn nearly_free(mut self, home: Home<T>, measure: Measure<T>, amplitude: T) -> Self {
-        let met = self.doubted(measure);
-        met.amplitude = met.amplitude.min(amplitude);
+    pub(super) fn nearly_free(mut self, default: DefaultValue<T>, measure: Measure<T>, amplitude: T) -> Self {
+        let doubt = self.doubted(measure);
+        doubt.amplitude = doubt.amplitude.min(amplitude);
         if amplitude < T::WEAK {
-            met.weak |= home.joint;
+            doubt.weak |= default.joint;
         }
         self
     }
@@ -332,29 +332,29 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
     /// The one place where two roots meet, or the nearest to a solution, missing it by `gap`.
     #[inline]
     pub(super) fn edge(root: [Turn<T>; K], gap: T, measure: Measure<T>) -> Self {
-        let met = Met { gap, angular: measure.angular, boundary: true, ..Met::NOTHING };
-        Self { len: 1, met: Some(met), ..Self::solved([root; R]) }
+        let doubt = Doubt { gap, angular: measure.angular, boundary: true, ..Doubt::NOTHING };
+        Self { len: 1, doubt: Some(doubt), ..Self::solved([root; R]) }
     }
 
     /// The equation leaves its first joint free: it stays at its reference value.
     #[cold]
     #[inline(never)]
-    pub(super) fn left_free(mut root: [Turn<T>; K], home: Home<T>, gap: T, measure: Measure<T>) -> Self {
+    pub(super) fn left_free(mut root: [Turn<T>; K], default: DefaultValue<T>, gap: T, measure: Measure<T>) -> Self {
         if let Some(first) = root.first_mut() {
-            *first = Turn::at(home.value);
+            *first = Turn::at(default.value);
         }
-        let met = Met { gap, angular: measure.angular, free: home.joint, ..Met::NOTHING };
-        Self { len: 1, met: Some(met), ..Self::solved([root; R]) }
+        let doubt = Doubt { gap, angular: measure.angular, free: default.joint, ..Doubt::NOTHING };
+        Self { len: 1, doubt: Some(doubt), ..Self::solved([root; R]) }
     }
 
     /// The roots to go on with, each with its index; none if the branch has ended. With `wanted` only the root of that
-    /// index, which is the one root where two have met, or where a free joint leaves but one.
+    /// index, which is the one root where two coincide, or where a free joint leaves but one.
     #[inline]
-    pub fn each(&self, trail: &Trail, wanted: Option<usize>) -> impl Iterator<Item = (usize, &[Turn<T>; K])> {
-        let len = if trail.ended() { 0 } else { self.len.min(R) };
+    pub fn each(&self, state: &BranchState, wanted: Option<usize>) -> impl Iterator<Item = (usize, &[Turn<T>; K])> {
+        let len = if state.ended() { 0 } else { self.len.min(R) };
         let (first, end, name) = match wanted {
             None => (0, len, 0),
-            Some(index) if index >= len && self.met.is_some_and(|met| met.boundary || !met.free.is_empty()) => {
+            Some(index) if index >= len && self.doubt.is_some_and(|doubt| doubt.boundary || !doubt.free.is_empty()) => {
                 (0, len.min(1), index)
             }
             Some(index) => (index.min(len), index.saturating_add(1).min(len), index),

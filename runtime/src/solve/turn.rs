@@ -19,7 +19,7 @@ impl<T: Tolerances> Turn<T> {
     /// No turn.
     pub const ZERO: Self = Self { value: T::ZERO, sin: T::ZERO, cos: T::ONE };
 
-    /// No turn, where two roots have met: the limit of the first root, whose sine is positive. Far below rounding, the
+    /// No turn, where two roots coincide: the limit of the first root, whose sine is positive. Far below rounding, the
     /// sine still tells a later stage the direction of a vector. That vector has become too short to have a direction
     /// of its own.
     pub(super) const STRETCHED: Self = Self { sin: T::LEAST_SINE, ..Self::ZERO };
@@ -109,7 +109,7 @@ fn in_range<T: Tolerances>(angle: T) -> T {
 
 /// Where a joint stays if an equation leaves it free: its reference value, and its bit in the mask of free joints.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Home<T> {
+pub struct DefaultValue<T> {
     /// In the variable of the kernel.
     pub value: T,
     /// The joint.
@@ -118,7 +118,7 @@ pub struct Home<T> {
     pub(super) nearly: JointMask,
 }
 
-impl<T: Tolerances> Home<T> {
+impl<T: Tolerances> DefaultValue<T> {
     /// A joint that stays at a value where it is free.
     #[inline]
     pub fn at(value: T, joint: JointMask) -> Self {

@@ -51,8 +51,8 @@ where
                 .into_iter()
                 .flatten()
                 .min_by(|a, b| apart(a, &root).partial_cmp(&apart(b, &root)).unwrap_or(core::cmp::Ordering::Equal));
-            // One that is farther away belongs to another candidate, unless this one is no root itself. The lengths tell
-            // more than the rows, which close anywhere beside a fourfold root.
+            // One that is farther away belongs to another candidate, unless this one is no root itself. The lengths
+            // tell more than the rows, which close anywhere beside a fourfold root.
             let least = size.min(T::DOUBTFUL) * T::HALF * T::HALF + T::COINCIDENT;
             let gap = across.gap(rows, &itself);
             let taken = |other: &Place<T>| {

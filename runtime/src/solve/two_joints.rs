@@ -9,15 +9,16 @@ use crate::math::sin_cos;
 
 /// Places of either joint.
 pub(super) const PLACES: usize = 3;
-/// Runs of the cascade that sample the level: those with the second joint at home have been before.
+/// Runs of the cascade that sample the level: those with the second joint at its default have been before.
 pub(super) const RUNS: usize = PLACES * (PLACES - 1);
 
-/// The places of both joints in a run, rad from home.
+/// The places of both joints in a run, rad from its default.
 pub(super) fn places<T: Tolerances>(run: usize) -> [T; 2] {
     [turn(PLACES, run % PLACES), turn(PLACES, 1 + run / PLACES)]
 }
 
-/// The level of a stage with the second joint at two places off home; the first one is at three places for either.
+/// The level of a stage with the second joint at two places off its default; the first one is at three places for
+/// either.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Rows<T>([[T; PLACES]; PLACES - 1]);
 
@@ -35,13 +36,13 @@ impl<T: Tolerances> Rows<T> {
         }
     }
 
-    /// The place of the second joint, rad from home, from which the first one brings the level farthest into its range.
-    /// `first`: the level with the second joint at home, and afterwards that at this place.
+    /// The place of the second joint, rad from its default, from which the first one brings the level farthest into its
+    /// range. `first`: the level with the second joint at its default, and afterwards that at this place.
     ///
-    /// Two joints that turn move a squared distance, or a component, as `sum_jk M_jk phi_j(x) phi_k(y)` with
-    /// `phi = (1, cos, sin)`. Three places of either joint determine it. For a fixed y the level is `a + b cos(x - phi)`,
-    /// so that its range over x is `a +- |b|`. The place of y is searched round the whole turn. One joint after the
-    /// other would end where neither alone comes nearer. `None` where a level is not known.
+    /// Two joints that turn move a squared distance, or a component, as `sum_jk M_jk phi_j(x) phi_k(y)` with `phi = (1,
+    /// cos, sin)`. Three places of either joint determine it. For a fixed y the level is `a + b cos(x - phi)`, so that
+    /// its range over x is `a +- |b|`. The place of y is searched round the whole turn. One joint after the other would
+    /// end where neither alone comes nearer. `None` where a level is not known.
     #[inline(never)]
     pub(super) fn place(&self, first: &mut Samples<T>) -> Option<T> {
         let Self([second, third]) = self;
@@ -66,8 +67,8 @@ impl<T: Tolerances> Rows<T> {
     }
 }
 
-/// The shares of the levels at the three places of the second joint in the level at y, rad from home: Lagrange's form
-/// `prod_{j != k} sin((y - y_j) / 2) / sin((y_k - y_j) / 2)`. The denominators are [`norms`].
+/// The shares of the levels at the three places of the second joint in the level at y, rad from its default: Lagrange's
+/// form `prod_{j != k} sin((y - y_j) / 2) / sin((y_k - y_j) / 2)`. The denominators are [`norms`].
 #[inline(never)]
 fn weights<T: Tolerances>(y: T, [of_p, of_q, of_r]: [T; PLACES]) -> [T; PLACES] {
     let [p, q, r] = chords(y);
@@ -86,7 +87,7 @@ fn chords<T: Tolerances>(x: T) -> [T; PLACES] {
     nodes().map(|node: T| sin_cos((x - node) * T::HALF).0)
 }
 
-/// The places of the second joint: home, and two of those at which the first joint is sampled.
+/// The places of the second joint: the default, and two of those at which the first joint is sampled.
 fn nodes<T: Tolerances>() -> [T; PLACES] {
     [T::ZERO, turn(PLACES, 1), turn(PLACES, 2)]
 }
@@ -99,7 +100,7 @@ mod tests {
     use super::*;
 
     /// The cosine of an elbow of two links of length 1, from (-2, 0.5) to the end of two links of 3 and 2. With either
-    /// joint of these at home the end is too far away.
+    /// joint of these at its default the end is too far away.
     fn cosine([x, y]: [f64; 2]) -> f64 {
         let (end, height) = (3.0 * x.cos() + 2.0 * (x + y).cos(), 3.0 * x.sin() + 2.0 * (x + y).sin());
         let distance = (end + 2.0).powi(2) + (height - 0.5).powi(2);

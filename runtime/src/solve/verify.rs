@@ -3,8 +3,8 @@
 use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
 use super::passes::Missed;
 use super::search::VIRTUAL;
-use super::stage::State;
-use super::{Facts, Search, Tolerances, Trail};
+use super::stage::Doubts;
+use super::{ArmConstants, BranchState, Search, Tolerances};
 use crate::math::wrap;
 use crate::{Branch, Flags, Solution};
 
@@ -26,16 +26,16 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
     /// The end of a branch at an awkward pose.
     #[cold]
     #[inline(never)]
-    pub(super) fn candidate(&mut self, trail: Trail, q: [T; N], branch: Branch) {
-        let state = self.state(trail);
-        let flags = state.flags | Flags::EXACT;
-        let mut solution = Solution { q, flags, free: state.free, branch, residual: state.gap };
+    pub(super) fn candidate(&mut self, state: BranchState, q: [T; N], branch: Branch) {
+        let doubts = self.doubts(state);
+        let flags = doubts.flags | Flags::EXACT;
+        let mut solution = Solution { q, flags, free: doubts.free, branch, residual: doubts.gap };
         let mut found = Found::Branch;
-        if trail.doubt() {
-            if !self.takes(trail, &state, &mut solution) {
+        if state.doubt() {
+            if !self.takes(state, &doubts, &mut solution) {
                 return;
             }
-            found = self.verified(trail, &state, &mut solution);
+            found = self.verified(state, &doubts, &mut solution);
         }
         // What a further pass does not close is no better than what is there.
         let again = self.passes.as_ref().is_some_and(|passes| passes.again());
@@ -44,34 +44,34 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
             return;
         }
         if solution.free.contains(VIRTUAL) {
-            solution.free = solution.free.without(VIRTUAL) | self.facts.stands_for;
+            solution.free = solution.free.without(VIRTUAL) | self.constants.stands_for;
         }
         self.list(&solution, found);
     }
 
     /// Verifies a solution; refines it if that closes it. What stays beyond the tolerance is no solution; its residual
     /// counts as the gap of its branch.
-    fn verified(&mut self, trail: Trail, state: &State<T>, solution: &mut Solution<T, N>) -> Found {
-        let facts = self.facts;
+    fn verified(&mut self, state: BranchState, doubts: &Doubts<T>, solution: &mut Solution<T, N>) -> Found {
+        let constants = self.constants;
         // One evaluation more than this candidate needs is for the reference.
         let Some(left) = self.left.checked_sub(RESERVED + 1) else { return Found::Nothing };
-        let mut iterate = Iterate::at(facts, self.goal, self.arm, solution.q);
-        let close = facts.tolerates(&iterate.residual);
+        let mut iterate = Iterate::at(constants, self.goal, self.arm, solution.q);
+        let close = constants.tolerates(&iterate.residual);
         let mut rest = left;
-        refine(facts, self.goal, self.arm, &mut iterate, &mut rest);
+        refine(constants, self.goal, self.arm, &mut iterate, &mut rest);
         (solution.q, solution.residual) = (iterate.q, iterate.residual);
         self.left = rest + RESERVED;
-        let exact = facts.relative(&solution.residual) <= T::EXACT;
+        let exact = constants.relative(&solution.residual) <= T::EXACT;
         if !exact {
             solution.flags.remove(Flags::EXACT);
             solution.flags |= Flags::APPROXIMATE;
-            if !state.loose().is_empty() && !state.clamped {
+            if !doubts.loose().is_empty() && !doubts.clamped {
                 let slack =
-                    if state.free.is_empty() { T::HALF * T::HALF * T::EXACT / state.amplitude } else { T::INFINITY };
-                self.seek(trail, state, solution, slack);
+                    if doubts.free.is_empty() { T::HALF * T::HALF * T::EXACT / doubts.amplitude } else { T::INFINITY };
+                self.seek(state, doubts, solution, slack);
             }
         }
-        if exact || !state.loose().is_empty() {
+        if exact || !doubts.loose().is_empty() {
             self.solutions.mark_awkward();
         }
         // A guess that comes near by its steps alone, without closing, is no branch of this target.
@@ -81,7 +81,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
         }
         match listed {
             false => Found::Nothing,
-            true if exact && state.loose().is_empty() && !close => {
+            true if exact && doubts.loose().is_empty() && !close => {
                 // Of a nearly real pair of roots.
                 solution.flags |= Flags::BOUNDARY;
                 Found::Guess
@@ -92,11 +92,11 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
 
     /// Lists a solution, or the better one of two that coincide.
     fn list(&mut self, solution: &Solution<T, N>, found: Found) {
-        let facts = self.facts;
+        let constants = self.constants;
         let again = self.passes.as_ref().is_some_and(|passes| passes.again());
         let twin = self.solutions.as_mut_slice().iter_mut().find(|other| {
-            coincident(facts, &other.q, &solution.q)
-                // What did not close with the free joint at home.
+            coincident(constants, &other.q, &solution.q)
+                // What did not close with the free joint at its default.
                 || again && other.branch == solution.branch && other.flags.contains(Flags::APPROXIMATE | Flags::FREE)
         });
         let Some(twin) = twin else {
@@ -106,10 +106,10 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
         if found == Found::Guess && twin.is_exact() {
             return;
         }
-        if facts.relative(&solution.residual) < facts.relative(&twin.residual) {
+        if constants.relative(&solution.residual) < constants.relative(&twin.residual) {
             *twin = *solution;
         }
-        // One branch that is met again is no two roots.
+        // One branch that is found again is no two roots.
         if !(again && twin.branch == solution.branch) {
             twin.flags |= Flags::BOUNDARY;
         }
@@ -122,18 +122,18 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
         if self.solutions.is_awkward() {
             self.hold(near);
         }
-        let facts = self.facts;
+        let constants = self.constants;
         for solution in self.solutions.as_mut_slice() {
-            let joints = solution.q.iter_mut().zip(near).zip(facts.limits);
+            let joints = solution.q.iter_mut().zip(near).zip(constants.limits);
             for (joint, ((value, reference), limits)) in joints.enumerate() {
-                if !facts.prismatic.contains(joint) {
+                if !constants.prismatic.contains(joint) {
                     *value = crate::windings::next_to(*value, *reference, *limits);
                 }
             }
         }
         let distance = |q: &[T; N]| {
-            q.iter().zip(near).zip(facts.weights).enumerate().fold(T::ZERO, |sum, (joint, ((a, b), weight))| {
-                let step = (*a - *b) / facts.unit(joint);
+            q.iter().zip(near).zip(constants.weights).enumerate().fold(T::ZERO, |sum, (joint, ((a, b), weight))| {
+                let step = (*a - *b) / constants.unit(joint);
                 sum + *weight * step * step
             })
         };
@@ -147,18 +147,18 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
     #[cold]
     #[inline(never)]
     fn hold(&mut self, near: &[T; N]) {
-        let facts = self.facts;
+        let constants = self.constants;
         let mut start = self.goal.placed(*near);
-        wrap_angles(&mut start, self.goal.given(), facts.prismatic);
-        let mut iterate = Iterate::at(facts, self.goal, self.arm, start);
+        wrap_angles(&mut start, self.goal.given(), constants.prismatic);
+        let mut iterate = Iterate::at(constants, self.goal, self.arm, start);
         // Only from a reference that already is close: farther away there is no "same place" to keep.
-        if !(facts.relative(&iterate.residual) <= T::DOUBTFUL) {
+        if !(constants.relative(&iterate.residual) <= T::DOUBTFUL) {
             return;
         }
         let mut rest = self.left.saturating_sub(1);
-        refine(facts, self.goal, self.arm, &mut iterate, &mut rest);
+        refine(constants, self.goal, self.arm, &mut iterate, &mut rest);
         let (q, residual) = (iterate.q, iterate.residual);
-        if !(facts.relative(&residual) <= T::EXACT) {
+        if !(constants.relative(&residual) <= T::EXACT) {
             return;
         }
         let apart = |other: &Solution<T, N>| {
@@ -168,14 +168,14 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
             apart(a).partial_cmp(&apart(b)).unwrap_or(core::cmp::Ordering::Equal)
         };
         let same = self.solutions.as_mut_slice().iter_mut();
-        if let Some(same) = same.filter(|other| coincident(facts, &other.q, &q)).min_by(nearer) {
+        if let Some(same) = same.filter(|other| coincident(constants, &other.q, &q)).min_by(nearer) {
             // The same place, but nearer to the reference: beside a limit a small step would be a whole turn.
             (same.q, same.residual) = (q, residual);
             same.flags.remove(Flags::APPROXIMATE);
             same.flags |= Flags::EXACT;
             let mut first = true;
             self.solutions.retain(|other| {
-                let keep = other.q == q && first || !coincident(facts, &other.q, &q);
+                let keep = other.q == q && first || !coincident(constants, &other.q, &q);
                 first &= other.q != q;
                 keep
             });
@@ -195,11 +195,11 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
 
 /// Whether two joint vectors are one solution.
 #[inline(never)]
-fn coincident<T: Tolerances, const N: usize>(facts: &Facts<T, N>, a: &[T; N], b: &[T; N]) -> bool {
+fn coincident<T: Tolerances, const N: usize>(constants: &ArmConstants<T, N>, a: &[T; N], b: &[T; N]) -> bool {
     a.iter()
         .zip(b)
         .zip(0..)
-        .all(|((a, b), joint)| apart(*a - *b, facts.prismatic.contains(joint), facts.reach) <= T::COINCIDENT)
+        .all(|((a, b), joint)| apart(*a - *b, constants.prismatic.contains(joint), constants.reach) <= T::COINCIDENT)
 }
 
 /// How far apart two values of a joint are: a distance in reaches, or the angle, whichever way round is shorter.

@@ -3,9 +3,9 @@
 use crate::model::{DEFAULT_TOLERANCE, JointKind, Model};
 use crate::solve::Plan;
 
-/// The numbers of the runtime's `Facts`, of the arm with the lengths of its file.
+/// The numbers of the runtime's `ArmConstants`, of the arm with the lengths of its file.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Facts {
+pub struct ArmConstants {
     /// Lower and upper limit of every joint, infinite where there is none.
     pub limits: Vec<[f64; 2]>,
     /// Whether any joint has limits.
@@ -26,12 +26,12 @@ pub struct Facts {
     pub angle: f64,
 }
 
-impl Facts {
+impl ArmConstants {
     /// Those of an arm and its plan.
-    pub fn of(model: &Model, plan: &Plan) -> Facts {
+    pub fn of(model: &Model, plan: &Plan) -> ArmConstants {
         let joints = || model.joints.iter();
         let is_virtual = plan.stages().flat_map(|stage| &stage.joints).any(|slot| plan.joint(*slot).is_none());
-        Facts {
+        ArmConstants {
             limits: limits(model),
             limited: joints().any(|joint| joint.limits.is_some()),
             combined: model.combined_limits.iter().map(|limit| (limit.factors.clone(), limit.limits)).collect(),

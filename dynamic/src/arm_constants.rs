@@ -4,9 +4,9 @@ use denhart::solve;
 use denhart::{CombinedLimit, JointMask, Residual};
 use denhart_codegen::lower;
 
-/// What the runtime's [`Facts`](solve::Facts) refer to, of an arm with `N` joints.
+/// What the runtime's [`ArmConstants`](solve::ArmConstants) refer to, of an arm with `N` joints.
 #[derive(Debug)]
-pub struct Facts<const N: usize> {
+pub struct ArmConstants<const N: usize> {
     limits: [[f64; 2]; N],
     weights: [f64; N],
     combined: Vec<CombinedLimit<f64, N>>,
@@ -17,30 +17,30 @@ pub struct Facts<const N: usize> {
     tolerance: Residual<f64>,
 }
 
-impl<const N: usize> Facts<N> {
+impl<const N: usize> ArmConstants<N> {
     /// Those of a program; `None` if its arm has another number of joints.
-    pub fn of(facts: &lower::Facts) -> Option<Self> {
-        let combined = facts.combined.iter().map(|(factors, limits)| {
+    pub fn of(constants: &lower::ArmConstants) -> Option<Self> {
+        let combined = constants.combined.iter().map(|(factors, limits)| {
             let factors = <[f64; N]>::try_from(factors.as_slice()).ok()?;
             Some(CombinedLimit { factors, limits: *limits })
         });
         let single = |joint: &usize| JointMask::single(*joint);
-        Some(Facts {
-            limits: facts.limits.as_slice().try_into().ok()?,
-            weights: facts.weights.as_slice().try_into().ok()?,
+        Some(ArmConstants {
+            limits: constants.limits.as_slice().try_into().ok()?,
+            weights: constants.weights.as_slice().try_into().ok()?,
             combined: combined.collect::<Option<_>>()?,
-            limited: facts.limited,
-            prismatic: facts.prismatic.iter().map(single).fold(JointMask::NONE, JointMask::union),
-            stands_for: facts.stands_for.as_ref().map_or(JointMask::NONE, single),
-            reach: facts.reach,
-            tolerance: Residual { position: facts.length, orientation: facts.angle },
+            limited: constants.limited,
+            prismatic: constants.prismatic.iter().map(single).fold(JointMask::NONE, JointMask::union),
+            stands_for: constants.stands_for.as_ref().map_or(JointMask::NONE, single),
+            reach: constants.reach,
+            tolerance: Residual { position: constants.length, orientation: constants.angle },
         })
     }
 
     /// The same for one call.
-    pub fn get(&self) -> solve::Facts<'_, f64, N> {
-        let Facts { limits, weights, combined, limited, prismatic, stands_for, reach, tolerance } = self;
-        solve::Facts {
+    pub fn get(&self) -> solve::ArmConstants<'_, f64, N> {
+        let ArmConstants { limits, weights, combined, limited, prismatic, stands_for, reach, tolerance } = self;
+        solve::ArmConstants {
             limits,
             combined,
             weights,
@@ -61,7 +61,7 @@ mod tests {
 
     #[test]
     fn numbers_of_another_arm_are_none() {
-        let two = lower::Facts {
+        let two = lower::ArmConstants {
             limits: vec![[-1.0, 1.0]; 2],
             limited: true,
             combined: vec![(vec![1.0, 1.0], [-2.0, 2.0])],
@@ -72,10 +72,10 @@ mod tests {
             length: 1e-6,
             angle: 1e-6,
         };
-        let facts = Facts::<2>::of(&two).unwrap();
-        let facts = facts.get();
-        assert_eq!((facts.limits, facts.combined.len()), (&[[-1.0, 1.0]; 2], 1));
-        assert!(facts.prismatic.contains(1) && !facts.prismatic.contains(0));
-        assert!(Facts::<3>::of(&two).is_none());
+        let constants = ArmConstants::<2>::of(&two).unwrap();
+        let constants = constants.get();
+        assert_eq!((constants.limits, constants.combined.len()), (&[[-1.0, 1.0]; 2], 1));
+        assert!(constants.prismatic.contains(1) && !constants.prismatic.contains(0));
+        assert!(ArmConstants::<3>::of(&two).is_none());
     }
 }

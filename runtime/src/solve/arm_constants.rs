@@ -5,7 +5,7 @@ use crate::{Arm, CombinedLimit, Jacobian, JointMask, Pose, Residual};
 
 /// What the search needs to know about an arm.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Facts<'a, T, const N: usize> {
+pub struct ArmConstants<'a, T, const N: usize> {
     /// Lower and upper limit of every joint, infinite where there is none.
     pub limits: &'a [[T; 2]; N],
     /// Limits of sums of joint values.
@@ -24,7 +24,7 @@ pub struct Facts<'a, T, const N: usize> {
     pub tolerance: Residual<T>,
 }
 
-impl<T: Tolerances, const N: usize> Facts<'_, T, N> {
+impl<T: Tolerances, const N: usize> ArmConstants<'_, T, N> {
     /// The same arm with lengths that are known at run time: its reach, and up to which position residual a solution is
     /// listed. An arm without any length has the reach 1.
     ///
@@ -52,19 +52,19 @@ impl<T: Tolerances, const N: usize> Facts<'_, T, N> {
 
     /// Where each joint stays if it is free: its reference value; without one 0, or the limit nearest to 0.
     #[inline]
-    pub(super) fn homes(&self, near: Option<&[T; N]>) -> [T; N] {
+    pub(super) fn defaults(&self, near: Option<&[T; N]>) -> [T; N] {
         let Some(near) = near else {
             return self.limits.map(|[low, high]| if low > T::ZERO { low } else { high.min(T::ZERO) });
         };
-        let mut homes = *near;
+        let mut defaults = *near;
         for joint in self.prismatic.iter() {
             // A slide farther off than the arm reaches beyond its limits is no place to stay.
-            if let (Some(home), Some([low, high])) = (homes.get_mut(joint), self.limits.get(joint)) {
+            if let (Some(default), Some([low, high])) = (defaults.get_mut(joint), self.limits.get(joint)) {
                 let (low, high) = (low.max(-self.reach * T::TWO), high.min(self.reach * T::TWO));
-                *home = home.max(low - self.reach).min(high + self.reach);
+                *default = default.max(low - self.reach).min(high + self.reach);
             }
         }
-        homes
+        defaults
     }
 
     /// What a joint is measured in: 1 rad, or the reach.
