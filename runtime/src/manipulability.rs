@@ -9,7 +9,7 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
     ///
     /// It is the product of the singular values: the volume of the tool velocities that joint rates of unit norm give. It is
     /// zero where the arm is singular, and for six joints `|det J|`. Lengths are not scaled: the value has the unit of
-    /// as many lengths as linear velocities take part, and two arms compare only after
+    /// as many lengths as linear velocities take part. Two arms compare only after
     /// [`with_length_unit`](Self::with_length_unit).
     ///
     /// The value is computed by orthogonalization of `J` itself. Its error is a few roundings of the product of the row

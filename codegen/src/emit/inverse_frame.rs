@@ -281,9 +281,10 @@ fn arm_angle(plan: &Plan, target: &Target) -> Option<TokenStream> {
     let (origin, wrist, axis, elbow) =
         (vector(constants.shoulder.p), vector(constants.wrist), vector(constants.axis), vector(constants.elbow));
     Some(quote! {
-        /// The arm angle of a joint vector, rad in (-pi, pi]: how far the elbow is swung, about the line from shoulder
-        /// to wrist, from the side of the first joint's axis. Where the wrist lies on that axis it counts from the side
-        /// of the base's x axis; a stretched arm has the side of joint 4's axis turned by a right angle.
+        /// The arm angle of a joint vector, rad in (-pi, pi]: how far the elbow is swung about the line from shoulder
+        /// to wrist. The angle counts from the side of the first joint's axis. Where the wrist lies on that axis, the
+        /// angle counts from the side of the base's x axis. A stretched arm has the side of joint 4's axis, turned by a
+        /// right angle.
         #[must_use]
         pub fn arm_angle(&self, q: &[#scalar; #n]) -> #scalar {
             let swivel = #krate::solve::Swivel::<#scalar> {

@@ -1,7 +1,7 @@
 //! The only file that knows the YAML library.
 //!
-//! The text becomes a tree of [`Node`]s that keeps everything, also keys that occur twice, so that all mistakes can
-//! be found in one go. The library gives a place only with an error, so a node is located when a mistake needs it.
+//! The text becomes a tree of [`Node`]s that keeps everything, also keys that occur twice. So one reading finds all
+//! mistakes. The library gives a place only with an error, so a node is located when a mistake needs it.
 //! The text is read again up to that node, where the reader fails on purpose: the error has the place.
 
 use super::place::{Place, Step};

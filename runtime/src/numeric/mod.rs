@@ -6,8 +6,8 @@
 //! branch, and faster.
 //!
 //! # Method
-//! The error `e` of the tool is a twist in the base frame ([`Pose::error_to`](crate::Pose::error_to)), lengths over the
-//! [`length`](NumericInverse::length) of the arm. A step `dq` minimizes `|J dq - e|^2 + lambda |dq|^2`: damped least
+//! The error `e` of the tool is a twist in the base frame ([`Pose::error_to`](crate::Pose::error_to)). Lengths
+//! in it are divided by the [`length`](NumericInverse::length) of the arm. A step `dq` minimizes `|J dq - e|^2 + lambda |dq|^2`: damped least
 //! squares (Nakamura and Hanafusa 1986, "Inverse kinematic solutions with singularity robustness", J. Dyn. Syst. Meas.
 //! Control 108; Wampler 1986, IEEE Trans. SMC 16). `lambda` is in proportion to the squared error (Chan and Lawrence
 //! 1988, "General inverse kinematics with the error damped pseudoinverse", ICRA; Sugihara 2011,

@@ -67,9 +67,8 @@ impl<T: Tolerances, const M: usize> Missed<T, M> for Decoupled {
 }
 
 /// The branches remembered at a pose that needs further passes. Some branches are missed with a free joint at its
-/// default, the others have two joints free. Where two joints are free, families of solutions cross, and the solution
-/// at the defaults does not tell which joints move together on the other family. A second member is looked for
-/// elsewhere.
+/// default, the others have two joints free. Where two joints are free, families of solutions cross. The solution at
+/// the defaults does not tell which joints move together on the other family. A second member is looked for elsewhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Passes<T, const N: usize, const M: usize, P> {
     pass: Option<Pass>,

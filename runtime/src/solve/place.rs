@@ -154,9 +154,9 @@ impl<T: Tolerances> Samples<T> {
     /// The level is `g(x) / p(x)^2` with trigonometric polynomials of degree 2 and 1. The coefficient of a slide
     /// between the joint and the stage is p; without a slide p is 1. So the range of the level ends at roots of `g -
     /// low p^2` and `high p^2 - g`, two quartics on the unit circle. The place lies in the feasible interval next to
-    /// `now` (rad from its default), inside it by a quarter, or by `slack` if that is less. Without an interval the
-    /// place is the root at which the level misses its range by least. That root is the end of an interval that has
-    /// shrunk to a point. `None` if the level does not depend on x.
+    /// `now` (rad from its default). The place is inside that interval by a quarter, or by `slack` if that is less.
+    /// Without an interval the place is the root at which the level misses its range by least. That root is the end of
+    /// an interval that has shrunk to a point. `None` if the level does not depend on x.
     #[inline(never)]
     pub(super) fn turning(&self, count: usize, now: T, slack: T) -> Option<Place<T>> {
         let (g, square) = (self.series(count, 0), self.series(count, 1));

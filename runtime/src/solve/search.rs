@@ -17,8 +17,8 @@ pub(super) const VIRTUAL: usize = 15;
 /// stages [`Search::directed`] may leave a state.
 const MOST_DOUBTS: usize = 8;
 
-/// One run of the inverse kinematics. `P`: what it remembers of branches that are missed with a free joint at its
-/// default, [`Levels`](super::Levels), or [`Decoupled`](super::Decoupled) for an arm that has none.
+/// One call of the inverse kinematics. `P` remembers the branches that are missed with a free joint at its default:
+/// [`Levels`](super::Levels). An arm that has none takes [`Decoupled`](super::Decoupled).
 pub struct Search<'a, T: 'static, const N: usize, const M: usize, P> {
     pub(super) constants: &'a ArmConstants<'a, T, N>,
     pub(super) arm: &'a dyn Evaluate<T, N>,

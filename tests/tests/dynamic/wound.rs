@@ -1,5 +1,5 @@
-//! An angle that is asked for loses nothing to its turns: what is asked for is the angle of (-pi, pi] that differs by
-//! whole turns.
+//! An angle that is asked for loses nothing to its turns. The angle of (-pi, pi] that differs by whole turns stands for
+//! it.
 
 use denhart::solve::wrap;
 use denhart::{PlanarPose, PointAngle};
