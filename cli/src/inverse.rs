@@ -11,7 +11,8 @@ use serde_json::{Value, json};
 use crate::Failure;
 use crate::closest::{Missed, missed};
 use crate::forward::pose_json;
-use crate::numbers::{Units, arm, joints, numbers, outside, pose, short};
+use crate::numbers::{Units, arm, count, joints, outside, pose, short};
+use crate::typed::Typed;
 
 /// What the command takes.
 #[derive(Args)]
@@ -33,7 +34,7 @@ pub struct Options {
     near: Option<String>,
     /// The value of the redundant joint, or the arm angle [default: that of --near, else of --q]
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true, conflicts_with = "near")]
-    given: Option<f64>,
+    given: Option<String>,
     /// Unit of angles, given and printed
     #[arg(long, value_name = "UNIT", default_value = "deg")]
     units: Units,
@@ -41,6 +42,9 @@ pub struct Options {
     #[arg(long)]
     json: bool,
 }
+
+/// The numbers of a whole pose.
+const WHOLE: &str = "x y z roll pitch yaw";
 
 /// What is asked.
 struct Asked {
@@ -89,23 +93,57 @@ fn asked(arm: &DynamicArm, options: &Options) -> Result<Asked, Failure> {
     let (q, near) = (joints("--q", &options.q)?, joints("--near", &options.near)?);
     let (target, pose) = match (&q, &options.pose) {
         (Some(q), _) => (arm.target_at(q)?, arm.forward(q)?),
-        (None, text) => from_numbers(arm, &numbers("--pose", text.as_deref().unwrap_or_default())?, units)?,
+        (None, text) => from_numbers(arm, text.as_deref().unwrap_or_default(), units)?,
     };
-    let given = match (options.given, arm.given()?) {
+    let given = match (&options.given, arm.given()?) {
         // A slide is a length; everything else that is given is an angle.
-        (Some(value), Some(_)) => Some(if arm.given_slides()? { value } else { units.rad(value) }),
-        (Some(_), None) => return Err(Failure::Usage("--given: this arm's inverse takes no such value".to_owned())),
+        (Some(text), Some(_)) => {
+            let value = one("--given", text, arm, units)?;
+            Some(if arm.given_slides()? { value } else { units.rad(value) })
+        }
+        (Some(_), None) => {
+            return Err(Failure::Usage(
+                "--given: this arm's inverse takes no such value\nhelp: leave --given out".to_owned(),
+            ));
+        }
         (None, Some(name)) if q.is_none() && near.is_none() => {
-            return Err(Failure::Usage(format!("the target leaves {name} to choose: add --given or --near")));
+            let unit = if arm.given_slides()? { arm.model().length_unit.symbol() } else { units.symbol() };
+            return Err(Failure::Usage(format!(
+                "the target leaves {name} to choose\n\
+                 help: add --given with its value in {unit}, or --near with the joint values to be next to"
+            )));
         }
         (None, _) => q.as_deref().map(|q| arm.held(q)).transpose()?.flatten(),
     };
     Ok(Asked { target, pose, given, near })
 }
 
+/// One number.
+fn one(option: &str, text: &str, arm: &DynamicArm, units: Units) -> Result<f64, Failure> {
+    let typed = Typed { option, text, angle: units, length: arm.model().length_unit, wanted: &[1] };
+    match typed.numbers()?[..] {
+        [value] => Ok(value),
+        ref values => {
+            let found = count(values.len(), "number");
+            Err(typed.miscounted(&format!("{found}, but one is needed"), &format!("write one, such as {option} 0.5")))
+        }
+    }
+}
+
 /// The target of the arm's task from the numbers of `--pose`, and a pose that meets it.
-fn from_numbers(arm: &DynamicArm, values: &[f64], units: Units) -> Result<(DynamicTarget, Pose<f64>), Failure> {
+fn from_numbers(arm: &DynamicArm, text: &str, units: Units) -> Result<(DynamicTarget, Pose<f64>), Failure> {
     let task = arm.task()?;
+    let wanted = match task {
+        "position" => "x y z",
+        "position_angle" => "x y z angle",
+        "planar_pose" => "x y phi",
+        "planar_position" => "x y",
+        _ => WHOLE,
+    };
+    let needed = wanted.split(' ').count();
+    let length = arm.model().length_unit;
+    let typed = Typed { option: "--pose", text, angle: units, length, wanted: &[needed, 6] };
+    let values = &typed.numbers()?[..];
     if let [x, y, z, roll, pitch, yaw] = *values {
         let pose = pose([x, y, z, roll, pitch, yaw], units);
         if let Some(target) = arm.target_of(&pose)? {
@@ -125,15 +163,12 @@ fn from_numbers(arm: &DynamicArm, values: &[f64], units: Units) -> Result<(Dynam
         }
         ("planar_position", &[x, y]) => Ok((DynamicTarget::PlanarPosition([x, y]), at([x, y, 0.0], 0.0))),
         _ => {
-            let wanted = match task {
-                "position" => "x y z",
-                "position_angle" => "x y z angle",
-                "planar_pose" => "x y phi",
-                "planar_position" => "x y",
-                _ => "x y z roll pitch yaw",
-            };
-            let found = values.len();
-            Err(Failure::Usage(format!("--pose: {found} numbers, but the task `{task}` needs \"{wanted}\"")))
+            let found = count(values.len(), "number");
+            let what = format!("{found}, but the task `{task}` needs {needed}: \"{wanted}\"");
+            let whole = if wanted == WHOLE { String::new() } else { format!(", or a whole pose, \"{WHOLE}\"") };
+            let (angle, length) = (units.symbol(), length.symbol());
+            let help = format!("write --pose \"{wanted}\"{whole}; lengths in {length}, angles in {angle}");
+            Err(typed.miscounted(&what, &help))
         }
     }
 }
@@ -193,8 +228,7 @@ impl Shown<'_> {
         let (length, angle) = (self.length(), self.units.symbol());
         let count = match self.solutions.len() {
             0 => "no solution".to_owned(),
-            1 => "1 solution".to_owned(),
-            n => format!("{n} solutions"),
+            n => count(n, "solution"),
         };
         let name = &self.arm.model().name;
         let mut text =

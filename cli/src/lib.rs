@@ -15,6 +15,7 @@ mod new;
 mod numbers;
 mod schema;
 mod trace;
+mod typed;
 
 use std::ffi::OsString;
 use std::io::{self, ErrorKind, Write};

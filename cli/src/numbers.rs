@@ -7,6 +7,7 @@ use denhart::{JointKind, Pose};
 use denhart_dynamic::{DynamicArm, DynamicError};
 
 use crate::Failure;
+use crate::typed::Typed;
 
 /// Unit of angles; lengths are in the unit of the arm file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -32,10 +33,10 @@ impl Units {
         }
     }
 
-    /// An angle in rad as a number of this unit.
+    /// An angle in rad as a number of this unit. Degrees have 15 digits, without the rounding of the conversion.
     pub fn of(self, rad: f64) -> f64 {
         match self {
-            Self::Deg => rad.to_degrees(),
+            Self::Deg => rounded(rad.to_degrees()),
             Self::Rad => rad,
         }
     }
@@ -59,6 +60,12 @@ impl Units {
     }
 }
 
+/// The value to 15 significant digits. A change of units is off by two units in the last place at most, which is less
+/// than half of the 15th digit.
+pub fn rounded(value: f64) -> f64 {
+    format!("{value:.14e}").parse().unwrap_or(value) + 0.0
+}
+
 impl From<DynamicError> for Failure {
     fn from(error: DynamicError) -> Self {
         match error {
@@ -78,33 +85,28 @@ pub fn arm(file: &Path) -> Result<DynamicArm, Failure> {
     Ok(DynamicArm::named(&text, &name)?)
 }
 
-/// Numbers separated by commas or spaces; `option` is where they come from, for messages.
-///
-/// # Errors
-/// What is no number.
-pub fn numbers(option: &str, text: &str) -> Result<Vec<f64>, Failure> {
-    let words = text.split(|c: char| c == ',' || c.is_whitespace()).filter(|word| !word.is_empty());
-    words
-        .map(|word| match word.parse::<f64>() {
-            Ok(value) if value.is_finite() => Ok(value),
-            _ => Err(Failure::Usage(format!("{option}: `{word}` is not a number"))),
-        })
-        .collect()
-}
-
-/// A joint vector of an arm, in rad and lengths.
+/// A joint vector of an arm, in rad and lengths; `option` is where it comes from, for messages.
 ///
 /// # Errors
 /// What is no number; another number of values than joints.
 pub fn joints(option: &str, text: &str, arm: &DynamicArm, units: Units) -> Result<Vec<f64>, Failure> {
-    let values = numbers(option, text)?;
-    let kinds = arm.joint_kinds();
+    let (kinds, length) = (arm.joint_kinds(), arm.model().length_unit);
+    let wanted = [kinds.len()];
+    let typed = Typed { option, text, angle: units, length, wanted: &wanted };
+    let values = typed.numbers()?;
     if values.len() != kinds.len() {
-        let names: Vec<&str> = arm.joint_names().collect();
-        let (found, names) = (values.len(), names.join(", "));
-        return Err(Failure::Usage(format!("{option}: {found} values, one for each joint is needed: {names}")));
+        let (found, joints) = (count(values.len(), "value"), count(kinds.len(), "joint"));
+        let unit = |kind: &JointKind| if *kind == JointKind::Revolute { units.symbol() } else { length.symbol() };
+        let named = arm.joint_names().zip(kinds).map(|(name, kind)| format!("{name} in {}", unit(kind)));
+        let help = format!("write a value for each joint: {}", named.collect::<Vec<_>>().join(", "));
+        return Err(typed.miscounted(&format!("{found}, but the arm has {joints}"), &help));
     }
     Ok(kinds.iter().zip(values).map(|(kind, value)| units.joint(*kind, value)).collect())
+}
+
+/// `1 value`, `2 values`.
+pub fn count(n: usize, of: &str) -> String {
+    if n == 1 { format!("1 {of}") } else { format!("{n} {of}s") }
 }
 
 /// A pose from `x y z roll pitch yaw`.
@@ -165,10 +167,15 @@ mod tests {
     }
 
     #[test]
-    fn numbers_are_separated_by_commas_and_spaces() {
-        let read = |text: &str| numbers("--q", text).ok();
-        assert_eq!(read("0, -90 ,90  1e-1"), Some(vec![0.0, -90.0, 90.0, 0.1]));
-        assert_eq!(read("0, x"), None);
-        assert_eq!(read("inf"), None);
+    fn degrees_come_back_as_they_were_typed() {
+        for hundredths in -36_000..=36_000 {
+            let degrees = f64::from(hundredths) / 100.0;
+            assert_eq!(Units::Deg.of(Units::Deg.rad(degrees)), degrees);
+            assert_eq!(Units::Rad.of(Units::Rad.rad(degrees)), degrees);
+        }
+        // More than 15 digits are left out, and no more.
+        assert_eq!(Units::Deg.of(1.0), 57.2957795130823);
+        assert_eq!(Units::Rad.of(1.0 / 3.0), 1.0 / 3.0);
+        assert_eq!([f64::INFINITY, 0.0, 7.2e-15, -1e300].map(rounded), [f64::INFINITY, 0.0, 7.2e-15, -1e300]);
     }
 }

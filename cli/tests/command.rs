@@ -245,6 +245,22 @@ fn a_trace_stops_at_limits_if_asked() {
     assert_eq!((output.status.code(), text(&output.stdout).lines().count()), (Some(0), 6));
 }
 
+/// Nothing is printed, and no file written, of a motion that has no first sample.
+#[test]
+fn a_trace_that_cannot_begin_prints_nothing() {
+    let path = arm_file("begins.yaml", LIMITED);
+    let to = Path::new(env!("CARGO_TARGET_TMPDIR")).join("never.csv");
+    for extra in [&[][..], &["-o", to.to_str().unwrap()]] {
+        for law in ["1/t, 0", "120, 0"] {
+            let common =
+                ["trace", path.to_str().unwrap(), "--to", "4", "--step", "1", "--stop-at-limits", "--law", law];
+            let output = denhart(&[&common[..], extra].concat());
+            assert_eq!((output.status.code(), output.stdout.len()), (Some(1), 0), "{output:?}");
+            assert!(text(&output.stderr).starts_with("error: ") && !to.exists(), "{output:?}");
+        }
+    }
+}
+
 /// The samples of `trace --json` are the numbers of the CSV, under the names of its columns.
 #[test]
 fn a_trace_in_json_is_the_table() {

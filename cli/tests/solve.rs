@@ -180,7 +180,7 @@ fn what_is_given_beside_the_target() {
     assert!(shown(&["inverse", arm, "--q", q]).starts_with("8 solutions"));
     let none = denhart(&["inverse", arm, "--pose", pose]);
     assert_eq!(none.status.code(), Some(2));
-    assert!(said(&none.stderr).contains("add --given or --near"), "{none:?}");
+    assert!(said(&none.stderr).contains("help: add --given with its value in deg, or --near"), "{none:?}");
     let given = json(&["inverse", arm, "--pose", pose, "--given", "30", "--json"]);
     assert!(
         given["solutions"]
@@ -196,11 +196,19 @@ fn what_is_given_beside_the_target() {
 #[test]
 fn wrong_arguments_have_status_2_and_wrong_files_status_1() {
     for (arguments, status, part) in [
-        (&["forward", "specs/ur5.yaml", "--q", "0, 0"][..], 2, "2 values, one for each joint is needed: q1, "),
+        (
+            &["forward", "specs/ur5.yaml", "--q", "0, 0"][..],
+            2,
+            "2 values, but the arm has 6 joints\nhelp: write a value for each joint: q1 in deg, ",
+        ),
         (&["forward", "specs/ur5.yaml", "--q", "0 0 0 0 0 x"], 2, "`x` is not a number"),
         (&["forward", "specs/ur5.yaml"], 2, "--q"),
         (&["inverse", "specs/ur5.yaml"], 2, "<--pose <NUMBERS>|--q <VALUES>>"),
-        (&["inverse", "specs/ur5.yaml", "--pose", "1 2"], 2, "needs \"x y z roll pitch yaw\""),
+        (
+            &["inverse", "specs/ur5.yaml", "--pose", "1 2"],
+            2,
+            "2 numbers, but the task `pose` needs 6: \"x y z roll pitch yaw\"\nhelp: write --pose",
+        ),
         (&["inverse", "specs/ur5.yaml", "--pose", "1 2 3 4 5 6", "--q", "0"], 2, "cannot be used with"),
         (&["inverse", "specs/gen6r_a.yaml", "--q", "0 0 0 0 0 0"], 1, "no inverse kinematics: "),
         (
@@ -214,4 +222,51 @@ fn wrong_arguments_have_status_2_and_wrong_files_status_1() {
         assert_eq!(output.status.code(), Some(status), "{output:?}");
         assert!(said(&output.stderr).contains(part), "{output:?}");
     }
+}
+
+#[test]
+fn numbers_typed_in_another_way_have_the_right_ones_as_help() {
+    let (ur5, scara, iiwa) = ("specs/ur5.yaml", "specs/scara_rrrp_325_275.yaml", "specs/kuka_iiwa7_r800.yaml");
+    let pose = "400 100 500 180 0 0";
+    for (arguments, help) in [
+        (&["forward", ur5, "--q", "0,5 90 0 0 0 0"][..], "write --q \"0.5, 90, 0, 0, 0, 0\", with a decimal point"),
+        (
+            &["forward", ur5, "--q", "0,5; 9; 0; 0; 0; 0"],
+            "write --q \"0.5, 9, 0, 0, 0, 0\", with a decimal point, and ",
+        ),
+        (
+            &["forward", ur5, "--q", "pi/2 90\u{b0} 0 0 0 0"],
+            "write --q \"90, 90, 0, 0, 0, 0\", as plain numbers: angles",
+        ),
+        (
+            &["forward", scara, "--q", "0 0 0"],
+            "write a value for each joint: q1 in deg, q2 in deg, q3 in deg, q4 in mm",
+        ),
+        (&["inverse", ur5, "--pose", "200mm 0 0 0 0 0"], "write --pose \"0.2, 0, 0, 0, 0, 0\", as plain numbers"),
+        (&["inverse", "specs/planar2r.yaml", "--pose", "1"], "write --pose \"x y\", or a whole pose, \"x y z roll"),
+        (&["inverse", iiwa, "--pose", pose, "--given", "30deg"], "write --given 30, as plain numbers"),
+        (&["inverse", iiwa, "--pose", pose, "--given", "0,5"], "write --given 0.5, with a decimal point"),
+        (&["inverse", ur5, "--pose", pose, "--near", "[0; 0; 0; 0; 0; 0]"], "write --near \"0, 0, 0, 0, 0, 0\", with"),
+        (&["trace", ur5, "--to", "0,5", "--step", "1", "--law", "t"], "write 0.5, with a decimal point"),
+        (&["trace", ur5, "--to", "1", "--step", "1", "--law", "0,5t;0;0;0;0;0"], "write --law \"0.5t, 0, 0, 0, 0, 0\""),
+    ] {
+        let output = denhart(arguments);
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{output:?}");
+        assert!(said(&output.stderr).contains(&format!("\nhelp: {help}")), "{output:?}");
+    }
+    let brackets = shown(&["forward", ur5, "--q", "[0, -90, 90, 0, 0, 0]"]);
+    assert_eq!(brackets, shown(&["forward", ur5, "--q", "0 -90 90 0 0 0"]));
+}
+
+/// What is typed in degrees is printed so, not as -119.99999999999999. In rad every bit is there.
+#[test]
+fn degrees_in_json_have_no_rounding_of_their_conversion() {
+    let q = "-120 0.1 77.7 -33.3 59.9 1";
+    let answer = json(&["forward", "specs/ur5.yaml", "--q", q, "--json"]);
+    assert_eq!(answer["q"].to_string(), "[-120.0,0.1,77.7,-33.3,59.9,1.0]");
+    let answer = json(&["forward", "specs/ur5.yaml", "--q", "-120 0 0 0 0 0", "--json"]);
+    assert_eq!(answer["pose"]["rpy"].to_string(), "[90.0,0.0,-120.0]");
+    let rad = json(&["forward", "specs/ur5.yaml", "--q", "-2.0943951023931953 0 0 0 0 0", "--units", "rad", "--json"]);
+    assert_eq!(rad["q"].to_string(), "[-2.0943951023931953,0.0,0.0,0.0,0.0,0.0]");
+    assert_eq!(rad["pose"]["matrix"], answer["pose"]["matrix"]);
 }

@@ -44,7 +44,7 @@ pub struct Options {
     #[arg(long, value_name = "LINK")]
     tool: Option<String>,
     /// Angles that are this near to a multiple of 15 degrees, rad, are taken as that multiple
-    #[arg(long, value_name = "RAD", default_value_t = 1e-6)]
+    #[arg(long, value_name = "RAD", default_value_t = 1e-6, value_parser = crate::typed::plain)]
     exact_within: f64,
     /// Print JSON: the proof and the angles made exact, with the arm file as text unless -o names where it goes
     #[arg(long)]

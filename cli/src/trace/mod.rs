@@ -1,6 +1,7 @@
 //! `denhart trace`: a motion law for every joint, sampled to the pose, velocity and acceleration of the tool, as CSV or
 //! JSON.
 
+mod advice;
 mod jet;
 mod law;
 mod limits;
@@ -15,7 +16,8 @@ use std::time::{Duration, Instant};
 
 use crate::Failure;
 use crate::arm;
-use crate::numbers::Units;
+use crate::numbers::{Units, count};
+use crate::typed::plain;
 use clap::{Args, ValueEnum};
 use denhart::{Chain, JointKind, Pose};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -43,13 +45,13 @@ pub struct Options {
     #[arg(long, value_name = "LAWS", allow_hyphen_values = true)]
     law: String,
     /// First time, s
-    #[arg(long, value_name = "T", default_value_t = 0.0, allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", default_value_t = 0.0, allow_hyphen_values = true, value_parser = plain)]
     from: f64,
     /// Last time, s; a sample if the range is a whole number of steps
-    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = plain)]
     to: f64,
     /// Time between two samples, s
-    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = plain)]
     step: f64,
     /// Unit of angles, in the laws of turning joints and in the output
     #[arg(long, value_name = "UNIT", default_value = "deg")]
@@ -89,7 +91,7 @@ impl Orientation {
 
     fn of(self, pose: &Pose<f64>, angle: Units) -> Vec<f64> {
         match self {
-            Self::Rpy => pose.rpy().angles.map(|x| x / angle.in_rad()).to_vec(),
+            Self::Rpy => pose.rpy().angles.map(|x| angle.of(x)).to_vec(),
             Self::Quaternion => pose.quaternion().to_vec(),
             Self::Matrix => pose.rotation.as_flattened().to_vec(),
         }
@@ -100,10 +102,14 @@ impl Orientation {
 pub fn run(options: &Options, out: &mut dyn Write) -> Result<(), Failure> {
     let times = Times::new(options.from, options.to, options.step).map_err(Failure::Usage)?;
     let text = &options.law;
-    let laws = law::parse(text).map_err(|error| Failure::Usage(pointed(text, &error)))?;
+    let wrong = |error: &LawError, wanted: Option<usize>| {
+        let help = advice::advice(text, wanted).map_or_else(String::new, |help| format!("\nhelp: {help}"));
+        Failure::Usage(pointed(text, error) + &help)
+    };
+    let laws = law::parse(text).map_err(|error| wrong(&error, None))?;
     let arm::Arm { chain, model } = arm::read(&options.file).map_err(Failure::Other)?;
     let names: Vec<String> = model.joints.iter().map(|joint| joint.name.clone()).collect();
-    match_up(text, &laws, &names).map_err(|error| Failure::Usage(pointed(text, &error)))?;
+    match_up(text, &laws, &names).map_err(|error| wrong(&error, Some(names.len())))?;
     let trace = Trace {
         kinds: chain.kinds(),
         limits: Limits::of(&model, options.units),
@@ -115,6 +121,10 @@ pub fn run(options: &Options, out: &mut dyn Write) -> Result<(), Failure> {
         angle: options.units,
         form: options.orientation,
     };
+    // Without a first sample there is no table. JSON says why there is none.
+    if trace.top.is_none() {
+        trace.first()?;
+    }
     match &options.output {
         None => trace.write(out, !io::stdout().is_terminal()),
         Some(path) => {
@@ -131,7 +141,6 @@ fn match_up(text: &str, laws: &[Law], names: &[String]) -> Result<(), LawError> 
     if laws.len() == names.len() {
         return Ok(());
     }
-    let count = |n: usize, of: &str| if n == 1 { format!("1 {of}") } else { format!("{n} {of}s") };
     let (laws, joints) = (count(laws.len(), "law"), count(names.len(), "joint"));
     let names = names.join(", ");
     Err(LawError { at, message: format!("{laws} for {joints}; one for each is needed: {names}") })
@@ -182,6 +191,14 @@ impl Trace {
         ended
     }
 
+    /// Whether there is a first sample.
+    fn first(&self) -> Result<(), Failure> {
+        match self.sample(self.times.at(0))?.broken {
+            Some(message) => Err(Failure::Other(message)),
+            None => Ok(()),
+        }
+    }
+
     /// The samples up to the last, or to the first that is none.
     fn samples(&self, samples: &mut Samples, may_show: bool) -> Result<(), Failure> {
         let mut progress = Progress::new(self.times.count(), may_show);
@@ -214,15 +231,14 @@ impl Trace {
         let velocity = self.chain.velocity(&q, &qd).map_err(other)?;
         let acceleration = self.chain.acceleration(&q, &qd, &qdd).map_err(other)?;
 
-        let angle = self.angle.in_rad();
         let mut row = vec![t];
         row.extend(values.iter().map(|(jet, _)| jet.value));
         row.extend(pose.translation);
         row.extend(self.form.of(&pose, self.angle));
         row.extend(velocity.linear);
-        row.extend(velocity.angular.map(|w| w / angle));
+        row.extend(velocity.angular.map(|w| self.angle.of(w)));
         row.extend(acceleration.linear);
-        row.extend(acceleration.angular.map(|w| w / angle));
+        row.extend(acceleration.angular.map(|w| self.angle.of(w)));
         row.push(self.limits.broken(&q));
         let broken = self.limits.first(&q).filter(|_| self.stops);
         let broken = broken.map(|broken| format!("at t = {t} {broken}"));

@@ -1,0 +1,250 @@
+//! Numbers as people type them on the command line, and what to type instead.
+
+use denhart_codegen::spec::{LengthUnit, WrittenAngle};
+
+use crate::Failure;
+use crate::numbers::{Units, rounded};
+
+/// The value of an option that is a list of numbers.
+#[derive(Clone, Copy)]
+pub struct Typed<'t> {
+    /// The option, for messages: `--q`.
+    pub option: &'t str,
+    pub text: &'t str,
+    /// Units of the numbers that are expected.
+    pub angle: Units,
+    pub length: LengthUnit,
+    /// How many numbers there may be.
+    pub wanted: &'t [usize],
+}
+
+/// Marks of a text that is typed in another way, and how to type it.
+#[derive(Default)]
+struct Marks {
+    decimal_comma: bool,
+    unit: bool,
+    semicolon: bool,
+    dash: bool,
+}
+
+impl Typed<'_> {
+    /// The numbers: separated by commas or spaces, in brackets or not.
+    ///
+    /// # Errors
+    /// What is no number, with the list to type instead where that is plain.
+    pub fn numbers(&self) -> Result<Vec<f64>, Failure> {
+        let number = |word: &str| match word.parse::<f64>() {
+            Ok(value) if value.is_finite() => Ok(value),
+            _ => {
+                let help = self.instead().unwrap_or_else(|| self.form());
+                let option = self.option;
+                Err(Failure::Usage(format!("{option}: `{word}` is not a number\nhelp: {help}")))
+            }
+        };
+        words(inside(self.text)).map(number).collect()
+    }
+
+    /// The same for a list of which another number of entries is wanted: `what` says how many. `help` follows where the
+    /// text has no decimal commas.
+    pub fn miscounted(&self, what: &str, help: &str) -> Failure {
+        let help = self.instead().unwrap_or_else(|| help.to_owned());
+        Failure::Usage(format!("{}: {what}\nhelp: {help}", self.option))
+    }
+
+    /// What to type where it is not known what was meant.
+    fn form(&self) -> String {
+        match self.wanted {
+            [1] => format!("write one number, such as {} 0.5", self.option),
+            _ => format!("write numbers with commas or spaces between them, such as {} \"0.5, -90\"", self.option),
+        }
+    }
+
+    /// The list as it is to be typed, and why. None where that is not plain, or where the text is right already.
+    fn instead(&self) -> Option<String> {
+        let mut marks = Marks::default();
+        let text = inside(self.text);
+        let pointed = text.replace(['\u{2212}', '\u{2013}', '\u{2014}'], "-");
+        marks.dash = pointed != text;
+        let values = match self.values(&pointed.replace(';', ","), &mut marks) {
+            Some(values) if self.wanted.contains(&values.len()) && !pointed.contains(';') => values,
+            _ => {
+                // A comma between two digits stands for a point; what separates is a space or a semicolon.
+                marks.decimal_comma = with_points(&pointed) != pointed;
+                marks.semicolon = pointed.contains(';');
+                let values = self.values(&with_points(&pointed).replace(';', ","), &mut marks)?;
+                if !self.wanted.contains(&values.len()) {
+                    return None;
+                }
+                values
+            }
+        };
+        let reasons: Vec<String> = [
+            marks.decimal_comma.then(|| "with a decimal point".to_owned()),
+            marks.semicolon.then(|| "with commas between the numbers".to_owned()),
+            marks.dash.then(|| "with the minus of the keyboard".to_owned()),
+            marks.unit.then(|| {
+                let (angle, length) = (self.angle.symbol(), self.length.symbol());
+                format!("as plain numbers: angles are in {angle} (--units), lengths in {length}, the unit of the file")
+            }),
+        ]
+        .into_iter()
+        .flatten()
+        .collect();
+        let quoted = if let [one] = &values[..] { one.clone() } else { format!("\"{}\"", values.join(", ")) };
+        (!reasons.is_empty()).then(|| format!("write {} {quoted}, {}", self.option, reasons.join(", and ")))
+    }
+
+    /// The numbers of the text without their units, as they are to be typed.
+    fn values(&self, text: &str, marks: &mut Marks) -> Option<Vec<String>> {
+        // `90 deg` is one value.
+        let mut joined: Vec<String> = Vec::new();
+        for word in words(text) {
+            match joined.last_mut() {
+                Some(last) if is_unit(word) => last.push_str(word),
+                _ => joined.push(word.to_owned()),
+            }
+        }
+        joined.iter().map(|word| self.value(word, marks)).collect()
+    }
+
+    /// One number in the units of this command.
+    fn value(&self, word: &str, marks: &mut Marks) -> Option<String> {
+        if word.parse::<f64>().is_ok_and(f64::is_finite) {
+            return Some(word.to_owned());
+        }
+        marks.unit = true;
+        let start = word.find(|c: char| c.is_alphabetic() || c == '\u{b0}').unwrap_or(word.len());
+        let (number, unit) = word.split_at_checked(start)?;
+        if let (Ok(number), Some(meters)) = (number.parse::<f64>(), meters(unit)) {
+            let own = meters_of(self.length);
+            return Some(if own == meters { number.to_string() } else { rounded(number * meters / own).to_string() });
+        }
+        let degrees = number.parse::<f64>().ok().filter(|_| matches!(unit, "\u{b0}" | "degree" | "degrees"));
+        let angle = degrees.map_or_else(|| WrittenAngle::parse(word), |value| Some(WrittenAngle::Degrees(value)))?;
+        Some(match (angle, self.angle) {
+            (WrittenAngle::Degrees(value), Units::Deg) | (WrittenAngle::Radians(value), Units::Rad) => {
+                value.to_string()
+            }
+            (angle, units) => units.of(angle.rad()).to_string(),
+        })
+    }
+}
+
+/// The text without the brackets around it.
+pub fn inside(text: &str) -> &str {
+    let text = text.trim();
+    let pairs = [('[', ']'), ('(', ')'), ('{', '}')];
+    let within = |(open, close)| text.strip_prefix(open).and_then(|rest: &str| rest.strip_suffix(close));
+    pairs.into_iter().find_map(within).unwrap_or(text)
+}
+
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| c == ',' || c.is_whitespace()).filter(|word| !word.is_empty())
+}
+
+/// Each comma that has a digit on either side as a point.
+pub fn with_points(text: &str) -> String {
+    let chars: Vec<char> = text.chars().collect();
+    let digit = |at: Option<usize>| at.and_then(|at| chars.get(at)).is_some_and(char::is_ascii_digit);
+    let pointed = |(at, c): (usize, &char)| match c {
+        ',' if digit(at.checked_sub(1)) && digit(Some(at + 1)) => '.',
+        c => *c,
+    };
+    chars.iter().enumerate().map(pointed).collect()
+}
+
+fn is_unit(word: &str) -> bool {
+    meters(word).is_some() || ["deg", "rad", "\u{b0}", "degree", "degrees"].contains(&word)
+}
+
+/// A unit of length in m.
+fn meters(word: &str) -> Option<f64> {
+    match word {
+        "m" => Some(1.0),
+        "cm" => Some(0.01),
+        "mm" => Some(0.001),
+        "in" => Some(0.0254),
+        _ => None,
+    }
+}
+
+fn meters_of(unit: LengthUnit) -> f64 {
+    meters(unit.symbol()).unwrap_or(1.0)
+}
+
+/// One plain number, for options of clap.
+///
+/// # Errors
+/// The message, with what to type instead.
+pub fn plain(text: &str) -> Result<f64, String> {
+    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|value| value.is_finite());
+    let pointed = with_points(text);
+    match (number(text), number(&pointed)) {
+        (Some(value), _) => Ok(value),
+        (None, Some(_)) => Err(format!("not a number\nhelp: write {pointed}, with a decimal point")),
+        (None, None) => {
+            let digits = text.trim().trim_end_matches(|c: char| c.is_alphabetic()).trim_end();
+            let help = number(digits).map(|_| format!("\nhelp: write {digits}, without a unit"));
+            Err(format!("not a number{}", help.unwrap_or_default()))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn typed(text: &str, angle: Units, wanted: &[usize]) -> Option<String> {
+        Typed { option: "--q", text, angle, length: LengthUnit::Meter, wanted }.instead()
+    }
+
+    #[test]
+    fn what_is_typed_in_another_way_is_shown_as_it_is_to_be_typed() {
+        for (text, count, list, reason) in [
+            ("0,5 90 -1,25", 3, "\"0.5, 90, -1.25\"", "with a decimal point"),
+            ("0,5, 90, 0", 3, "\"0.5, 90, 0\"", "with a decimal point"),
+            ("0,5; 90; 0", 3, "\"0.5, 90, 0\"", "decimal point, and with commas"),
+            ("[1; 2; 3]", 3, "\"1, 2, 3\"", "with commas between"),
+            ("90deg, 1.5", 2, "\"90, 1.5\"", "as plain numbers: angles are in deg (--units), lengths in m"),
+            ("90 deg -30\u{b0}", 2, "\"90, -30\"", "as plain numbers"),
+            ("200mm 20 cm, 1in, 0.1 m", 4, "\"0.2, 0.2, 0.0254, 0.1\"", "as plain numbers"),
+            ("pi/2, 1 rad", 2, "\"90, 57.2957795130823\"", "as plain numbers"),
+            ("0,5 deg", 1, "0.5", "with a decimal point, and as plain"),
+            ("\u{2212}90, 0", 2, "\"-90, 0\"", "the minus of the keyboard"),
+        ] {
+            let help = typed(text, Units::Deg, &[count]);
+            let expected = format!("write --q {list}, ");
+            assert!(
+                help.as_ref().is_some_and(|help| help.starts_with(&expected) && help.contains(reason)),
+                "{text}: {help:?}"
+            );
+        }
+        assert!(
+            typed("90deg", Units::Rad, &[1]).is_some_and(|help| help.starts_with("write --q 1.5707963267948966, "))
+        );
+        for (text, count) in [("1, 2, x", 3), ("1,2,3", 2), ("0,5,90,0", 3), ("1 2 3", 2), ("", 1), ("5 kg", 1)] {
+            assert_eq!(typed(text, Units::Deg, &[count]), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn numbers_stand_in_brackets_or_not() {
+        let read = |text| {
+            Typed { option: "--q", text, angle: Units::Deg, length: LengthUnit::Meter, wanted: &[4] }.numbers().ok()
+        };
+        for text in ["0, -90 ,90  1e-1", "[0, -90, 90, 0.1]", "(0 -90 90 0.1)", " { 0,-90,90,.1 } "] {
+            assert_eq!(read(text), Some(vec![0.0, -90.0, 90.0, 0.1]), "{text}");
+        }
+        for text in ["0, x", "inf", "[1, 2", "nan"] {
+            assert_eq!(read(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_plain_number_has_help() {
+        assert_eq!(plain("1e-3"), Ok(1e-3));
+        for (text, part) in [("0,5", "write 0.5, with"), ("10s", "write 10, without a unit"), ("x", "not a number")] {
+            assert!(plain(text).is_err_and(|message| message.contains(part)), "{text}");
+        }
+    }
+}
