@@ -257,28 +257,37 @@ impl Shown<'_> {
 
     fn header(&self) -> Vec<String> {
         let names = self.arm.joint_names().map(str::to_owned);
-        let rest = [
-            "branch".to_owned(),
-            "flags".to_owned(),
-            "limits".to_owned(),
-            format!("off by {}", self.length()),
-            format!("off by {}", self.units.symbol()),
-        ];
-        ["#".to_owned()].into_iter().chain(names).chain(rest).collect()
+        let free = self.any_free().then(|| "free joints".to_owned());
+        let rest =
+            ["limits".to_owned(), format!("off by {}", self.length()), format!("off by {}", self.units.symbol())];
+        let flags = ["branch", "flags"].map(str::to_owned);
+        ["#".to_owned()].into_iter().chain(names).chain(flags).chain(free).chain(rest).collect()
     }
 
     fn row(&self, index: usize, solution: &DynamicSolution) -> Result<Vec<String>, Failure> {
         let residual = self.residual(solution)?;
         let values = self.values(solution).into_iter().map(fixed);
-        let free = if solution.free.is_empty() { String::new() } else { format!(" {}", solution.free) };
+        let free = self.any_free().then(|| self.free(solution));
         let rest = [
-            solution.branch.to_string(),
-            format!("{}{free}", solution.flags),
             if solution.is_within_limits() { "kept" } else { "broken" }.to_owned(),
             format!("{:.1e}", residual.position),
             format!("{:.1e}", self.units.of(residual.orientation)),
         ];
-        Ok([(index + 1).to_string()].into_iter().chain(values).chain(rest).collect())
+        let flags = [solution.branch.to_string(), solution.flags.to_string()];
+        Ok([(index + 1).to_string()].into_iter().chain(values).chain(flags).chain(free).chain(rest).collect())
+    }
+
+    /// Whether a column for free joints has an entry.
+    fn any_free(&self) -> bool {
+        self.solutions.iter().any(|solution| !solution.free.is_empty())
+    }
+
+    /// The joints that could take other values, by name.
+    fn free(&self, solution: &DynamicSolution) -> String {
+        let free: Vec<usize> = solution.free.iter().collect();
+        let named = self.arm.joint_names().enumerate().filter(|(joint, _)| free.contains(joint));
+        let names: Vec<&str> = named.map(|(_, name)| name).collect();
+        if names.is_empty() { "-".to_owned() } else { names.join(", ") }
     }
 
     /// What is asked for: of the task alone.

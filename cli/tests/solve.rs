@@ -270,3 +270,14 @@ fn degrees_in_json_have_no_rounding_of_their_conversion() {
     assert_eq!(rad["q"].to_string(), "[-2.0943951023931953,0.0,0.0,0.0,0.0,0.0]");
     assert_eq!(rad["pose"]["matrix"], answer["pose"]["matrix"]);
 }
+
+#[test]
+fn free_joints_have_a_column_of_their_own() {
+    let table = shown(&["inverse", "specs/puma560.yaml", "--q", "0 0 0 0 0 0"]);
+    let rows: Vec<&str> = table.lines().filter(|line| line.contains("EXACT") || line.starts_with('#')).collect();
+    let at = rows[0].find("free joints").unwrap();
+    let entries: Vec<&str> = rows[1..].iter().map(|row| row[at..].split_whitespace().next().unwrap()).collect();
+    assert_eq!(entries, ["-", "-", "-", "-", "q4", "-", "-"], "{table}");
+    assert!(table.contains("EXACT | OUT_OF_LIMITS  -  ") && table.contains("EXACT | FREE           q4 "), "{table}");
+    assert!(!shown(&["inverse", "specs/ur5.yaml", "--q", "0 -90 90 0 30 0"]).contains("free joints"));
+}
