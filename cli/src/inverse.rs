@@ -5,13 +5,14 @@ use std::path::PathBuf;
 
 use clap::{ArgGroup, Args};
 use denhart::{PlanarPose, PointAngle, Pose, Residual, Status};
-use denhart_dynamic::{DynamicArm, DynamicSolution, DynamicSolutions, DynamicTarget};
+use denhart_codegen::Report;
+use denhart_dynamic::{DynamicArm, DynamicError, DynamicSolution, DynamicSolutions, DynamicTarget};
 use serde_json::{Value, json};
 
 use crate::Failure;
 use crate::closest::{Missed, missed};
 use crate::forward::pose_json;
-use crate::numbers::{Units, arm, count, joints, outside, pose, short};
+use crate::numbers::{Units, count, joints, outside, pose, short};
 use crate::typed::Typed;
 
 /// What the command takes.
@@ -60,7 +61,13 @@ struct Asked {
 /// # Errors
 /// Wrong arguments, mistakes in the file, an arm without inverse, no way to print.
 pub fn run(options: &Options, out: &mut dyn Write) -> Result<bool, Failure> {
-    let arm = arm(&options.file)?;
+    let (text, name) = crate::arm::text(&options.file).map_err(Failure::Other)?;
+    let arm = DynamicArm::named(&text, &name)?;
+    if let Err(DynamicError::NoInverse(reason)) = arm.task() {
+        let help =
+            denhart_codegen::check(&text, &name).map_or_else(|_| BY_ITERATION.to_owned(), |report| instead(&report));
+        return Err(Failure::Other(format!("no inverse kinematics: {reason}\nhelp: {help}")));
+    }
     let asked = asked(&arm, options)?;
     let solutions = match &asked.near {
         Some(near) => arm.inverse_near(&asked.target, near)?,
@@ -83,6 +90,22 @@ pub fn run(options: &Options, out: &mut dyn Write) -> Result<bool, Failure> {
     }
     out.flush()?;
     Ok(solutions.status().is_reachable())
+}
+
+/// What solves an arm without closed form.
+const BY_ITERATION: &str = "`denhart::numeric` solves any arm by iteration";
+
+/// What an arm file may ask for, where there is no inverse as it is.
+fn instead(report: &Report) -> String {
+    match (&report.hint, &report.instead[..]) {
+        (Some(hint), _) => format!("{hint}; {BY_ITERATION}"),
+        (None, []) => format!("this arm has a closed form for no task of docs/tasks.md; {BY_ITERATION}"),
+        (None, [one]) => format!("write `{one}` in the file; {BY_ITERATION}"),
+        (None, [one, others @ ..]) => {
+            let others: Vec<String> = others.iter().map(|request| format!("`{request}`")).collect();
+            format!("write `{one}` in the file, or {}; {BY_ITERATION}", others.join(", "))
+        }
+    }
 }
 
 fn asked(arm: &DynamicArm, options: &Options) -> Result<Asked, Failure> {

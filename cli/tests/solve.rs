@@ -214,7 +214,7 @@ fn wrong_arguments_have_status_2_and_wrong_files_status_1() {
         (
             &["inverse", "specs/kinova_jaco.yaml", "--q", "0 0 0 0 0 0"],
             1,
-            "; denhart::numeric solves any arm by iteration",
+            "`denhart::numeric` solves any arm by iteration",
         ),
         (&["forward", "specs/no_such.yaml", "--q", "0"], 1, "no arm file at"),
     ] {
@@ -280,4 +280,53 @@ fn free_joints_have_a_column_of_their_own() {
     assert_eq!(entries, ["-", "-", "-", "-", "q4", "-", "-"], "{table}");
     assert!(table.contains("EXACT | OUT_OF_LIMITS  -  ") && table.contains("EXACT | FREE           q4 "), "{table}");
     assert!(!shown(&["inverse", "specs/ur5.yaml", "--q", "0 -90 90 0 30 0"]).contains("free joints"));
+}
+
+/// An arm without inverse: which request its file could have, or that there is none.
+#[test]
+fn an_arm_without_inverse_is_told_what_it_can_do() {
+    let row = |kind: &str, alpha: f64| format!("  - {{type: {kind}, a: 0.1, alpha: {alpha}, d: 0.1, theta: 0}}\n");
+    let rows = [row("revolute", 90.0), row("prismatic", 90.0), row("prismatic", 90.0), row("revolute", 30.0)].concat();
+    let file = |name: &str, request: &str| {
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+        let units = "units: {length: m, angle: deg}";
+        let text = format!("name: rppr\nconvention: standard\n{units}\n{request}joints:\n{rows}");
+        std::fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_owned()
+    };
+    for request in ["", "inverse: {task: planar_position}\n"] {
+        let path = file(&format!("rppr{}.yaml", request.len()), request);
+        let output = denhart(&["inverse", &path, "--q", "0 0 0 0"]);
+        let text = said(&output.stderr);
+        assert_eq!(output.status.code(), Some(1));
+        let help = "\nhelp: write `inverse: {task: position, redundant: q1}` in the file, or \
+                    `inverse: {task: position, redundant: q2}`, ";
+        assert!(text.contains(help), "{text}");
+        // What is proposed is there.
+        let asked = file("rppr_asked.yaml", "inverse: {task: position, redundant: q1}\n");
+        assert!(shown(&["inverse", &asked, "--q", "0 0 0 0"]).contains("task position"));
+    }
+    let none = denhart(&["inverse", "specs/gen6r_a.yaml", "--q", "0 0 0 0 0 0"]);
+    assert!(said(&none.stderr).contains("\nhelp: this arm has a closed form for no task"), "{none:?}");
+}
+
+/// A joint to give that the arm cannot spare.
+#[test]
+fn an_inverse_that_is_not_as_asked_for_is_told_and_strict_fails() {
+    let ur5 = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/ur5.yaml")).unwrap();
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("spared.yaml");
+    std::fs::write(&path, ur5.replace("{task: pose}", "{redundant: q3}")).unwrap();
+    let path = path.to_str().unwrap();
+    let text = shown(&["check", path]);
+    let reason = "`redundant: q3` leaves 5 joints, fewer than `pose` needs; leaving out `redundant` works";
+    assert!(
+        text.contains(&format!("spared.yaml:6:10: warning: there is no inverse as the file asks for: {reason}")),
+        "{text}"
+    );
+    assert!(text.contains("= help: write `inverse: {task: pose}`"), "{text}");
+    let strict = denhart(&["check", "--strict", path]);
+    assert_eq!(strict.status.code(), Some(1), "{strict:?}");
+    assert_eq!(denhart(&["check", "--strict", "specs/ur5.yaml"]).status.code(), Some(0));
+    let output = denhart(&["inverse", path, "--q", "0 0 0 0 0 0"]);
+    assert!(said(&output.stderr).contains("\nhelp: write `inverse: {task: pose}` in the file"), "{output:?}");
 }

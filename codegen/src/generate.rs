@@ -94,8 +94,25 @@ fn analyze(text: &str, file: &str, bound: &Bound, scalar: ScalarKind) -> Result<
     let geometry = geometry(&model, &chain);
     let inverse = plan(&model, &chain, &geometry);
     warnings.extend(model.inverse.changed_task(&model.joints, inverse.as_ref().ok().map(|plan| plan.task.goal.task())));
+    warnings.extend(inverse.as_ref().err().and_then(|unsupported| unmet(&spec, &model, unsupported)));
     let functions = Functions::of(&chain, model.joints.len());
     Ok(Analyzed { model, parameters, chain, geometry, functions, inverse, warnings })
+}
+
+/// The warning of a file that names a task or a joint to give, for which there is no inverse. One that requires an
+/// inverse has a mistake instead.
+fn unmet(spec: &spec::Spec, model: &Model, unsupported: &Unsupported) -> Option<Diagnostic> {
+    let asks = spec.inverse.task.is_some() || spec.inverse.redundant.is_some();
+    if !asks || model.inverse.require {
+        return None;
+    }
+    let warning = Diagnostic::warning(format!("there is no inverse as the file asks for: {}", unsupported.reason));
+    let help = match (&unsupported.hint, unsupported.instead.first()) {
+        (Some(hint), _) => hint.clone(),
+        (None, Some(request)) => format!("write `{request}`"),
+        (None, None) => "remove `inverse`: `denhart::numeric` solves any arm by iteration".to_owned(),
+    };
+    Some(warning.at(model.inverse.at.clone()).help(help))
 }
 
 impl Analyzed {

@@ -21,6 +21,10 @@ pub struct Report {
     pub max_solutions: Option<usize>,
     /// Why there is no inverse, if there is none.
     pub unsupported: Option<String>,
+    /// What to look at in the file, where something in it is probably meant otherwise and there is no inverse.
+    pub hint: Option<String>,
+    /// Without an inverse: the requests for which there is one, as the file writes them. `inverse: {task: position}` is one.
+    pub instead: Vec<String>,
     /// Operations of forward, jacobian, and both together.
     pub costs: [Cost; 3],
     /// The mistake of a file that requires an inverse where there is none.
@@ -74,6 +78,8 @@ impl Report {
             task: inverse.as_ref().ok().map(|plan| plan.task.name()),
             max_solutions: inverse.as_ref().ok().map(Plan::max_solutions),
             unsupported: inverse.as_ref().err().map(|unsupported| unsupported.reason.clone()),
+            hint: inverse.as_ref().err().and_then(|unsupported| unsupported.hint.clone()),
+            instead: inverse.as_ref().err().map(|unsupported| unsupported.instead.clone()).unwrap_or_default(),
             costs,
             lacking: None,
             warnings,
@@ -115,7 +121,9 @@ impl fmt::Display for Report {
 
 fn summary(model: &Model) -> String {
     let kinds: String = model.joints.iter().map(|j| if j.kind == JointKind::Revolute { 'R' } else { 'P' }).collect();
-    format!("{}: {} moving joints ({kinds}), lengths in {}", model.name, model.joints.len(), model.length_unit.symbol())
+    let plural = if model.joints.len() == 1 { "" } else { "s" };
+    let (name, unit) = (&model.name, model.length_unit.symbol());
+    format!("{name}: {} moving joint{plural} ({kinds}), lengths in {unit}", model.joints.len())
 }
 
 fn relations<'a>(geometry: &'a Geometry, unit: &'a str) -> impl Iterator<Item = String> + 'a {

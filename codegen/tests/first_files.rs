@@ -154,7 +154,10 @@ fn a_given_joint_that_the_task_cannot_spare_is_the_reason() {
     );
     let planar = ["a: 1, alpha: 0, d: 0, theta: 0", "a: 1, alpha: 0, d: 0, theta: 0"];
     let alone = check("standard", &planar, "inverse: {redundant: q1}").unsupported.unwrap();
-    assert_eq!(alone, "no task fits the 1 moving joint that `redundant: q1` leaves; leaving out `redundant` works");
+    assert_eq!(
+        alone,
+        "`redundant: q1` leaves 1 joint, fewer than `planar_position` needs; leaving out `redundant` works"
+    );
     let pose = check("standard", &planar, "inverse: {task: pose, redundant: q1}").unsupported.unwrap();
     assert_eq!(pose, "the task `pose` is not covered for the 1 moving joint that `redundant: q1` leaves");
     let none = check("standard", &planar, "inverse: {task: planar_position, redundant: q1}").unsupported.unwrap();

@@ -11,20 +11,42 @@ pub struct Unsupported {
     pub reason: String,
     /// What to look at in the file, where something in it is probably meant otherwise.
     pub hint: Option<String>,
+    /// What the file may ask for instead, as it is written: `inverse: {task: position}`.
+    pub instead: Vec<String>,
+}
+
+/// A request for which the arm has an inverse.
+pub(super) struct Alternative {
+    /// What differs from the request of the file.
+    words: String,
+    /// The request as the file writes it.
+    written: String,
+}
+
+impl Alternative {
+    pub(super) fn new(words: String, task: Option<Task>, redundant: Option<&str>) -> Self {
+        let task = task.map(|task| format!("task: {}", task.name()));
+        let redundant = redundant.map(|name| format!("redundant: {name}"));
+        let keys: Vec<String> = task.into_iter().chain(redundant).collect();
+        Alternative { words, written: format!("inverse: {{{}}}", keys.join(", ")) }
+    }
 }
 
 impl Unsupported {
     /// The same with what would work instead.
-    pub(super) fn or_else(self, alternatives: Vec<String>) -> Self {
-        match alternatives.as_slice() {
-            [] => self,
-            [one] => Unsupported::new(format!("{}; {one} works", self.reason)),
-            [rest @ .., last] => Unsupported::new(format!("{}; {} or {last} work", self.reason, rest.join(", "))),
-        }
+    pub(super) fn or_else(self, alternatives: Vec<Alternative>) -> Self {
+        let (words, instead): (Vec<String>, Vec<String>) =
+            alternatives.into_iter().map(|Alternative { words, written }| (words, written)).unzip();
+        let reason = match words.as_slice() {
+            [] => return self,
+            [one] => format!("{}; {one} works", self.reason),
+            [rest @ .., last] => format!("{}; {} or {last} work", self.reason, rest.join(", ")),
+        };
+        Unsupported { instead, ..Unsupported::new(reason) }
     }
 
     pub(super) fn new(reason: impl Into<String>) -> Self {
-        Unsupported { reason: reason.into(), hint: None }
+        Unsupported { reason: reason.into(), hint: None, instead: Vec::new() }
     }
 }
 
@@ -56,7 +78,7 @@ pub(super) fn none_to_spare(model: &Model, task: Option<Task>) -> Unsupported {
 }
 
 /// Why the value of no joint can be given: the task needs all of them.
-fn not_to_spare(model: &Model, task: Task) -> Option<String> {
+pub(super) fn not_to_spare(model: &Model, task: Task) -> Option<String> {
     let given = model.joints.get(model.inverse.redundant?)?;
     let left = model.joints.len().checked_sub(1)?;
     // Some arms of four and five joints have a pose too: those with a joint more are told what theirs lacks.

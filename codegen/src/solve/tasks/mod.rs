@@ -13,7 +13,7 @@ use super::plan::Plan;
 use super::rank;
 use super::swivel;
 use super::task::Goal;
-use super::unsupported::{self, Unsupported};
+use super::unsupported::{self, Alternative, Unsupported};
 use crate::model::chain::Chain;
 use crate::model::geometry::{self, Geometry};
 use crate::model::{Convention, Model, Task};
@@ -51,6 +51,7 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, U
             failure.unwrap_or_else(|| unsupported::not_covered(model, None))
         }
     };
+    let failed = spared(model, chain, geometry).unwrap_or(failed);
     // Another task would hide what is wrong with the table.
     if let Some(hint) = other_convention(model, &joints) {
         return Err(Unsupported { hint: Some(hint), ..failed });
@@ -116,8 +117,17 @@ fn attempt(task: Task, model: &Model, geometry: &Geometry, joints: &LoopChain) -
     }
 }
 
+/// The reason where the file gives a joint's value that its arm needs: without `redundant` there is an inverse.
+fn spared(model: &Model, chain: &Chain, geometry: &Geometry) -> Option<Unsupported> {
+    model.inverse.redundant.filter(|_| model.inverse.task.is_none())?;
+    let joints = LoopChain::new(model, chain, geometry.reach, None);
+    let task =
+        most_specific_first(&joints).into_iter().find(|task| attempt(*task, model, geometry, &joints).is_ok())?;
+    unsupported::not_to_spare(model, task).map(Unsupported::new)
+}
+
 /// The tasks, or the joints to give, with which this arm has an inverse.
-fn alternatives(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<String> {
+fn alternatives(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<Alternative> {
     let works = |task: Task, given: Option<usize>| {
         let joints = LoopChain::new(model, chain, geometry.reach, given);
         attempt(task, model, geometry, &joints).is_ok()
@@ -125,28 +135,38 @@ fn alternatives(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<String
     let request = &model.inverse;
     let tasks =
         [Task::Pose, Task::PositionAxis, Task::PositionAngle, Task::Position, Task::PlanarPose, Task::PlanarPosition];
-    let mut found: Vec<String> = tasks
+    let name_of = |joint: usize| model.joints.get(joint).map(|joint| joint.name.as_str());
+    let redundant = request.redundant.and_then(name_of);
+    let mut found: Vec<Alternative> = tasks
         .into_iter()
         .filter(|task| Some(*task) != request.task && works(*task, request.redundant))
-        .map(|task| format!("`task: {}`", task.name()))
+        .map(|task| Alternative::new(format!("`task: {}`", task.name()), Some(task), redundant))
         .collect();
-    let any_works = |given: Option<usize>| {
-        tasks.into_iter().any(|task| request.task.is_none_or(|named| named == task) && works(task, given))
+    let working = |given: Option<usize>, named: Option<Task>| {
+        tasks.into_iter().find(|task| named.is_none_or(|named| named == *task) && works(*task, given))
     };
     // A joint's value that need not be given at all: no other one is proposed.
-    let spares = request.redundant.is_some() && any_works(None);
-    let given: Vec<String> = (0..model.joints.len())
-        .filter(|joint| Some(*joint) != request.redundant && !spares && any_works(Some(*joint)))
-        .filter_map(|joint| model.joints.get(joint))
-        .map(|joint| format!("`redundant: {}`", joint.name))
-        .collect();
-    found.extend(given);
-    found.extend(spares.then(|| "leaving out `redundant`".to_string()));
+    let spares = request.redundant.and_then(|_| working(None, request.task));
+    let others = (0..model.joints.len()).filter(|joint| Some(*joint) != request.redundant && spares.is_none());
+    let others: Vec<(usize, &str)> = others.filter_map(|joint| Some((joint, name_of(joint)?))).collect();
+    found.extend(others.iter().filter_map(|(joint, name)| {
+        let task = working(Some(*joint), request.task)?;
+        Some(Alternative::new(format!("`redundant: {name}`"), Some(task), Some(name)))
+    }));
+    found.extend(spares.map(|task| Alternative::new("leaving out `redundant`".to_owned(), Some(task), None)));
     let swings =
         !request.arm_angle && model.parameters.is_empty() && request.task.is_none_or(|task| task == Task::Pose) && {
             let joints = LoopChain::new(model, chain, geometry.reach, None);
             swivel::plan(joints, chain).is_ok()
         };
-    found.extend(swings.then(|| "`redundant: arm_angle`".to_string()));
+    found.extend(swings.then(|| Alternative::new("`redundant: arm_angle`".to_owned(), None, Some("arm_angle"))));
+    if found.is_empty() && request.task.is_some() {
+        // Another task, and a joint whose value is given.
+        found.extend(others.iter().filter_map(|(joint, name)| {
+            let task = working(Some(*joint), None)?;
+            let words = format!("`task: {}` with `redundant: {name}`", task.name());
+            Some(Alternative::new(words, Some(task), Some(name)))
+        }));
+    }
     found
 }
