@@ -56,8 +56,8 @@ pub fn read(file: &Path) -> Result<Arm, String> {
 /// # Errors
 /// The message.
 pub fn of_text(text: &str, file: &str) -> Result<Arm, String> {
-    let (spec, _) = spec::read(text, file).map_err(|errors| errors.to_string())?;
-    let model = model::check(&spec).map_err(|errors| errors.to_string())?;
+    let (spec, _) = spec::read(text, file).map_err(|errors| crate::each(&errors))?;
+    let model = model::check(&spec).map_err(|errors| crate::each(&errors))?;
     Ok(Arm { chain: chain(&model), model })
 }
 

@@ -68,7 +68,7 @@ impl Unread {
 
     fn text(&self) -> String {
         let help = self.help.as_ref().map_or_else(String::new, |help| format!("\nhelp: {help}"));
-        format!("{}{help}", self.message)
+        format!("error: {}{help}", self.message)
     }
 
     fn json(&self) -> Value {
@@ -102,7 +102,7 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> std::
                 writeln!(out)?;
             }
             // Whoever reads a pipe that is closed has gone away; the messages still count.
-            if failed(checked) { writeln!(err, "error: {text}")? } else { writeln!(out, "{text}")? }
+            if failed(checked) { writeln!(err, "{text}")? } else { writeln!(out, "{text}")? }
         }
         let warned: usize = checked.iter().map(|checked| checked.messages.len()).sum();
         let only_warned = checked.iter().all(|checked| checked.found.is_some()) && options.strict && warned > 0;
@@ -146,7 +146,10 @@ impl Checked {
             let cost = found.cost.as_ref().map_or_else(String::new, |cost| format!("\n{}", cost.text()));
             format!("{}\n{}{cost}", found.report.to_string().trim_end(), found.home(units))
         });
-        let messages = self.messages.iter().map(ToString::to_string);
+        let messages = self.messages.iter().map(|message| match message.severity {
+            Severity::Error => format!("error: {message}"),
+            Severity::Warning => message.to_string(),
+        });
         found.chain(messages).chain(self.unread.as_ref().map(Unread::text)).collect::<Vec<String>>().join("\n\n")
     }
 

@@ -22,7 +22,7 @@ use std::io::{self, ErrorKind, Write};
 use std::path::PathBuf;
 
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
-use denhart_codegen::{Builder, ScalarKind};
+use denhart_codegen::{BuildError, Builder, Errors, ScalarKind};
 
 /// Done.
 const SUCCESS: u8 = 0;
@@ -199,7 +199,15 @@ fn expand(options: Expand) -> Result<String, String> {
     if let Some(name) = type_name {
         builder = builder.type_name(name);
     }
-    builder.generate().map_err(|error| error.to_string())
+    builder.generate().map_err(|error| match error {
+        BuildError::Arm(errors) => each(&errors),
+        other => other.to_string(),
+    })
+}
+
+/// The mistakes of a file, each with the prefix that the first one gets where it is printed.
+fn each(errors: &Errors) -> String {
+    errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n\nerror: ")
 }
 
 fn print(out: &mut dyn Write, text: &str) -> io::Result<()> {

@@ -319,6 +319,34 @@ fn mistakes_go_to_stderr_with_status_1() {
     }
 }
 
+/// Each mistake of a file begins alike, whatever command finds it.
+#[test]
+fn every_mistake_has_the_same_prefix() {
+    let path = arm_file("twice.yaml", "name: twice\nconvention: standrad\nunits: mm\njoints: 1\n");
+    let file = path.to_str().unwrap();
+    let to = Path::new(env!("CARGO_TARGET_TMPDIR")).join("twice");
+    for arguments in [
+        &["check", file][..],
+        &["expand", file],
+        &["forward", file, "--q", "0"],
+        &["inverse", file, "--q", "0"],
+        &["trace", file, "--law", "0", "--to", "1", "--step", "1"],
+        &["export", "c", file, "-o", to.to_str().unwrap()],
+    ] {
+        let said = text(&denhart(arguments).stderr);
+        let mistakes: Vec<&str> = said.lines().filter(|line| line.contains("twice.yaml:")).collect();
+        assert_eq!(mistakes.len(), 3, "{said}");
+        assert!(mistakes.iter().all(|line| line.starts_with("error: ")), "{arguments:?}: {said}");
+    }
+    // A report of an arm with warnings is no mistake, and its mistake is one.
+    let rows = "joints:\n  - {a: 1, alpha: 0, d: 0, theta: 0}\n";
+    let units = "convention: standard\nunits: {length: m, angle: deg}";
+    let path = arm_file("lacks.yaml", &format!("name: lacks\n{units}\ninverse: {{require: true}}\n{rows}"));
+    let said = text(&denhart(&["check", path.to_str().unwrap()]).stderr);
+    assert!(said.starts_with("lacks: 1 moving joint (R), lengths in m\n"), "{said}");
+    assert!(said.lines().any(|line| line.starts_with("error: ") && line.contains("lacks.yaml:4:")), "{said}");
+}
+
 #[test]
 fn a_missing_file_is_named_and_the_nearest_suggested() {
     for action in ["check", "expand"] {

@@ -63,8 +63,8 @@ pub fn run(options: &Options, out: &mut dyn Write) -> Result<(), Failure> {
     let scalar = ScalarKind::from(options.scalar);
     let code = Code { scalar, ..Code::new(arm::TYPE) };
     let code = generate(&text, &name, &code).and_then(|generated| generated.to_file());
-    let code = code.map_err(|mistakes| Failure::Other(mistakes.to_string()))?;
-    let program = denhart_codegen::program(&text, &name).map_err(|mistakes| Failure::Other(mistakes.to_string()))?;
+    let code = code.map_err(|mistakes| Failure::Other(crate::each(&mistakes)))?;
+    let program = denhart_codegen::program(&text, &name).map_err(|mistakes| Failure::Other(crate::each(&mistakes)))?;
     let arm = Arm::new(&program, scalar, options.prefix.as_deref()).map_err(Failure::Usage)?;
     let denhart = match &options.crate_path {
         Some(path) => project::Dependency::at(path, &options.output).map_err(Failure::Other)?,

@@ -17,7 +17,7 @@ pub struct Unsupported {
 
 /// A request for which the arm has an inverse.
 pub(super) struct Alternative {
-    /// What differs from the request of the file.
+    /// What differs from the request of the file; empty if that is not a part of the reason.
     words: String,
     /// The request as the file writes it.
     written: String,
@@ -37,8 +37,9 @@ impl Unsupported {
     pub(super) fn or_else(self, alternatives: Vec<Alternative>) -> Self {
         let (words, instead): (Vec<String>, Vec<String>) =
             alternatives.into_iter().map(|Alternative { words, written }| (words, written)).unzip();
+        let words: Vec<String> = words.into_iter().filter(|words| !words.is_empty()).collect();
         let reason = match words.as_slice() {
-            [] => return self,
+            [] => self.reason,
             [one] => format!("{}; {one} works", self.reason),
             [rest @ .., last] => format!("{}; {} or {last} work", self.reason, rest.join(", ")),
         };

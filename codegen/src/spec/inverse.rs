@@ -72,6 +72,13 @@ const TASKS: &[(&str, Task)] = &[
     ("planar_pose", Task::PlanarPose),
     ("planar_position", Task::PlanarPosition),
 ];
+const TASK_SYNONYMS: &[(&str, &str)] =
+    &[("pos", "position"), ("point", "position"), ("xyz", "position"), ("full", "pose"), ("6d", "pose")];
+/// What the tasks ask for, for whoever has to choose one.
+const TASK_HELP: &str = "\
+write `pose` for position and orientation, `position` for a point, `position_axis` for a point and the direction of an axis,
+`position_angle` for a point and one angle, `planar_pose` for x, y and an angle, `planar_position` for x and y";
+
 impl Task {
     /// As the file writes it.
     pub fn name(self) -> &'static str {
@@ -94,7 +101,10 @@ impl Reader<'_> {
         }
         let Some(fields) = self.mapping(&field, "`inverse`", KEYS) else { return inverse };
         if let Some(field) = fields.get("task") {
-            inverse.task = self.choice(&field, TASKS, &[]);
+            inverse.task = self.choice(&field, TASKS, TASK_SYNONYMS);
+            if inverse.task.is_none() {
+                self.advise(TASK_HELP);
+            }
             inverse.place = Some(field.place);
         }
         inverse.require = fields.get("require").and_then(|field| self.boolean(&field)).unwrap_or(false);

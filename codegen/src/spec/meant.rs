@@ -6,13 +6,50 @@ use super::yaml::Node;
 /// What to write for a text in the place of a number.
 pub fn number(text: &str) -> Option<String> {
     let text = text.trim();
-    typed(text).or_else(|| with_unit(text)).or_else(|| sum(text))
+    typed(text).or_else(|| with_unit(text)).or_else(|| sum(text)).or_else(|| expression(text))
 }
 
 /// What to write for a text in the place of an angle.
 pub fn angle(text: &str) -> Option<String> {
     let text = text.trim();
-    typed(text).or_else(|| with_variable(text)).or_else(|| sum(text))
+    let computed = || {
+        has_operator(text).then(|| "write its value: an angle is not computed, but for pi/2 and the like".to_owned())
+    };
+    typed(text).or_else(|| with_variable(text)).or_else(|| sum(text)).or_else(computed)
+}
+
+/// What to write for a length that is to be computed.
+pub fn expression(text: &str) -> Option<String> {
+    let help = "write its value, or give it a name: `parameters: {l5: 0.35}`. A name takes a sign or a factor, and \
+                nothing is added to it: `-l5`, `2*l5`, `l5/2`";
+    sum(text).or_else(|| has_operator(text).then(|| help.to_owned()))
+}
+
+/// Whether something is to be computed between numbers or names.
+fn has_operator(text: &str) -> bool {
+    let is_operand = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.' | '(' | ')');
+    let between = |at: usize| {
+        let operand = |text: Option<&str>, last: bool| {
+            let text = text.unwrap_or_default().trim();
+            let end = if last { text.chars().next_back() } else { text.chars().next() };
+            end.is_some_and(is_operand)
+        };
+        operand(text.get(..at), true) && operand(text.get(at + 1..), false)
+    };
+    text.parse::<f64>().is_err()
+        && text.char_indices().any(|(at, c)| matches!(c, '+' | '-' | '*' | '/' | '^') && between(at))
+}
+
+/// The key that another name stands for: a Greek letter, the tool's frame.
+pub fn other_name(name: &str, known: &[&'static str]) -> Option<&'static str> {
+    let key = match name.to_lowercase().as_str() {
+        "\u{3b1}" => "alpha",
+        "\u{3b8}" | "\u{3d1}" => "theta",
+        "tcp" | "flange" | "ee" | "end_effector" | "endeffector" | "gripper" => "tool",
+        "world" | "mount" => "base",
+        _ => return None,
+    };
+    known.iter().copied().find(|word| *word == key)
 }
 
 /// What to write for a list of `found` entries in the place of one of `wanted`: `[-60, 0,5]` as `[-60, 0.5]`.
@@ -56,23 +93,44 @@ pub fn key(name: &str, known: &[&str]) -> Option<String> {
     Some(help.to_owned())
 }
 
-/// What to write for a list in the place of a mapping with `known` keys: a row of a table, a matrix.
-pub fn mapping(written: &str, node: &Node, known: &[&str]) -> Option<String> {
-    let Node::List(entries) = node else { return None };
+/// What to write in the place of a mapping with `known` keys: for a row of a table, a matrix, a number, a unit. `key` is
+/// the one that the mapping belongs to.
+pub fn mapping(key: &str, written: &str, node: &Node, known: &[&str]) -> Option<String> {
     if known.contains(&"rpy") {
         return Some(
             "write the frame as `{xyz: [x, y, z], rpy: [roll, pitch, yaw]}`, R = Rz(yaw) Ry(pitch) Rx(roll)".to_owned(),
         );
     }
-    let row = known.contains(&"theta") && entries.len() == 4;
-    let inside = written.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'))?;
-    let words: Vec<&str> = inside.split(',').map(str::trim).collect();
-    match words[..] {
-        [a, alpha, d, theta] if row => Some(format!(
-            "name each value: `{{a: {a}, alpha: {alpha}, d: {d}, theta: {theta}}}` if they stand in this order"
-        )),
-        _ => None,
-    }
+    let row = "name each value: `{a: 0, alpha: 90, d: 0.4, theta: 0}`";
+    let text = written.trim_matches(['"', '\'', ' ']);
+    let help = match (key, node) {
+        ("units", Node::Text(_)) if ["deg", "rad"].contains(&text) => {
+            format!("write `units: {{length: m, angle: {text}}}`")
+        }
+        ("units", Node::Text(_)) if ["m", "cm", "mm", "in"].contains(&text) => {
+            format!("write `units: {{length: {text}, angle: deg}}`")
+        }
+        ("units", _) => "write `units: {length: m, angle: deg}`".to_owned(),
+        ("tolerance", Node::Number(_)) => {
+            format!("write `tolerance: {{length: {written}}}`, in the file's unit; an `angle` may stand beside it")
+        }
+        ("tolerance", _) => "write `tolerance: {length: 0.001, angle: 0.01 deg}`, or one of them".to_owned(),
+        ("inverse", _) => "write `inverse: {task: pose}`".to_owned(),
+        ("actuator", _) => "write `actuator: {pulses_per_rev: 12800}`".to_owned(),
+        (_, Node::List(entries)) if known.contains(&"theta") && entries.len() == 4 => {
+            let inside = written.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')).unwrap_or_default();
+            let words: Vec<&str> = inside.split(',').map(str::trim).collect();
+            match words[..] {
+                [a, alpha, d, theta] => format!(
+                    "name each value: `{{a: {a}, alpha: {alpha}, d: {d}, theta: {theta}}}` if they stand in this order"
+                ),
+                _ => row.to_owned(),
+            }
+        }
+        _ if known.contains(&"theta") => row.to_owned(),
+        _ => return None,
+    };
+    Some(help)
 }
 
 /// A sum, difference, product or quotient of two numbers: its value.
@@ -142,14 +200,14 @@ fn with_point(text: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::super::yaml::Node;
-    use super::{angle, key, list, mapping, number};
+    use super::{angle, key, list, mapping, number, other_name};
 
     #[test]
     fn the_number_that_is_meant() {
         assert_eq!(number("-80,5").as_deref(), Some("write -80.5, with a decimal point"));
         assert!(number("365 mm").is_some_and(|help| help.contains("365 if that is mm")));
         assert!(number("\u{2212}445").is_some_and(|help| help.starts_with("write -445:")));
-        for text in ["long", "l2 + 3", "1,2,3", "3 parsec", ""] {
+        for text in ["long", "1,2,3", "3 parsec", ""] {
             assert_eq!(number(text), None, "{text}");
         }
     }
@@ -162,9 +220,13 @@ mod tests {
             assert_eq!(number(text), Some(format!("write {value}: a number is not computed")), "{text}");
         }
         assert_eq!(angle("90+45").as_deref(), Some("write 135: a number is not computed"));
-        for text in ["1/0", "-5", "a+b", "1e-5"] {
+        for text in ["1/0", "a+b", "l2 + 5", "2*3 + 1", "(1 + 2)*3"] {
+            assert!(number(text).is_some_and(|help| help.starts_with("write its value, or give it a name")), "{text}");
+        }
+        for text in ["-5", "1e-5", "upper-", "- 5"] {
             assert_eq!(number(text), None, "{text}");
         }
+        assert!(angle("90 + 3*2").is_some_and(|help| help.starts_with("write its value: an angle")));
     }
 
     #[test]
@@ -183,10 +245,16 @@ mod tests {
         assert!(key("offset", &["matrix"]).is_none());
         assert!(key("matrix", &["xyz", "rpy"]).is_some_and(|help| help.contains("rpy: [roll")));
         let list = |n: usize| Node::List(vec![Node::Number(0.0); n]);
-        let help = mapping("[0, 90, 0.4, 0]", &list(4), &row);
+        let help = mapping("row 1", "[0, 90, 0.4, 0]", &list(4), &row);
         assert!(help.is_some_and(|help| help.contains("`{a: 0, alpha: 90, d: 0.4, theta: 0}`")));
-        assert!(mapping("[0, 1]", &list(2), &row).is_none());
-        assert!(mapping("[[1]]", &list(4), &["xyz", "rpy"]).is_some_and(|help| help.contains("xyz: [x, y, z]")));
+        assert!(mapping("row 1", "[0, 1]", &list(2), &row).is_some_and(|help| help.starts_with("name each value")));
+        let units = mapping("units", "mm", &Node::Text("mm".into()), &["length", "angle"]);
+        assert_eq!(units.as_deref(), Some("write `units: {length: mm, angle: deg}`"));
+        assert_eq!(other_name("\u{3b1}", &["a", "alpha"]), Some("alpha"));
+        assert_eq!(other_name("tcp", &["xyz", "rpy"]), None);
+        assert!(
+            mapping("tool", "[[1]]", &list(4), &["xyz", "rpy"]).is_some_and(|help| help.contains("xyz: [x, y, z]"))
+        );
     }
 
     #[test]
@@ -206,7 +274,7 @@ mod tests {
                 "{text}: {help:?}"
             );
         }
-        for text in ["pie", "2*q1", "-q1", "quarter turn"] {
+        for text in ["pie", "-q1", "quarter turn"] {
             assert_eq!(angle(text), None, "{text}");
         }
     }

@@ -3,6 +3,16 @@
 /// The nearest of `known` to `found`, if it is near enough to be meant.
 pub fn nearest<'a>(found: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let found = found.to_lowercase();
+    let known: Vec<&str> = known.into_iter().collect();
+    // The beginning of a word stands for the shortest one that begins so: `rev` for `revolute`.
+    let begins = |word: &&str| {
+        let rest = word.to_lowercase();
+        rest.strip_prefix(&found).is_some_and(|rest| !rest.starts_with(|c: char| c.is_ascii_digit()))
+    };
+    let begun = known.iter().copied().filter(|_| found.chars().count() >= 3).filter(begins);
+    if let Some(word) = begun.min_by_key(|word| word.chars().count()) {
+        return Some(word);
+    }
     let (distance, word) =
         known.into_iter().map(|word| (distance(&found, &word.to_lowercase()), word)).min_by_key(|pair| pair.0)?;
     let letters = word.chars().count().max(found.chars().count());
@@ -62,6 +72,9 @@ mod tests {
         assert_eq!(nearest("x", row), None);
         assert_eq!(nearest("A", row), Some("a"));
         assert_eq!(nearest("q7", ["q1", "q2"]), None);
+        assert_eq!(nearest("posi", ["pose", "position_axis", "position"]), Some("position"));
+        assert_eq!(nearest("rev", ["revolute", "prismatic"]), Some("revolute"));
+        assert_eq!(nearest("joint1", ["joint10", "joint11x"]), Some("joint10"));
         assert_eq!(nearest("x", []), None);
     }
 }

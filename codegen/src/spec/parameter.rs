@@ -2,6 +2,7 @@
 
 use super::angle::AngleUnit;
 use super::length::{Length, factored};
+use super::meant;
 use super::nearest::nearest;
 use super::place::{Place, Step};
 use super::range;
@@ -94,7 +95,8 @@ impl Reader<'_> {
             },
             // A quoted number has a message of its own.
             Err(expected) if !parameters.is_empty() && text.trim().parse::<f64>().is_err() => {
-                self.unexpected(field, &format!("a number, or {expected}"), None);
+                let help = if expected.starts_with("a factor") { None } else { meant::expression(text) };
+                self.unexpected(field, &format!("a number, or {expected}"), help);
             }
             Err(_) => {
                 self.number(field);

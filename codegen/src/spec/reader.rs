@@ -72,7 +72,7 @@ impl<'s> Reader<'s> {
     /// A mapping whose keys are all among `known`. `what` names it in messages ("a joint row").
     pub fn mapping<'n>(&mut self, field: &Field<'n>, what: &str, known: &[&'static str]) -> Option<Fields<'n>> {
         let Node::Mapping(entries) = field.node else {
-            let help = meant::mapping(&self.source.written(&field.place), field.node, known);
+            let help = meant::mapping(&field.key, &self.source.written(&field.place), field.node, known);
             self.unexpected(field, &format!("a mapping with {}", known.join(", ")), help);
             return None;
         };
@@ -109,7 +109,7 @@ impl<'s> Reader<'s> {
             } else {
                 let (word, rest) =
                     name.split_once(':').map_or((name.as_str(), None), |(word, rest)| (word, Some(rest)));
-                let meant = nearest(word, known.iter().copied());
+                let meant = meant::other_name(word, known).or_else(|| nearest(word, known.iter().copied()));
                 let hint = if meant.is_none() { meant::key(name, known) } else { None };
                 if let Some(hint) = hint {
                     let mistake = self.source.mistake(&at_key, format!("unknown key `{name}` in {what}"));

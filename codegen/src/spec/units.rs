@@ -60,7 +60,6 @@ const ANGLE_SYNONYMS: &[(&str, &str)] =
     &[("degree", "deg"), ("degrees", "deg"), ("°", "deg"), ("radian", "rad"), ("radians", "rad")];
 const CONVENTIONS: &[(&str, Convention)] = &[("standard", Convention::Standard), ("modified", Convention::Modified)];
 const CONVENTION_SYNONYMS: &[(&str, &str)] = &[
-    ("dh", "standard"),
     ("classic", "standard"),
     ("classical", "standard"),
     ("distal", "standard"),
@@ -123,7 +122,13 @@ impl Reader<'_> {
     /// The convention; there is no default because a wrong guess gives an arm that looks right.
     pub fn convention(&mut self, root: &Fields<'_>) -> Convention {
         let found = match root.get("convention") {
-            Some(field) => self.choice(&field, CONVENTIONS, CONVENTION_SYNONYMS),
+            Some(field) => {
+                let found = self.choice(&field, CONVENTIONS, CONVENTION_SYNONYMS);
+                if found.is_none() {
+                    self.advise(CONVENTION_HELP);
+                }
+                found
+            }
             None => {
                 if !root.has("convention") {
                     let mistake = self.source.mistake(&root.place, "no `convention`: expected standard or modified");

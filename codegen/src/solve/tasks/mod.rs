@@ -161,11 +161,10 @@ fn alternatives(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<Altern
         };
     found.extend(swings.then(|| Alternative::new("`redundant: arm_angle`".to_owned(), None, Some("arm_angle"))));
     if found.is_empty() && request.task.is_some() {
-        // Another task, and a joint whose value is given.
+        // Another task, and a joint whose value is given: two changes, which the reason has no room for.
         found.extend(others.iter().filter_map(|(joint, name)| {
             let task = working(Some(*joint), None)?;
-            let words = format!("`task: {}` with `redundant: {name}`", task.name());
-            Some(Alternative::new(words, Some(task), Some(name)))
+            Some(Alternative::new(String::new(), Some(task), Some(name)))
         }));
     }
     found
