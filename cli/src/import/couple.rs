@@ -13,6 +13,8 @@ use super::urdf::{Joint, Kind, Robot};
 #[derive(Debug, Clone)]
 pub struct Motor {
     pub name: String,
+    /// Its name in the arm file: another one where that means another joint there.
+    pub file_name: String,
     pub turns: bool,
     /// Where every joint that follows it keeps its limits.
     pub limits: Option<[f64; 2]>,
@@ -114,6 +116,8 @@ pub fn drive(robot: &Robot, path: &Path) -> Result<Drive, String> {
     let limits = groups.iter().map(|group| range(&motors, group)).collect();
     let axes = groups.into_iter().zip(&motors).map(|(group, motor)| Axis { name: motor.name.clone(), ..group.axis });
     let axes = Axes { axes: axes.collect(), tool };
+    let mut motors = motors;
+    rename(&mut motors);
     Ok(Drive { axes, motors, matrix, constant, sums, limits })
 }
 
@@ -181,7 +185,7 @@ fn motors(robot: &Robot, groups: &[Group]) -> Result<Vec<Motor>, String> {
             return Err(format!("joint `{}` mimics `{name}`: one turns, the other slides", group.axis.name));
         }
         let limits = motor_range(robot, groups, &name)?;
-        motors.push(Motor { name, turns: group.axis.turns, limits });
+        motors.push(Motor { file_name: name.clone(), name, turns: group.axis.turns, limits });
     }
     // What a row takes of a motor that slides where it turns has no place in an arm file.
     for group in groups {
@@ -205,7 +209,33 @@ fn motors(robot: &Robot, groups: &[Group]) -> Result<Vec<Motor>, String> {
     Ok(motors)
 }
 
+/// In an arm file `q2` is joint 2. Where the URDF counts otherwise, as from `q0`, all such names get another beginning.
+fn rename(motors: &mut [Motor]) {
+    let number = |name: &str| name.strip_prefix('q').and_then(|digits| digits.parse::<usize>().ok());
+    let count = motors.len();
+    let another = |(index, motor): (usize, &Motor)| {
+        number(&motor.name).is_some_and(|number| number != index + 1 && (1..=count).contains(&number))
+    };
+    if !motors.iter().enumerate().any(another) {
+        return;
+    }
+    let taken: Vec<String> = motors.iter().map(|motor| motor.name.clone()).collect();
+    for motor in motors.iter_mut().filter(|motor| number(&motor.name).is_some()) {
+        let mut name = format!("joint_{}", motor.name);
+        while taken.contains(&name) {
+            name.push('_');
+        }
+        motor.file_name = name;
+    }
+}
+
 impl Drive {
+    /// The joints that have another name in the file: that of the URDF, and the new one.
+    pub fn renamed(&self) -> Vec<(&str, &str)> {
+        let pairs = self.motors.iter().map(|motor| (motor.name.as_str(), motor.file_name.as_str()));
+        pairs.filter(|(name, file_name)| name != file_name).collect()
+    }
+
     /// Whether every joint is its own motor.
     pub fn is_plain(&self) -> bool {
         let unit =

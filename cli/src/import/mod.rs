@@ -5,6 +5,7 @@
 
 mod axes;
 mod couple;
+mod likely;
 mod number;
 mod path;
 mod proof;
@@ -22,6 +23,7 @@ use clap::Args;
 
 use crate::{arm, files};
 use axes::{Change, exact, exact_origin};
+use number::short_lengths;
 use proof::{Difference, compare, of_chain};
 use rigid::{Rigid, V};
 use said::Said;
@@ -31,6 +33,10 @@ use urdf::Robot;
 
 /// What the poses of file and URDF may differ by, m and rad.
 const MOST: f64 = 1e-9;
+
+/// Lengths this near to a whole number of micrometers are written as that, in m or relative to the size of a smaller
+/// arm: the widest with which the proof holds.
+const ROUNDED: [f64; 4] = [1e-9, 1e-10, 1e-11, 0.0];
 
 /// What the command takes.
 #[derive(Args)]
@@ -136,32 +142,49 @@ fn import(text: &str, from: &str, options: &Options) -> Result<Imported, String>
 
     // The table against the URDF with the angles that were made exact.
     let turns: Vec<bool> = drive.motors.iter().map(|motor| motor.turns).collect();
-    let mut same = compare(&exact_robot, &exact_path, &drive, &|q| plain.pose(q, &turns));
-    // The file, as it will be read, against the URDF as written.
-    let draft = write::file(&written.name, &[], &made_exact, &drive)?;
-    let arm::Arm { chain, .. } = arm::of_text(&draft, "the imported arm")
-        .map_err(|errors| format!("no arm file can say this chain:\n{errors}"))?;
-    if changes.len() == in_table {
-        same = same.max(compare(&exact_robot, &exact_path, &drive, &|q| of_chain(&chain, q)));
-    }
-    let all = compare(&written, &path, &drive, &|q| of_chain(&chain, q));
+    let same = compare(&exact_robot, &exact_path, &drive, &|q| plain.pose(q, &turns));
     let turned: f64 = changes.iter().map(Change::size).sum();
-    let allowed = Difference { position: MOST + turned * longest(&plain, &drive), angle: MOST + turned };
-    if !(same.most() <= MOST && all.position <= allowed.position && all.angle <= allowed.angle) {
-        return Err(format!(
-            "the table misses the URDF by {:.1e} m and {:.1e} rad ({:.1e} m and {:.1e} rad as written): expected at most {MOST:e}",
-            same.position, same.angle, all.position, all.angle
-        ));
+    let reach = longest(&plain, &drive);
+    let allowed = Difference { position: MOST + turned * reach, angle: MOST + turned };
+    // The file, as it will be read, against the URDF as written. Lengths are rounded as far as that holds.
+    let widths = if within > 0.0 { &ROUNDED[..] } else { &[0.0] };
+    let mut proved = None;
+    for width in widths {
+        let (table, lengths) = short_lengths(&made_exact, width * made_exact.size.min(1.0));
+        let draft = write::file(&written.name, &[], &table, &drive)?;
+        let arm::Arm { chain, .. } = arm::of_text(&draft, "the imported arm")
+            .map_err(|errors| format!("no arm file can say this chain:\n{errors}"))?;
+        let mut same = same;
+        if changes.len() == in_table {
+            same = same.max(compare(&exact_robot, &exact_path, &drive, &|q| of_chain(&chain, q)));
+        }
+        let all = compare(&written, &path, &drive, &|q| of_chain(&chain, q));
+        let holds = same.most() <= MOST && all.position <= allowed.position && all.angle <= allowed.angle;
+        proved = Some((table, lengths, same, all, holds));
+        if holds {
+            break;
+        }
     }
-    let said = Said { from, path: &path, changes: &changes, same, all };
-    let text = write::file(&written.name, &said.head(&drive), &made_exact, &drive)?;
+    let (table, lengths, same, all) = match proved {
+        Some((table, lengths, same, all, true)) => (table, lengths, same, all),
+        Some((.., same, all, false)) => {
+            return Err(format!(
+                "the table misses the URDF by {:.1e} m and {:.1e} rad ({:.1e} m and {:.1e} rad as written): expected at most {MOST:e}",
+                same.position, same.angle, all.position, all.angle
+            ));
+        }
+        None => return Err("nothing was compared".to_owned()),
+    };
+    let said = Said { from, path: &path, changes: &changes, lengths: &lengths, drive: &drive, reach, same, all };
+    let text = write::file(&written.name, &said.head(), &table, &drive)?;
     Ok(Imported { text, remarks: said.remarks(within), facts: said.json(within) })
 }
 
 /// The longest the chain can be, m: what an angle at its base moves.
 fn longest(table: &Table, drive: &couple::Drive) -> f64 {
     let rows: f64 = table.rows.iter().map(|row| row.a.abs() + row.d.abs()).sum();
-    let stroke = |limits: [f64; 2]| limits.iter().fold(0.0, |most: f64, end| most.max(end.abs()));
+    let finite = |end: &f64| if end.is_finite() { end.abs() } else { 1.0 };
+    let stroke = |limits: [f64; 2]| limits.iter().map(finite).fold(0.0, f64::max);
     let sliding = drive.motors.iter().filter(|motor| !motor.turns);
     let strokes: f64 = sliding.map(|motor| motor.limits.map_or(1.0, stroke)).sum();
     rows + strokes + rigid::length(table.base.p) + rigid::length(table.tool.p)

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use super::rigid::exact_degrees;
+use super::table::Table;
 
 /// The shortest decimal within `tolerance` of the value.
 pub fn shortest(value: f64, tolerance: f64) -> String {
@@ -24,6 +25,35 @@ pub fn angle(value: f64, tolerance: f64) -> String {
     let rad = shortest(value, tolerance);
     if rad.len() < degrees.len() { format!("{rad} rad") } else { degrees }
 }
+
+/// Micrometers: the decimals of a length that was typed by hand.
+const DECIMALS: i32 = 6;
+
+/// The table with its lengths rounded to a micrometer where that changes them by at most `within`; the sizes of the
+/// changes. What is below [`TOLD`] of the arm's size is the rounding of arithmetic, and no change.
+pub fn short_lengths(table: &Table, within: f64) -> (Table, Vec<f64>) {
+    let mut table = table.clone();
+    let mut changes = Vec::new();
+    let size = table.size;
+    let mut round = |value: &mut f64| {
+        let unit = 10_f64.powi(DECIMALS);
+        let to = (*value * unit).round() / unit;
+        let change = (to - *value).abs();
+        if change <= within {
+            changes.extend((change > TOLD * size).then_some(change));
+            *value = to;
+        }
+    };
+    for row in &mut table.rows {
+        round(&mut row.a);
+        round(&mut row.d);
+    }
+    table.base.p.iter_mut().chain(&mut table.tool.p).for_each(round);
+    (table, changes)
+}
+
+/// A change below this, relative to the arm's size, is not told.
+const TOLD: f64 = 1e-12;
 
 #[cfg(test)]
 mod tests {

@@ -1,5 +1,6 @@
 //! The serial chain between two links of a URDF.
 
+use super::likely;
 use super::urdf::{Joint, Kind, Robot};
 
 /// A joint on the way from base to tool.
@@ -39,8 +40,8 @@ pub fn find<'r>(robot: &'r Robot, base: Option<&str>, tool: Option<&str>) -> Res
             ));
         }
         return Err(format!(
-            "joint `{name}` is {kind}, which is no joint of a serial arm\nhelp: begin the chain after it: --base {}",
-            if passed.backward { &passed.joint.parent } else { &passed.joint.child }
+            "joint `{name}` is {kind}, which is no joint of a serial arm\nhelp: {}",
+            around(robot, base, &joints, passed)
         ));
     }
     if moving(&joints) == 0 {
@@ -51,8 +52,24 @@ pub fn find<'r>(robot: &'r Robot, base: Option<&str>, tool: Option<&str>) -> Res
     Ok(Path { base: base.to_owned(), tool: tool.to_owned(), joints })
 }
 
-fn links(robot: &Robot) -> impl Iterator<Item = &str> {
+pub fn links(robot: &Robot) -> impl Iterator<Item = &str> {
     [robot.root.as_str()].into_iter().chain(robot.joints.iter().map(|joint| joint.child.as_str()))
+}
+
+/// How to leave a floating or planar joint out: the chain ends before it, or begins after it, where joints move there.
+fn around(robot: &Robot, base: &str, joints: &[Passed], at: &Passed) -> String {
+    let (first, second) = match at.backward {
+        true => (&at.joint.child, &at.joint.parent),
+        false => (&at.joint.parent, &at.joint.child),
+    };
+    let index = joints.iter().position(|passed| passed.joint.name == at.joint.name).unwrap_or(0);
+    let (before, after) = joints.split_at(index);
+    let end = (moving(before) > 0).then(|| {
+        let why = "the last link before it";
+        format!("end the chain before it: {}", likely::advice(robot, base, Some((first, why)), &[]))
+    });
+    let begin = (moving(after) > 0 || end.is_none()).then(|| format!("begin the chain after it: --base {second}"));
+    end.into_iter().chain(begin).collect::<Vec<_>>().join("; or ")
 }
 
 fn named<'r>(robot: &'r Robot, name: &str) -> Result<&'r str, String> {
@@ -78,14 +95,14 @@ fn from_root<'r>(robot: &'r Robot, link: &str) -> Vec<&'r Joint> {
     joints
 }
 
-fn between<'r>(robot: &'r Robot, base: &str, tool: &str) -> Vec<Passed<'r>> {
+pub fn between<'r>(robot: &'r Robot, base: &str, tool: &str) -> Vec<Passed<'r>> {
     let (up, down) = (from_root(robot, base), from_root(robot, tool));
     let shared = up.iter().zip(&down).take_while(|(a, b)| a.name == b.name).count();
     let backward = up.iter().skip(shared).rev().map(|joint| Passed { joint, backward: true });
     backward.chain(down.iter().skip(shared).map(|joint| Passed { joint, backward: false })).collect()
 }
 
-fn moving(joints: &[Passed]) -> usize {
+pub fn moving(joints: &[Passed]) -> usize {
     joints.iter().filter(|passed| matches!(passed.joint.kind, Kind::Turning | Kind::Sliding)).count()
 }
 
@@ -103,19 +120,28 @@ fn farthest<'r>(robot: &'r Robot, base: &str) -> Result<&'r str, String> {
         moved.map(|passed| passed.joint.name.clone())
     };
     let one_body = best.windows(2).all(|pair| matches!(pair, [a, b] if last(&a.1) == last(&b.1)));
-    let list = || best.iter().map(|(link, _)| *link).collect::<Vec<_>>().join(", ");
+    let ends: Vec<&str> = best.iter().map(|(link, _)| *link).collect();
     if !one_body {
-        return Err(format!(
-            "several chains have {most} moving joints\nhelp: name the last link with --tool: {}",
-            list()
-        ));
+        let ways: Vec<&[Passed]> = best.iter().map(|(_, joints)| &joints[..]).collect();
+        let before = (likely::shared(base, &ways), "the last link before they part");
+        let help = likely::advice(robot, base, Some(before), &ends);
+        return Err(format!("several chains have {most} moving joints\nhelp: {help}"));
     }
-    // The usual names of the frame at the flange, else the only one.
-    let usual = ["tool0", "tcp", "tool", "flange", "ee_link"];
-    let found = usual.iter().find_map(|name| best.iter().find(|(link, _)| link.ends_with(name)));
+    if let Some((_, way)) = best.first()
+        && let Some(joint) = likely::gripper(robot, way)
+    {
+        let before = (joint.parent.as_str(), "the last link before it");
+        let help = likely::advice(robot, base, Some(before), &ends);
+        return Err(format!("the longest chain ends in a gripper, which joint `{}` moves\nhelp: {help}", joint.name));
+    }
+    // A usual name at the flange, else the only one.
+    let found = likely::USUAL.iter().find_map(|name| best.iter().find(|(link, _)| link.ends_with(name)));
     match (found, &best[..]) {
         (Some((link, _)), _) => Ok(link),
         (None, [(link, _)]) => Ok(link),
-        (None, _) => Err(format!("several frames are on the last body\nhelp: name one with --tool: {}", list())),
+        (None, _) => {
+            let help = format!("name one with --tool: {}", ends.join(", "));
+            Err(format!("several frames are on the last body\nhelp: {help}"))
+        }
     }
 }

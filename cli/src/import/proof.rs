@@ -42,7 +42,11 @@ pub fn compare(robot: &Robot, path: &Path, drive: &Drive, pose: &dyn Fn(&[f64]) 
             .iter()
             .map(|motor| {
                 let free = if motor.turns { PI } else { 1.0 };
-                let [low, high] = motor.limits.unwrap_or([-free, free]);
+                let [low, high] = match motor.limits.unwrap_or([-free, free]) {
+                    [low, high] if high.is_infinite() => [low, low + 2.0 * free],
+                    [low, high] if low.is_infinite() => [high - 2.0 * free, high],
+                    ends => ends,
+                };
                 low + (high - low) * random.next()
             })
             .collect();

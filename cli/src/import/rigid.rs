@@ -139,8 +139,11 @@ pub fn scale(v: V, k: f64) -> V {
 
 /// The unit vector of `v`; `None` where it has no direction.
 pub fn unit(v: V) -> Option<V> {
-    let size = length(v);
-    (size.is_finite() && size > 1e-12).then(|| v.map(|x| x / size))
+    // Its largest entry is taken out first: squares of large ones have no end.
+    let largest = v.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let scaled = v.map(|x| x / largest);
+    let size = length(scaled);
+    (largest.is_finite() && largest * size > 1e-12).then(|| scaled.map(|x| x / size))
 }
 
 #[cfg(test)]
@@ -162,6 +165,18 @@ mod tests {
             let rigid = Rigid::of_origin([1.0, 2.0, 3.0], rpy);
             let (position, angle) = Rigid::of_origin([1.0, 2.0, 3.0], rigid.rpy()).difference(&rigid);
             assert!(position < 1e-15 && angle < 2e-13, "{rpy:?}: {angle:e}");
+        }
+    }
+
+    #[test]
+    fn a_direction_of_any_length_is_a_unit_vector() {
+        for size in [1e-6, 1.0, 1e200, f64::MAX] {
+            assert_eq!(unit([0.0, size, 0.0]), Some([0.0, 1.0, 0.0]));
+        }
+        let [x, y, _] = unit([3e300, -4e300, 0.0]).unwrap_or_default();
+        assert!((x - 0.6).abs() < 1e-15 && (y + 0.8).abs() < 1e-15);
+        for none in [[0.0; 3], [1e-13, 0.0, 0.0], [f64::NAN, 1.0, 0.0], [f64::INFINITY, 0.0, 0.0]] {
+            assert_eq!(unit(none), None);
         }
     }
 

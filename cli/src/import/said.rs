@@ -13,6 +13,9 @@ use super::rigid::exact_degrees;
 /// An angle this near to a multiple of 15 degrees, rad, that is not made exact is remarked.
 const LOOKS_ROUNDED: f64 = 1e-4;
 
+/// No arm is as long as this, m.
+const LONGEST: f64 = 50.0;
+
 /// An angle that is nearly a multiple of 15 degrees and was left as it is.
 struct Nearly<'s> {
     /// Which one of the joint's origin.
@@ -30,6 +33,11 @@ pub struct Said<'s> {
     pub from: &'s str,
     pub path: &'s Path<'s>,
     pub changes: &'s [Change],
+    /// By how much lengths were rounded, m.
+    pub lengths: &'s [f64],
+    pub drive: &'s Drive,
+    /// The longest the chain can be, m.
+    pub reach: f64,
     /// The URDF with the angles that were made exact.
     pub same: Difference,
     /// The URDF as written.
@@ -38,16 +46,18 @@ pub struct Said<'s> {
 
 impl Said<'_> {
     /// The head comment of the file.
-    pub fn head(&self, drive: &Drive) -> Vec<String> {
-        let Self { from, path, .. } = self;
+    pub fn head(&self) -> Vec<String> {
+        let Self { from, path, drive, .. } = self;
         let version = env!("CARGO_PKG_VERSION");
         let mut lines = vec![
             format!("Imported from {from}, `{}` to `{}`, by denhart {version}.", path.base, path.tool),
             "Zero and direction of each joint are those of the URDF.".to_owned(),
         ];
         lines.extend(self.proof());
+        lines.extend(self.renamed());
+        lines.extend(self.endless());
         for (motor, sum) in drive.motors.iter().zip(&drive.sums) {
-            let name = &motor.name;
+            let name = &motor.file_name;
             if let [_, _, ..] = sum[..] {
                 lines.push(format!("Joint `{name}` of this file is the sum of the URDF's {}.", sum.join(", ")));
             }
@@ -68,7 +78,42 @@ impl Said<'_> {
             ));
             lines.push(format!("at most {position:.1e} m and {angle:.1e} rad."));
         }
+        if let Some(most) = self.lengths.iter().copied().max_by(f64::total_cmp) {
+            let were = if self.lengths.len() == 1 { "length was" } else { "lengths were" };
+            lines.push(format!("{} {were} rounded to a micrometer, by at most {most:.1e} m.", self.lengths.len()));
+        }
         lines
+    }
+
+    /// The joints with another name in the file.
+    fn renamed(&self) -> Vec<String> {
+        let pairs = self.drive.renamed();
+        let pairs: Vec<String> = pairs.into_iter().map(|(name, new)| format!("`{name}` is `{new}`")).collect();
+        let line = || format!("In an arm file `q1` means joint 1. So the URDF's joint {} here.", pairs.join(", "));
+        (!pairs.is_empty()).then(line).into_iter().collect()
+    }
+
+    /// The joints of the chain with an end that is so far away that it is none: as a line each.
+    fn endless(&self) -> Vec<String> {
+        let joints = self.path.joints.iter().map(|passed| passed.joint);
+        let told = joints.filter_map(|joint| {
+            let [low, high] = joint.endless?;
+            let shown = |end: f64| if end.abs() < 1e6 { end.to_string() } else { format!("{end:e}") };
+            let (name, low, high) = (&joint.name, shown(low), shown(high));
+            Some(format!("Joint `{name}` has the limits {low} to {high}: an end beyond 1e6 is taken as none."))
+        });
+        told.collect()
+    }
+
+    /// A chain longer than any arm is probably one in millimeters.
+    fn in_millimeters(&self) -> Option<String> {
+        (self.reach > LONGEST).then(|| {
+            format!(
+                "the chain is {:.0} m long: is this URDF in millimeters?\nhelp: lengths of a URDF are m. Scale the URDF, or \
+                 write `length: mm` under `units` in the arm file",
+                self.reach
+            )
+        })
     }
 
     /// What the user is told beside the file.
@@ -86,6 +131,9 @@ impl Said<'_> {
         }));
         lines.extend(self.nearly_line(within));
         lines.extend(self.proof());
+        lines.extend(self.renamed());
+        lines.extend(self.endless());
+        lines.extend(self.in_millimeters());
         lines
     }
 
@@ -103,6 +151,8 @@ impl Said<'_> {
             "chain": {"base": self.path.base, "tool": self.path.tool},
             "made_exact": changes.collect::<Vec<_>>(),
             "nearly_exact": nearly.collect::<Vec<_>>(),
+            "rounded_lengths_by_m": self.lengths,
+            "remarks": self.renamed().into_iter().chain(self.endless()).chain(self.in_millimeters()).collect::<Vec<_>>(),
             "proof": {
                 "configurations": CONFIGURATIONS,
                 "exact_angles": difference(self.same),

@@ -36,8 +36,10 @@ pub struct Joint {
     pub rpy: V,
     /// A unit vector in the joint's frame.
     pub axis: V,
-    /// Lowest and highest value, rad or m.
+    /// Lowest and highest value, rad or m; infinite where there is no end on that side, and not on both.
     pub limits: Option<[f64; 2]>,
+    /// The limits as written, where an end of them is so far away that it is none.
+    pub endless: Option<[f64; 2]>,
     pub mimic: Option<Mimic>,
 }
 
@@ -48,6 +50,9 @@ pub struct Mimic {
     pub multiplier: f64,
     pub offset: f64,
 }
+
+/// An end of a range beyond this, rad or m, is written by some exporters for none.
+const MOST_LIMIT: f64 = 1e6;
 
 /// Reads the text of a URDF.
 ///
@@ -125,7 +130,15 @@ fn joint(node: &Node) -> Result<Joint, String> {
         (None, Kind::Turning | Kind::Sliding) => return Err(of(format!("axis {axis:?} has no direction"))),
         (None, _) => axis,
     };
-    let limits = match (number("limit", "lower")?, number("limit", "upper")?) {
+    let end = |key: &str| -> Result<Option<f64>, String> {
+        let text = child("limit").and_then(|node| node.attribute(key));
+        // Some write an end without a limit as infinity.
+        match text.and_then(|text| text.trim().parse::<f64>().ok()).filter(|value| value.is_infinite()) {
+            Some(infinite) => Ok(Some(infinite)),
+            None => number("limit", key),
+        }
+    };
+    let written_limits = match (end("lower")?, end("upper")?) {
         _ if written == "continuous" => None,
         // Only effort and velocity.
         (None, None) => None,
@@ -137,6 +150,11 @@ fn joint(node: &Node) -> Result<Joint, String> {
             Some(limits)
         }
     };
+    let limits = written_limits.map(|[low, high]| {
+        [if low < -MOST_LIMIT { f64::NEG_INFINITY } else { low }, if high > MOST_LIMIT { f64::INFINITY } else { high }]
+    });
+    let endless = limits != written_limits || limits.is_some_and(|ends| ends.iter().any(|end| end.is_infinite()));
+    let limits = limits.filter(|ends| ends.iter().any(|end| end.is_finite()));
     let mimic = match child("mimic") {
         None => None,
         Some(mimic) => {
@@ -153,6 +171,7 @@ fn joint(node: &Node) -> Result<Joint, String> {
         rpy: vector("origin", "rpy", [0.0; 3])?,
         axis,
         limits,
+        endless: endless.then_some(written_limits).flatten(),
         mimic,
         name: name.clone(),
     })
@@ -233,6 +252,7 @@ mod tests {
             (joint("<parent link=\"a\"/>"), "line 3: joint `j`: no `<child link=\"..\"/>`"),
             (joint(&format!("{ends}<axis xyz=\"0 0\"/>")), "line 3: joint `j`: `xyz=\"0 0\"`: expected three numbers"),
             (joint(&format!("{ends}<axis xyz=\"0 0 0\"/>")), "has no direction"),
+            (joint(&format!("{ends}<limit lower=\"nan\" upper=\"1\"/>")), "`lower=\"nan\"`: expected a number"),
             (joint(&format!("{ends}<limit lower=\"2\" upper=\"1\"/>")), "the lower limit 2 is above the upper one 1"),
             (
                 joint(&format!("{ends}<axis xyz=\"0, 0, 1\"/>")),

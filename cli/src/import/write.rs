@@ -33,7 +33,7 @@ fn row_text(row: &Row, drive: &Drive, length: &dyn Fn(f64) -> String) -> String 
     let motor = row.axis.and_then(|axis| drive.motors.get(axis));
     let turns = motor.is_none_or(|motor| motor.turns);
     match motor {
-        Some(motor) => entries.push(format!("name: {}", quoted(&motor.name))),
+        Some(motor) => entries.push(format!("name: {}", quoted(&motor.file_name))),
         None => entries.push("type: fixed".to_owned()),
     }
     if !turns {
@@ -43,6 +43,7 @@ fn row_text(row: &Row, drive: &Drive, length: &dyn Fn(f64) -> String) -> String 
     entries.push(format!("a: {}, alpha: {}, d: {}, theta: {}", length(*a), turn(*alpha), length(*d), turn(*theta)));
     if let Some([low, high]) = row.axis.and_then(|axis| drive.limits.get(axis).copied().flatten()) {
         let end = |value: f64| if turns { turn(value) } else { length(value) };
+        let end = |value: f64| if value.is_infinite() { "null".to_owned() } else { end(value) };
         entries.push(format!("limits: [{}, {}]", end(low), end(high)));
     }
     format!("  - {{{}}}", entries.join(", "))
@@ -63,7 +64,7 @@ fn frame(key: &str, frame: &Rigid, size: f64) -> Option<String> {
 /// The motors that are not their joints, and the ranges of those.
 fn coupling(drive: &Drive, length: &dyn Fn(f64) -> String) -> Result<Vec<String>, String> {
     let (matrix, offset) = drive.coupling()?;
-    let names: Vec<String> = drive.motors.iter().map(|motor| quoted(&motor.name)).collect();
+    let names: Vec<String> = drive.motors.iter().map(|motor| quoted(&motor.file_name)).collect();
     let (mut motors, mut ranges) = (Vec::new(), Vec::new());
     for (index, ((row, offset), motor)) in matrix.iter().zip(&offset).zip(&drive.motors).enumerate() {
         let value = |value: f64| if motor.turns { turn(value) } else { length(value) };
@@ -78,11 +79,12 @@ fn coupling(drive: &Drive, length: &dyn Fn(f64) -> String) -> Result<Vec<String>
             continue;
         }
         let constant = if value(*offset) == "0" { String::new() } else { format!(", offset: {}", value(*offset)) };
-        let name = quoted(&motor.name);
+        let name = quoted(&motor.file_name);
         motors.push(format!("  {name}: {{{}{constant}}}", terms.join(", ")));
         // A row that several motors drive has no range of its own.
         if let (Some([low, high]), Some(None)) = (motor.limits, drive.limits.get(index)) {
-            let ends = [low - offset, high - offset].map(value).join(", ");
+            let end = |end: f64| if end.is_infinite() { "null".to_owned() } else { value(end - offset) };
+            let ends = [low, high].map(end).join(", ");
             ranges.push(format!("  - {{sum: {{{}}}, limits: [{ends}]}}", terms.join(", ")));
         }
     }
