@@ -210,9 +210,11 @@ impl Found {
         if !home.outside.is_empty() {
             lines.push(format!("  the limits leave 0 out of {}", home.outside.join(", ")));
         }
+        let sums = !self.arm.model.combined_limits.is_empty();
+        let sums = if sums { ", without regard to `combined_limits`" } else { "" };
         match home.farthest {
             Some(farthest) => {
-                lines.push(format!("reach: the tool gets {} {unit} away from the base's origin", shown(farthest)))
+                lines.push(format!("reach: the tool gets {} {unit} away from the base's origin{sums}", shown(farthest)))
             }
             None => lines.push("reach: without end, a sliding joint has no limit".to_owned()),
         }

@@ -12,7 +12,8 @@ pub struct Home {
     pub tool: Pose<f64>,
     /// Of each joint's link, with the fixed rows that follow it.
     pub origins: Vec<[f64; 3]>,
-    /// The farthest that the tool gets from the origin of the base within the limits; none where a slide has no limit.
+    /// The farthest that the tool gets from the origin of the base within the limits of the joints; none where a slide
+    /// has no limit. Limits of sums are not looked at.
     pub farthest: Option<f64>,
     /// The joints whose limits leave 0 out.
     pub outside: Vec<String>,

@@ -88,6 +88,14 @@ fn check_shows_the_arm_at_its_zero_and_its_reach() {
 }
 
 #[test]
+fn reach_says_that_sums_of_joints_are_not_counted_in() {
+    let path = arm_file("sums.yaml", LIMITED);
+    let said = text(&denhart(&["check", path.to_str().unwrap()]).stdout);
+    let line = "reach: the tool gets 1 m away from the base's origin, without regard to `combined_limits`";
+    assert!(said.lines().any(|found| found == line), "{said}");
+}
+
+#[test]
 fn check_in_json_has_places_and_what_was_found() {
     let broken = arm_file("places.yaml", "name: broken\nconvention: standrad\n");
     let output = denhart(&["check", "--json", "specs/ur5.yaml", broken.to_str().unwrap(), "specs/no_such.yaml"]);
