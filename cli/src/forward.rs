@@ -9,7 +9,8 @@ use denhart_dynamic::DynamicArm;
 use serde_json::{Value, json};
 
 use crate::Failure;
-use crate::numbers::{Units, arm, joints, outside, short};
+use crate::numbers::{Units, arm, outside, short};
+use crate::typed::joints;
 
 /// What the command takes.
 #[derive(Args)]

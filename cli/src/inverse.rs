@@ -12,8 +12,8 @@ use serde_json::{Value, json};
 use crate::Failure;
 use crate::closest::{Missed, missed};
 use crate::forward::pose_json;
-use crate::numbers::{Units, count, joints, outside, pose, short};
-use crate::typed::Typed;
+use crate::numbers::{Units, count, outside, pose, short};
+use crate::typed::{Typed, joints};
 
 /// What the command takes.
 #[derive(Args)]

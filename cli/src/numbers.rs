@@ -7,7 +7,6 @@ use denhart::{JointKind, Pose};
 use denhart_dynamic::{DynamicArm, DynamicError};
 
 use crate::Failure;
-use crate::typed::Typed;
 
 /// Unit of angles; lengths are in the unit of the arm file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -84,25 +83,6 @@ impl From<DynamicError> for Failure {
 pub fn arm(file: &Path) -> Result<DynamicArm, Failure> {
     let (text, name) = crate::arm::text(file).map_err(Failure::Other)?;
     Ok(DynamicArm::named(&text, &name)?)
-}
-
-/// A joint vector of an arm, in rad and lengths; `option` is where it comes from, for messages.
-///
-/// # Errors
-/// What is no number; another number of values than joints.
-pub fn joints(option: &str, text: &str, arm: &DynamicArm, units: Units) -> Result<Vec<f64>, Failure> {
-    let (kinds, length) = (arm.joint_kinds(), arm.model().length_unit);
-    let wanted = [kinds.len()];
-    let typed = Typed { option, text, angle: units, length, wanted: &wanted };
-    let values = typed.numbers()?;
-    if values.len() != kinds.len() {
-        let (found, joints) = (count(values.len(), "value"), count(kinds.len(), "joint"));
-        let unit = |kind: &JointKind| if *kind == JointKind::Revolute { units.symbol() } else { length.symbol() };
-        let named = arm.joint_names().zip(kinds).map(|(name, kind)| format!("{name} in {}", unit(kind)));
-        let help = format!("write a value for each joint: {}", named.collect::<Vec<_>>().join(", "));
-        return Err(typed.miscounted(&format!("{found}, but the arm has {joints}"), &help));
-    }
-    Ok(kinds.iter().zip(values).map(|(kind, value)| units.joint(*kind, value)).collect())
 }
 
 /// `1 value`, `2 values`.

@@ -1,9 +1,11 @@
 //! Numbers as people type them on the command line, and what to type instead.
 
+use denhart::JointKind;
 use denhart_codegen::spec::{LengthUnit, WrittenAngle};
+use denhart_dynamic::DynamicArm;
 
 use crate::Failure;
-use crate::numbers::{Units, rounded};
+use crate::numbers::{Units, count, rounded};
 
 /// The value of an option that is a list of numbers.
 #[derive(Clone, Copy)]
@@ -128,6 +130,25 @@ impl Typed<'_> {
             (angle, units) => units.of(angle.rad()).to_string(),
         })
     }
+}
+
+/// A joint vector of an arm, in rad and lengths; `option` is where it comes from, for messages.
+///
+/// # Errors
+/// What is no number; another number of values than joints.
+pub fn joints(option: &str, text: &str, arm: &DynamicArm, units: Units) -> Result<Vec<f64>, Failure> {
+    let (kinds, length) = (arm.joint_kinds(), arm.model().length_unit);
+    let wanted = [kinds.len()];
+    let typed = Typed { option, text, angle: units, length, wanted: &wanted };
+    let values = typed.numbers()?;
+    if values.len() != kinds.len() {
+        let (found, joints) = (count(values.len(), "value"), count(kinds.len(), "joint"));
+        let unit = |kind: &JointKind| if *kind == JointKind::Revolute { units.symbol() } else { length.symbol() };
+        let named = arm.joint_names().zip(kinds).map(|(name, kind)| format!("{name} in {}", unit(kind)));
+        let help = format!("write a value for each joint: {}", named.collect::<Vec<_>>().join(", "));
+        return Err(typed.miscounted(&format!("{found}, but the arm has {joints}"), &help));
+    }
+    Ok(kinds.iter().zip(values).map(|(kind, value)| units.joint(*kind, value)).collect())
 }
 
 /// The text without the brackets around it.

@@ -1,7 +1,7 @@
 //! Which links of a URDF are likely to be the tool: advice where the end of the chain is not plain.
 
-use super::path::{Passed, between, links, moving};
 use super::urdf::{Joint, Kind, Robot};
+use super::walk::{Passed, between, links, moving};
 
 /// The usual names of the frame at the flange.
 pub const USUAL: [&str; 5] = ["tool0", "tcp", "tool", "flange", "ee_link"];

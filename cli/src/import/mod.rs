@@ -13,6 +13,7 @@ mod rigid;
 mod said;
 mod table;
 mod urdf;
+mod walk;
 mod write;
 
 use std::fs;

@@ -2,14 +2,8 @@
 
 use super::likely;
 use super::urdf::{Joint, Kind, Robot};
-
-/// A joint on the way from base to tool.
-#[derive(Debug, Clone, Copy)]
-pub struct Passed<'r> {
-    pub joint: &'r Joint,
-    /// From child to parent: its motion and its origin are undone.
-    pub backward: bool,
-}
+pub use super::walk::Passed;
+use super::walk::{between, links, moving};
 
 /// A chain and the links at its ends.
 #[derive(Debug, Clone)]
@@ -52,10 +46,6 @@ pub fn find<'r>(robot: &'r Robot, base: Option<&str>, tool: Option<&str>) -> Res
     Ok(Path { base: base.to_owned(), tool: tool.to_owned(), joints })
 }
 
-pub fn links(robot: &Robot) -> impl Iterator<Item = &str> {
-    [robot.root.as_str()].into_iter().chain(robot.joints.iter().map(|joint| joint.child.as_str()))
-}
-
 /// How to leave a floating or planar joint out: the chain ends before it, or begins after it, where joints move there.
 fn around(robot: &Robot, base: &str, joints: &[Passed], at: &Passed) -> String {
     let (first, second) = match at.backward {
@@ -77,33 +67,6 @@ fn named<'r>(robot: &'r Robot, name: &str) -> Result<&'r str, String> {
         let list: Vec<&str> = links(robot).collect();
         format!("no link is named `{name}`\nhelp: the links are {}", list.join(", "))
     })
-}
-
-/// The joints from the root to a link.
-fn from_root<'r>(robot: &'r Robot, link: &str) -> Vec<&'r Joint> {
-    let mut joints = Vec::new();
-    let mut link = link;
-    // A circle beside the tree has no end; no chain is longer than the list of joints.
-    while let Some(joint) = robot.joints.iter().find(|joint| joint.child == link) {
-        if joints.len() == robot.joints.len() {
-            break;
-        }
-        joints.push(joint);
-        link = &joint.parent;
-    }
-    joints.reverse();
-    joints
-}
-
-pub fn between<'r>(robot: &'r Robot, base: &str, tool: &str) -> Vec<Passed<'r>> {
-    let (up, down) = (from_root(robot, base), from_root(robot, tool));
-    let shared = up.iter().zip(&down).take_while(|(a, b)| a.name == b.name).count();
-    let backward = up.iter().skip(shared).rev().map(|joint| Passed { joint, backward: true });
-    backward.chain(down.iter().skip(shared).map(|joint| Passed { joint, backward: false })).collect()
-}
-
-pub fn moving(joints: &[Passed]) -> usize {
-    joints.iter().filter(|passed| matches!(passed.joint.kind, Kind::Turning | Kind::Sliding)).count()
 }
 
 /// The leaf with the most moving joints on the way. Of leaves on one rigid body, the first in the file that ends the

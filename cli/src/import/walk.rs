@@ -1,0 +1,45 @@
+//! The way through the tree of a URDF from one link to another.
+
+use super::urdf::{Joint, Kind, Robot};
+
+/// A joint on the way from base to tool.
+#[derive(Debug, Clone, Copy)]
+pub struct Passed<'r> {
+    pub joint: &'r Joint,
+    /// From child to parent: its motion and its origin are undone.
+    pub backward: bool,
+}
+
+/// All links, the root first.
+pub fn links(robot: &Robot) -> impl Iterator<Item = &str> {
+    [robot.root.as_str()].into_iter().chain(robot.joints.iter().map(|joint| joint.child.as_str()))
+}
+
+/// The joints from the root to a link.
+fn from_root<'r>(robot: &'r Robot, link: &str) -> Vec<&'r Joint> {
+    let mut joints = Vec::new();
+    let mut link = link;
+    // A circle beside the tree has no end; no chain is longer than the list of joints.
+    while let Some(joint) = robot.joints.iter().find(|joint| joint.child == link) {
+        if joints.len() == robot.joints.len() {
+            break;
+        }
+        joints.push(joint);
+        link = &joint.parent;
+    }
+    joints.reverse();
+    joints
+}
+
+/// The joints from `base` to `tool`: up to the link that both hang from, and down.
+pub fn between<'r>(robot: &'r Robot, base: &str, tool: &str) -> Vec<Passed<'r>> {
+    let (up, down) = (from_root(robot, base), from_root(robot, tool));
+    let shared = up.iter().zip(&down).take_while(|(a, b)| a.name == b.name).count();
+    let backward = up.iter().skip(shared).rev().map(|joint| Passed { joint, backward: true });
+    backward.chain(down.iter().skip(shared).map(|joint| Passed { joint, backward: false })).collect()
+}
+
+/// How many of the joints turn or slide.
+pub fn moving(joints: &[Passed]) -> usize {
+    joints.iter().filter(|passed| matches!(passed.joint.kind, Kind::Turning | Kind::Sliding)).count()
+}
