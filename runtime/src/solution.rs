@@ -42,9 +42,9 @@ pub struct Solution<T, const N: usize> {
     pub free: JointMask,
     /// The branch that the solution lies on.
     pub branch: Branch,
-    /// What the solution misses the target by. The residual is zero for an ordinary solution, which the closed form
-    /// gives to rounding. A solution at a singular pose or at the boundary of reach is verified, and its residual is by
-    /// forward kinematics.
+    /// What the solution misses the target by. The residual is zero for a solution that the closed form gives to
+    /// rounding. A solution at a singular pose or at the boundary of reach is verified, and its residual is by forward
+    /// kinematics.
     pub residual: Residual<T>,
 }
 
@@ -57,6 +57,12 @@ impl<T: Scalar, const N: usize> Solution<T, N> {
         branch: Branch::NONE,
         residual: Residual::ZERO,
     };
+
+    /// What the closed form gives to rounding.
+    #[inline(always)]
+    pub(crate) const fn exact(q: [T; N], branch: Branch) -> Self {
+        Self { q, flags: Flags::EXACT, free: JointMask::NONE, branch, residual: Residual::ZERO }
+    }
 }
 
 impl<T, const N: usize> Solution<T, N> {

@@ -41,7 +41,7 @@ found! {
     sweep_1_780 6 "arms/found/sweep_1_780.yaml";
     // A slide between the free joint and the stage.
     sweep_1_274 6 "arms/found/sweep_1_274.yaml";
-    // Two free joints, and a stage that has no root with either at home.
+    // Two free joints, and a stage that has no root with either at its default.
     sweep_1_714 6 "arms/found/sweep_1_714.yaml";
     sweep_1_1142 6 "arms/found/sweep_1_1142.yaml";
     // Two free joints that have to move together.
@@ -56,6 +56,8 @@ found! {
     sweep_1_4652 5 "arms/found/sweep_1_4652.yaml";
     // A quartic with a fourfold root, behind which a joint is free.
     fourfold_root 6 "arms/found/fourfold_root.yaml";
+    // Two equations for the first joint: what the one is uncertain by, the other is missed by.
+    sweep_7_1362 5 "arms/found/sweep_7_1362.yaml";
     // A free joint meets an equation at several places: a solution for each.
     sweep_1_5719 6 "arms/found/sweep_1_5719.yaml";
     sweep_1_1329 6 "arms/found/sweep_1_1329.yaml";

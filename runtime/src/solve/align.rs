@@ -1,6 +1,5 @@
 //! Turn one plane vector onto another.
 
-use super::stage::LevelOf;
 use super::tolerances::Tolerances;
 use super::{DefaultValue, Measure, Stage, Turn};
 
@@ -36,7 +35,30 @@ fn short<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, from: [T;
     }
     // Scaled first, so that no square vanishes.
     let ([ux, uy], [vx, vy]) = (from.map(|e| e / u), to.map(|e| e / v));
+    let lengths = [u * (ux * ux + uy * uy).sqrt(), v * (vx * vx + vy * vy).sqrt()];
     let turn = Turn::towards(ux * vy - uy * vx, ux * vx + uy * vy);
     let amplitude = (u.min(v) / measure.scale).max(T::VANISHING);
-    Stage::determined([[turn]], measure, LevelOf::Nothing, amplitude, default.joint)
+    // The stages before have given both vectors one length, or miss by the difference.
+    let closes = (lengths[0] - lengths[1]).abs() <= measure.rounding();
+    let weak = default.joint;
+    Stage::solved([[turn]]).of_amplitude(measure, amplitude, weak, closes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::JointMask;
+
+    /// Short vectors of one length close the equation. Those of two lengths miss it by the difference.
+    #[test]
+    fn short_vectors_close_if_they_have_one_length() {
+        let default = DefaultValue::at(0.0, JointMask::single(1));
+        let closes = |length: f64| {
+            let (sin, cos) = 0.8_f64.sin_cos();
+            let stage = align(default, Measure::DIRECTION, [1e-4, 0.0], [length * cos, length * sin]);
+            assert!((stage.roots[0][0].value - 0.8).abs() < 1e-12);
+            stage.doubt.map(|doubt| doubt.closes)
+        };
+        assert_eq!([1e-4, 1e-4 + 1e-15, 1e-4 + 1e-13].map(closes), [Some(true), Some(true), Some(false)]);
+    }
 }

@@ -76,7 +76,7 @@ fn within<T: Tolerances>(measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<
     let half_sine = (top * bottom).sqrt() * k;
     let turn = Turn::of((half_sine + half_sine) * elbow.side, (bottom - top) * (k * elbow.side));
     let level = LevelOf::Cosine((bottom - top) * k);
-    Stage::determined([[turn], [turn.reversed()]], measure, level, half_sine, JointMask::NONE)
+    Stage::closing([[turn], [turn.reversed()]], measure, level, half_sine, JointMask::NONE)
 }
 
 /// At the ends of the range or outside it, by how much the distance is inside either end.
@@ -106,5 +106,16 @@ mod tests {
         assert_eq!(solved(1e-9).doubt.map(|doubt| doubt.weak), Some(default.joint));
         assert!((solved(1e-9).roots[0][0].value - 0.7).abs() < 1e-6);
         assert_eq!(solved(1e-14).free(), default.joint);
+    }
+
+    /// Two links of length 1, stretched but for an angle: the roots close the equation, unless they are one solution.
+    #[test]
+    fn an_elbow_closes_where_its_roots_are_two_solutions() {
+        let default = DefaultValue::at(0.0, JointMask::single(2));
+        let closes = |half_angle: f64| {
+            let rho = 2.0 * half_angle.cos();
+            distance(default, Measure::length(2.0), rho, Elbow::new(1.0, 1.0, 0.0)).doubt.map(|doubt| doubt.closes)
+        };
+        assert_eq!([0.1, 1e-3, 2e-7, 1e-7].map(closes), [None, Some(true), Some(true), Some(false)]);
     }
 }

@@ -33,7 +33,7 @@ const NOISE: f64 = 20.0;
 pub(super) struct Iterate<T, const N: usize> {
     pub(super) q: [T; N],
     pub(super) residual: Residual<T>,
-    /// The columns of the Jacobian.
+    /// The columns of the Jacobian, unless the error is rounding.
     columns: [[T; 6]; N],
     error: [T; 6],
     /// Its squared length.
@@ -60,8 +60,15 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
     fn evaluate(&mut self, constants: &ArmConstants<T, N>, goal: &dyn Goal<T, N>, arm: &dyn Evaluate<T, N>) {
         let mut evaluated = arm.evaluate(&self.q);
         let (pose, jacobian) = &mut evaluated;
-        goal.restrict(pose, jacobian);
         let k = T::ONE / constants.reach;
+        let [x, y, z, u, v, w] = goal.error(&self.q, pose);
+        self.error = [x * k, y * k, z * k, u, v, w];
+        self.size = dot_out_of_line(&self.error, &self.error);
+        self.residual = goal.misses(&self.q, pose);
+        if self.is_rounding() {
+            return;
+        }
+        goal.restrict(pose, jacobian);
         let [x, y, z, u, v, w] = &jacobian.rows;
         let rows = x.iter().zip(y).zip(z).zip(u.iter().zip(v).zip(w));
         for (column, (((x, y), z), ((u, v), w))) in self.columns.iter_mut().zip(rows) {
@@ -71,10 +78,13 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
             let column = self.columns.get_mut(joint).into_iter().flatten();
             column.for_each(|entry| *entry *= constants.reach);
         }
-        let [x, y, z, u, v, w] = goal.error(&self.q, pose);
-        self.error = [x * k, y * k, z * k, u, v, w];
-        self.size = dot_out_of_line(&self.error, &self.error);
-        self.residual = goal.misses(&self.q, pose);
+    }
+
+    /// Whether the error says nothing about where the solution is. No step starts there.
+    #[inline]
+    fn is_rounding(&self) -> bool {
+        let floor = T::from_f64(NOISE) * T::EPSILON;
+        !(self.size > floor * floor)
     }
 }
 
@@ -98,8 +108,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
     start: &mut Iterate<T, N>,
     left: &mut usize,
 ) {
-    let floor = T::from_f64(NOISE) * T::EPSILON;
-    if !(start.size > floor * floor) {
+    if start.is_rounding() {
         return;
     }
     let held = goal.given();
@@ -123,7 +132,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
         let done = if exact { stalls > 0 } else { stalls >= MOST_STALLS };
         let place = if from_best { &*best } else { &*tried };
         let (from, size) = (place.q, place.size);
-        if !(size > floor * floor) || done {
+        if place.is_rounding() || done {
             break;
         }
         let damping = (size + T::EPSILON * T::EPSILON * T::from_f64(16.0)) * boost;

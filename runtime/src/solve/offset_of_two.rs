@@ -23,6 +23,10 @@ pub fn offset_of_two<T: Tolerances>(
         (direction, Measure::DIRECTION, length, lengths)
     };
     let mut stage = offset(default, measure, a, b, d);
+    if let Some(doubt) = &mut stage.doubt {
+        // What the joint is uncertain by, the other equation is missed by.
+        doubt.closes = false;
+    }
     let missed = |stage: &Stage<T, 1, 2>, root: usize| {
         stage.roots.get(root).map_or(T::INFINITY, |[t]| (e * t.cos + f * t.sin - g).abs() / other.scale)
     };
@@ -45,4 +49,21 @@ pub fn offset_of_two<T: Tolerances>(
         stage.doubted(measure);
     }
     stage
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::JointMask;
+
+    /// Near a double root one equation closes. Where a second equation is to hold, too, the roots are verified.
+    #[test]
+    fn a_second_equation_is_verified() {
+        let default = DefaultValue::at(0.0, JointMask::single(0));
+        let d = 1e-3_f64.cos();
+        let one = offset(default, Measure::length(1.0), 1.0, 0.0, d);
+        assert_eq!(one.doubt.map(|doubt| doubt.closes), Some(true));
+        let two = offset_of_two(default, Measure::length(1.0), [1.0, 0.0, d], [0.1, 0.0, 0.1 * d]);
+        assert_eq!((two.len, two.doubt.map(|doubt| doubt.closes)), (2, Some(false)));
+    }
 }

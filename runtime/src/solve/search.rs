@@ -39,6 +39,8 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, P> {
     /// Every branch is verified. The arm misses its structure by more than rounding, or the target is so far away that
     /// its rounding alone can exceed what closes. A long slide may reach such a target.
     doubt: bool,
+    /// Whether there is a reference.
+    pub(super) referred: bool,
     /// What is remembered at a pose that needs further passes.
     pub(super) passes: Option<Passes<T, N, M, P>>,
 }
@@ -65,6 +67,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
             left: MOST_EVALUATIONS,
             doubts: None,
             doubt: false,
+            referred: near.is_some(),
             passes: None,
         }
     }
@@ -132,11 +135,11 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
         DefaultValue { value, joint: JointMask::single(joint), nearly: self.nearly }
     }
 
-    /// The doubts of a branch.
-    #[inline(never)]
-    pub(super) fn doubts(&self, state: BranchState) -> Doubts<T> {
-        let last = state.depth().checked_sub(1);
-        last.and_then(|last| *self.doubts.as_ref()?.get(last)?).unwrap_or(Doubts::START)
+    /// The doubts of a branch; `None` without any.
+    #[inline]
+    pub(super) fn doubts(&self, state: BranchState) -> Option<&Doubts<T>> {
+        let last = state.depth().checked_sub(1)?;
+        self.doubts.as_ref()?.get(last)?.as_ref()
     }
 
     /// The levels of the first stages behind the first joint of a branch that is free or weak, one for each stage,
@@ -180,6 +183,11 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     #[inline(never)]
     fn doubtful(&mut self, state: BranchState, doubt: Option<Doubt<T>>, level: LevelOf<T>) -> BranchState {
         let before = self.doubts(state);
+        // The level of a stage counts behind a joint that may be elsewhere.
+        if doubt.is_none() && before.is_none_or(|before| before.loose().is_empty()) {
+            return state;
+        }
+        let before = before.copied().unwrap_or(Doubts::START);
         let mut next = before;
         next.note(doubt, level);
         let mut ended = false;
@@ -236,7 +244,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
         if norm(vector) > measure.vanishing() {
             return *state;
         }
-        let mut doubts = self.doubts(*state);
+        let mut doubts = self.doubts(*state).copied().unwrap_or(Doubts::START);
         doubts.free |= first.joint | second.joint;
         doubts.first = first.joint;
         doubts.flags |= Flags::FREE;
@@ -250,13 +258,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
         if state.doubt() | self.solutions.is_awkward() {
             self.candidate(*state, q, branch);
         } else {
-            self.solutions.push(Solution {
-                q,
-                flags: Flags::EXACT,
-                free: JointMask::NONE,
-                branch,
-                residual: Residual::ZERO,
-            });
+            self.solutions.push(Solution::exact(q, branch));
         }
     }
 

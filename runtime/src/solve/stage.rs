@@ -107,27 +107,33 @@ impl<T: Tolerances> Behind<T> {
     pub(super) const NONE: Self = Self { level: Level::NONE, slides: false };
 }
 
-/// Where a branch of the cascade is: what generated code hands from stage to stage. The search keeps what the branch
-/// knows the doubts of each stage on the way. A branch without doubts has none.
+/// Where a branch of the cascade is: what generated code hands from stage to stage. The search keeps the
+/// doubts of each stage on the way. A branch without doubts has none.
 ///
-/// One number, 0 without doubts: the number of doubts that belong to the branch, and two marks.
+/// One number, 0 without doubts: the number of doubts that belong to the branch, and two marks. One mark says that the
+/// solution is to be verified whatever the doubts are, the other that the branch has ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BranchState(u32);
 
 impl BranchState {
-    const DOUBT: u32 = 0x100;
+    const VERIFY: u32 = 0x100;
     const ENDED: u32 = 0x200;
 
     /// The start of every branch.
     #[inline]
-    pub(super) fn start(doubt: bool) -> Self {
-        Self(if doubt { Self::DOUBT } else { 0 })
+    pub(super) fn start(verify: bool) -> Self {
+        Self(if verify { Self::VERIFY } else { 0 })
     }
 
-    /// The solution is to be verified.
+    /// A stage is in doubt, or the solution is to be verified.
     #[inline]
     pub(super) fn doubt(self) -> bool {
         self.0 != 0
+    }
+
+    /// The solution is to be verified whatever the doubts are.
+    pub(super) fn verify(self) -> bool {
+        self.0 & Self::VERIFY != 0
     }
 
     /// The branch leads nowhere: a stage has no root near it, and the joints before it are what they have to be.
@@ -138,18 +144,18 @@ impl BranchState {
 
     /// The number of doubts that belong to the branch.
     pub(super) fn depth(self) -> usize {
-        (self.0 & (Self::DOUBT - 1)) as usize
+        (self.0 & (Self::VERIFY - 1)) as usize
     }
 
-    /// The same branch, to be verified if `doubt` is set.
+    /// The same branch, to be verified if `verify` is set.
     #[inline]
-    pub(super) fn doubted(self, doubt: bool) -> Self {
-        Self(self.0 | Self::start(doubt).0)
+    pub(super) fn doubted(self, verify: bool) -> Self {
+        Self(self.0 | Self::start(verify).0)
     }
 
     /// The same branch with one more state.
     pub(super) fn deeper(self, ended: bool) -> Self {
-        Self((self.0 + 1) | Self::DOUBT | if ended { Self::ENDED } else { 0 })
+        Self((self.0 + 1) | if ended { Self::ENDED } else { 0 })
     }
 }
 
@@ -163,6 +169,8 @@ pub(super) struct Doubts<T> {
     pub(super) amplitude: T,
     /// Joints that an equation of very small amplitude gave: good only as far as the joints before are.
     pub(super) weak: JointMask,
+    /// Every stage closes its own equation to rounding, see [`Doubt::closes`].
+    closes: bool,
     /// A stage has no root near the branch, but a joint before it is free and may be elsewhere.
     pub(super) missed: bool,
     /// A stage is missed by more than rounding, and the joints before it are what they have to be.
@@ -181,6 +189,7 @@ impl<T: Tolerances> Doubts<T> {
         free: JointMask::NONE,
         amplitude: T::ONE,
         weak: JointMask::NONE,
+        closes: true,
         missed: false,
         clamped: false,
         first: JointMask::NONE,
@@ -192,10 +201,18 @@ impl<T: Tolerances> Doubts<T> {
         self.free | self.weak
     }
 
+    /// Whether the solution needs no verification: every stage closes its own equation to rounding, so the solution
+    /// closes the target. The joints are known to `3 eps` over the product of the small amplitudes. Below `3 eps`
+    /// rounding alone gives a joint.
+    pub(super) fn are_settled(&self) -> bool {
+        self.closes && self.free.is_empty() && self.amplitude >= T::VANISHING * T::DOUBTFUL
+    }
+
     /// Adds the doubt of a stage.
     pub(super) fn note(&mut self, doubt: Option<Doubt<T>>, level: LevelOf<T>) {
         self.level = if self.loose().is_empty() { LevelOf::Nothing } else { level };
-        let Some(Doubt { gap, angular, amplitude, weak, boundary, free }) = doubt else { return };
+        let Some(Doubt { gap, angular, amplitude, closes, weak, boundary, free }) = doubt else { return };
+        self.closes &= closes;
         // The next stage magnifies the uncertainty that a stage leaves. Where nothing but uncertainty is left of an
         // amplitude between directions, any value of the joint is as good. Where two roots coincide, refinement still
         // moves the place.
@@ -232,6 +249,9 @@ pub(super) struct Doubt<T> {
     pub(super) boundary: bool,
     /// Relative size of what determines the joint; 1 where that is not in doubt.
     pub(super) amplitude: T,
+    /// Whether the roots close the equation of the stage to rounding, however small the amplitude. The vectors of the
+    /// later stages then have the lengths that they are to have.
+    pub(super) closes: bool,
     pub(super) weak: JointMask,
     pub(super) free: JointMask,
 }
@@ -243,6 +263,7 @@ impl<T: Tolerances> Doubt<T> {
         angular: false,
         boundary: false,
         amplitude: T::ONE,
+        closes: false,
         weak: JointMask::NONE,
         free: JointMask::NONE,
     };
@@ -277,14 +298,29 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         weak: JointMask,
     ) -> Self {
         let stage = Self::solved(roots).at_level(level);
-        if amplitude < T::DOUBTFUL { stage.of_amplitude(measure, amplitude, weak) } else { stage }
+        if amplitude < T::DOUBTFUL { stage.of_amplitude(measure, amplitude, weak, false) } else { stage }
+    }
+
+    /// The same where the roots close the equation however small the amplitude, see [`Doubt::closes`].
+    #[inline(always)]
+    pub(super) fn closing(
+        roots: [[Turn<T>; K]; R],
+        measure: Measure<T>,
+        level: LevelOf<T>,
+        amplitude: T,
+        weak: JointMask,
+    ) -> Self {
+        let stage = Self::solved(roots).at_level(level);
+        // Two roots of one joint have to be farther apart than what makes two solutions one.
+        let closes = !weak.is_empty() || amplitude + amplitude >= T::COINCIDENT;
+        if amplitude < T::DOUBTFUL { stage.of_amplitude(measure, amplitude, weak, closes) } else { stage }
     }
 
     /// The same with a small relative amplitude, in doubt.
     #[inline]
-    pub(super) fn of_amplitude(mut self, measure: Measure<T>, amplitude: T, weak: JointMask) -> Self {
+    pub(super) fn of_amplitude(mut self, measure: Measure<T>, amplitude: T, weak: JointMask, closes: bool) -> Self {
         let weak = if amplitude < T::WEAK { weak } else { JointMask::NONE };
-        self.doubt = Some(Doubt { angular: measure.angular, amplitude, weak, ..Doubt::NOTHING });
+        self.doubt = Some(Doubt { angular: measure.angular, amplitude, closes, weak, ..Doubt::NOTHING });
         self
     }
 

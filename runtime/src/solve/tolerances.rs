@@ -25,12 +25,12 @@ pub trait Tolerances: Scalar {
     /// Joint vectors closer than this in every joint (rad, relative to reach) are one solution: `2 sqrt(ROUNDING)`. Two
     /// roots `+-h` merge where `h^2` is below `ROUNDING`.
     const COINCIDENT: Self;
-    /// Amplitude below which a solution is checked in full, by forward kinematics: the cube root of
-    /// `3 eps / COINCIDENT`. Of the `3 eps` that rounding leaves, three stages in a row (shoulder, elbow, wrist) of
-    /// this amplitude make `COINCIDENT`. So a solution that is not checked is no other one.
+    /// Amplitude below which a stage is in doubt: the cube root of `3 eps / COINCIDENT`. Of the `3 eps` that rounding
+    /// leaves, three stages in a row (shoulder, elbow, wrist) of this amplitude make `COINCIDENT`. So a solution without
+    /// a stage in doubt is no other one.
     const DOUBTFUL: Self;
     /// Amplitude below which an equation does not determine its joint: `3 eps / DOUBTFUL`, what rounding leaves behind
-    /// a stage that is not checked. Behind one that is, its own amplitude counts in the place of `DOUBTFUL`.
+    /// a stage that is not in doubt. Behind one that is, its own amplitude counts in the place of `DOUBTFUL`.
     const VANISHING: Self;
     /// Amplitude below which a joint may be all wrong: `sqrt(eps) / DOUBTFUL`. A double root before it is known to
     /// `sqrt(eps)`, which makes the joint wrong by `sqrt(eps)` over its amplitude. Steps of verification lead back from

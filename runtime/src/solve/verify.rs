@@ -28,15 +28,26 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
     #[inline(never)]
     pub(super) fn candidate(&mut self, state: BranchState, q: [T; N], branch: Branch) {
         let doubts = self.doubts(state);
+        if !state.verify() && doubts.is_none_or(Doubts::are_settled) {
+            let solution = Solution::exact(q, branch);
+            if self.referred && doubts.is_some() {
+                // The reference may be another member of a narrow family.
+                self.solutions.mark_awkward();
+            }
+            if self.solutions.is_awkward() {
+                self.list(&solution, Found::Branch);
+            } else {
+                self.solutions.push(solution);
+            }
+            return;
+        }
+        let doubts = doubts.copied().unwrap_or(Doubts::START);
         let flags = doubts.flags | Flags::EXACT;
         let mut solution = Solution { q, flags, free: doubts.free, branch, residual: doubts.gap };
-        let mut found = Found::Branch;
-        if state.doubt() {
-            if !self.takes(state, &doubts, &mut solution) {
-                return;
-            }
-            found = self.verified(state, &doubts, &mut solution);
+        if !self.takes(state, &doubts, &mut solution) {
+            return;
         }
+        let found = self.verified(state, &doubts, &mut solution);
         // What a further pass does not close is no better than what is there.
         let again = self.passes.as_ref().is_some_and(|passes| passes.again());
         let worse = again && !solution.is_exact() && self.solutions.exact().next().is_some();
@@ -131,14 +142,13 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
                 }
             }
         }
-        let distance = |q: &[T; N]| {
-            q.iter().zip(near).zip(constants.weights).enumerate().fold(T::ZERO, |sum, (joint, ((a, b), weight))| {
+        self.solutions.sort_by_cached_key(|solution| {
+            let joints = solution.q.iter().zip(near).zip(constants.weights).enumerate();
+            joints.fold(T::ZERO, |sum, (joint, ((a, b), weight))| {
                 let step = (*a - *b) / constants.unit(joint);
                 sum + *weight * step * step
             })
-        };
-        self.solutions
-            .sort_by(|a, b| distance(&a.q).partial_cmp(&distance(&b.q)).unwrap_or(core::cmp::Ordering::Equal));
+        });
     }
 
     /// Near a singularity a whole family of joint vectors closes within rounding. The member next to the reference is

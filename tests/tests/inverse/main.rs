@@ -5,6 +5,7 @@
 
 use denhart_tests::suite::Grids;
 
+mod closing;
 mod counts;
 
 /// Grids up to 45 degrees (262,144 poses) in full.
