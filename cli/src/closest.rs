@@ -55,8 +55,8 @@ pub fn missed(arm: &DynamicArm, target: &DynamicTarget, pose: &Pose<f64>, start:
     (!whole.converged()).then_some(Missed::Direction(whole.residual))
 }
 
-/// By how much the angle is missed with the point in its place: the least turn of the asked angle, either way, after
-/// which the inverse reaches the target. Turns of half a degree, then bisection.
+/// By how much the angle is missed with the point in its place. The asked angle is turned either way, until the inverse
+/// reaches the target: turns of half a degree, then bisection.
 fn nearest_angle(arm: &DynamicArm, asked: &PointAngle<f64>) -> Option<Residual<f64>> {
     let reaches = |turn: f64| {
         [turn, -turn].into_iter().any(|turn| {

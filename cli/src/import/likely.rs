@@ -9,8 +9,8 @@ pub const USUAL: [&str; 5] = ["tool0", "tcp", "tool", "flange", "ee_link"];
 /// Parts of the names of a gripper's joints and links.
 const FINGERS: [&str; 3] = ["finger", "jaw", "knuckle"];
 
-/// The joint on the way from which on a gripper moves: one that shares a motor with a joint beside the way, or that is
-/// named so.
+/// The joint on the way from which on a gripper moves. Such a joint shares a motor with a joint beside the way, or its
+/// name says so.
 pub fn gripper<'r>(robot: &'r Robot, joints: &[Passed<'r>]) -> Option<&'r Joint> {
     let on_way = |name: &str| joints.iter().any(|passed| passed.joint.name == name);
     let beside = |joint: &Joint| {
@@ -26,8 +26,8 @@ pub fn gripper<'r>(robot: &'r Robot, joints: &[Passed<'r>]) -> Option<&'r Joint>
     joints.iter().map(|passed| passed.joint).find(|joint| moves(joint) && (beside(joint) || named(joint)))
 }
 
-/// The help for a chain whose end has to be named: the links with a usual name, then `before`, which is the last link
-/// before what is in doubt, then the other `ends`.
+/// The help for a chain whose end has to be named. The links with a usual name come first, then `before`, then the other
+/// `ends`. `before` is the last link before what is in doubt.
 pub fn advice(robot: &Robot, base: &str, before: Option<(&str, &str)>, ends: &[&str]) -> String {
     let is_serial = |link: &str| {
         let joints = between(robot, base, link);

@@ -35,8 +35,8 @@ use urdf::Robot;
 /// What the poses of file and URDF may differ by, m and rad.
 const MOST: f64 = 1e-9;
 
-/// Lengths this near to a whole number of micrometers are written as that, in m or relative to the size of a smaller
-/// arm: the widest with which the proof holds.
+/// Lengths this near to a whole number of micrometers are written as that number. The limit is in m, or relative to the
+/// size of a smaller arm. The widest limit with which the proof holds is taken.
 const ROUNDED: [f64; 4] = [1e-9, 1e-10, 1e-11, 0.0];
 
 /// What the command takes.

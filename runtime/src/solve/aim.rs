@@ -1,6 +1,7 @@
 //! One direction seen from two joints with a sliding joint between them.
 
-use super::stage::{Doubt, LevelOf};
+use super::doubts::Doubt;
+use super::level::LevelOf;
 use super::tolerances::Tolerances;
 use super::{DefaultValue, Measure, Stage, Turn, offset};
 use crate::vector::{cross, dot, norm, scale};

@@ -1,6 +1,6 @@
 //! A direction or point, turned about one axis, with a given component along another.
 
-use super::stage::LevelOf;
+use super::level::LevelOf;
 use super::tolerances::Tolerances;
 use super::{DefaultValue, Measure, Stage, Turn};
 use crate::JointMask;

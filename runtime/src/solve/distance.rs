@@ -1,6 +1,6 @@
 //! The elbow: two points a given distance apart, one of them turned about an axis.
 
-use super::stage::LevelOf;
+use super::level::LevelOf;
 use super::tolerances::Tolerances;
 use super::{DefaultValue, Measure, Stage, Turn};
 use crate::JointMask;

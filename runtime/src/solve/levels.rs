@@ -1,9 +1,10 @@
 //! Branches that are missed with a free joint at its default, and where that joint has to be for them.
 
+use super::doubts::Doubts;
+use super::level::Behind;
 use super::open::{LEVELS, Open, same};
 use super::place::{Beside, PLACES, stroke, turn};
 use super::roots::{NODES, node};
-use super::stage::{Behind, Doubts};
 use super::{ArmConstants, Tolerances, two_joints};
 use crate::effort::MOST_CASCADES;
 use crate::math::wrap;

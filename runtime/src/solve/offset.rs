@@ -1,6 +1,6 @@
 //! One trigonometric equation: a point turned about an axis keeps a given offset.
 
-use super::stage::LevelOf;
+use super::level::LevelOf;
 use super::tolerances::Tolerances;
 use super::{DefaultValue, Measure, Stage, Turn};
 use crate::JointMask;

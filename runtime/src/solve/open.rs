@@ -1,9 +1,9 @@
 //! A branch that is missed with a free joint at its default.
 
 use super::Tolerances;
+use super::level::Behind;
 use super::place::{Beside, PLACES, Place, Sample, Samples};
 use super::roots::Roots;
-use super::stage::Behind;
 use super::two_joints::{self, Rows};
 use crate::math::wrap;
 use crate::{Branch, JointMask};

@@ -2,8 +2,8 @@
 
 use super::circle::{Circle, angles};
 use super::curve::{Across, Found, Moving, Row, newton};
+use super::doubts::Doubt;
 use super::separated::{combined, separated};
-use super::stage::Doubt;
 use super::twins::{distinct, with_twins};
 use super::{DefaultValue, Measure, Stage, Tolerances, Turn};
 

@@ -1,8 +1,8 @@
 //! Following the branches again with free joints elsewhere.
 
+use super::doubts::Doubts;
 use super::levels::{self, Levels};
 use super::search::VIRTUAL;
-use super::stage::Doubts;
 use super::{ArmConstants, BranchState, Search, Tolerances};
 use crate::math::wrap;
 use crate::{Branch, JointMask, Solution};

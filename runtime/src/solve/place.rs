@@ -2,8 +2,8 @@
 
 use super::Tolerances;
 use super::circle::Circle;
+use super::level::{Behind, Level};
 use super::range::Range;
-use super::stage::{Behind, Level};
 use crate::math::{sin_cos, wrap};
 
 /// Places at which the level of a stage is sampled, for a joint that turns.
@@ -274,7 +274,7 @@ fn add<T: Tolerances>([a, b]: [T; 2], [c, d]: [T; 2]) -> [T; 2] {
 mod tests {
     #![allow(clippy::expect_used)]
 
-    use super::super::stage::LevelOf;
+    use super::super::level::LevelOf;
     use super::*;
 
     /// An equation that holds where `cos x = 0.3`, on either side of home.

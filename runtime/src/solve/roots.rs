@@ -1,8 +1,8 @@
 //! Where a free joint has to be for a second stage to have roots, on either root of a first one.
 
 use super::Tolerances;
+use super::level::Level;
 use super::place::Samples;
-use super::stage::Level;
 use crate::math::sin_cos;
 
 /// The number of nodes in an interval.

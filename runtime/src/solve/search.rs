@@ -1,9 +1,10 @@
 //! Following the branches of the cascade and collecting the solutions.
 
 use super::arm_constants::Evaluate;
+use super::doubts::{Doubt, Doubts};
+use super::level::{Behind, Level, LevelOf};
 use super::open::LEVELS;
 use super::passes::{Missed, Passes};
-use super::stage::{Behind, Doubt, Doubts, Level, LevelOf};
 use super::{ArmConstants, BranchState, DefaultValue, Goal, Measure, Stage, Tolerances};
 use crate::effort::MOST_EVALUATIONS;
 use crate::limits::within;

@@ -1,7 +1,7 @@
 //! Two equations in two joints whose rows lose rank.
 
 use super::curve::Row;
-use super::stage::Doubt;
+use super::doubts::Doubt;
 use super::{DefaultValue, Measure, Stage, Tolerances, Turn, offset};
 
 impl<T: Tolerances> Stage<T, 2, 4> {

@@ -1,6 +1,7 @@
 //! Sliding joints.
 
-use super::stage::{Doubt, LevelOf};
+use super::doubts::Doubt;
+use super::level::LevelOf;
 use super::tolerances::Tolerances;
 use super::{DefaultValue, Measure, Stage, Turn};
 use crate::JointMask;

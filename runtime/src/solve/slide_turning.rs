@@ -1,6 +1,6 @@
 //! A turning and a sliding joint, seen along a third one that slides.
 
-use super::stage::Doubt;
+use super::doubts::Doubt;
 use super::tolerances::Tolerances;
 use super::{DefaultValue, Measure, Stage, Turn, offset};
 

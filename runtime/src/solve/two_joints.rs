@@ -2,9 +2,9 @@
 
 use super::Tolerances;
 use super::circle::Circle;
+use super::level::Level;
 use super::place::{Sample, Samples, series, turn};
 use super::roots::highest;
-use super::stage::Level;
 use crate::math::sin_cos;
 
 /// Places of either joint.
@@ -96,7 +96,7 @@ fn nodes<T: Tolerances>() -> [T; PLACES] {
 mod tests {
     #![allow(clippy::expect_used)]
 
-    use super::super::stage::{Behind, LevelOf};
+    use super::super::level::{Behind, LevelOf};
     use super::*;
 
     /// The cosine of an elbow of two links of length 1, from (-2, 0.5) to the end of two links of 3 and 2. With either

@@ -1,9 +1,9 @@
 //! Doubtful solutions: verified by forward kinematics, refined by a few damped steps, and merged where they coincide.
 
+use super::doubts::Doubts;
 use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
 use super::passes::Missed;
 use super::search::VIRTUAL;
-use super::stage::Doubts;
 use super::{ArmConstants, BranchState, Search, Tolerances};
 use crate::math::wrap;
 use crate::{Branch, Flags, Solution};

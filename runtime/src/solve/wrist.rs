@@ -1,6 +1,6 @@
 //! Orthogonal axes: two roots that differ by half a turn about the outer axes.
 
-use super::stage::LevelOf;
+use super::level::LevelOf;
 use super::tolerances::Tolerances;
 use super::{DefaultValue, Measure, Stage, Turn};
 

@@ -1,0 +1,72 @@
+//! Levels: whether a stage has roots, as a number.
+
+use super::Tolerances;
+
+/// A number that says whether a stage has roots: it has them if and only if `low <= value <= high`.
+///
+/// A stage with two roots a half difference h apart solves `cos(h) = value` between -1 and 1. A stage that a slide
+/// solves needs a square that is not negative. An equation without a joint of its own needs the value 0. The value is
+/// known outside its range too. A joint that turns points about an axis moves the value as `a + b cos(x - phi)`. With a
+/// slide between that follows, the value moves as a polynomial of degree 2 over the square of the slide's coefficient,
+/// the pole.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Level<T> {
+    pub(super) value: T,
+    pub(super) low: T,
+    pub(super) high: T,
+    pub(super) pole: T,
+}
+
+impl<T: Tolerances> Level<T> {
+    /// Nothing is known.
+    pub(super) const NONE: Self = Self { value: T::NAN, low: T::NAN, high: T::NAN, pole: T::ONE };
+
+    /// Whether it is that of a slide: the coefficient alone.
+    pub(super) fn is_slide(&self) -> bool {
+        self.low.is_finite() && !self.value.is_finite()
+    }
+
+    /// Whether an equation without a joint of its own holds.
+    pub(super) fn is_met(&self) -> bool {
+        self.low == self.high && self.value.abs() <= T::COINCIDENT
+    }
+}
+
+/// The level of a stage as its kernel leaves it: one number, and what it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum LevelOf<T> {
+    /// Nothing is known.
+    Nothing,
+    /// The cosine of half the difference of two angles.
+    Cosine(T),
+    /// A square.
+    Square(T),
+    /// What has to vanish.
+    Zero(T),
+    /// Nothing but the coefficient of a slide.
+    Slide(T),
+}
+
+impl<T: Tolerances> From<LevelOf<T>> for Level<T> {
+    fn from(level: LevelOf<T>) -> Self {
+        match level {
+            LevelOf::Nothing => Self::NONE,
+            LevelOf::Cosine(value) => Self { value, low: -T::ONE, high: T::ONE, ..Self::NONE },
+            LevelOf::Square(value) => Self { value, low: T::ZERO, high: T::MAX, ..Self::NONE },
+            LevelOf::Zero(value) => Self { value, low: T::ZERO, high: T::ZERO, ..Self::NONE },
+            LevelOf::Slide(pole) => Self { pole, low: T::ZERO, ..Self::NONE },
+        }
+    }
+}
+
+/// The level of a stage behind a free joint, and whether a slide stands between, whose coefficient is part of the pole.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Behind<T> {
+    pub(super) level: Level<T>,
+    pub(super) slides: bool,
+}
+
+impl<T: Tolerances> Behind<T> {
+    /// No stage.
+    pub(super) const NONE: Self = Self { level: Level::NONE, slides: false };
+}
