@@ -198,9 +198,10 @@ fn meters_of(unit: LengthUnit) -> f64 {
 /// # Errors
 /// The message, with what to type instead.
 pub fn plain(text: &str) -> Result<f64, String> {
-    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|value| value.is_finite());
+    let number = |text: &str| text.trim().parse::<f64>().ok();
     let pointed = with_points(text);
     match (number(text), number(&pointed)) {
+        // What is not finite is refused with the name of the option, by the command.
         (Some(value), _) => Ok(value),
         (None, Some(_)) => Err(format!("not a number\nhelp: write {pointed}, with a decimal point")),
         (None, None) => {
