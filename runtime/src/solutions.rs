@@ -195,28 +195,31 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
         }
     }
 
-    /// The same by a number of each solution, which is computed once. Equal numbers, and those that do not compare, keep
-    /// their order.
+    /// The same by a number of each solution, which is computed once. Equal numbers keep their order, and so do those that
+    /// do not compare.
     #[inline]
-    pub(crate) fn sort_by_cached_key<K: PartialOrd>(&mut self, mut key: impl FnMut(&Solution<T, N>) -> K) {
-        let mut keys: [Option<K>; M] = [const { None }; M];
+    pub(crate) fn sort_by_number(&mut self, mut number: impl FnMut(&Solution<T, N>) -> T)
+    where
+        T: Scalar,
+    {
+        let mut numbers = [T::ZERO; M];
         let items = self.as_mut_slice();
-        for (place, solution) in keys.iter_mut().zip(&*items) {
-            *place = Some(key(solution));
+        for (place, solution) in numbers.iter_mut().zip(&*items) {
+            *place = number(solution);
         }
         for end in 1..=items.len() {
-            let (Some(mut items), Some(mut keys)) = (items.get_mut(..end), keys.get_mut(..end)) else { return };
-            while let (Some((last, front)), Some((last_key, front_keys))) =
-                (items.split_last_mut(), keys.split_last_mut())
+            let (Some(mut items), Some(mut numbers)) = (items.get_mut(..end), numbers.get_mut(..end)) else { return };
+            while let (Some((last, front)), Some((number, numbers_before))) =
+                (items.split_last_mut(), numbers.split_last_mut())
             {
-                match (front.last_mut(), front_keys.last_mut()) {
-                    (Some(before), Some(key)) if *key > *last_key => {
+                match (front.last_mut(), numbers_before.last_mut()) {
+                    (Some(before), Some(greater)) if *greater > *number => {
                         mem::swap(before, last);
-                        mem::swap(key, last_key);
+                        mem::swap(greater, number);
                     }
                     _ => break,
                 }
-                (items, keys) = (front, front_keys);
+                (items, numbers) = (front, numbers_before);
             }
         }
     }
@@ -324,16 +327,16 @@ mod tests {
     }
 
     #[test]
-    fn a_cached_key_sorts_as_a_comparison_does() {
+    fn a_number_sorts_as_a_comparison_does() {
         let all = [3.0, -1.0, 2.0, 1.0, -2.0, -3.0, 0.5, 1.0];
         for len in 0..=all.len() {
-            let (mut by_key, mut compared) = (list(&all[..len]), list(&all[..len]));
-            by_key.sort_by_cached_key(|solution| solution.q[0].abs());
+            let (mut by_number, mut compared) = (list(&all[..len]), list(&all[..len]));
+            by_number.sort_by_number(|solution| solution.q[0].abs());
             compared.sort_by(|a, b| a.q[0].abs().total_cmp(&b.q[0].abs()));
-            assert_eq!(values(&by_key), values(&compared));
+            assert_eq!(values(&by_number), values(&compared));
         }
         let mut unknown = list(&[2.0, f64::NAN, 1.0]);
-        unknown.sort_by_cached_key(|solution| solution.q[0]);
+        unknown.sort_by_number(|solution| solution.q[0]);
         assert_eq!(unknown.len(), 3);
     }
 

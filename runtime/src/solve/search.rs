@@ -136,11 +136,17 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
         DefaultValue { value, joint: JointMask::single(joint), nearly: self.nearly }
     }
 
-    /// The doubts of a branch; `None` without any.
+    /// The doubts of a branch that has any.
     #[inline]
-    pub(super) fn doubts(&self, state: BranchState) -> Option<&Doubts<T>> {
+    pub(super) fn known_doubts(&self, state: BranchState) -> Option<&Doubts<T>> {
         let last = state.depth().checked_sub(1)?;
         self.doubts.as_ref()?.get(last)?.as_ref()
+    }
+
+    /// The doubts of a branch.
+    #[inline(never)]
+    pub(super) fn doubts(&self, state: BranchState) -> Doubts<T> {
+        self.known_doubts(state).copied().unwrap_or(Doubts::START)
     }
 
     /// The levels of the first stages behind the first joint of a branch that is free or weak, one for each stage,
@@ -183,25 +189,25 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     #[cold]
     #[inline(never)]
     fn doubtful(&mut self, state: BranchState, doubt: Option<Doubt<T>>, level: LevelOf<T>) -> BranchState {
-        let before = self.doubts(state);
+        let before = self.known_doubts(state);
         // The level of a stage counts behind a joint that may be elsewhere.
         if doubt.is_none() && before.is_none_or(|before| before.loose().is_empty()) {
             return state;
         }
-        let before = before.copied().unwrap_or(Doubts::START);
-        let mut next = before;
+        let mut next = self.doubts(state);
+        let (amplitude, free, loose) = (next.amplitude, next.free, next.loose());
         next.note(doubt, level);
         let mut ended = false;
         let Doubt { gap, angular, .. } = doubt.unwrap_or(Doubt::NOTHING);
         let measure = if angular { Measure::DIRECTION } else { Measure::length(self.constants.reach) };
         let tolerance = if angular { self.constants.tolerance.orientation } else { self.constants.tolerance.position };
         // What an earlier stage of small amplitude leaves uncertain shows up here magnified.
-        let rounding = measure.rounding() / before.amplitude;
-        next.clamped |= gap > rounding && before.loose().is_empty();
+        let rounding = measure.rounding() / amplitude;
+        next.clamped |= gap > rounding && loose.is_empty();
         // With a joint earlier on the branch that is free, or nearly, the gap may close by moving that joint.
         if gap > tolerance.max(rounding) {
-            next.missed |= !before.free.is_empty();
-            if before.loose().is_empty() {
+            next.missed |= !free.is_empty();
+            if loose.is_empty() {
                 ended = true;
                 self.misses(gap);
             }
@@ -245,7 +251,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
         if norm(vector) > measure.vanishing() {
             return *state;
         }
-        let mut doubts = self.doubts(*state).copied().unwrap_or(Doubts::START);
+        let mut doubts = self.doubts(*state);
         doubts.free |= first.joint | second.joint;
         doubts.first = first.joint;
         doubts.flags |= Flags::FREE;

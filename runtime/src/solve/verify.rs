@@ -8,13 +8,15 @@ use super::{ArmConstants, BranchState, Search, Tolerances};
 use crate::math::wrap;
 use crate::{Branch, Flags, Solution};
 
-/// What the verification of a candidate has found.
+/// What a candidate has turned out to be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Found {
     /// No solution.
     Nothing,
     /// The solution of its branch.
     Branch,
+    /// The same, and no other solution is close to it.
+    Distinct,
     /// A solution that the candidate was not close to: the one of another root, unless that has none of its own.
     Guess,
 }
@@ -27,27 +29,26 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
     #[cold]
     #[inline(never)]
     pub(super) fn candidate(&mut self, state: BranchState, q: [T; N], branch: Branch) {
-        let doubts = self.doubts(state);
+        let mut solution = Solution::exact(q, branch);
+        let mut found = Found::Branch;
+        let doubts = self.known_doubts(state);
         if !state.verify() && doubts.is_none_or(Doubts::are_settled) {
-            let solution = Solution::exact(q, branch);
             if self.referred && doubts.is_some() {
                 // The reference may be another member of a narrow family.
                 self.solutions.mark_awkward();
             }
-            if self.solutions.is_awkward() {
-                self.list(&solution, Found::Branch);
-            } else {
-                self.solutions.push(solution);
+            if !self.solutions.is_awkward() {
+                found = Found::Distinct;
             }
-            return;
+        } else {
+            let doubts = self.doubts(state);
+            solution.flags |= doubts.flags;
+            (solution.free, solution.residual) = (doubts.free, doubts.gap);
+            if !self.takes(state, &doubts, &mut solution) {
+                return;
+            }
+            found = self.verified(state, &doubts, &mut solution);
         }
-        let doubts = doubts.copied().unwrap_or(Doubts::START);
-        let flags = doubts.flags | Flags::EXACT;
-        let mut solution = Solution { q, flags, free: doubts.free, branch, residual: doubts.gap };
-        if !self.takes(state, &doubts, &mut solution) {
-            return;
-        }
-        let found = self.verified(state, &doubts, &mut solution);
         // What a further pass does not close is no better than what is there.
         let again = self.passes.as_ref().is_some_and(|passes| passes.again());
         let worse = again && !solution.is_exact() && self.solutions.exact().next().is_some();
@@ -105,7 +106,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
     fn list(&mut self, solution: &Solution<T, N>, found: Found) {
         let constants = self.constants;
         let again = self.passes.as_ref().is_some_and(|passes| passes.again());
-        let twin = self.solutions.as_mut_slice().iter_mut().find(|other| {
+        let twin = self.solutions.as_mut_slice().iter_mut().filter(|_| found != Found::Distinct).find(|other| {
             coincident(constants, &other.q, &solution.q)
                 // What did not close with the free joint at its default.
                 || again && other.branch == solution.branch && other.flags.contains(Flags::APPROXIMATE | Flags::FREE)
@@ -142,7 +143,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
                 }
             }
         }
-        self.solutions.sort_by_cached_key(|solution| {
+        self.solutions.sort_by_number(|solution| {
             let joints = solution.q.iter().zip(near).zip(constants.weights).enumerate();
             joints.fold(T::ZERO, |sum, (joint, ((a, b), weight))| {
                 let step = (*a - *b) / constants.unit(joint);
