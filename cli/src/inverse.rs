@@ -143,7 +143,7 @@ fn asked(arm: &DynamicArm, options: &Options) -> Result<Asked, Failure> {
 
 /// One number.
 fn one(option: &str, text: &str, arm: &DynamicArm, units: Units) -> Result<f64, Failure> {
-    let typed = Typed { option, text, angle: units, length: arm.model().length_unit, wanted: &[1] };
+    let typed = Typed { option, text, angle: units, length: arm.length_unit(), wanted: &[1] };
     match typed.numbers()?[..] {
         [value] => Ok(value),
         ref values => {
@@ -164,7 +164,7 @@ fn from_numbers(arm: &DynamicArm, text: &str, units: Units) -> Result<(DynamicTa
         _ => WHOLE,
     };
     let needed = wanted.split(' ').count();
-    let length = arm.model().length_unit;
+    let length = arm.length_unit();
     let typed = Typed { option: "--pose", text, angle: units, length, wanted: &[needed, 6] };
     let values = &typed.numbers()?[..];
     if let [x, y, z, roll, pitch, yaw] = *values {
@@ -189,7 +189,7 @@ fn from_numbers(arm: &DynamicArm, text: &str, units: Units) -> Result<(DynamicTa
             let found = count(values.len(), "number");
             let what = format!("{found}, but the task `{task}` needs {needed}: \"{wanted}\"");
             let whole = if wanted == WHOLE { String::new() } else { format!(", or a whole pose, \"{WHOLE}\"") };
-            let (angle, length) = (units.symbol(), length.symbol());
+            let (angle, length) = (units.symbol(), length);
             let help = format!("write --pose \"{wanted}\"{whole}; lengths in {length}, angles in {angle}");
             Err(typed.miscounted(&what, &help))
         }

@@ -1,7 +1,7 @@
 //! Numbers as people type them on the command line, and what to type instead.
 
-use denhart::JointKind;
-use denhart_codegen::spec::{LengthUnit, WrittenAngle};
+use denhart::{JointKind, LengthUnit};
+use denhart_codegen::spec::WrittenAngle;
 use denhart_dynamic::DynamicArm;
 
 use crate::Failure;
@@ -85,7 +85,7 @@ impl Typed<'_> {
             marks.semicolon.then(|| "with commas between the numbers".to_owned()),
             marks.dash.then(|| "with the minus of the keyboard".to_owned()),
             marks.unit.then(|| {
-                let (angle, length) = (self.angle.symbol(), self.length.symbol());
+                let (angle, length) = (self.angle.symbol(), self.length);
                 format!("as plain numbers: angles are in {angle} (--units), lengths in {length}, the unit of the file")
             }),
         ]
@@ -117,9 +117,10 @@ impl Typed<'_> {
         marks.unit = true;
         let start = word.find(|c: char| c.is_alphabetic() || c == '\u{b0}').unwrap_or(word.len());
         let (number, unit) = word.split_at_checked(start)?;
-        if let (Ok(number), Some(meters)) = (number.parse::<f64>(), meters(unit)) {
-            let own = meters_of(self.length);
-            return Some(if own == meters { number.to_string() } else { rounded(number * meters / own).to_string() });
+        if let (Ok(number), Some(unit)) = (number.parse::<f64>(), length_unit(unit)) {
+            let own = self.length;
+            let converted = || rounded(number * unit.in_meters() / own.in_meters());
+            return Some(if own == unit { number.to_string() } else { converted().to_string() });
         }
         let degrees = number.parse::<f64>().ok().filter(|_| matches!(unit, "\u{b0}" | "degree" | "degrees"));
         let angle = degrees.map_or_else(|| WrittenAngle::parse(word), |value| Some(WrittenAngle::Degrees(value)))?;
@@ -137,13 +138,15 @@ impl Typed<'_> {
 /// # Errors
 /// What is no number; another number of values than joints.
 pub fn joints(option: &str, text: &str, arm: &DynamicArm, units: Units) -> Result<Vec<f64>, Failure> {
-    let (kinds, length) = (arm.joint_kinds(), arm.model().length_unit);
+    let (kinds, length) = (arm.joint_kinds(), arm.length_unit());
     let wanted = [kinds.len()];
     let typed = Typed { option, text, angle: units, length, wanted: &wanted };
     let values = typed.numbers()?;
     if values.len() != kinds.len() {
         let (found, joints) = (count(values.len(), "value"), count(kinds.len(), "joint"));
-        let unit = |kind: &JointKind| if *kind == JointKind::Revolute { units.symbol() } else { length.symbol() };
+        let unit = |kind: &JointKind| {
+            if *kind == JointKind::Revolute { units.symbol().to_owned() } else { length.to_string() }
+        };
         let named = arm.joint_names().zip(kinds).map(|(name, kind)| format!("{name} in {}", unit(kind)));
         let help = format!("write a value for each joint: {}", named.collect::<Vec<_>>().join(", "));
         return Err(typed.miscounted(&format!("{found}, but the arm has {joints}"), &help));
@@ -175,22 +178,13 @@ pub fn with_points(text: &str) -> String {
 }
 
 fn is_unit(word: &str) -> bool {
-    meters(word).is_some() || ["deg", "rad", "\u{b0}", "degree", "degrees"].contains(&word)
+    length_unit(word).is_some() || ["deg", "rad", "\u{b0}", "degree", "degrees"].contains(&word)
 }
 
-/// A unit of length in m.
-fn meters(word: &str) -> Option<f64> {
-    match word {
-        "m" => Some(1.0),
-        "cm" => Some(0.01),
-        "mm" => Some(0.001),
-        "in" => Some(0.0254),
-        _ => None,
-    }
-}
-
-fn meters_of(unit: LengthUnit) -> f64 {
-    meters(unit.symbol()).unwrap_or(1.0)
+/// The unit of length with this symbol.
+fn length_unit(symbol: &str) -> Option<LengthUnit> {
+    let all = [LengthUnit::Meter, LengthUnit::Centimeter, LengthUnit::Millimeter, LengthUnit::Inch];
+    all.into_iter().find(|unit| unit.to_string() == symbol)
 }
 
 /// One plain number, for options of clap.

@@ -56,7 +56,7 @@ found! {
     sweep_1_4652 5 "arms/found/sweep_1_4652.yaml";
     // A quartic with a fourfold root, behind which a joint is free.
     fourfold_root 6 "arms/found/fourfold_root.yaml";
-    // Two equations for the first joint: what the one is uncertain by, the other is missed by.
+    // Two equations for the first joint: by the uncertainty of its root the other equation may be missed.
     sweep_7_1362 5 "arms/found/sweep_7_1362.yaml";
     // A free joint meets an equation at several places: a solution for each.
     sweep_1_5719 6 "arms/found/sweep_1_5719.yaml";

@@ -226,7 +226,9 @@ mod tests {
         for text in ["-5", "1e-5", "upper-", "- 5"] {
             assert_eq!(number(text), None, "{text}");
         }
-        assert!(angle("90 + 3*2").is_some_and(|help| help.starts_with("write its value: an angle")));
+        for text in ["90 + 3*2", "2*q1"] {
+            assert!(angle(text).is_some_and(|help| help.starts_with("write its value: an angle")), "{text}");
+        }
     }
 
     #[test]

@@ -40,8 +40,7 @@ fn short<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, from: [T;
     let amplitude = (u.min(v) / measure.scale).max(T::VANISHING);
     // The stages before have given both vectors one length, or miss by the difference.
     let closes = (lengths[0] - lengths[1]).abs() <= measure.rounding();
-    let weak = default.joint;
-    Stage::solved([[turn]]).of_amplitude(measure, amplitude, weak, closes)
+    Stage::solved([[turn]]).of_amplitude(measure, amplitude, default.joint).closing(closes)
 }
 
 #[cfg(test)]

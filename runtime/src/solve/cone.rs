@@ -78,7 +78,8 @@ fn within<T: Tolerances>(measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> St
     let k = T::ONE / (top + bottom);
     let half_sine = (top * bottom).sqrt() * k;
     let turn = Turn::of(half_sine + half_sine, (bottom - top) * k);
-    Stage::closing([[turn], [turn.reversed()]], measure, level, half_sine, JointMask::NONE)
+    Stage::determined([[turn], [turn.reversed()]], measure, level, half_sine, JointMask::NONE)
+        .closing(half_sine + half_sine >= T::COINCIDENT)
 }
 
 /// The angle (times length, for points) between `(d, rho)` and an end of the range, zero within rounding.

@@ -76,7 +76,8 @@ fn within<T: Tolerances>(measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<
     let half_sine = (top * bottom).sqrt() * k;
     let turn = Turn::of((half_sine + half_sine) * elbow.side, (bottom - top) * (k * elbow.side));
     let level = LevelOf::Cosine((bottom - top) * k);
-    Stage::closing([[turn], [turn.reversed()]], measure, level, half_sine, JointMask::NONE)
+    Stage::determined([[turn], [turn.reversed()]], measure, level, half_sine, JointMask::NONE)
+        .closing(half_sine + half_sine >= T::COINCIDENT)
 }
 
 /// At the ends of the range or outside it, by how much the distance is inside either end.

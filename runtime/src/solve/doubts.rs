@@ -147,7 +147,8 @@ pub(super) struct Doubt<T> {
     /// Relative size of what determines the joint; 1 where that is not in doubt.
     pub(super) amplitude: T,
     /// Whether the roots close the equation of the stage to rounding, however small the amplitude. The vectors of the
-    /// later stages then have the lengths that they are to have.
+    /// later stages then have the lengths that they are to have. Two roots of one joint close only where they are
+    /// farther apart than [`Tolerances::COINCIDENT`]: closer ones may be one solution.
     pub(super) closes: bool,
     pub(super) weak: JointMask,
     pub(super) free: JointMask,

@@ -31,7 +31,6 @@ pub fn offset<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, a: T
     let stage = Stage::solved(roots).at_level(LevelOf::Cosine(d / r));
     let (sine, share) = (h / r, r / measure.scale);
     let doubt = sine < T::DOUBTFUL || share < T::DOUBTFUL;
-    // The two roots have to be farther apart than what makes two solutions one.
-    let closes = sine >= T::COINCIDENT;
-    if doubt { stage.of_amplitude(measure, sine.min(share), JointMask::NONE, closes) } else { stage }
+    let stage = if doubt { stage.of_amplitude(measure, sine.min(share), JointMask::NONE) } else { stage };
+    stage.closing(sine >= T::COINCIDENT)
 }

@@ -22,11 +22,8 @@ pub fn offset_of_two<T: Tolerances>(
     } else {
         (direction, Measure::DIRECTION, length, lengths)
     };
-    let mut stage = offset(default, measure, a, b, d);
-    if let Some(doubt) = &mut stage.doubt {
-        // What the joint is uncertain by, the other equation is missed by.
-        doubt.closes = false;
-    }
+    // The uncertainty of the joint is what the other equation may be missed by.
+    let mut stage = offset(default, measure, a, b, d).closing(false);
     let missed = |stage: &Stage<T, 1, 2>, root: usize| {
         stage.roots.get(root).map_or(T::INFINITY, |[t]| (e * t.cos + f * t.sin - g).abs() / other.scale)
     };

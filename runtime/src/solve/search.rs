@@ -41,7 +41,7 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, P> {
     /// its rounding alone can exceed what closes. A long slide may reach such a target.
     doubt: bool,
     /// Whether there is a reference.
-    pub(super) referred: bool,
+    pub(super) has_reference: bool,
     /// What is remembered at a pose that needs further passes.
     pub(super) passes: Option<Passes<T, N, M, P>>,
 }
@@ -68,7 +68,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
             left: MOST_EVALUATIONS,
             doubts: None,
             doubt: false,
-            referred: near.is_some(),
+            has_reference: near.is_some(),
             passes: None,
         }
     }

@@ -69,29 +69,23 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         weak: JointMask,
     ) -> Self {
         let stage = Self::solved(roots).at_level(level);
-        if amplitude < T::DOUBTFUL { stage.of_amplitude(measure, amplitude, weak, false) } else { stage }
-    }
-
-    /// The same where the roots close the equation however small the amplitude, see [`Doubt::closes`].
-    #[inline(always)]
-    pub(super) fn closing(
-        roots: [[Turn<T>; K]; R],
-        measure: Measure<T>,
-        level: LevelOf<T>,
-        amplitude: T,
-        weak: JointMask,
-    ) -> Self {
-        let stage = Self::solved(roots).at_level(level);
-        // Two roots of one joint have to be farther apart than what makes two solutions one.
-        let closes = !weak.is_empty() || amplitude + amplitude >= T::COINCIDENT;
-        if amplitude < T::DOUBTFUL { stage.of_amplitude(measure, amplitude, weak, closes) } else { stage }
+        if amplitude < T::DOUBTFUL { stage.of_amplitude(measure, amplitude, weak) } else { stage }
     }
 
     /// The same with a small relative amplitude, in doubt.
     #[inline]
-    pub(super) fn of_amplitude(mut self, measure: Measure<T>, amplitude: T, weak: JointMask, closes: bool) -> Self {
+    pub(super) fn of_amplitude(mut self, measure: Measure<T>, amplitude: T, weak: JointMask) -> Self {
         let weak = if amplitude < T::WEAK { weak } else { JointMask::NONE };
-        self.doubt = Some(Doubt { angular: measure.angular, amplitude, closes, weak, ..Doubt::NOTHING });
+        self.doubt = Some(Doubt { angular: measure.angular, amplitude, weak, ..Doubt::NOTHING });
+        self
+    }
+
+    /// The same; whether the roots close the equation although the stage is in doubt, see [`Doubt::closes`].
+    #[inline(always)]
+    pub(super) fn closing(mut self, closes: bool) -> Self {
+        if let Some(doubt) = &mut self.doubt {
+            doubt.closes = closes;
+        }
         self
     }
 

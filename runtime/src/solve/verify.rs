@@ -1,4 +1,4 @@
-//! Doubtful solutions: verified by forward kinematics, refined by a few damped steps, and merged where they coincide.
+//! Solutions with a stage in doubt: verified by forward kinematics, refined by a few damped steps, and merged where they coincide.
 
 use super::doubts::Doubts;
 use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
@@ -33,7 +33,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
         let mut found = Found::Branch;
         let doubts = self.known_doubts(state);
         if !state.verify() && doubts.is_none_or(Doubts::are_settled) {
-            if self.referred && doubts.is_some() {
+            if self.has_reference && doubts.is_some() {
                 // The reference may be another member of a narrow family.
                 self.solutions.mark_awkward();
             }
@@ -106,11 +106,15 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
     fn list(&mut self, solution: &Solution<T, N>, found: Found) {
         let constants = self.constants;
         let again = self.passes.as_ref().is_some_and(|passes| passes.again());
-        let twin = self.solutions.as_mut_slice().iter_mut().filter(|_| found != Found::Distinct).find(|other| {
+        let coincides = |other: &&mut Solution<T, N>| {
             coincident(constants, &other.q, &solution.q)
                 // What did not close with the free joint at its default.
                 || again && other.branch == solution.branch && other.flags.contains(Flags::APPROXIMATE | Flags::FREE)
-        });
+        };
+        let twin = match found {
+            Found::Distinct => None,
+            _ => self.solutions.as_mut_slice().iter_mut().find(coincides),
+        };
         let Some(twin) = twin else {
             self.solutions.push(*solution);
             return;

@@ -1,14 +1,15 @@
 //! All branches of one inverse, in an array of fixed capacity.
 
-use core::cmp::Ordering;
 use core::fmt;
 use core::ops::Deref;
-use core::{array, iter, mem, slice};
+use core::{array, iter, slice};
 
 use crate::flags::Flags;
 use crate::math::Scalar;
 use crate::solution::{Residual, Solution, Status};
 use crate::target::Target;
+
+mod sort;
 
 /// The solutions of one call, at most `M`, of an arm with `N` joints, and the status of the call.
 ///
@@ -176,53 +177,6 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
         }
         self.len = kept;
     }
-
-    /// Sorts by `compare`, keeping the order of equal solutions.
-    ///
-    /// Insertion: the list is short, and an inconsistent comparison gives some order, never a panic.
-    #[inline]
-    pub fn sort_by(&mut self, mut compare: impl FnMut(&Solution<T, N>, &Solution<T, N>) -> Ordering) {
-        let items = self.as_mut_slice();
-        for end in 1..=items.len() {
-            let mut sorted = items.get_mut(..end).unwrap_or(&mut []);
-            while let Some((last, front)) = sorted.split_last_mut() {
-                match front.last_mut() {
-                    Some(before) if compare(before, last) == Ordering::Greater => mem::swap(before, last),
-                    _ => break,
-                }
-                sorted = front;
-            }
-        }
-    }
-
-    /// The same by a number of each solution, which is computed once. Equal numbers keep their order, and so do those that
-    /// do not compare.
-    #[inline]
-    pub(crate) fn sort_by_number(&mut self, mut number: impl FnMut(&Solution<T, N>) -> T)
-    where
-        T: Scalar,
-    {
-        let mut numbers = [T::ZERO; M];
-        let items = self.as_mut_slice();
-        for (place, solution) in numbers.iter_mut().zip(&*items) {
-            *place = number(solution);
-        }
-        for end in 1..=items.len() {
-            let (Some(mut items), Some(mut numbers)) = (items.get_mut(..end), numbers.get_mut(..end)) else { return };
-            while let (Some((last, front)), Some((number, numbers_before))) =
-                (items.split_last_mut(), numbers.split_last_mut())
-            {
-                match (front.last_mut(), numbers_before.last_mut()) {
-                    (Some(before), Some(greater)) if *greater > *number => {
-                        mem::swap(before, last);
-                        mem::swap(greater, number);
-                    }
-                    _ => break,
-                }
-                (items, numbers) = (front, numbers_before);
-            }
-        }
-    }
 }
 
 impl<T, const N: usize, const M: usize> Deref for Solutions<T, N, M> {
@@ -327,20 +281,6 @@ mod tests {
     }
 
     #[test]
-    fn a_number_sorts_as_a_comparison_does() {
-        let all = [3.0, -1.0, 2.0, 1.0, -2.0, -3.0, 0.5, 1.0];
-        for len in 0..=all.len() {
-            let (mut by_number, mut compared) = (list(&all[..len]), list(&all[..len]));
-            by_number.sort_by_number(|solution| solution.q[0].abs());
-            compared.sort_by(|a, b| a.q[0].abs().total_cmp(&b.q[0].abs()));
-            assert_eq!(values(&by_number), values(&compared));
-        }
-        let mut unknown = list(&[2.0, f64::NAN, 1.0]);
-        unknown.sort_by_number(|solution| solution.q[0]);
-        assert_eq!(unknown.len(), 3);
-    }
-
-    #[test]
     fn filters_do_not_remove() {
         let mut list = Three::new(Status::Reachable);
         list.push(solution(1.0, Flags::EXACT | Flags::OUT_OF_LIMITS));
@@ -365,18 +305,6 @@ mod tests {
         assert!(some.is_empty());
         assert!(some.push(solution(9.0, Flags::EXACT)));
         assert_eq!(values(&some), [9.0]);
-    }
-
-    #[test]
-    fn sort_is_stable_and_total() {
-        let mut some = list(&[3.5, 1.0, 2.0, 3.0, 1.5, 0.0]);
-        some.sort_by(|a, b| a.q[0].floor().total_cmp(&b.q[0].floor()));
-        assert_eq!(values(&some), [0.0, 1.0, 1.5, 2.0, 3.5, 3.0]);
-        some.sort_by(|_, _| Ordering::Greater);
-        assert_eq!(some.len(), 6);
-        let mut none = list(&[]);
-        none.sort_by(|_, _| Ordering::Greater);
-        assert!(none.is_empty());
     }
 
     #[test]
