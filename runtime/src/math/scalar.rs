@@ -84,9 +84,9 @@ pub trait Scalar:
     fn copysign(self, sign: Self) -> Self;
     /// `self` if `condition` holds, else 0.
     fn when(self, condition: bool) -> Self;
-    /// The greater of two; the other one if one is not a number.
+    /// The greater of two; `other` if either is not a number: one comparison, where `f32::max` takes two.
     fn max(self, other: Self) -> Self;
-    /// The lesser of two; the other one if one is not a number.
+    /// The lesser of two; `other` if either is not a number.
     fn min(self, other: Self) -> Self;
     /// Nearest integer, halves to the even one.
     fn round_ties_even(self) -> Self;
@@ -174,11 +174,11 @@ macro_rules! scalar {
             }
             #[inline]
             fn max(self, other: Self) -> Self {
-                $float::max(self, other)
+                if self > other { self } else { other }
             }
             #[inline]
             fn min(self, other: Self) -> Self {
-                $float::min(self, other)
+                if self < other { self } else { other }
             }
             #[inline]
             fn round_ties_even(self) -> Self {

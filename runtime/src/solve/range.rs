@@ -58,7 +58,7 @@ impl<T: Tolerances> Range<T> {
             let ahead = wrap(way * (end - x));
             if ahead > T::ZERO { ahead } else { ahead + T::TAU }
         };
-        self.ends().map(ahead).fold(T::TAU, |least, ahead| least.min(ahead))
+        self.ends().map(ahead).fold(T::TAU, |least, ahead| ahead.min(least))
     }
 
     /// The place next to `now` in an interval, inside it by a quarter or `slack`.

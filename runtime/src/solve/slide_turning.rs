@@ -59,7 +59,7 @@ fn standing<T: Tolerances>(
     let angle = offset(default, measure, p[0], p[1], -p[2]);
     let roots = angle.roots.map(|[turn]| [turn, there]);
     let miss = |turn: &Turn<T>| (q[0] * turn.cos + q[1] * turn.sin + q[2]).abs();
-    let least = roots.iter().take(angle.len).fold(T::INFINITY, |least, [turn, _]| least.min(miss(turn)));
+    let least = roots.iter().take(angle.len).fold(T::INFINITY, |least, [turn, _]| miss(turn).min(least));
     let least = if least > measure.rounding() { least } else { T::ZERO };
     let Doubt { gap, boundary, free, .. } = angle.doubt.unwrap_or(Doubt::NOTHING);
     let (gap, free, angular) = (gap + least, free | slide.joint, measure.is_angular());
