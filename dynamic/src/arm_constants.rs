@@ -13,6 +13,7 @@ pub struct ArmConstants<const N: usize> {
     limited: bool,
     prismatic: JointMask,
     stands_for: JointMask,
+    wrist: Option<[usize; 3]>,
     reach: f64,
     tolerance: Residual<f64>,
 }
@@ -32,6 +33,7 @@ impl<const N: usize> ArmConstants<N> {
             limited: constants.limited,
             prismatic: constants.prismatic.iter().map(single).fold(JointMask::NONE, JointMask::union),
             stands_for: constants.stands_for.as_ref().map_or(JointMask::NONE, single),
+            wrist: constants.wrist,
             reach: constants.reach,
             tolerance: Residual { position: constants.length, orientation: constants.angle },
         })
@@ -39,7 +41,7 @@ impl<const N: usize> ArmConstants<N> {
 
     /// The same for one call.
     pub fn get(&self) -> solve::ArmConstants<'_, f64, N> {
-        let ArmConstants { limits, weights, combined, limited, prismatic, stands_for, reach, tolerance } = self;
+        let ArmConstants { limits, weights, combined, limited, prismatic, stands_for, wrist, reach, tolerance } = self;
         solve::ArmConstants {
             limits,
             combined,
@@ -47,6 +49,7 @@ impl<const N: usize> ArmConstants<N> {
             limited: *limited,
             prismatic: *prismatic,
             stands_for: *stands_for,
+            wrist: *wrist,
             reach: *reach,
             tolerance: *tolerance,
         }
@@ -68,6 +71,7 @@ mod tests {
             weights: vec![1.0; 2],
             prismatic: vec![1],
             stands_for: None,
+            wrist: None,
             reach: 1.0,
             length: 1e-6,
             angle: 1e-6,

@@ -1,7 +1,7 @@
 //! Sets of facts and of joints.
 
-use core::fmt;
 use core::ops::{BitOr, BitOrAssign};
+use core::{fmt, iter};
 
 /// What is known about one solution: a set.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -170,7 +170,13 @@ impl JointMask {
     /// The joints, counted from 0, in ascending order.
     #[inline]
     pub fn iter(self) -> impl Iterator<Item = usize> + Clone {
-        (0..u16::BITS as usize).filter(move |&joint| self.contains(joint))
+        let mut rest = self.0;
+        iter::from_fn(move || {
+            let joint = (rest != 0).then(|| rest.trailing_zeros() as usize)?;
+            // Without the lowest bit.
+            rest &= rest - 1;
+            Some(joint)
+        })
     }
 }
 

@@ -58,6 +58,8 @@ found! {
     fourfold_root 6 "arms/found/fourfold_root.yaml";
     // Two equations for the first joint: by the uncertainty of its root the other equation may be missed.
     sweep_7_1362 5 "arms/found/sweep_7_1362.yaml";
+    // A wrist in line in a later pass is no flip of one beside.
+    sweep_7_7152 6 "arms/found/sweep_7_7152.yaml";
     // A free joint meets an equation at several places: a solution for each.
     sweep_1_5719 6 "arms/found/sweep_1_5719.yaml";
     sweep_1_1329 6 "arms/found/sweep_1_1329.yaml";

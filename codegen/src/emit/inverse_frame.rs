@@ -32,6 +32,13 @@ pub(super) fn items(model: &Model, program: &Inverse, target: &Target, ranges: T
         Some(last) => quote!(#krate::JointMask::single(#last)),
         None => quote!(#krate::JointMask::NONE),
     };
+    let wrist = match constants.wrist.map(|joints| joints.map(integer)) {
+        Some(joints) => {
+            let joints = array(joints);
+            quote!(::core::option::Option::Some(#joints))
+        }
+        None => quote!(::core::option::Option::None),
+    };
     let (measure, constants_doc) = if model.parameters.is_empty() {
         let measure = quote! {
             /// Lengths are compared relative to the reach.
@@ -54,6 +61,7 @@ pub(super) fn items(model: &Model, program: &Inverse, target: &Target, ranges: T
             limited: #limited,
             prismatic: #krate::JointMask::NONE #(#sliding)*,
             stands_for: #stands_for,
+            wrist: #wrist,
             reach: REACH,
             tolerance: #krate::Residual { position: #length, orientation: #angle },
         };

@@ -1,7 +1,8 @@
 //! The arm constants of the search.
 
+use crate::model::geometry::TripleKind;
 use crate::model::{DEFAULT_TOLERANCE, JointKind, Model};
-use crate::solve::Plan;
+use crate::solve::{Kernel, Plan};
 
 /// The numbers of the runtime's `ArmConstants`, of the arm with the lengths of its file.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,6 +19,8 @@ pub struct ArmConstants {
     pub prismatic: Vec<usize>,
     /// The joint that is named where a virtual one is free.
     pub stands_for: Option<usize>,
+    /// The joints of a spherical wrist with axes at right angles, if its flip is another solution of the same target.
+    pub wrist: Option<[usize; 3]>,
     /// Reach, length unit.
     pub reach: f64,
     /// Position residual up to which a solution is listed, length unit.
@@ -42,11 +45,20 @@ impl ArmConstants {
                 .map(|(i, _)| i)
                 .collect(),
             stands_for: is_virtual.then(|| plan.last_solved()),
+            wrist: wrist(plan).filter(|_| !is_virtual),
             reach: plan.reach,
             length: model.inverse.tolerance_length.unwrap_or(DEFAULT_TOLERANCE * plan.reach),
             angle: model.inverse.tolerance_angle.unwrap_or(DEFAULT_TOLERANCE),
         }
     }
+}
+
+/// The joints of a spherical wrist with axes at right angles. Axes that miss the structure have no flip that is exact.
+fn wrist(plan: &Plan) -> Option<[usize; 3]> {
+    let exact = plan.triple.kind == TripleKind::Intersecting && plan.missed.is_none();
+    let wrists = plan.stages().filter(|stage| exact && matches!(stage.kernel, Kernel::Wrist(_)));
+    let joints: Option<Vec<usize>> = wrists.last()?.joints.iter().map(|slot| plan.joint(*slot)).collect();
+    joints?.try_into().ok()
 }
 
 /// Lower and upper limit of every joint, infinite where there is none.

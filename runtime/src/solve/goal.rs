@@ -75,9 +75,8 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for Pose<T> {
         // over the columns of the cross products, the columns of `pose` first. Its entries are half differences of dot
         // products of rows.
         let ([a, b, c], [d, e, f]) = (pose.rotation, self.rotation);
-        let [u, v, w] =
-            [[b, f, c, e], [c, d, a, f], [a, e, b, d]].map(|[p, q, r, s]| (dot(p, q) - dot(r, s)) * T::HALF);
-        [x, y, z, u, v, w]
+        let half = |p, q, r, s| (dot(p, q) - dot(r, s)) * T::HALF;
+        [x, y, z, half(b, f, c, e), half(c, d, a, f), half(a, e, b, d)]
     }
 
     fn restrict(&self, _: &Pose<T>, _: &mut Jacobian<T, N>) {}

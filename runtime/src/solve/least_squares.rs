@@ -1,7 +1,5 @@
 //! Damped least-squares steps towards a target.
 
-use core::iter;
-
 use super::arm_constants::Evaluate;
 use super::{ArmConstants, Goal, Tolerances};
 use crate::math::wrap;
@@ -41,23 +39,15 @@ pub(super) struct Iterate<T, const N: usize> {
 }
 
 impl<T: Tolerances, const N: usize> Iterate<T, N> {
-    /// Evaluates the arm at `q`.
+    /// A joint vector before its evaluation.
     #[inline]
-    pub(super) fn at(
-        constants: &ArmConstants<T, N>,
-        goal: &dyn Goal<T, N>,
-        arm: &dyn Evaluate<T, N>,
-        q: [T; N],
-    ) -> Self {
-        let mut iterate =
-            Self { q, residual: Residual::ZERO, columns: [[T::ZERO; 6]; N], error: [T::ZERO; 6], size: T::ZERO };
-        iterate.evaluate(constants, goal, arm);
-        iterate
+    pub(super) const fn at(q: [T; N]) -> Self {
+        Self { q, residual: Residual::ZERO, columns: [[T::ZERO; 6]; N], error: [T::ZERO; 6], size: T::ZERO }
     }
 
     /// Evaluates the arm at its joint vector.
     #[inline(never)]
-    fn evaluate(&mut self, constants: &ArmConstants<T, N>, goal: &dyn Goal<T, N>, arm: &dyn Evaluate<T, N>) {
+    pub(super) fn evaluate(&mut self, constants: &ArmConstants<T, N>, goal: &dyn Goal<T, N>, arm: &dyn Evaluate<T, N>) {
         let mut evaluated = arm.evaluate(&self.q);
         let (pose, jacobian) = &mut evaluated;
         let k = T::ONE / constants.reach;
@@ -136,7 +126,10 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
             break;
         }
         let damping = (size + T::EPSILON * T::EPSILON * T::from_f64(16.0)) * boost;
-        let Some(step) = damped_step(held, &place.columns, place.error, damping) else { break };
+        let step = damped_step(held, &place.columns, &place.error, damping);
+        if !step.square.is_finite() {
+            break;
+        }
         // A step changes singular values by about its length, and those below the error are damped away.
         let decides = boost > T::ONE || step.square <= size;
         if from_best {
@@ -150,8 +143,11 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
             last_gain = gain;
         }
         let stalled = best.size * T::from_f64(PROGRESS);
-        // The place is overwritten, unless it is the best one.
-        let before = (!from_best).then(|| (place.error, slope_along(&place.columns, &step.changes)));
+        let (mut error, mut slope) = ([T::ZERO; 6], [T::ZERO; 6]);
+        if !from_best {
+            // The place is overwritten.
+            (error, slope) = (tried.error, slope_along(&tried.columns, &step.changes));
+        }
         let mut part = stretch;
         let may_cut = stretch == T::ONE;
         for last in [false, true] {
@@ -164,7 +160,9 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
             if last || !may_cut || tried.size < stalled || taken >= most {
                 break;
             }
-            let (error, slope) = before.unwrap_or_else(|| (best.error, slope_along(&best.columns, &step.changes)));
+            if from_best {
+                (error, slope) = (best.error, slope_along(&best.columns, &step.changes));
+            }
             let least;
             (part, least) = best_part(&error, &slope, &tried.error);
             // A part that is not a number is none.
@@ -283,57 +281,59 @@ fn towards_extremum<T: Tolerances>([_, k1, k2, k3, k4]: &[T; 5], t: T) -> T {
 
 /// The step that minimizes `|J step - error|^2 + damping |step|^2`, and that minimum. J is reflected (Householder 1958)
 /// into the triangle that starts as `sqrt(damping) I`. Unlike the normal equations this keeps singular values down to
-/// the rounding of J itself, which is what the steps near a fold need. Joints that are `held` stay. `None` if the step
-/// is not finite.
+/// the rounding of J itself, which is what the steps near a fold need. Joints that are `held` stay. A step that
+/// overflows has a `square` that is not finite.
+#[inline(never)]
 fn damped_step<T: Tolerances, const N: usize>(
     held: JointMask,
     jacobian: &[[T; 6]; N],
-    mut error: [T; 6],
+    error: &[T; 6],
     damping: T,
-) -> Option<Step<T, N>> {
-    let mut columns = *jacobian;
-    let mut triangle = [[T::ZERO; N]; N];
+) -> Step<T, N> {
+    const { assert!(N <= 7, "a line of the triangle has at most six entries beside the diagonal") };
+    // A line of the triangle takes the place of its column.
+    let (mut columns, mut error) = (*jacobian, *error);
     let mut changes = [T::ZERO; N];
     let start = damping.sqrt();
     let mut rest = columns.as_mut_slice();
-    for (j, (line, value)) in triangle.iter_mut().zip(&mut changes).enumerate() {
-        let (across, behind) = rest.split_first_mut()?;
-        if !held.contains(j) {
-            *value = reflect(across, behind, line.get_mut(j + 1..)?, &mut error, start);
+    for (joint, right) in changes.iter_mut().enumerate() {
+        let Some((column, behind)) = rest.split_first_mut() else { break };
+        if held.contains(joint) {
+            *column = [T::ZERO; 6];
+        } else {
+            *right = reflect(column, behind, &mut error, start);
         }
         rest = behind;
     }
-    for (j, line) in triangle.iter().enumerate().rev() {
-        let (value, behind) = changes.get_mut(j..)?.split_first_mut()?;
-        *value = line.iter().skip(j + 1).zip(behind).fold(*value, |value, (entry, x)| value - *entry * *x);
+    for (joint, line) in columns.iter().enumerate().rev() {
+        if let Some((value, behind)) = changes.get_mut(joint..).and_then(<[T]>::split_first_mut) {
+            *value = line.iter().zip(behind).fold(*value, |value, (entry, x)| value - *entry * *x);
+        }
     }
     let square = changes.iter().fold(T::ZERO, |sum, x| sum + *x * *x);
-    square.is_finite().then_some(Step { changes, square, left: dot_out_of_line(&error, &error) })
+    Step { changes, square, left: dot_out_of_line(&error, &error) }
 }
 
-/// Reflects a column into `start` on the diagonal, and with it the columns `behind` and the error. Of the new line of
-/// the triangle, divided by its diagonal, `entries` are those of the columns behind; the right side is returned.
+/// Reflects a column into `start` on the diagonal, and with it the columns `behind` and the error. The column becomes
+/// the new line of the triangle, divided by its diagonal: the entries of the columns behind. The right side is returned.
 #[inline(never)]
-fn reflect<T: Tolerances>(
-    across: &[T; 6],
-    behind: &mut [[T; 6]],
-    entries: &mut [T],
-    error: &mut [T; 6],
-    start: T,
-) -> T {
-    let length = (start * start + dot(across, across)).sqrt();
-    let inverse = T::ONE / length;
-    // The reflection that takes (start, across) to (-length, 0), in parts of the first entry's change.
-    let parts = across.map(|entry| entry / (start + length));
-    let mut right = T::ZERO;
-    for (entry, column) in iter::once((&mut right, error)).chain(entries.iter_mut().zip(behind)) {
-        let along = dot(column, across) * inverse;
-        for (entry, part) in column.iter_mut().zip(&parts) {
-            *entry -= along * *part;
+fn reflect<T: Tolerances>(line: &mut [T; 6], behind: &mut [[T; 6]], error: &mut [T; 6], start: T) -> T {
+    let across = *line;
+    // The reflection takes (start, across) to (-length, 0).
+    let length = (start * start + dot(&across, &across)).sqrt();
+    let (inverse, share) = (T::ONE / length, T::ONE / (start + length));
+    let mirror = |column: &mut [T; 6]| {
+        let along = dot(column, &across) * inverse;
+        let part = along * share;
+        for (entry, across) in column.iter_mut().zip(&across) {
+            *entry -= part * *across;
         }
-        *entry = along * inverse;
+        along * inverse
+    };
+    for (entry, column) in line.iter_mut().zip(behind) {
+        *entry = mirror(column);
     }
-    right
+    mirror(error)
 }
 
 /// Even and odd terms apart: two sums at a time.

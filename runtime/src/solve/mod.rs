@@ -32,6 +32,7 @@ mod curve;
 mod distance;
 mod doubts;
 mod drift;
+mod flip;
 mod goal;
 mod least_squares;
 mod level;

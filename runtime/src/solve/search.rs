@@ -2,6 +2,7 @@
 
 use super::arm_constants::Evaluate;
 use super::doubts::{Doubt, Doubts};
+use super::flip::Verified;
 use super::level::{Behind, Level, LevelOf};
 use super::open::LEVELS;
 use super::passes::{Missed, Passes};
@@ -34,6 +35,8 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, P> {
     pub(super) nearly: JointMask,
     /// How many evaluations of the arm are left.
     pub(super) left: usize,
+    /// The candidate that was verified last.
+    pub(super) verified: Option<Verified<T, N>>,
     /// The doubts of the branch that is followed, one entry for each stage in doubt. Branches are followed depth first,
     /// so an entry stays until the branches behind it have ended.
     doubts: Option<[Option<Doubts<T>>; MOST_DOUBTS]>,
@@ -66,6 +69,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
             least: None,
             nearly: JointMask::NONE,
             left: MOST_EVALUATIONS,
+            verified: None,
             doubts: None,
             doubt: false,
             has_reference: near.is_some(),

@@ -1,12 +1,13 @@
 //! Solutions with a stage in doubt: verified by forward kinematics, refined by a few damped steps, and merged where they coincide.
 
 use super::doubts::Doubts;
+use super::flip::Verified;
 use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
 use super::passes::Missed;
 use super::search::VIRTUAL;
 use super::{ArmConstants, BranchState, Search, Tolerances};
 use crate::math::wrap;
-use crate::{Branch, Flags, Solution};
+use crate::{Branch, Flags, JointMask, Solution};
 
 /// What a candidate has turned out to be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,14 +66,11 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
     /// counts as the gap of its branch.
     fn verified(&mut self, state: BranchState, doubts: &Doubts<T>, solution: &mut Solution<T, N>) -> Found {
         let constants = self.constants;
-        // One evaluation more than this candidate needs is for the reference.
-        let Some(left) = self.left.checked_sub(RESERVED + 1) else { return Found::Nothing };
-        let mut iterate = Iterate::at(constants, self.goal, self.arm, solution.q);
-        let close = constants.tolerates(&iterate.residual);
-        let mut rest = left;
-        refine(constants, self.goal, self.arm, &mut iterate, &mut rest);
-        (solution.q, solution.residual) = (iterate.q, iterate.residual);
-        self.left = rest + RESERVED;
+        let Some(Verified { q, residual, close, .. }) = self.refined(&solution.q, doubts.free) else {
+            return Found::Nothing;
+        };
+        (solution.q, solution.residual) = (*q, *residual);
+        let close = *close;
         let exact = constants.relative(&solution.residual) <= T::EXACT;
         if !exact {
             solution.flags.remove(Flags::EXACT);
@@ -100,6 +98,24 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
             }
             true => Found::Branch,
         }
+    }
+
+    /// Evaluates a candidate and refines it, unless it is the wrist flip of the last one; `None` without evaluations left.
+    fn refined(&mut self, start: &[T; N], free: JointMask) -> Option<&Verified<T, N>> {
+        let wrist = self.constants.wrist.filter(|[first, ..]| !free.contains(*first));
+        let flips = |(wrist, last): ([usize; 3], &mut Verified<T, N>)| last.flip_to(start, wrist);
+        if !wrist.zip(self.verified.as_mut()).is_some_and(flips) {
+            // One evaluation more than this candidate needs is for the reference.
+            let mut left = self.left.checked_sub(RESERVED + 1)?;
+            let mut iterate = Iterate::at(*start);
+            iterate.evaluate(self.constants, self.goal, self.arm);
+            let close = self.constants.tolerates(&iterate.residual);
+            refine(self.constants, self.goal, self.arm, &mut iterate, &mut left);
+            self.left = left + RESERVED;
+            let Iterate { q, residual, .. } = iterate;
+            self.verified = Some(Verified { start: *start, q, residual, close, has_flip: wrist.is_some() });
+        }
+        self.verified.as_ref()
     }
 
     /// Lists a solution, or the better one of two that coincide.
@@ -165,7 +181,8 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
         let constants = self.constants;
         let mut start = self.goal.placed(*near);
         wrap_angles(&mut start, self.goal.given(), constants.prismatic);
-        let mut iterate = Iterate::at(constants, self.goal, self.arm, start);
+        let mut iterate = Iterate::at(start);
+        iterate.evaluate(constants, self.goal, self.arm);
         // Only from a reference that already is close: farther away there is no "same place" to keep.
         if !(constants.relative(&iterate.residual) <= T::DOUBTFUL) {
             return;
