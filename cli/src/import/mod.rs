@@ -4,6 +4,7 @@
 //! coupling (`couple`). Nothing of this is in the proof (`proof`), which multiplies the joints' origins and motions.
 
 mod axes;
+mod claim;
 mod couple;
 mod likely;
 mod number;
@@ -22,18 +23,15 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::{arm, files};
+use crate::files;
 use axes::{Change, exact, exact_origin};
-use number::short_lengths;
-use proof::{Difference, compare, of_chain};
+use claim::{Claim, MOST, Proved};
+use proof::{Difference, compare};
 use rigid::{Rigid, V};
 use said::Said;
 use serde_json::{Value, json};
 use table::{Table, table};
 use urdf::Robot;
-
-/// What the poses of file and URDF may differ by, m and rad.
-const MOST: f64 = 1e-9;
 
 /// Lengths this near to a whole number of micrometers are written as that number. The limit is in m, or relative to the
 /// size of a smaller arm. The widest limit with which the proof holds is taken.
@@ -128,13 +126,12 @@ fn import(text: &str, from: &str, options: &Options) -> Result<Imported, String>
     let written = urdf::read(text)?;
     let path = path::find(&written, options.base.as_deref(), options.tool.as_deref())?;
     let mut changes = Vec::new();
-    let rounded = Robot { joints: written.joints.clone(), ..written.clone() };
     let on_path = |name: &str| path.joints.iter().any(|passed| passed.joint.name == name);
-    let joints = rounded.joints.iter().map(|joint| match on_path(&joint.name) {
+    let joints = written.joints.iter().map(|joint| match on_path(&joint.name) {
         true => exact_origin(joint, within, &mut changes),
         false => joint.clone(),
     });
-    let exact_robot = Robot { joints: joints.collect(), ..rounded.clone() };
+    let exact_robot = Robot { joints: joints.collect(), ..written.clone() };
     let exact_path = path::find(&exact_robot, Some(&path.base), Some(&path.tool))?;
     let drive = couple::drive(&exact_robot, &exact_path)?;
     let plain = table(&drive.axes);
@@ -147,35 +144,25 @@ fn import(text: &str, from: &str, options: &Options) -> Result<Imported, String>
     let turned: f64 = changes.iter().map(Change::size).sum();
     let reach = longest(&plain, &drive);
     let allowed = Difference { position: MOST + turned * reach, angle: MOST + turned };
-    // The file, as it will be read, against the URDF as written. Lengths are rounded as far as that holds.
+    let claim = Claim {
+        written: (&written, &path),
+        exact: (&exact_robot, &exact_path),
+        drive: &drive,
+        table: &made_exact,
+        changed: changes.len() != in_table,
+        same,
+        allowed,
+    };
+    // Lengths are rounded as far as the proof holds.
     let widths = if within > 0.0 { &ROUNDED[..] } else { &[0.0] };
-    let mut proved = None;
+    let mut proved = Err("nothing was compared".to_owned());
     for width in widths {
-        let (table, lengths) = short_lengths(&made_exact, width * made_exact.size.min(1.0));
-        let draft = write::file(&written.name, &[], &table, &drive)?;
-        let arm::Arm { chain, .. } = arm::of_text(&draft, "the imported arm")
-            .map_err(|errors| format!("no arm file can say this chain:\n{errors}"))?;
-        let mut same = same;
-        if changes.len() == in_table {
-            same = same.max(compare(&exact_robot, &exact_path, &drive, &|q| of_chain(&chain, q)));
-        }
-        let all = compare(&written, &path, &drive, &|q| of_chain(&chain, q));
-        let holds = same.most() <= MOST && all.position <= allowed.position && all.angle <= allowed.angle;
-        proved = Some((table, lengths, same, all, holds));
-        if holds {
+        proved = claim.prove(*width);
+        if proved.is_ok() {
             break;
         }
     }
-    let (table, lengths, same, all) = match proved {
-        Some((table, lengths, same, all, true)) => (table, lengths, same, all),
-        Some((.., same, all, false)) => {
-            return Err(format!(
-                "the table misses the URDF by {:.1e} m and {:.1e} rad ({:.1e} m and {:.1e} rad as written): expected at most {MOST:e}",
-                same.position, same.angle, all.position, all.angle
-            ));
-        }
-        None => return Err("nothing was compared".to_owned()),
-    };
+    let Proved { table, lengths, same, all } = proved?;
     let said = Said { from, path: &path, changes: &changes, lengths: &lengths, drive: &drive, reach, same, all };
     let text = write::file(&written.name, &said.head(), &table, &drive)?;
     Ok(Imported { text, remarks: said.remarks(within), facts: said.json(within) })

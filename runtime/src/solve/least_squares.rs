@@ -1,6 +1,8 @@
 //! Damped least-squares steps towards a target.
 
 use super::arm_constants::Evaluate;
+use super::best_part::best_part;
+use super::damped_step::{damped_step, dot_out_of_line};
 use super::{ArmConstants, Goal, Tolerances};
 use crate::math::wrap;
 use crate::{JointMask, Residual};
@@ -19,9 +21,6 @@ const PROGRESS: f64 = 0.8;
 /// ones rise: hence the first bound. No pose of 6,000 random arms depends on the steps that are left out.
 const LITTLE: f64 = 0.02;
 const FALL: f64 = 0.25;
-/// Parts of a step of which the one of least error is looked for, and Newton steps from there.
-const PARTS: usize = 8;
-const POLISH: usize = 4;
 /// Residuals up to so many roundings say nothing about where the solution is. Where the arm is nearly singular, a step
 /// that would remove such residuals leads far away.
 const NOISE: f64 = 20.0;
@@ -201,17 +200,6 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
     wrap_angles(&mut start.q, held, constants.prismatic);
 }
 
-/// A damped step.
-#[derive(Debug, Clone, Copy)]
-struct Step<T, const N: usize> {
-    /// By how much each joint moves; a prismatic one in parts of reach.
-    changes: [T; N],
-    /// Its squared length.
-    square: T,
-    /// What the linear model leaves of the squared error, with the damping's part.
-    left: T,
-}
-
 /// By how much a step changes the error to first order, `-J step`.
 #[inline(never)]
 fn slope_along<T: Tolerances>(jacobian: &[[T; 6]], changes: &[T]) -> [T; 6] {
@@ -230,174 +218,6 @@ pub(super) fn wrap_angles<T: Tolerances>(q: &mut [T], held: JointMask, prismatic
     for (joint, value) in q.iter_mut().enumerate() {
         if !(held | prismatic).contains(joint) {
             *value = wrap(*value);
-        }
-    }
-}
-
-/// The part t of a step, up to 1, at which the squared error is least, and that squared error. To second order the
-/// error along the step is `before + slope t + bend t^2`, `bend = after - before - slope`. Between two roots of a fold
-/// whole steps would go from one side of a root to the other without end.
-#[inline(never)]
-fn best_part<T: Tolerances>(before: &[T; 6], slope: &[T; 6], after: &[T; 6]) -> (T, T) {
-    let mut bend = *after;
-    for ((bend, before), slope) in bend.iter_mut().zip(before).zip(slope) {
-        *bend -= *before + *slope;
-    }
-    // The squared error is a quartic in t.
-    let quartic = [
-        dot_out_of_line(before, before),
-        dot_out_of_line(before, slope) * T::TWO,
-        dot_out_of_line(slope, slope) + dot_out_of_line(before, &bend) * T::TWO,
-        dot_out_of_line(slope, &bend) * T::TWO,
-        dot_out_of_line(&bend, &bend),
-    ];
-    let eighth = T::HALF * T::HALF * T::HALF;
-    let (mut part, mut least) = (T::ONE, quartic_at(&quartic, T::ONE));
-    let mut t = T::ZERO;
-    for turn in 1..PARTS + POLISH {
-        // One of `PARTS`, then Newton steps on the derivative.
-        t = if turn < PARTS { t + eighth } else { towards_extremum(&quartic, part).min(T::ONE) };
-        let error = quartic_at(&quartic, t);
-        if error < least {
-            (part, least) = (t, error);
-        }
-    }
-    (part, least)
-}
-
-/// The value of a quartic, from its coefficients in ascending order.
-#[inline(never)]
-fn quartic_at<T: Tolerances>([k0, k1, k2, k3, k4]: &[T; 5], t: T) -> T {
-    *k0 + t * (*k1 + t * (*k2 + t * (*k3 + t * *k4)))
-}
-
-/// A Newton step from `t` towards an extremum of a quartic.
-#[inline(never)]
-fn towards_extremum<T: Tolerances>([_, k1, k2, k3, k4]: &[T; 5], t: T) -> T {
-    let slope = *k1 + t * (*k2 * T::TWO + t * (*k3 * T::from_i32(3) + t * *k4 * T::from_i32(4)));
-    let bend = *k2 * T::TWO + t * (*k3 * T::from_i32(6) + t * *k4 * T::from_i32(12));
-    t - slope / bend
-}
-
-/// The step that minimizes `|J step - error|^2 + damping |step|^2`, and that minimum. J is reflected (Householder 1958)
-/// into the triangle that starts as `sqrt(damping) I`. Unlike the normal equations this keeps singular values down to
-/// the rounding of J itself, which is what the steps near a fold need. Joints that are `held` stay. A step that
-/// overflows has a `square` that is not finite.
-#[inline(never)]
-fn damped_step<T: Tolerances, const N: usize>(
-    held: JointMask,
-    jacobian: &[[T; 6]; N],
-    error: &[T; 6],
-    damping: T,
-) -> Step<T, N> {
-    const { assert!(N <= 7, "a line of the triangle has at most six entries beside the diagonal") };
-    // A line of the triangle takes the place of its column.
-    let (mut columns, mut error) = (*jacobian, *error);
-    let mut changes = [T::ZERO; N];
-    let start = damping.sqrt();
-    let mut rest = columns.as_mut_slice();
-    for (joint, right) in changes.iter_mut().enumerate() {
-        let Some((column, behind)) = rest.split_first_mut() else { break };
-        if held.contains(joint) {
-            *column = [T::ZERO; 6];
-        } else {
-            *right = reflect(column, behind, &mut error, start);
-        }
-        rest = behind;
-    }
-    for (joint, line) in columns.iter().enumerate().rev() {
-        if let Some((value, behind)) = changes.get_mut(joint..).and_then(<[T]>::split_first_mut) {
-            *value = line.iter().zip(behind).fold(*value, |value, (entry, x)| value - *entry * *x);
-        }
-    }
-    let square = changes.iter().fold(T::ZERO, |sum, x| sum + *x * *x);
-    Step { changes, square, left: dot_out_of_line(&error, &error) }
-}
-
-/// Reflects a column into `start` on the diagonal, and with it the columns `behind` and the error. The column becomes
-/// the new line of the triangle, divided by its diagonal: the entries of the columns behind. The right side is returned.
-#[inline(never)]
-fn reflect<T: Tolerances>(line: &mut [T; 6], behind: &mut [[T; 6]], error: &mut [T; 6], start: T) -> T {
-    let across = *line;
-    // The reflection takes (start, across) to (-length, 0).
-    let length = (start * start + dot(&across, &across)).sqrt();
-    let (inverse, share) = (T::ONE / length, T::ONE / (start + length));
-    let mirror = |column: &mut [T; 6]| {
-        let along = dot(column, &across) * inverse;
-        let part = along * share;
-        for (entry, across) in column.iter_mut().zip(&across) {
-            *entry -= part * *across;
-        }
-        along * inverse
-    };
-    for (entry, column) in line.iter_mut().zip(behind) {
-        *entry = mirror(column);
-    }
-    mirror(error)
-}
-
-/// Even and odd terms apart: two sums at a time.
-#[inline]
-fn dot<T: Tolerances>([a, b, c, d, e, f]: &[T; 6], [u, v, w, x, y, z]: &[T; 6]) -> T {
-    (*a * *u + *c * *w + *e * *y) + (*b * *v + *d * *x + *f * *z)
-}
-
-/// The same as a function of its own, for code that seldom runs.
-#[inline(never)]
-fn dot_out_of_line<T: Tolerances>(a: &[T; 6], b: &[T; 6]) -> T {
-    dot(a, b)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::best_part;
-
-    /// The error along a step from `1` whose linear model closes, in one direction each of two that differ.
-    fn of(after: f64) -> (f64, f64) {
-        let along = |size: f64| [size * 0.6, 0.0, size * -0.8, 0.0, 0.0, 0.0];
-        best_part(&along(1.0), &along(-1.0), &along(after))
-    }
-
-    /// `(1 - 2 t)(1 + t)`: the whole step lies beyond the root at one half.
-    #[test]
-    fn a_step_beyond_a_root_goes_back_to_it() {
-        let (part, least) = of(-2.0);
-        assert!((part - 0.5).abs() < 1e-9 && least < 1e-18, "{part} {least}");
-    }
-
-    /// `1 - t + k t^2` is least at `1 / 2 k`, and for k above one quarter never vanishes.
-    #[test]
-    fn where_there_is_no_root_the_least_error_is_told() {
-        for k in [1.0, 3.0] {
-            let (part, least) = of(k);
-            let expected: f64 = 1.0 - 0.25 / k;
-            assert!((part - 0.5 / k).abs() < 1e-6 && (least - expected * expected).abs() < 1e-9, "{k}: {part} {least}");
-        }
-    }
-
-    /// `1 - t - k t^2` has its root off the parts, for a large k before the first one.
-    #[test]
-    fn a_root_between_parts_is_found() {
-        for (after, root, known) in [(-3.0, 0.434_258_545_910_664_9, 1e-6), (-200.0, 0.068_254_858_490_424_52, 1e-3)] {
-            let (part, least) = of(after);
-            assert!((part - root).abs() < known && least < 1e-4, "{after}: {part} {least}");
-        }
-    }
-
-    /// `(1 - t / 2)^2` has its root beyond the step.
-    #[test]
-    fn a_step_that_leads_towards_a_root_is_whole() {
-        for after in [1e-9, 0.25] {
-            let (part, least) = of(after);
-            assert!((part - 1.0).abs() < 1e-6 && (least - after * after).abs() < 1e-9, "{after}: {part} {least}");
-        }
-    }
-
-    #[test]
-    fn errors_that_are_not_finite_give_no_part_that_is_better() {
-        for after in [f64::NAN, f64::INFINITY] {
-            let (_, least) = of(after);
-            assert!(!(least < 1.0), "{after}: {least}");
         }
     }
 }

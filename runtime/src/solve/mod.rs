@@ -26,9 +26,11 @@
 mod aim;
 mod align;
 mod arm_constants;
+mod best_part;
 mod circle;
 mod cone;
 mod curve;
+mod damped_step;
 mod distance;
 mod doubts;
 mod drift;
