@@ -16,14 +16,15 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
         self.sort_with(&mut [(); M], |(a, ()), (b, ())| compare(a, b) == Ordering::Greater);
     }
 
-    /// The same by a number of each solution, which is computed once. Numbers that do not compare count as equal.
+    /// The same by a number of each solution, which is computed once; the solution may change on the way. Numbers that do
+    /// not compare count as equal.
     #[inline]
-    pub(crate) fn sort_by_number(&mut self, mut number: impl FnMut(&Solution<T, N>) -> T)
+    pub(crate) fn sort_by_number(&mut self, mut number: impl FnMut(&mut Solution<T, N>) -> T)
     where
         T: Scalar,
     {
         let mut numbers = [T::ZERO; M];
-        for (place, solution) in numbers.iter_mut().zip(self.as_slice()) {
+        for (place, solution) in numbers.iter_mut().zip(self.as_mut_slice()) {
             *place = number(solution);
         }
         self.sort_with(&mut numbers, |(_, a), (_, b)| a > b);

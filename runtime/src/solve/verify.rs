@@ -155,18 +155,15 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
             self.hold(near);
         }
         let constants = self.constants;
-        for solution in self.solutions.as_mut_slice() {
-            let joints = solution.q.iter_mut().zip(near).zip(constants.limits);
-            for (joint, ((value, reference), limits)) in joints.enumerate() {
-                if !constants.prismatic.contains(joint) {
-                    *value = crate::windings::next_to(*value, *reference, *limits);
-                }
-            }
-        }
         self.solutions.sort_by_number(|solution| {
-            let joints = solution.q.iter().zip(near).zip(constants.weights).enumerate();
-            joints.fold(T::ZERO, |sum, (joint, ((a, b), weight))| {
-                let step = (*a - *b) / constants.unit(joint);
+            let joints = solution.q.iter_mut().zip(near).zip(constants.limits.iter().zip(constants.weights));
+            joints.enumerate().fold(T::ZERO, |sum, (joint, ((value, reference), (limits, weight)))| {
+                let step = if constants.prismatic.contains(joint) {
+                    (*value - *reference) / constants.reach
+                } else {
+                    *value = crate::windings::next_to(*value, *reference, *limits);
+                    *value - *reference
+                };
                 sum + *weight * step * step
             })
         });
