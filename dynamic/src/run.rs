@@ -62,6 +62,7 @@ impl<'a> Run<'a> {
         let Some(each) = nest.levels.get(depth + 1).and_then(|next| next.each.as_ref()) else { return };
         let Some(roots) = self.known.get(each.stage).and_then(|known| known.roots) else { return };
         let (state, wanted) = (self.state(each.state, search), self.root_wanted(each.branching));
+        let wanted = if each.flips { state.flips(wanted) } else { wanted };
         with_roots!(&roots, stage => {
             for (index, root) in stage.each(&state, wanted) {
                 self.take(&each.roots, root);

@@ -206,7 +206,11 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
     }
 
     fn one(&self, asked: &Asked) -> Result<DynamicSolution, Status<f64>> {
-        self.solutions(asked).first_or_status().as_ref().map(DynamicSolution::from).map_err(|status| *status)
+        self.solutions(asked)
+            .one_on(asked.branch.unwrap_or(Branch::NONE))
+            .as_ref()
+            .map(DynamicSolution::from)
+            .map_err(|status| *status)
     }
 
     fn residual(&self, q: &[f64], target: &DynamicTarget, pose: &Pose<f64>) -> Residual<f64> {

@@ -151,6 +151,15 @@ impl Branch {
         if self.root == 0 { None } else { Some(self.root) }
     }
 
+    /// Whether another branch has every part that this one names.
+    #[inline]
+    pub(crate) const fn names(self, other: Self) -> bool {
+        // The lower bit of each label that is not 0, then both bits.
+        let named = (self.labels | self.labels >> 1) & 0b01_0101;
+        let labels = (self.labels ^ other.labels) & (named | named << 1);
+        labels == 0 && (self.root == 0 || self.root == other.root)
+    }
+
     #[inline]
     const fn with(self, shift: u8, label: u8) -> Self {
         Self { labels: self.labels & !(3 << shift) | label << shift, ..self }
@@ -224,6 +233,18 @@ mod tests {
         assert_eq!(branch, Branch::NONE.with_elbow(Elbow::Up));
         assert_eq!(branch.with_root(3).with_root(0), branch);
         assert_eq!((branch.shoulder(), branch.wrist(), branch.root()), (None, None, None));
+    }
+
+    #[test]
+    fn a_branch_names_those_that_have_its_parts() {
+        let branch = Branch::NONE.with_elbow(Elbow::Up).with_wrist(Wrist::Flip);
+        let full = branch.with_shoulder(Shoulder::Right).with_root(2);
+        assert!(Branch::NONE.names(full) && branch.names(full) && full.names(full));
+        assert!(!full.names(branch) && !branch.names(Branch::NONE));
+        for other in [full.with_elbow(Elbow::Down), full.with_wrist(Wrist::NoFlip)] {
+            assert!(!branch.names(other), "{other}");
+        }
+        assert!(!full.names(full.with_root(1)) && !full.names(full.with_shoulder(Shoulder::Left)));
     }
 
     #[test]

@@ -95,7 +95,8 @@ impl Nest<'_> {
             Branching::Wrist => quote!(wanted.wrist()),
             Branching::Root => quote!(wanted.root()),
         };
-        quote!(for (#index, &#pattern) in #roots.each(&#state, #part))
+        let each = ident(if each.flips { "each_flip" } else { "each" });
+        quote!(for (#index, &#pattern) in #roots.#each(&#state, #part))
     }
 
     /// The name of a branch, from the roots that it follows.

@@ -259,7 +259,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
         ) -> #krate::OneSolution<#scalar, #n> {
             #list
             branches(self, target, #pass_wrapped ::core::option::Option::None, branch, &mut solutions);
-            solutions.first_or_status()
+            solutions.one_on(branch)
         }
 
         #near

@@ -1,8 +1,7 @@
 //! The arm constants of the search.
 
-use crate::model::geometry::TripleKind;
 use crate::model::{DEFAULT_TOLERANCE, JointKind, Model};
-use crate::solve::{Kernel, Plan};
+use crate::solve::Plan;
 
 /// The numbers of the runtime's `ArmConstants`, of the arm with the lengths of its file.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,7 +32,6 @@ impl ArmConstants {
     /// Those of an arm and its plan.
     pub fn of(model: &Model, plan: &Plan) -> ArmConstants {
         let joints = || model.joints.iter();
-        let is_virtual = plan.stages().flat_map(|stage| &stage.joints).any(|slot| plan.joint(*slot).is_none());
         ArmConstants {
             limits: limits(model),
             limited: joints().any(|joint| joint.limits.is_some()),
@@ -44,21 +42,13 @@ impl ArmConstants {
                 .filter(|(_, joint)| joint.kind == JointKind::Prismatic)
                 .map(|(i, _)| i)
                 .collect(),
-            stands_for: is_virtual.then(|| plan.last_solved()),
-            wrist: wrist(plan).filter(|_| !is_virtual),
+            stands_for: plan.has_virtual_joint().then(|| plan.last_solved()),
+            wrist: plan.flip(),
             reach: plan.reach,
             length: model.inverse.tolerance_length.unwrap_or(DEFAULT_TOLERANCE * plan.reach),
             angle: model.inverse.tolerance_angle.unwrap_or(DEFAULT_TOLERANCE),
         }
     }
-}
-
-/// The joints of a spherical wrist with axes at right angles. Axes that miss the structure have no flip that is exact.
-fn wrist(plan: &Plan) -> Option<[usize; 3]> {
-    let exact = plan.triple.kind == TripleKind::Intersecting && plan.missed.is_none();
-    let wrists = plan.stages().filter(|stage| exact && matches!(stage.kernel, Kernel::Wrist(_)));
-    let joints: Option<Vec<usize>> = wrists.last()?.joints.iter().map(|slot| plan.joint(*slot)).collect();
-    joints?.try_into().ok()
 }
 
 /// Lower and upper limit of every joint, infinite where there is none.

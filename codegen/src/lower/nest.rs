@@ -160,7 +160,9 @@ impl Nest<'_> {
         } else {
             self.levels.push(Level::default());
             let roots = self.roots(stage);
-            let each = Each { stage: index, state: self.state, roots, branching: stage.branching };
+            let joints = stage.joints.iter().map(|slot| self.plan.joint(*slot));
+            let flips = self.plan.flip().is_some_and(|flip| joints.eq(flip.map(Some)));
+            let each = Each { stage: index, state: self.state, roots, branching: stage.branching, flips };
             if let Some(level) = self.levels.last_mut() {
                 level.each = Some(each);
             }

@@ -68,6 +68,8 @@ pub struct Each {
     pub roots: Vec<Root>,
     /// What the roots are called.
     pub branching: Branching,
+    /// Whether they differ by a wrist flip, see [`Plan::flip`](crate::solve::Plan::flip).
+    pub flips: bool,
 }
 
 /// What is taken of a joint of a root.

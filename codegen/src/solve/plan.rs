@@ -4,7 +4,7 @@ use super::kernel::{Kernel, Unit, Variables};
 use super::loop_chain::LoopJoint;
 use super::task::PlanTask;
 use crate::model::Angle;
-use crate::model::geometry::Triple;
+use crate::model::geometry::{Triple, TripleKind};
 use crate::symbolic::{Expr, Graph, Input, Label, Mat3, Part, Symbol, Unknown, Vec3};
 
 /// A plan: the steps in order. A step may use the sines, cosines and values of the joints before it.
@@ -68,6 +68,21 @@ impl Plan {
         let in_triple = (0..3).rev().find_map(|k| self.joint(self.triple.first + k));
         let solved = self.stages().flat_map(|stage| &stage.joints).filter_map(|slot| self.joint(*slot)).last();
         in_triple.or(solved).unwrap_or(0)
+    }
+
+    /// Whether a joint of the closed chain is no joint of the arm.
+    pub fn has_virtual_joint(&self) -> bool {
+        self.stages().flat_map(|stage| &stage.joints).any(|slot| self.joint(*slot).is_none())
+    }
+
+    /// The joints a, b, c of a spherical wrist with axes at right angles. Its roots differ by the flip
+    /// `(a + pi, -b, c + pi)`, which leaves the tool where it is. `None` without such a wrist. An arm that misses the
+    /// structure has no flip that is exact. With a virtual joint the other joints do not tell the rotation.
+    pub fn flip(&self) -> Option<[usize; 3]> {
+        let exact = self.triple.kind == TripleKind::Intersecting && self.missed.is_none() && !self.has_virtual_joint();
+        let wrists = self.stages().filter(|stage| exact && matches!(stage.kernel, Kernel::Wrist(_)));
+        let joints: Option<Vec<usize>> = wrists.last()?.joints.iter().map(|slot| self.joint(*slot)).collect();
+        joints?.try_into().ok()
     }
 
     /// The number of the arm's moving joints.

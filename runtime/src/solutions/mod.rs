@@ -4,6 +4,7 @@ use core::fmt;
 use core::ops::Deref;
 use core::{array, iter, slice};
 
+use crate::branch::Branch;
 use crate::flags::Flags;
 use crate::math::Scalar;
 use crate::solution::{Residual, Solution, Status};
@@ -142,16 +143,19 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
         self.as_slice().first()
     }
 
-    /// The first exact solution, else the first approximate one.
+    /// The first solution on a branch, an exact one if there is any. Where branches meet, the solution has the name of
+    /// either.
     ///
     /// # Errors
     /// The status, if there is no solution.
     #[inline]
-    pub fn first_or_status(&self) -> Result<Solution<T, N>, Status<T>>
+    pub fn one_on(&self, branch: Branch) -> Result<Solution<T, N>, Status<T>>
     where
         T: Copy,
     {
-        self.exact().next().or(self.nearest()).copied().ok_or(self.status)
+        let named = |solution: &&Solution<T, N>| branch.names(solution.branch);
+        let exact = self.exact().find(named).or(self.exact().next());
+        exact.or(self.iter().find(named)).or(self.nearest()).copied().ok_or(self.status)
     }
 
     /// Keeps the first `len` solutions.

@@ -39,6 +39,13 @@ impl BranchState {
         self.0 & Self::ENDED != 0
     }
 
+    /// The roots of a wrist to follow, where one of them is wanted or all are. In doubt both are followed: the solution
+    /// of the second one is told by that of the first.
+    #[inline]
+    pub fn flips(self, wanted: Option<usize>) -> Option<usize> {
+        wanted.filter(|_| !self.doubt())
+    }
+
     /// The number of doubts that belong to the branch.
     pub(super) fn depth(self) -> usize {
         (self.0 & (Self::VERIFY - 1)) as usize

@@ -163,6 +163,16 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         self.roots.get(first..end).unwrap_or(&[]).iter().enumerate().map(move |(index, root)| (name + index, root))
     }
 
+    /// The same for the roots of a wrist that differ by a flip.
+    #[inline]
+    pub fn each_flip(
+        &self,
+        state: &BranchState,
+        wanted: Option<usize>,
+    ) -> impl Iterator<Item = (usize, &[Turn<T>; K])> {
+        self.each(state, state.flips(wanted))
+    }
+
     /// The roots turned by a further half turn (first joint) if `reverse` is set. For links whose lengths have unlike
     /// signs, stretched is where folded would be.
     #[inline]
