@@ -232,6 +232,9 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
          (`Unreachable` with the gap at which the branch ends). Where branches meet, either gives the one solution, \
          flagged `BOUNDARY`. Parts that `branch` does not name may be any.",
     );
+    // Without a flip only the branch is followed.
+    let one =
+        if plan.flip().is_some() { quote!(solutions.one_on(branch)) } else { quote!(solutions.first_or_status()) };
     let list = quote!(let mut solutions = #krate::Solutions::new(#krate::Status::BadTarget););
     quote! {
         #arm_angle
@@ -259,7 +262,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
         ) -> #krate::OneSolution<#scalar, #n> {
             #list
             branches(self, target, #pass_wrapped ::core::option::Option::None, branch, &mut solutions);
-            solutions.one_on(branch)
+            #one
         }
 
         #near

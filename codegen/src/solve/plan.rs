@@ -75,14 +75,16 @@ impl Plan {
         self.stages().flat_map(|stage| &stage.joints).any(|slot| self.joint(*slot).is_none())
     }
 
-    /// The joints a, b, c of a spherical wrist with axes at right angles. Its roots differ by the flip
-    /// `(a + pi, -b, c + pi)`, which leaves the tool where it is. `None` without such a wrist. An arm that misses the
-    /// structure has no flip that is exact. With a virtual joint the other joints do not tell the rotation.
+    /// The joints a, b, c of the last step, where that is a spherical wrist with axes at right angles. Its roots differ by
+    /// the flip `(a + pi, -b, c + pi)`, which leaves the tool where it is. `None` without such a wrist. An arm that misses
+    /// the structure has no flip that is exact. A virtual joint has no value in a joint vector.
     pub fn flip(&self) -> Option<[usize; 3]> {
         let exact = self.triple.kind == TripleKind::Intersecting && self.missed.is_none() && !self.has_virtual_joint();
-        let wrists = self.stages().filter(|stage| exact && matches!(stage.kernel, Kernel::Wrist(_)));
-        let joints: Option<Vec<usize>> = wrists.last()?.joints.iter().map(|slot| self.joint(*slot)).collect();
-        joints?.try_into().ok()
+        let Some(PlanStep::Stage(Stage { kernel: Kernel::Wrist(_), joints, .. })) = self.steps.last() else {
+            return None;
+        };
+        let joints: Option<Vec<usize>> = joints.iter().map(|slot| self.joint(*slot)).collect();
+        joints.filter(|_| exact)?.try_into().ok()
     }
 
     /// The number of the arm's moving joints.

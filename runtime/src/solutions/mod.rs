@@ -158,6 +158,18 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
         exact.or(self.iter().find(named)).or(self.nearest()).copied().ok_or(self.status)
     }
 
+    /// The first exact solution, else the first approximate one.
+    ///
+    /// # Errors
+    /// The status, if there is no solution.
+    #[inline]
+    pub fn first_or_status(&self) -> Result<Solution<T, N>, Status<T>>
+    where
+        T: Copy,
+    {
+        self.one_on(Branch::NONE)
+    }
+
     /// Keeps the first `len` solutions.
     #[inline]
     pub fn truncate(&mut self, len: usize) {

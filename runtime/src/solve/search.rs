@@ -35,7 +35,7 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, P> {
     pub(super) nearly: JointMask,
     /// How many evaluations of the arm are left.
     pub(super) left: usize,
-    /// The candidate that was verified last.
+    /// The candidate that was verified, if no stage has been solved since.
     pub(super) verified: Option<Verified<T, N>>,
     /// The doubts of the branch that is followed, one entry for each stage in doubt. Branches are followed depth first,
     /// so an entry stays until the branches behind it have ended.
@@ -193,6 +193,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
     #[cold]
     #[inline(never)]
     fn doubtful(&mut self, state: BranchState, doubt: Option<Doubt<T>>, level: LevelOf<T>) -> BranchState {
+        self.verified = None;
         let before = self.known_doubts(state);
         // The level of a stage counts behind a joint that may be elsewhere.
         if doubt.is_none() && before.is_none_or(|before| before.loose().is_empty()) {

@@ -7,7 +7,7 @@ use super::passes::Missed;
 use super::search::VIRTUAL;
 use super::{ArmConstants, BranchState, Search, Tolerances};
 use crate::math::wrap;
-use crate::{Branch, Flags, JointMask, Solution};
+use crate::{Branch, Flags, Solution};
 
 /// What a candidate has turned out to be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -66,7 +66,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
     /// counts as the gap of its branch.
     fn verified(&mut self, state: BranchState, doubts: &Doubts<T>, solution: &mut Solution<T, N>) -> Found {
         let constants = self.constants;
-        let Some(Verified { q, residual, close, .. }) = self.refined(&solution.q, doubts.free) else {
+        let Some(Verified { q, residual, close, .. }) = self.refined(&solution.q) else {
             return Found::Nothing;
         };
         (solution.q, solution.residual) = (*q, *residual);
@@ -101,10 +101,10 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
     }
 
     /// Evaluates a candidate and refines it, unless it is the wrist flip of the last one; `None` without evaluations left.
-    fn refined(&mut self, start: &[T; N], free: JointMask) -> Option<&Verified<T, N>> {
-        let wrist = self.constants.wrist.filter(|[first, ..]| !free.contains(*first));
-        let flips = |(wrist, last): ([usize; 3], &mut Verified<T, N>)| last.flip_to(start, wrist);
-        if !wrist.zip(self.verified.as_mut()).is_some_and(flips) {
+    fn refined(&mut self, start: &[T; N]) -> Option<&Verified<T, N>> {
+        if let (Some(wrist), Some(last)) = (self.constants.wrist, &mut self.verified) {
+            last.flip_to(start, wrist);
+        } else {
             // One evaluation more than this candidate needs is for the reference.
             let mut left = self.left.checked_sub(RESERVED + 1)?;
             let mut iterate = Iterate::at(*start);
@@ -112,8 +112,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, 
             let close = self.constants.tolerates(&iterate.residual);
             refine(self.constants, self.goal, self.arm, &mut iterate, &mut left);
             self.left = left + RESERVED;
-            let Iterate { q, residual, .. } = iterate;
-            self.verified = Some(Verified { start: *start, q, residual, close, has_flip: wrist.is_some() });
+            self.verified = Some(Verified { start: *start, q: iterate.q, residual: iterate.residual, close });
         }
         self.verified.as_ref()
     }
