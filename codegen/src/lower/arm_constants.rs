@@ -18,7 +18,7 @@ pub struct ArmConstants {
     pub prismatic: Vec<usize>,
     /// The joint that is named where a virtual one is free.
     pub stands_for: Option<usize>,
-    /// The joints whose two roots differ by a wrist flip, see [`Plan::flip`].
+    /// The joints whose two roots differ by a wrist flip, see `Plan::flip`.
     pub wrist: Option<[usize; 3]>,
     /// Reach, length unit.
     pub reach: f64,

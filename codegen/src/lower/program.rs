@@ -68,7 +68,7 @@ pub struct Each {
     pub roots: Vec<Root>,
     /// What the roots are called.
     pub branching: Branching,
-    /// Whether they differ by a wrist flip, see [`Plan::flip`](crate::solve::Plan::flip).
+    /// Whether they differ by a wrist flip, see `Plan::flip`.
     pub flips: bool,
 }
 

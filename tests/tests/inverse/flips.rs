@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use denhart::effort::effort_of;
-use denhart::{Flags, Pose, Wrist};
+use denhart::{Arm, Flags, Pose, Wrist};
 use denhart_tests::arms::AbbIrb2400;
 
 /// The elbow is stretched: its two roots are one, which is verified.
@@ -51,4 +51,57 @@ fn a_wrist_in_line_has_no_flip() {
     let solutions = AbbIrb2400.inverse(&stretched([1.1, 0.0, 0.6]));
     assert_eq!(solutions.len(), 1, "{solutions:?}");
     assert!(solutions.iter().all(|s| s.is_exact() && s.free.contains(3)), "{solutions:?}");
+}
+
+/// Joint 6 is given, joints 1 to 3 are the last step.
+#[derive(Arm)]
+#[arm(spec = "arms/redundant/kuka_iiwa7_r800_q6.yaml")]
+struct Iiwa;
+
+#[derive(Arm)]
+#[arm(spec = "arms/redundant/yaskawa_sia10d_q6.yaml")]
+struct Sia10d;
+
+/// Beside several singularities two branches may agree in all joints but the triple's, and are no flips of each other.
+/// The targets are those at which solutions were told by another branch.
+#[test]
+fn branches_that_agree_in_all_other_joints_are_no_flips() {
+    let targets = [
+        Pose {
+            rotation: [
+                [-1.7530242838078108e-13, 1.0, 2.2472469029971495e-9],
+                [-7.775127427539872e-14, 2.2472469029971495e-9, -1.0],
+                [-1.0, -1.7530242855552184e-13, 7.775127388141827e-14],
+            ],
+            translation: [2.8317657902132093e-7, -125.99999999999996, 340.0],
+        },
+        Pose {
+            rotation: [
+                [6.95179931092175e-14, 1.669842794350429e-13, -1.0],
+                [-1.2005796884169071e-13, -1.0, -1.6698427943504294e-13],
+                [-1.0, 1.2005796884169074e-13, -6.951799310921753e-14],
+            ],
+            translation: [-154.99999999999994, 1.8982025386783964e-14, -2.847303808017596e-14],
+        },
+        Pose {
+            rotation: [
+                [-1.2475426925657407e-13, 0.9999999995175248, 3.106364593856472e-5],
+                [-1.7011653279667085e-14, -3.106364593856472e-5, 0.9999999995175248],
+                [1.0, 1.247537407524096e-13, 1.70155285939039e-14],
+            ],
+            translation: [0.004814865114222431, 154.99999992521634, 9.491012455329238e-15],
+        },
+    ];
+    // In mm.
+    let closes = |off: denhart::Residual<f64>| off.position < 1e-6 && off.orientation < 1e-9;
+    for target in &targets {
+        for given in [FRAC_PI_2, -FRAC_PI_2] {
+            for solution in Iiwa.inverse(target, given).exact() {
+                assert!(closes(Iiwa.residual(&solution.q, target)), "{target:?} {given}: {solution:?}");
+            }
+            for solution in Sia10d.inverse(target, given).exact() {
+                assert!(closes(Sia10d.residual(&solution.q, target)), "{target:?} {given}: {solution:?}");
+            }
+        }
+    }
 }
