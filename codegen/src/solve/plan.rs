@@ -2,7 +2,7 @@
 
 use super::kernel::{Kernel, Unit, Variables};
 use super::loop_chain::LoopJoint;
-use super::task::PlanTask;
+use super::task::{Given, PlanTask};
 use crate::model::Angle;
 use crate::model::geometry::{Triple, TripleKind};
 use crate::symbolic::{Expr, Graph, Input, Label, Mat3, Part, Symbol, Unknown, Vec3};
@@ -77,9 +77,13 @@ impl Plan {
 
     /// The joints a, b, c of the last step, where that is a spherical wrist with axes at right angles. Its roots differ by
     /// the flip `(a + pi, -b, c + pi)`, which leaves the tool where it is. `None` without such a wrist. An arm that misses
-    /// the structure has no flip that is exact. A virtual joint has no value in a joint vector.
+    /// the structure has no flip that is exact. A virtual joint has no value in a joint vector. A long stroke magnifies the
+    /// rounding of the flip's own angles.
     pub fn flip(&self) -> Option<[usize; 3]> {
-        let exact = self.triple.kind == TripleKind::Intersecting && self.missed.is_none() && !self.has_virtual_joint();
+        let slides = self.loop_joints.iter().any(|slot| !slot.revolute)
+            || matches!(self.task.given, Some(Given::Joint { revolute: false, .. }));
+        let meets = self.triple.kind == TripleKind::Intersecting && self.missed.is_none();
+        let exact = meets && !slides && !self.has_virtual_joint();
         let Some(PlanStep::Stage(Stage { kernel: Kernel::Wrist(_), joints, .. })) = self.steps.last() else {
             return None;
         };
