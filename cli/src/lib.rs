@@ -55,12 +55,12 @@ enum Action {
     /// Print what the generator found in an arm file, or the mistakes in it
     ///
     /// The axes that are parallel or meet, the way the inverse kinematics is solved, the largest number of solutions,
-    /// the operation counts, the arm at its zero and its reach to hold against a drawing, and advice on the file.
+    /// and the operation counts. The arm at its zero and its reach are to hold against a drawing. Then advice on the file.
     Check(check::Options),
     /// Print the motion of the tool under motion laws of the joints, as CSV or JSON
     ///
-    /// Columns: t (s), the joints q1 .. qN, the position x y z of the tool in the base frame, its orientation, its
-    /// velocity vx vy vz and angular velocity wx wy wz, its acceleration ax ay az and angular acceleration dwx dwy dwz.
+    /// Columns: t (s), the joints q1 .. qN, the position x y z of the tool in the base frame, its orientation. Then its
+    /// velocity vx vy vz, angular velocity wx wy wz, acceleration ax ay az and angular acceleration dwx dwy dwz.
     /// Lengths are in the unit of the arm file, angles as --units says, times in s. Rates are exact derivatives of the
     /// laws.
     Trace(trace::Options),

@@ -154,10 +154,22 @@ impl Branch {
     /// Whether another branch has every part that this one names.
     #[inline]
     pub(crate) const fn names(self, other: Self) -> bool {
-        // The lower bit of each label that is not 0, then both bits.
-        let named = (self.labels | self.labels >> 1) & 0b01_0101;
-        let labels = (self.labels ^ other.labels) & (named | named << 1);
+        let labels = (self.labels ^ other.labels) & self.named();
         labels == 0 && (self.root == 0 || self.root == other.root)
+    }
+
+    /// Another branch with every part that this one names.
+    #[inline]
+    pub(crate) const fn over(self, other: Self) -> Self {
+        let labels = self.labels | other.labels & !self.named();
+        Self { labels, root: if self.root == 0 { other.root } else { self.root } }
+    }
+
+    /// The bits of the labels that are not 0.
+    #[inline]
+    const fn named(self) -> u8 {
+        let named = (self.labels | self.labels >> 1) & 0b01_0101;
+        named | named << 1
     }
 
     #[inline]
@@ -245,6 +257,9 @@ mod tests {
             assert!(!branch.names(other), "{other}");
         }
         assert!(!full.names(full.with_root(1)) && !full.names(full.with_shoulder(Shoulder::Left)));
+        let other = full.with_wrist(Wrist::NoFlip).with_shoulder(Shoulder::Left);
+        assert_eq!((branch.over(other), full.over(other)), (other.with_wrist(Wrist::Flip), full));
+        assert_eq!((Branch::NONE.over(other), branch.over(Branch::NONE)), (other, branch));
     }
 
     #[test]

@@ -26,8 +26,8 @@ enum Language {
     /// Write a crate that is a static library for C, its header, and a CMakeLists.txt
     ///
     /// The crate needs the crate `denhart` alone, neither `std` nor an allocator. Its functions: forward, jacobian, both
-    /// together, and where the arm has an inverse that one, the one next to where the arm is and that of one branch; with
-    /// motors in the file their values and pulses. Everything is named after the arm.
+    /// together. An arm with an inverse has inverse, inverse_near and inverse_branch, and one with motors their values
+    /// and pulses. Everything is named after the arm.
     C(C),
 }
 

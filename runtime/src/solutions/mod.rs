@@ -143,8 +143,8 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
         self.as_slice().first()
     }
 
-    /// The first solution on a branch, an exact one if there is any. Where branches meet, the solution has the name of
-    /// either.
+    /// The first solution on a branch, an exact one if there is any. Where branches meet, the one solution has the name of
+    /// the branch.
     ///
     /// # Errors
     /// The status, if there is no solution.
@@ -155,7 +155,8 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
     {
         let named = |solution: &&Solution<T, N>| branch.names(solution.branch);
         let exact = self.exact().find(named).or(self.exact().next());
-        exact.or(self.iter().find(named)).or(self.nearest()).copied().ok_or(self.status)
+        let solution = exact.or(self.iter().find(named)).or(self.nearest()).ok_or(self.status)?;
+        Ok(Solution { branch: branch.over(solution.branch), ..*solution })
     }
 
     /// The first exact solution, else the first approximate one.

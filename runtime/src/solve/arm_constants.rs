@@ -18,8 +18,8 @@ pub struct ArmConstants<'a, T, const N: usize> {
     pub prismatic: JointMask,
     /// The joint that moves with a virtual one, and is named in its place where that is free.
     pub stands_for: JointMask,
-    /// The joints a, b, c that the last stage solves for, where its two roots differ by a wrist flip,
-    /// `(a + pi, -b, c + pi)`: a spherical wrist with axes at right angles.
+    /// The joints a, b, c of a spherical wrist with axes at right angles, where it is the last step. Its two roots differ
+    /// by the wrist flip `(a + pi, -b, c + pi)`.
     pub wrist: Option<[usize; 3]>,
     /// Reach of the arm, in its length unit.
     pub reach: T,

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use denhart::effort::effort_of;
-use denhart::{Arm, Flags, Pose, Wrist};
+use denhart::{Arm, Branch, Flags, Pose, Wrist};
 use denhart_tests::arms::AbbIrb2400;
 
 /// The elbow is stretched: its two roots are one, which is verified.
@@ -51,6 +51,12 @@ fn a_wrist_in_line_has_no_flip() {
     let solutions = AbbIrb2400.inverse(&stretched([1.1, 0.0, 0.6]));
     assert_eq!(solutions.len(), 1, "{solutions:?}");
     assert!(solutions.iter().all(|s| s.is_exact() && s.free.contains(3)), "{solutions:?}");
+    // Asked for either branch, the one solution has its name.
+    for wrist in [Wrist::NoFlip, Wrist::Flip] {
+        let alone = AbbIrb2400.inverse_branch(&stretched([1.1, 0.0, 0.6]), Branch::NONE.with_wrist(wrist));
+        let found = alone.map(|s| (s.q, s.branch.wrist()));
+        assert_eq!(found, Ok((solutions[0].q, Some(wrist))));
+    }
 }
 
 /// Joint 6 is given, joints 1 to 3 are the last step.
