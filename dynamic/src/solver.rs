@@ -206,8 +206,10 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
     }
 
     fn one(&self, asked: &Asked) -> Result<DynamicSolution, Status<f64>> {
+        // Without a flip only the branch is followed.
+        let branch = asked.branch.filter(|_| self.nest.program.constants.wrist.is_some());
         self.solutions(asked)
-            .one_on(asked.branch.unwrap_or(Branch::NONE))
+            .one_on(branch.unwrap_or(Branch::NONE))
             .as_ref()
             .map(DynamicSolution::from)
             .map_err(|status| *status)
