@@ -151,18 +151,19 @@ impl Branch {
         if self.root == 0 { None } else { Some(self.root) }
     }
 
-    /// Whether another branch has every part that this one names.
+    /// Whether two branches have the same parts, of those that both name.
     #[inline]
-    pub(crate) const fn names(self, other: Self) -> bool {
-        let labels = (self.labels ^ other.labels) & self.named();
-        labels == 0 && (self.root == 0 || self.root == other.root)
+    pub(crate) const fn agrees_with(self, other: Self) -> bool {
+        let labels = (self.labels ^ other.labels) & self.named() & other.named();
+        labels == 0 && (self.root == 0 || other.root == 0 || self.root == other.root)
     }
 
-    /// Another branch with every part that this one names.
+    /// The parts that this branch names, as `wanted` has them where it names them too.
     #[inline]
-    pub(crate) const fn over(self, other: Self) -> Self {
-        let labels = self.labels | other.labels & !self.named();
-        Self { labels, root: if self.root == 0 { other.root } else { self.root } }
+    pub(crate) const fn called(self, wanted: Self) -> Self {
+        let both = self.named() & wanted.named();
+        let root = if self.root == 0 || wanted.root == 0 { self.root } else { wanted.root };
+        Self { labels: self.labels & !both | wanted.labels & both, root }
     }
 
     /// The bits of the labels that are not 0.
@@ -248,18 +249,27 @@ mod tests {
     }
 
     #[test]
-    fn a_branch_names_those_that_have_its_parts() {
+    fn only_parts_that_both_branches_name_are_compared() {
         let branch = Branch::NONE.with_elbow(Elbow::Up).with_wrist(Wrist::Flip);
         let full = branch.with_shoulder(Shoulder::Right).with_root(2);
-        assert!(Branch::NONE.names(full) && branch.names(full) && full.names(full));
-        assert!(!full.names(branch) && !branch.names(Branch::NONE));
-        for other in [full.with_elbow(Elbow::Down), full.with_wrist(Wrist::NoFlip)] {
-            assert!(!branch.names(other), "{other}");
+        for (one, other) in [(Branch::NONE, full), (branch, full), (full, full)] {
+            assert!(one.agrees_with(other) && other.agrees_with(one), "{one} {other}");
         }
-        assert!(!full.names(full.with_root(1)) && !full.names(full.with_shoulder(Shoulder::Left)));
-        let other = full.with_wrist(Wrist::NoFlip).with_shoulder(Shoulder::Left);
-        assert_eq!((branch.over(other), full.over(other)), (other.with_wrist(Wrist::Flip), full));
-        assert_eq!((Branch::NONE.over(other), branch.over(Branch::NONE)), (other, branch));
+        for other in [full.with_elbow(Elbow::Down), full.with_wrist(Wrist::NoFlip)] {
+            assert!(!branch.agrees_with(other) && !other.agrees_with(branch), "{other}");
+        }
+        assert!(!full.agrees_with(full.with_root(1)) && !full.agrees_with(full.with_shoulder(Shoulder::Left)));
+    }
+
+    #[test]
+    fn a_branch_takes_the_parts_that_it_names() {
+        let flip = Branch::NONE.with_elbow(Elbow::Up).with_wrist(Wrist::Flip);
+        let other = flip.with_wrist(Wrist::NoFlip).with_shoulder(Shoulder::Left).with_root(2);
+        assert_eq!(other.called(flip), other.with_wrist(Wrist::Flip));
+        // Parts that it does not have stay away.
+        assert_eq!(flip.called(other), flip.with_wrist(Wrist::NoFlip));
+        assert_eq!((other.called(Branch::NONE), Branch::NONE.called(other)), (other, Branch::NONE));
+        assert_eq!(other.called(flip.with_root(5)).root(), Some(5));
     }
 
     #[test]

@@ -143,8 +143,8 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
         self.as_slice().first()
     }
 
-    /// The first solution on a branch, an exact one if there is any. Where branches meet, the one solution has the name of
-    /// the branch.
+    /// The first solution on a branch, an exact one if there is any. Parts that the arm does not have count for nothing.
+    /// Where branches meet, the one solution has the name of the branch.
     ///
     /// # Errors
     /// The status, if there is no solution.
@@ -153,10 +153,10 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
     where
         T: Copy,
     {
-        let named = |solution: &&Solution<T, N>| branch.names(solution.branch);
+        let named = |solution: &&Solution<T, N>| branch.agrees_with(solution.branch);
         let exact = self.exact().find(named).or(self.exact().next());
         let solution = exact.or(self.iter().find(named)).or(self.nearest()).ok_or(self.status)?;
-        Ok(Solution { branch: branch.over(solution.branch), ..*solution })
+        Ok(Solution { branch: solution.branch.called(branch), ..*solution })
     }
 
     /// The first exact solution, else the first approximate one.

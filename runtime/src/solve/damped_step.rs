@@ -97,7 +97,8 @@ mod tests {
         columns
     }
 
-    /// `J^T (J x - error) + damping x` vanishes at the minimum, for each joint that moves.
+    /// `J^T (J x - error) + damping x` vanishes at the minimum, for each joint that moves. `|x|` is at most
+    /// `|error| / (2 sqrt(damping))`, 700 here, so its rounding is 1e-13.
     fn is_least<const N: usize>(held: JointMask, damping: f64) {
         let (jacobian, error) = (columns::<N>(), [0.3, -0.2, 0.9, 0.1, -0.7, 0.4]);
         let step = damped_step(held, &jacobian, &error, damping);

@@ -39,8 +39,8 @@ impl BranchState {
         self.0 & Self::ENDED != 0
     }
 
-    /// The roots of a wrist to follow, where one of them is wanted or all are. In doubt both are followed: the solution
-    /// of the second one is told by that of the first.
+    /// The root of a wrist to follow, if one is wanted. In doubt both are followed: the solution of the second one follows
+    /// from that of the first.
     #[inline]
     pub fn flips(self, wanted: Option<usize>) -> Option<usize> {
         wanted.filter(|_| !self.doubt())

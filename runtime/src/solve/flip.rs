@@ -1,4 +1,4 @@
-//! Wrist flips: a solution that has been verified tells another one.
+//! Wrist flips: the solution that differs by a flip follows from the one that has been verified.
 
 use core::slice;
 

@@ -1,4 +1,5 @@
-//! Solutions with a stage in doubt: verified by forward kinematics, refined by a few damped steps, and merged where they coincide.
+//! Solutions with a stage in doubt: verified by forward kinematics, refined by a few damped steps, and merged where they
+//! coincide.
 
 use super::doubts::Doubts;
 use super::flip::Verified;

@@ -1,4 +1,4 @@
-//! Of two solutions that differ by a wrist flip only the first one is verified: its steps tell the other one.
+//! Of two solutions that differ by a wrist flip only the first one is verified: the other one follows from its steps.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -20,7 +20,7 @@ fn the_flip_of_a_verified_solution_is_not_evaluated() {
 
 /// Steps are taken where the target is moved, outwards too.
 #[test]
-fn a_flip_is_as_good_as_the_solution_that_tells_it() {
+fn a_flip_is_as_good_as_the_solution_that_it_follows_from() {
     for wrist in [[1.1, 0.8, 0.6], [-3.0, 1.4, 3.1], [FRAC_PI_2, -FRAC_PI_2, 0.0]] {
         for push in [-1e-6, -1e-9, -1e-12, 1e-13, 1e-11, 1e-9, 1e-7] {
             let mut target = stretched(wrist);
@@ -59,6 +59,16 @@ fn a_wrist_in_line_has_no_flip() {
     }
 }
 
+/// Parts that the arm does not have count for nothing, and are no parts of the answer.
+#[test]
+fn a_flip_is_found_whatever_else_is_named() {
+    let target = stretched([1.1, 0.8, 0.6]);
+    for solution in &AbbIrb2400.inverse(&target) {
+        let wanted = solution.branch.with_root(3);
+        assert_eq!(AbbIrb2400.inverse_branch(&target, wanted), Ok(*solution), "{wanted}");
+    }
+}
+
 /// Joint 6 is given, joints 1 to 3 are the last step.
 #[derive(Arm)]
 #[arm(spec = "arms/redundant/kuka_iiwa7_r800_q6.yaml")]
@@ -69,7 +79,7 @@ struct Iiwa;
 struct Sia10d;
 
 /// Beside several singularities two branches may agree in all joints but the triple's, and are no flips of each other.
-/// The targets are those at which solutions were told by another branch.
+/// At these targets a solution of another branch was once taken for the flip, and was off by up to 5e-3 rad.
 #[test]
 fn branches_that_agree_in_all_other_joints_are_no_flips() {
     let targets = [
@@ -98,8 +108,8 @@ fn branches_that_agree_in_all_other_joints_are_no_flips() {
             translation: [0.004814865114222431, 154.99999992521634, 9.491012455329238e-15],
         },
     ];
-    // In mm.
-    let closes = |off: denhart::Residual<f64>| off.position < 1e-6 && off.orientation < 1e-9;
+    // In mm, of a reach of 1,300: what makes a solution EXACT, and as much again.
+    let closes = |off: denhart::Residual<f64>| off.position < 2.6e-9 && off.orientation < 2e-12;
     for target in &targets {
         for given in [FRAC_PI_2, -FRAC_PI_2] {
             for solution in Iiwa.inverse(target, given).exact() {
