@@ -3,9 +3,9 @@
 use super::Tolerances;
 use super::damped_step::dot_out_of_line;
 
-/// Parts of a step of which the one of least error is looked for, and Newton steps from there.
-const PARTS: usize = 8;
-const POLISH: usize = 4;
+/// A step has so many parts. From the one of least error Newton steps lead to the minimum.
+const PARTS: i32 = 8;
+const POLISH: i32 = 4;
 
 /// The part t of a step, up to 1, at which the squared error is least, and that squared error. To second order the
 /// error along the step is `before + slope t + bend t^2`, `bend = after - before - slope`. Between two roots of a fold
@@ -24,18 +24,14 @@ pub(super) fn best_part<T: Tolerances>(before: &[T; 6], slope: &[T; 6], after: &
         dot_out_of_line(slope, &bend) * T::TWO,
         dot_out_of_line(&bend, &bend),
     ];
-    let eighth = T::HALF * T::HALF * T::HALF;
-    let (mut part, mut least) = (T::ONE, quartic_at(&quartic, T::ONE));
-    let mut t = T::ZERO;
-    for turn in 1..PARTS + POLISH {
-        // One of `PARTS`, then Newton steps on the derivative.
-        t = if turn < PARTS { t + eighth } else { towards_extremum(&quartic, part).min(T::ONE) };
+    let better = |(part, least): (T, T), t: T| {
         let error = quartic_at(&quartic, t);
-        if error < least {
-            (part, least) = (t, error);
-        }
-    }
-    (part, least)
+        if error < least { (t, error) } else { (part, least) }
+    };
+    let whole = (T::ONE, quartic_at(&quartic, T::ONE));
+    let (part, least) = (1..PARTS).fold(whole, |best, k| better(best, T::from_i32(k) / T::from_i32(PARTS)));
+    let t = (0..POLISH).fold(part, |t, _| towards_extremum(&quartic, t));
+    better((part, least), t.min(T::ONE))
 }
 
 /// The value of a quartic, from its coefficients in ascending order.

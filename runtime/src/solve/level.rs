@@ -21,9 +21,14 @@ impl<T: Tolerances> Level<T> {
     /// Nothing is known.
     pub(super) const NONE: Self = Self { value: T::NAN, low: T::NAN, high: T::NAN, pole: T::ONE };
 
+    /// Whether there is a number.
+    pub(super) fn is_known(&self) -> bool {
+        self.value.is_finite()
+    }
+
     /// Whether it is that of a slide: the coefficient alone.
     pub(super) fn is_slide(&self) -> bool {
-        self.low.is_finite() && !self.value.is_finite()
+        self.low.is_finite() && !self.is_known()
     }
 
     /// Whether an equation without a joint of its own holds.

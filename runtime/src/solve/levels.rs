@@ -59,6 +59,8 @@ pub struct Levels<T, const M: usize> {
     steps: [T; 2],
     /// Whether every level that depends on its joint is of degree 1 in it: no slide follows the joint.
     simple: bool,
+    /// Whether any stage behind a free joint has a level.
+    any: bool,
     /// Whether a level depends on the first joint.
     depends: bool,
     /// Whether the places of both joints are found together: both turn, and levels of degree 1 depend on both.
@@ -73,6 +75,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         moving: [JointMask::NONE; 2],
         steps: [T::ZERO; 2],
         simple: true,
+        any: false,
         depends: false,
         together: false,
     };
@@ -106,6 +109,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
             let value = first.and_then(|joint| q.get(joint)).copied().unwrap_or(T::ZERO);
             (slot.branch, slot.joints, slot.value, slot.slack) = (branch, joints, value, slack);
             slot.begin(levels, true);
+            self.any |= levels.iter().any(|behind| behind.level.is_known());
             self.len += 1;
             self.free |= doubts.loose();
             for (moving, joint) in self.moving.iter_mut().zip(joints) {
@@ -128,6 +132,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         match pass {
             Pass::Sample { second, place } => {
                 let (mut simple, mut depends) = (true, false);
+                self.any |= levels.iter().any(|behind| behind.level.is_known());
                 for exact in [true, false] {
                     let together = second && self.together;
                     for open in self.open_mut().iter_mut().filter(|open| same(open.branch, branch, exact)) {
@@ -155,11 +160,10 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
             }
             Pass::Node { index, node } => {
                 let open = self.open_mut().get_mut(index);
-                if let Some(open) = open.filter(|open| open.moves(doubts.first)) {
-                    let behind = open.moved.and_then(|moved| levels.get(moved + 1..)).unwrap_or(&[]);
-                    if let Some(then) = behind.iter().find(|behind| behind.level.value.is_finite()) {
-                        open.roots.keep(node, &then.level);
-                    }
+                if let Some(open) = open.filter(|open| open.moves(doubts.first))
+                    && let Some(level) = open.second_level(levels)
+                {
+                    open.roots.keep(node, level);
                 }
                 None
             }
@@ -205,8 +209,8 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
     }
 
     /// The number of places at which a joint is sampled: three for levels of degree 1. All passes together keep to
-    /// their bound. A first joint that no level depends on is left after two places. If a level depends on the first
-    /// joint, the second joint has three places, or both joints are sampled together.
+    /// their bound. If a level depends on the first joint, the second joint has three places, or both joints are sampled
+    /// together.
     fn places(&self, second: bool) -> usize {
         match second {
             true if self.together => two_joints::RUNS,
@@ -216,9 +220,11 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         }
     }
 
-    /// Whether a place is the last one to be sampled.
+    /// Whether a place is the last one to be sampled. A joint that no level depends on is left after two places. Without
+    /// any level one run tells whether the branches have their roots there.
     fn sampled(&self, second: bool, place: usize) -> bool {
-        place + 1 == self.places(second) || !second && place > 0 && !self.depends
+        let depends = self.open().iter().any(|open| open.moved.is_some());
+        place + 1 == self.places(second) || !self.any || place > 0 && !depends
     }
 
     /// The place of every open branch from the levels at the sampled places of a free joint.
@@ -309,7 +315,9 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
             Some(Pass::Sample { second, place }) if !self.sampled(second, place) => {
                 Some(Pass::Sample { second, place: place + 1 })
             }
-            Some(Pass::Sample { second: false, .. }) if self.open().iter().any(|open| !open.feasible && open.two()) => {
+            Some(Pass::Sample { second: false, .. })
+                if self.any && self.open().iter().any(|open| !open.feasible && open.two()) =>
+            {
                 Some(Pass::Sample { second: true, place: 0 })
             }
             Some(Pass::Sample { .. }) => self.place_of(0),
@@ -331,9 +339,9 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         next.or_else(|| self.further(0))
     }
 
-    /// The second stage of a branch that has no solution yet.
+    /// The second stage of a branch that has no solution yet, if there is one.
     fn node_of(&self, index: usize) -> Option<Pass> {
-        let spans = self.open().get(index).is_some_and(|open| !open.found && open.intervals().is_some());
+        let spans = self.open().get(index).is_some_and(|open| !open.found && open.second && open.intervals().is_some());
         spans.then_some(Pass::Node { index, node: 0 })
     }
 

@@ -1,7 +1,7 @@
 //! A branch that is missed with a free joint at its default.
 
 use super::Tolerances;
-use super::level::Behind;
+use super::level::{Behind, Level};
 use super::place::{Beside, PLACES, Place, Sample, Samples};
 use super::roots::Roots;
 use super::two_joints::{self, Rows};
@@ -21,6 +21,8 @@ pub(super) struct Open<T> {
     /// on the joint.
     pub(super) before: [Sample<T>; LEVELS],
     pub(super) moved: Option<usize>,
+    /// Whether a stage after that one has a level.
+    pub(super) second: bool,
     /// Samples of that level.
     pub(super) samples: Samples<T>,
     /// Those with the second joint off its default.
@@ -51,6 +53,7 @@ impl<T: Tolerances> Open<T> {
         joints: [JointMask::NONE; 2],
         before: [Sample::NONE; LEVELS],
         moved: None,
+        second: false,
         samples: Samples::NONE,
         rows: Rows::NONE,
         roots: Roots::NONE,
@@ -86,7 +89,14 @@ impl<T: Tolerances> Open<T> {
                 self.samples.fill(place, *before, behind);
             }
         }
+        self.second |= self.second_level(levels).is_some();
         self.moved.and_then(|moved| levels.get(moved)).copied()
+    }
+
+    /// The level of the stage after the one that depends on the free joint.
+    pub(super) fn second_level<'a>(&self, levels: &'a [Behind<T>; LEVELS]) -> Option<&'a Level<T>> {
+        let behind = levels.get(self.moved? + 1..)?;
+        behind.iter().map(|behind| &behind.level).find(|level| level.is_known())
     }
 
     /// Keeps a sample of the first level that depends on the free joint, `over` what has been kept there if it is set.
