@@ -1,14 +1,15 @@
 //! Every arm that is tested: lists of them, to make one test an arm, and the arms themselves.
 //!
-//! Some hundred arms take a while to compile. The benchmarks do without them, see the feature `arms`.
+//! Some hundred arms take a while to compile. The benchmarks do without them, see the feature `arms`, and so do the
+//! unit tests of this library.
 
 mod made_up;
 mod published;
 mod single;
 
-#[cfg(feature = "arms")]
+#[cfg(all(feature = "arms", not(test)))]
 mod derived;
-#[cfg(feature = "arms")]
+#[cfg(all(feature = "arms", not(test)))]
 pub use derived::*;
 
 /// Derives an arm from its file, and implements what the suites need for a test of the arm. The arguments are test
