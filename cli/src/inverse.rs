@@ -23,8 +23,8 @@ pub struct Options {
     file: PathBuf,
     /// Where the tool is to be, base frame: "x y z roll pitch yaw"; what the arm's task does not ask for does not count
     ///
-    /// Fewer numbers where the task is smaller: "x y z" for position, "x y z angle" for position_angle, "x y phi" for
-    /// planar_pose, "x y" for planar_position.
+    /// Smaller tasks take fewer numbers. A position takes "x y z", position_angle "x y z angle". A planar_pose takes
+    /// "x y phi", planar_position "x y".
     #[arg(long, value_name = "NUMBERS", allow_hyphen_values = true)]
     pose: Option<String>,
     /// Where the tool is at these joint values: "0, -90, 90, 0, 0, 0"

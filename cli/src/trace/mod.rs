@@ -40,7 +40,7 @@ pub struct Options {
     file: PathBuf,
     /// The value of every joint as an expression in the time t (s), separated by commas: "3t, -90 + 3t, 20 sin(pi t)"
     ///
-    /// Numbers, t, pi, e, + - * / ^, parentheses, products without a sign (3t), and the functions sin cos tan asin acos
+    /// Numbers, t, pi, e, + - * / ^, parentheses, and products without a sign (3t). The functions: sin cos tan asin acos
     /// atan sinh cosh tanh exp ln sqrt abs. Arguments of sin and the like are rad always.
     #[arg(long, value_name = "LAWS", allow_hyphen_values = true)]
     law: String,

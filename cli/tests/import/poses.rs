@@ -1,4 +1,4 @@
-//! The poses of a URDF and of an arm file, computed a second time: a reader of URDF and a product of rows that share
+//! The poses of a URDF and of an arm file, computed a second time. The reader of URDF and the product of rows share
 //! nothing with the command's.
 
 use std::collections::HashMap;

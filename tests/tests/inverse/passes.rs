@@ -6,8 +6,9 @@ use denhart::Pose;
 use denhart::effort::{Effort, effort_of};
 use denhart_tests::arms::{KukaIiwa7R800, Ur5};
 
-/// Stretched, wrist center on the axis of joint 1, and moved. The default, three places of the free joint, and one run
-/// for each of two branches: no stage behind the elbow has a level, so no node of its interval is looked at.
+/// Several singularities meet, and the target is moved out of reach. There is one cascade with the weak joint at its
+/// default, three at other places, and one for each of two branches. No stage behind the elbow has a level, so none is
+/// for a node of its interval.
 #[test]
 fn nodes_need_a_second_stage_with_a_level() {
     let target = Pose {
@@ -22,8 +23,9 @@ fn nodes_need_a_second_stage_with_a_level() {
     assert_eq!((cascades, solutions.exact().count()), (6, 0), "{solutions:?}");
 }
 
-/// Upper arm upright, elbow folded at a right angle, and moved. Joints 1 and 2 are free, and no stage behind them has a
-/// level: the default, one place, that place for each of two branches, and another member of their crossing families.
+/// Joints 1 and 2 are free, and no stage behind them has a level. There is one cascade with both at their defaults, and
+/// one at another place. That place is taken once for each of two branches. The last cascade looks for another member of
+/// crossing families.
 #[test]
 fn places_need_a_stage_with_a_level() {
     let target = Pose {
