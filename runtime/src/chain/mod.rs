@@ -8,6 +8,7 @@ use core::fmt;
 use std::vec::Vec;
 
 use nalgebra::{Isometry3, IsometryMatrix3, Matrix6xX, Vector3};
+use transform::Constants;
 
 use crate::dh::{Convention, DhFrame, DhRow, DhTable, JointKind};
 
@@ -37,32 +38,39 @@ pub struct Chain {
     rows: Vec<DhRow>,
     base: DhFrame,
     tool: DhFrame,
+    /// Of the above; worked out once.
+    constants: Constants,
 }
 
 impl Chain {
     /// An arm from its rows, lengths in one unit and angles in rad, without base and tool.
     #[must_use]
     pub fn new(convention: Convention, rows: &[DhRow]) -> Self {
-        Self { convention, rows: rows.to_vec(), base: DhFrame::IDENTITY, tool: DhFrame::IDENTITY }
+        Self::of(convention, rows.to_vec(), DhFrame::IDENTITY, DhFrame::IDENTITY)
     }
 
     /// An arm from plain numbers: for each row its kind and `[a, alpha, d, theta]`.
     #[must_use]
     pub fn from_rows(convention: Convention, rows: impl IntoIterator<Item = (JointKind, [f64; 4])>) -> Self {
         let rows = rows.into_iter().map(|(kind, [a, alpha, d, theta])| DhRow { kind, a, alpha, d, theta }).collect();
-        Self { convention, rows, base: DhFrame::IDENTITY, tool: DhFrame::IDENTITY }
+        Self::of(convention, rows, DhFrame::IDENTITY, DhFrame::IDENTITY)
+    }
+
+    fn of(convention: Convention, rows: Vec<DhRow>, base: DhFrame, tool: DhFrame) -> Self {
+        let constants = Constants::of(convention, &rows, &base, &tool);
+        Self { convention, rows, base, tool, constants }
     }
 
     /// The same arm with a constant frame before the first row.
     #[must_use]
     pub fn with_base(self, base: DhFrame) -> Self {
-        Self { base, ..self }
+        Self::of(self.convention, self.rows, base, self.tool)
     }
 
     /// The same arm with a constant frame after the last row.
     #[must_use]
     pub fn with_tool(self, tool: DhFrame) -> Self {
-        Self { tool, ..self }
+        Self::of(self.convention, self.rows, self.base, tool)
     }
 
     /// Convention of the rows.
@@ -96,7 +104,7 @@ impl Chain {
     /// # Errors
     /// When `q` has not one value per joint.
     pub fn forward(&self, q: &[f64]) -> Result<Isometry3<f64>, ChainError> {
-        Ok(quaternion_form(&self.walk(q)?.tool))
+        Ok(quaternion_form(&self.walk(q, |_, _| {})?))
     }
 
     /// Poses of the links in the base frame, one per joint.
@@ -107,7 +115,7 @@ impl Chain {
     /// # Errors
     /// When `q` has not one value per joint.
     pub fn link_poses(&self, q: &[f64]) -> Result<Vec<Isometry3<f64>>, ChainError> {
-        Ok(self.walk(q)?.links.iter().map(quaternion_form).collect())
+        Ok(self.links(q)?.0.iter().map(quaternion_form).collect())
     }
 
     /// Geometric Jacobian `[6, dof]` in the base frame, at the tool point, rows `vx vy vz wx wy wz`.
@@ -118,13 +126,18 @@ impl Chain {
     /// # Errors
     /// When `q` has not one value per joint.
     pub fn jacobian(&self, q: &[f64]) -> Result<Matrix6xX<f64>, ChainError> {
-        let Walk { axes, tool, .. } = self.walk(q)?;
+        let mut axes = Vec::with_capacity(q.len());
+        let tool = self.walk(q, |place, frame| {
+            if place == Place::BeforeJoint {
+                axes.push((frame.rotation * Vector3::z(), frame.translation.vector));
+            }
+        })?;
         let mut jacobian = Matrix6xX::zeros(axes.len());
-        for (mut column, (kind, frame)) in jacobian.column_iter_mut().zip(self.kinds().into_iter().zip(&axes)) {
-            let axis = frame.rotation * Vector3::z();
+        let kinds = self.rows.iter().map(|row| row.kind).filter(|kind| *kind != JointKind::Fixed);
+        for (mut column, (kind, (axis, origin))) in jacobian.column_iter_mut().zip(kinds.zip(&axes)) {
             let (linear, angular) = match kind {
-                JointKind::Revolute => (axis.cross(&(tool.translation.vector - frame.translation.vector)), axis),
-                JointKind::Prismatic | JointKind::Fixed => (axis, Vector3::zeros()),
+                JointKind::Revolute => (axis.cross(&(tool.translation.vector - origin)), *axis),
+                JointKind::Prismatic | JointKind::Fixed => (*axis, Vector3::zeros()),
             };
             column.fixed_rows_mut::<3>(0).copy_from(&linear);
             column.fixed_rows_mut::<3>(3).copy_from(&angular);
@@ -132,45 +145,63 @@ impl Chain {
         Ok(jacobian)
     }
 
-    /// Goes once through the rows and notes every frame on the way.
-    fn walk(&self, q: &[f64]) -> Result<Walk, ChainError> {
-        let mismatch = ChainError::JointCount { expected: self.dof(), found: q.len() };
-        if q.len() != self.dof() {
-            return Err(mismatch);
-        }
-        let mut values = q.iter();
-        let (mut axes, mut links) = (Vec::new(), Vec::new());
-        let mut frame = transform::of_frame(&self.base);
-        for row in &self.rows {
-            let value = match row.kind {
-                JointKind::Fixed => 0.0,
-                JointKind::Revolute | JointKind::Prismatic => *values.next().ok_or(mismatch)?,
-            };
-            let [before, after] = transform::around_joint(self.convention, row);
-            frame *= before;
-            if row.kind != JointKind::Fixed {
-                axes.push(frame);
-                links.push(frame);
-            }
-            frame = frame * transform::of_joint(row.kind, value) * after;
+    /// Frames of the links, one per joint, and of the tool.
+    fn links(&self, q: &[f64]) -> Result<(Vec<Frame>, Frame), ChainError> {
+        let mut links: Vec<Frame> = Vec::with_capacity(q.len());
+        let tool = self.walk(q, |place, frame| match place {
+            Place::BeforeJoint => {}
+            Place::AfterJoint => links.push(*frame),
             // A fixed row belongs to the link of the joint before it.
-            if let Some(link) = links.last_mut() {
-                *link = frame;
+            Place::AfterFixed => {
+                if let Some(link) = links.last_mut() {
+                    *link = *frame;
+                }
+            }
+        })?;
+        Ok((links, tool))
+    }
+
+    /// Goes once through the rows. Hands every frame on the way to `visit`, and returns the tool's.
+    fn walk(&self, q: &[f64], mut visit: impl FnMut(Place, &Frame)) -> Result<Frame, ChainError> {
+        let mismatch = || ChainError::JointCount { expected: self.dof(), found: q.len() };
+        let mut values = q.iter();
+        let mut frame = self.constants.base;
+        for (row, around) in self.rows.iter().zip(&self.constants.around) {
+            if let Some(before) = &around.before {
+                frame *= before;
+            }
+            if row.kind == JointKind::Fixed {
+                frame *= around.after;
+                visit(Place::AfterFixed, &frame);
+            } else {
+                let value = *values.next().ok_or_else(mismatch)?;
+                visit(Place::BeforeJoint, &frame);
+                frame = transform::moved(&frame, row.kind, value) * around.after;
+                visit(Place::AfterJoint, &frame);
             }
         }
-        Ok(Walk { axes, links, tool: frame * transform::of_frame(&self.tool) })
+        if values.next().is_some() {
+            return Err(mismatch());
+        }
+        Ok(frame * self.constants.tool)
     }
 }
 
-/// The frames of one joint vector, in the base frame. Matrices: a quarter turn is exact in them.
-struct Walk {
-    /// Frame of every joint before it moves: its z axis is the joint axis.
-    axes: Vec<IsometryMatrix3<f64>>,
-    links: Vec<IsometryMatrix3<f64>>,
-    tool: IsometryMatrix3<f64>,
+/// A frame in the base frame. A matrix: a quarter turn is exact in it.
+type Frame = IsometryMatrix3<f64>;
+
+/// Where a frame stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Place {
+    /// At a joint before it moves: the frame's z axis is the joint axis.
+    BeforeJoint,
+    /// At the end of a joint's row.
+    AfterJoint,
+    /// At the end of a fixed row.
+    AfterFixed,
 }
 
-fn quaternion_form(frame: &IsometryMatrix3<f64>) -> Isometry3<f64> {
+fn quaternion_form(frame: &Frame) -> Isometry3<f64> {
     Isometry3::from_parts(frame.translation, frame.rotation.into())
 }
 

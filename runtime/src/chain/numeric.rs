@@ -4,7 +4,7 @@ use std::vec::Vec;
 
 use nalgebra::{Isometry3, Matrix6xX};
 
-use super::{Chain, ChainError, Walk};
+use super::{Chain, ChainError};
 use crate::dh::JointKind;
 use crate::numeric::{Model, NumericInverse, NumericSolution, run};
 use crate::pose::Pose;
@@ -113,7 +113,7 @@ impl Model<f64> for Tabled<'_> {
     }
 
     fn visit_origins(&self, q: &Vec<f64>, mut visit: impl FnMut([f64; 3])) {
-        if let Ok(Walk { links, tool, .. }) = self.chain.walk(q) {
+        if let Ok((links, tool)) = self.chain.links(q) {
             for frame in links.iter().chain([&tool]) {
                 visit(frame.translation.vector.into());
             }

@@ -1,35 +1,69 @@
 //! The elementary transforms of a table.
 
 use core::f64::consts::FRAC_PI_2;
+use std::vec::Vec;
 
 use nalgebra::{IsometryMatrix3, Matrix3, Rotation3, Translation3};
 
 use crate::dh::{Convention, DhFrame, DhRow, JointKind};
 
+/// The constant transforms of a chain.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Constants {
+    pub(super) base: IsometryMatrix3<f64>,
+    /// One for each row.
+    pub(super) around: Vec<Around>,
+    pub(super) tool: IsometryMatrix3<f64>,
+}
+
 /// What stands before and after the motion of a row's joint.
 ///
-/// The motion commutes with `Rz(theta) Tz(d)`, so these are constants: standard `I` and `Rz Tz Tx Rx`, modified
+/// The motion commutes with `Rz(theta) Tz(d)`, so these are constants: standard nothing and `Rz Tz Tx Rx`, modified
 /// `Rx Tx` and `Rz Tz`.
-pub(super) fn around_joint(convention: Convention, row: &DhRow) -> [IsometryMatrix3<f64>; 2] {
-    let along_z = rotation_z(sin_cos_of_constant(row.theta)) * translation(0.0, 0.0, row.d);
-    let twist = rotation_x(sin_cos_of_constant(row.alpha));
-    match convention {
-        Convention::Standard => [IsometryMatrix3::identity(), along_z * translation(row.a, 0.0, 0.0) * twist],
-        Convention::Modified => [twist * translation(row.a, 0.0, 0.0), along_z],
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Around {
+    pub(super) before: Option<IsometryMatrix3<f64>>,
+    pub(super) after: IsometryMatrix3<f64>,
+}
+
+impl Constants {
+    /// Those of a table.
+    pub(super) fn of(convention: Convention, rows: &[DhRow], base: &DhFrame, tool: &DhFrame) -> Self {
+        let around = rows.iter().map(|row| Around::of(convention, row)).collect();
+        Self { base: of_frame(base), around, tool: of_frame(tool) }
     }
 }
 
-/// The motion of a joint by its value.
-pub(super) fn of_joint(kind: JointKind, value: f64) -> IsometryMatrix3<f64> {
+impl Around {
+    fn of(convention: Convention, row: &DhRow) -> Self {
+        let along_z = rotation_z(sin_cos_of_constant(row.theta)) * translation(0.0, 0.0, row.d);
+        let twist = rotation_x(sin_cos_of_constant(row.alpha));
+        match convention {
+            Convention::Standard => Self { before: None, after: along_z * translation(row.a, 0.0, 0.0) * twist },
+            Convention::Modified => Self { before: Some(twist * translation(row.a, 0.0, 0.0)), after: along_z },
+        }
+    }
+}
+
+/// A frame moved by the joint at its z axis, whose value is rad or a length.
+pub(super) fn moved(frame: &IsometryMatrix3<f64>, kind: JointKind, value: f64) -> IsometryMatrix3<f64> {
+    let (rotation, origin) = (frame.rotation.matrix(), frame.translation.vector);
     match kind {
-        JointKind::Revolute => rotation_z(value.sin_cos()),
-        JointKind::Prismatic => translation(0.0, 0.0, value),
-        JointKind::Fixed => IsometryMatrix3::identity(),
+        JointKind::Revolute => {
+            let (s, c) = value.sin_cos();
+            let (x, y) = (rotation.column(0), rotation.column(1));
+            let turned = Matrix3::from_columns(&[x * c + y * s, y * c - x * s, rotation.column(2).into()]);
+            IsometryMatrix3::from_parts(frame.translation, Rotation3::from_matrix_unchecked(turned))
+        }
+        JointKind::Prismatic => {
+            IsometryMatrix3::from_parts((origin + rotation.column(2) * value).into(), frame.rotation)
+        }
+        JointKind::Fixed => *frame,
     }
 }
 
 /// `T(xyz) Rz(yaw) Ry(pitch) Rx(roll)`.
-pub(super) fn of_frame(frame: &DhFrame) -> IsometryMatrix3<f64> {
+fn of_frame(frame: &DhFrame) -> IsometryMatrix3<f64> {
     let [x, y, z] = frame.xyz;
     let [roll, pitch, yaw] = frame.rpy.map(sin_cos_of_constant);
     translation(x, y, z) * rotation_z(yaw) * rotation_y(pitch) * rotation_x(roll)
