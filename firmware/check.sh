@@ -102,7 +102,7 @@ sizes() {
   local profile=$1 level=$2 arm function
   for arm in "${arms[@]}"; do
     mkdir -p "$out/flash/$arm"
-    for function in empty forward forward_and_jacobian inverse inverse_near inverse_branch together; do
+    for function in empty forward forward_and_jacobian inverse inverse_into inverse_near inverse_branch together; do
       chip --profile "$profile" -p firmware-chip --bin size --features "fpu,$arm$(features $function)"
       cp "$(program "$profile" size)" "$out/flash/$arm/$function.$level"
     done

@@ -8,6 +8,9 @@ use denhart_codegen::lower::{Call, Counted, Kernel, Slot, Unit};
 
 use crate::tape::{Places, Registers};
 
+/// The most doubts on one branch of any inverse: at most seven stages, and the state of an arm angle.
+pub const MOST_DOUBTS: usize = 8;
+
 /// The roots of a stage: so many joints, at most so many roots.
 #[derive(Debug, Clone, Copy)]
 pub enum Roots {
@@ -154,7 +157,7 @@ fn counted(stage: Stage<f64, 1, 2>, from: Counted, known: &Known, values: Values
 
 /// The state after a stage; the one before where the stage has no roots yet.
 pub fn follow<const N: usize, const M: usize, P: Missed<f64, M>>(
-    search: &mut Search<'_, f64, N, M, P>,
+    search: &mut Search<'_, f64, N, M, MOST_DOUBTS, P>,
     before: &BranchState,
     roots: &Option<Roots>,
 ) -> BranchState {

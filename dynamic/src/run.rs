@@ -7,7 +7,7 @@ use denhart::solve::{
 use denhart::{Branch, Elbow as ElbowSide, Shoulder, Wrist};
 use denhart_codegen::lower::{self, Branching, Call, Each, Root, Slot, Statement, Unit};
 
-use crate::kernel::{Known, Values, follow, measure, solve, with_roots};
+use crate::kernel::{Known, MOST_DOUBTS, Values, follow, measure, solve, with_roots};
 use crate::nest::{Nest, part};
 use crate::tape::Registers;
 
@@ -32,7 +32,7 @@ impl<'a> Run<'a> {
     /// Once; again with a free joint at another place, where a later stage has no root with it at its default.
     pub fn search<const N: usize, const M: usize, P: Missed<f64, M>>(
         mut self,
-        mut search: Search<'_, f64, N, M, P>,
+        mut search: Search<'_, f64, N, M, MOST_DOUBTS, P>,
         constants: &ArmConstants<'_, f64, N>,
         near: Option<&[f64; N]>,
     ) {
@@ -51,7 +51,7 @@ impl<'a> Run<'a> {
         &mut self,
         depth: usize,
         branch: Branch,
-        search: &mut Search<'_, f64, N, M, P>,
+        search: &mut Search<'_, f64, N, M, MOST_DOUBTS, P>,
     ) {
         let nest = self.nest;
         let Some(body) = nest.levels.get(depth) else { return };
@@ -75,7 +75,7 @@ impl<'a> Run<'a> {
         &mut self,
         statement: &Statement,
         branch: Branch,
-        search: &mut Search<'_, f64, N, M, P>,
+        search: &mut Search<'_, f64, N, M, MOST_DOUBTS, P>,
     ) {
         match statement {
             // The operations before it are all there is to do.
@@ -158,7 +158,7 @@ impl<'a> Run<'a> {
     fn solve<const N: usize, const M: usize, P: Missed<f64, M>>(
         &mut self,
         call: &Call,
-        search: &Search<'_, f64, N, M, P>,
+        search: &Search<'_, f64, N, M, MOST_DOUBTS, P>,
     ) {
         let defaults = call.defaults.map(|default| self.default(default, search));
         let reach = self.nest.program.constants.reach;
@@ -170,7 +170,7 @@ impl<'a> Run<'a> {
     fn default<const N: usize, const M: usize, P: Missed<f64, M>>(
         &self,
         default: lower::DefaultValue,
-        search: &Search<'_, f64, N, M, P>,
+        search: &Search<'_, f64, N, M, MOST_DOUBTS, P>,
     ) -> DefaultValue<f64> {
         let at = match default.joint {
             Some(joint) => search.default(joint),
@@ -208,7 +208,7 @@ impl<'a> Run<'a> {
     fn state<const N: usize, const M: usize, P: Missed<f64, M>>(
         &self,
         state: lower::BranchState,
-        search: &Search<'_, f64, N, M, P>,
+        search: &Search<'_, f64, N, M, MOST_DOUBTS, P>,
     ) -> BranchState {
         self.states.get(self.nest.state(state)).copied().unwrap_or_else(|| search.start())
     }

@@ -9,6 +9,7 @@ use denhart_codegen::lower::{self, Given, Input, Inverse};
 
 use crate::arm_constants::ArmConstants;
 use crate::function::Straight;
+use crate::kernel::MOST_DOUBTS;
 use crate::nest::Nest;
 use crate::run::Run;
 use crate::{DynamicError, DynamicSolution, DynamicSolutions, DynamicTarget};
@@ -51,6 +52,9 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
                 _ => None,
             }
         };
+    }
+    if program.most_doubts() > MOST_DOUBTS {
+        return Err(unsupported());
     }
     let solver = match program.decoupled {
         true => sizes! { Decoupled;
@@ -176,7 +180,7 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
             None => goal,
         };
         let constants = self.constants.get();
-        let search = Search::<f64, N, M, P>::new(&constants, &self.both, sought, near, solutions);
+        let search = Search::<f64, N, M, MOST_DOUBTS, P>::new(&constants, &self.both, sought, near, solutions);
         let mut search = if self.nest.program.in_doubt { search.in_doubt() } else { search };
         if !search.begins(near) {
             return;

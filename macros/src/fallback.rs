@@ -70,6 +70,7 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
     let given = outline.redundant.then(|| quote!(, _: #number));
     let motors = motors(krate, &number, joints, &q, any_list.as_ref());
     let any_target_list = any_target.as_ref().map(|any| quote!(<#any>));
+    let any_target_and_list = [any_target.clone(), Some(quote!(List))].into_iter().flatten();
     let near: Vec<_> = [any_target, any].into_iter().flatten().collect();
     let solutions = quote!(#krate::Solutions<#number, #joints, 8>);
     let motion = motion(krate, &number, &q, any_list.as_ref());
@@ -119,6 +120,7 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
             pub fn inverse #any_target_list (&self, _: &#target #given) -> #solutions {
                 #krate::Solutions::new(#krate::Status::BadTarget)
             }
+            pub fn inverse_into <#(#any_target_and_list),*> (&self, _: &#target #given, _: &mut List) {}
             pub fn inverse_branch <#(#near),*> (
                 &self,
                 _: &#target
@@ -147,6 +149,7 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
             pub fn inverse_near <#(#near),*> (&self, _: &#target, _: &[#number; #q]) -> #solutions {
                 #krate::Solutions::new(#krate::Status::BadTarget)
             }
+            pub fn inverse_near_into <#(#near,)* List> (&self, _: &#target, _: &[#number; #q], _: &mut List) {}
             #motors
         }
         #traits

@@ -37,11 +37,19 @@ macro_rules! delegate_inverse {
             $name::inverse(self, target)
         }
         #[inline]
+        fn inverse_into(&self, target: &Self::Target, solutions: &mut Self::Solutions) {
+            $name::inverse_into(self, target, solutions)
+        }
+        #[inline]
         fn inverse_branch(&self, target: &Self::Target, branch: $crate::Branch) -> $crate::OneSolution<$scalar, $n> {
             $name::inverse_branch(self, target, branch)
         }
         fn inverse_near(&self, target: &Self::Target, q_ref: &[$scalar; $n]) -> Self::Solutions {
             $name::inverse_near(self, target, q_ref)
+        }
+        #[inline]
+        fn inverse_near_into(&self, target: &Self::Target, q_ref: &[$scalar; $n], solutions: &mut Self::Solutions) {
+            $name::inverse_near_into(self, target, q_ref, solutions)
         }
         fn residual(&self, q: &[$scalar; $n], target: &Self::Target) -> $crate::Residual<$scalar> {
             $name::residual(self, q, target)
@@ -54,11 +62,19 @@ macro_rules! delegate_inverse {
             $name::inverse(self, &target.0, target.1)
         }
         #[inline]
+        fn inverse_into(&self, target: &Self::Target, solutions: &mut Self::Solutions) {
+            $name::inverse_into(self, &target.0, target.1, solutions)
+        }
+        #[inline]
         fn inverse_branch(&self, target: &Self::Target, branch: $crate::Branch) -> $crate::OneSolution<$scalar, $n> {
             $name::inverse_branch(self, &target.0, target.1, branch)
         }
         fn inverse_near(&self, target: &Self::Target, q_ref: &[$scalar; $n]) -> Self::Solutions {
             $name::inverse_near(self, &target.0, q_ref)
+        }
+        #[inline]
+        fn inverse_near_into(&self, target: &Self::Target, q_ref: &[$scalar; $n], solutions: &mut Self::Solutions) {
+            $name::inverse_near_into(self, &target.0, q_ref, solutions)
         }
         fn residual(&self, q: &[$scalar; $n], target: &Self::Target) -> $crate::Residual<$scalar> {
             $name::residual(self, q, &target.0)

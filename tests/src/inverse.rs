@@ -44,6 +44,8 @@ pub trait Inverse<const N: usize>: Send + Sync {
     fn all(&self, target: &Self::Target) -> Answer<N>;
     /// Every branch next to a reference.
     fn near(&self, target: &Self::Target, q_ref: &[f64; N]) -> Answer<N>;
+    /// [`near`](Self::near) and [`all`](Self::all) into one list, one after the other.
+    fn kept(&self, target: &Self::Target, q_ref: &[f64; N]) -> [Answer<N>; 2];
     /// The solution on one branch.
     fn branch(&self, target: &Self::Target, branch: Branch) -> OneSolution<f64, N>;
     /// By how much a joint vector misses the target.
@@ -86,13 +88,20 @@ where
     }
 
     fn all(&self, target: &A::Target) -> Answer<N> {
-        let solutions = self.arm.inverse(target);
-        Answer { solutions: solutions.as_ref().to_vec(), status: A::status(&solutions) }
+        listed::<A, N>(&self.arm.inverse(target))
     }
 
     fn near(&self, target: &A::Target, q_ref: &[f64; N]) -> Answer<N> {
-        let solutions = self.arm.inverse_near(target, q_ref);
-        Answer { solutions: solutions.as_ref().to_vec(), status: A::status(&solutions) }
+        listed::<A, N>(&self.arm.inverse_near(target, q_ref))
+    }
+
+    fn kept(&self, target: &A::Target, q_ref: &[f64; N]) -> [Answer<N>; 2] {
+        // The list holds an answer already.
+        let mut solutions = self.arm.inverse(target);
+        self.arm.inverse_near_into(target, q_ref, &mut solutions);
+        let near = listed::<A, N>(&solutions);
+        self.arm.inverse_into(target, &mut solutions);
+        [near, listed::<A, N>(&solutions)]
     }
 
     fn branch(&self, target: &A::Target, branch: Branch) -> OneSolution<f64, N> {
@@ -102,6 +111,10 @@ where
     fn residual(&self, target: &A::Target, q: &[f64; N]) -> Residual<f64> {
         self.arm.residual(q, target)
     }
+}
+
+fn listed<A: InverseKinematics<f64, N>, const N: usize>(solutions: &A::Solutions) -> Answer<N> {
+    Answer { solutions: solutions.as_ref().to_vec(), status: A::status(solutions) }
 }
 
 /// The inverse of an arm that is evaluated.
@@ -154,6 +167,11 @@ impl<const N: usize> Inverse<N> for Evaluated {
     /// As the trait of generated arms has it, the reference says where the given joint is.
     fn near(&self, Request { target, .. }: &Request, q_ref: &[f64; N]) -> Answer<N> {
         answer(self.arm.inverse_near(target, q_ref))
+    }
+
+    /// This arm has no list of fixed capacity to keep.
+    fn kept(&self, request: &Request, q_ref: &[f64; N]) -> [Answer<N>; 2] {
+        [self.near(request, q_ref), self.all(request)]
     }
 
     fn branch(&self, Request { target, given }: &Request, branch: Branch) -> OneSolution<f64, N> {

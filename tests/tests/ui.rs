@@ -1,4 +1,5 @@
-//! What rustc shows the user: one error for a broken arm file, at the attribute, and nothing after it.
+//! What cargo does where an arm file changes or is missing: a new build, or one error at the attribute. The messages of
+//! rustc for each mistake are in `macros/tests/ui/`.
 #![allow(clippy::unwrap_used)]
 
 mod user_crate;
@@ -29,11 +30,6 @@ fn main() {
     println!("{:?}", Lever.forward(&[0.0]).translation);
 }
 "#;
-
-#[test]
-fn errors_are_as_recorded() {
-    trybuild::TestCases::new().compile_fail("tests/ui/*.rs");
-}
 
 /// The file is read again when it changes: to other numbers, to a mistake, and back.
 #[test]

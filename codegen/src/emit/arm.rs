@@ -150,6 +150,9 @@ fn without_inverse(model: &Model, unsupported: &Unsupported, target: &Target) ->
             }
 
             #doc
+            pub fn inverse_into<Target: #solvable, List>(&self, _target: Target #given, _solutions: &mut List) {}
+
+            #doc
             pub fn inverse_branch<Target: #solvable>(
                 &self,
                 _target: Target,
@@ -161,6 +164,15 @@ fn without_inverse(model: &Model, unsupported: &Unsupported, target: &Target) ->
             #doc
             pub fn inverse_near<Target: #solvable>(&self, _target: Target, _q_ref: &[#scalar; #n]) -> #none {
                 #krate::Solutions::new(#krate::Status::BadTarget)
+            }
+
+            #doc
+            pub fn inverse_near_into<Target: #solvable, List>(
+                &self,
+                _target: Target,
+                _q_ref: &[#scalar; #n],
+                _solutions: &mut List,
+            ) {
             }
         },
     }

@@ -132,6 +132,7 @@ pub(super) fn function(
         (passes, quote!(#krate::solve::Levels<#scalar, #m>), search)
     };
     let search_doc = docs::lines(search_doc);
+    let doubts = integer(program.most_doubts());
     let passes = docs::lines(passes);
     let (missed_doc, in_doubt) = plan.missed.map_or_else(Default::default, |by| {
         let missed = format!("The axes miss the structure of the equations by {by:.0e}: every branch is verified.");
@@ -141,7 +142,7 @@ pub(super) fn function(
     let wanted = ident(if program.capacity > 1 { "wanted" } else { "_wanted" });
     quote! {
         #search_doc
-        type InverseSearch<'a> = #krate::solve::Search<'a, #scalar, #n, #m, #missed>;
+        type InverseSearch<'a> = #krate::solve::Search<'a, #scalar, #n, #m, #doubts, #missed>;
 
         #doc
         fn branches(
@@ -173,7 +174,7 @@ pub(super) fn function(
     }
 }
 
-/// `inverse`, `inverse_near` and `residual`.
+/// `inverse`, `inverse_near`, both into a list of the caller, `inverse_branch` and `residual`.
 pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCode) -> TokenStream {
     let (krate, scalar, n, m) =
         (&target.krate, target.scalar.tokens(), integer(plan.joints()), integer(plan.max_solutions()));
@@ -236,6 +237,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
     let one =
         if plan.flip().is_some() { quote!(solutions.one_on(branch)) } else { quote!(solutions.first_or_status()) };
     let list = quote!(let mut solutions = #krate::Solutions::new(#krate::Status::BadTarget););
+    let reset = quote!(solutions.reset(#krate::Status::BadTarget););
     quote! {
         #arm_angle
         #sample
@@ -250,6 +252,13 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
             #list
             branches(self, target, #pass_wrapped ::core::option::Option::None, ALL, &mut solutions);
             solutions
+        }
+
+        /// `inverse` into a list that the caller keeps: the list is neither made anew nor copied. What it held is gone.
+        #[inline]
+        pub fn inverse_into(&self, target: &#target_type #argument, solutions: &mut #solutions) {
+            #reset
+            branches(self, target, #pass_wrapped ::core::option::Option::None, ALL, solutions);
         }
 
         #branch
@@ -273,6 +282,14 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
             #list
             branches(self, target, #pass ::core::option::Option::Some(q_ref), ALL, &mut solutions);
             solutions
+        }
+
+        /// `inverse_near` into a list that the caller keeps.
+        #[inline]
+        pub fn inverse_near_into(&self, target: &#target_type, q_ref: &[#scalar; #n], solutions: &mut #solutions) {
+            #from_reference
+            #reset
+            branches(self, target, #pass ::core::option::Option::Some(q_ref), ALL, solutions);
         }
 
         /// By how much `q` misses the target, from `forward`.

@@ -46,6 +46,12 @@ impl Inverse {
     pub fn reads(&self, input: Input) -> bool {
         self.inputs.iter().any(|(_, read)| *read == input)
     }
+
+    /// The most doubts on one branch: how many statements may leave a state of their own, each stage one.
+    pub fn most_doubts(&self) -> usize {
+        let statements = self.levels.iter().flat_map(|level| &level.body);
+        statements.filter(|statement| matches!(statement, Statement::Follow { .. } | Statement::Swivel { .. })).count()
+    }
 }
 
 /// The body of a loop.

@@ -41,6 +41,8 @@ macro_rules! calls {
         call::forward_and_jacobian(case);
         #[cfg(feature = "inverse")]
         call::inverse(case);
+        #[cfg(feature = "inverse_into")]
+        call::inverse_into(case, &mut call::kept());
         #[cfg(feature = "inverse_near")]
         call::inverse_near(case);
         #[cfg(feature = "inverse_branch")]

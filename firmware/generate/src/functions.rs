@@ -21,6 +21,8 @@ pub(crate) struct Call {
     pub(crate) arguments: Vec<TokenStream>,
     /// Whether it returns an iterator.
     pub(crate) many: bool,
+    /// Whether it fills a list that the caller keeps.
+    pub(crate) keeps: bool,
 }
 
 /// The methods that come by `motion_methods!`, and their arguments.
@@ -45,7 +47,12 @@ pub(crate) fn read(code: &str, robot: &str) -> Result<Functions, Error> {
             ImplItem::Macro(called) if called.mac.path.segments.last().is_some_and(|s| s.ident == "motion_methods") => {
                 for (name, arguments) in MOTION {
                     let arguments = arguments.iter().map(|name| argument(name, None)).collect::<Option<_>>();
-                    calls.push(Call { name: name.to_owned(), arguments: arguments.unwrap_or_default(), many: false });
+                    calls.push(Call {
+                        name: name.to_owned(),
+                        arguments: arguments.unwrap_or_default(),
+                        many: false,
+                        keeps: false,
+                    });
                 }
             }
             ImplItem::Macro(called) => {
@@ -99,14 +106,16 @@ fn names(signature: &Signature) -> Vec<String> {
 fn call(signature: &Signature, given: Option<&str>) -> Result<Call, Error> {
     let name = signature.ident.to_string();
     let mut arguments = Vec::new();
-    for written in names(signature) {
+    let written = names(signature);
+    let keeps = written.iter().any(|name| name == "solutions");
+    for written in written {
         let Some(tokens) = argument(&written, given) else {
             return Err(format!("no case has the argument `{written}` of `{name}`: add it to firmware/cases").into());
         };
         arguments.push(tokens);
     }
     let many = matches!(&signature.output, ReturnType::Type(_, of) if matches!(**of, Type::ImplTrait(_)));
-    Ok(Call { name, arguments, many })
+    Ok(Call { name, arguments, many, keeps })
 }
 
 /// How a case gives the argument `name`; `given`: the joint whose value comes with the target.
@@ -120,6 +129,7 @@ fn argument(name: &str, given: Option<&str>) -> Option<TokenStream> {
             let field = format_ident!("{name}");
             quote!(&case.#field)
         }
+        "solutions" => quote!(kept),
         _ if given == Some(name) => quote!(case.target.1),
         _ => return None,
     })

@@ -41,7 +41,20 @@ pub(crate) fn of(arm: &str, scalar: Scalar, path: &Path) -> Result<String, Error
     };
     let timed = calls.iter().map(timed);
     let digests = calls.iter().map(digest);
-    let timed_names = calls.iter().map(|call| format_ident!("{}", call.name));
+    let timed_calls = calls.iter().map(|Call { name, keeps, .. }| {
+        let name = format_ident!("{name}");
+        if *keeps { quote!(#name(case, &mut kept());) } else { quote!(#name(case);) }
+    });
+    let kept = has_inverse.then(|| {
+        quote! {
+            /// A list that a caller keeps.
+            pub type Kept = <Robot as ::denhart::InverseKinematics<#scalar, { Robot::DOF }>>::Solutions;
+            /// An empty one.
+            pub fn kept() -> Kept {
+                Kept::new(::denhart::Status::BadTarget)
+            }
+        }
+    });
     let (solutions, kept_solutions) = if has_inverse {
         (
             quote!(d(case, "solutions", &|case, digest| ::firmware_cases::solutions(&Robot, case, digest));),
@@ -73,13 +86,14 @@ pub(crate) fn of(arm: &str, scalar: Scalar, path: &Path) -> Result<String, Error
             /// Every call of this module.
             pub fn every(case: &Case) {
                 let case = black_box(case);
-                #( #timed_names(case); )*
+                #(#timed_calls)*
                 let mut digest = ::firmware_cases::Digest::new();
                 ::firmware_cases::poses(case, &mut digest);
                 ::firmware_cases::numeric(&Robot, case, &mut digest);
                 #kept_solutions
                 black_box(&digest);
             }
+            #kept
             #(#timed)*
         }
         /// Each function by its name, and how its results are digested.
@@ -95,7 +109,7 @@ pub(crate) fn of(arm: &str, scalar: Scalar, path: &Path) -> Result<String, Error
 }
 
 /// A function that makes the call and keeps its result.
-fn timed(Call { name, arguments, many }: &Call) -> TokenStream {
+fn timed(Call { name, arguments, many, keeps }: &Call) -> TokenStream {
     let (name, title) = (format_ident!("{name}"), format!("Calls `{name}`."));
     let hidden = arguments.iter().map(|argument| quote!(black_box(#argument)));
     let body = if *many {
@@ -103,18 +117,21 @@ fn timed(Call { name, arguments, many }: &Call) -> TokenStream {
     } else {
         quote!(black_box(&Robot.#name(#(#hidden),*));)
     };
+    let list = keeps.then(|| quote!(, kept: &mut Kept));
     quote! {
         #[doc = #title]
         #[inline(never)]
-        pub fn #name(case: &Case) { #body }
+        pub fn #name(case: &Case #list) { #body }
     }
 }
 
 /// The call whose result is digested.
-fn digest(Call { name, arguments, many }: &Call) -> TokenStream {
+fn digest(Call { name, arguments, many, keeps }: &Call) -> TokenStream {
     let (function, name) = (format_ident!("{name}"), name);
     let body = if *many {
         quote!(for item in Robot.#function(#(#arguments),*) { digest.add(&item); })
+    } else if *keeps {
+        quote!(let kept = &mut call::kept(); Robot.#function(#(#arguments),*); digest.add(kept);)
     } else {
         quote!(digest.add(&Robot.#function(#(#arguments),*));)
     };

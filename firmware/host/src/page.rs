@@ -41,8 +41,8 @@ fn place(text: &str) -> Option<(&str, &str)> {
 
 /// One line an arm.
 fn table(rows: &[Row]) -> String {
-    let mut text = "| arm | `forward` | and Jacobian | `inverse` | `inverse_near` | `inverse_branch` | longest call | flash, 3 | flash, s | stack |\n\
-                    |---|---|---|---|---|---|---|---|---|---|\n"
+    let mut text = "| arm | `forward` | and Jacobian | `inverse` | `inverse_into` | `inverse_near` | `inverse_branch` | longest call | flash, 3 | flash, s | stack | stack, list kept |\n\
+                    |---|---|---|---|---|---|---|---|---|---|---|---|\n"
         .to_owned();
     let number = |arm: &str, function: &str, column: usize| {
         let row = rows.iter().find(|row| row.key.0 == arm && row.key.1 == function)?;
@@ -62,16 +62,18 @@ fn table(rows: &[Row]) -> String {
             |function: &str| format!("{} / {}", shown(number(arm, function, 3)), shown(number(arm, function, 4)));
         let _ = writeln!(
             text,
-            "| `{arm}` | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
+            "| `{arm}` | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
             shown(number(arm, "forward", 3)),
             shown(number(arm, "forward_and_jacobian", 3)),
             both("inverse"),
+            both("inverse_into"),
             both("inverse_near"),
             both("inverse_branch"),
             shown(worst(arm)),
             shown(number(arm, "together", 0)),
             shown(number(arm, "together", 1)),
             shown(stack(arm)),
+            shown(number(arm, "inverse_into", 2)),
         );
     }
     text

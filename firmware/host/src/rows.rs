@@ -9,8 +9,8 @@ use crate::elf::Program;
 
 /// Functions that are measured, and by itself the program of a control loop: `forward`, `forward_and_jacobian`,
 /// `inverse` and `inverse_near` together.
-pub const FUNCTIONS: [&str; 6] =
-    ["forward", "forward_and_jacobian", "inverse", "inverse_near", "inverse_branch", "together"];
+pub const FUNCTIONS: [&str; 7] =
+    ["forward", "forward_and_jacobian", "inverse", "inverse_into", "inverse_near", "inverse_branch", "together"];
 
 /// Families of cases, as the chip names them.
 pub const FAMILIES: [&str; 6] = ["random", "grid", "singular", "out-of-reach", "drifted", "nan"];

@@ -42,6 +42,12 @@ impl<T: Scalar, const N: usize, const M: usize> Solutions<T, N, M> {
         empty
     }
 
+    /// Empties the list: what [`new`](Self::new) makes, without filling the places of the solutions.
+    #[inline]
+    pub const fn reset(&mut self, status: Status<T>) {
+        (self.len, self.status, self.awkward, self.deviation) = (0, status, false, T::ZERO);
+    }
+
     /// The residual of every solution, in order, from the arm's own `forward`.
     ///
     /// [`Solution::residual`] holds the gaps of the closed form; this is the full check, one forward kinematics for
@@ -282,6 +288,16 @@ mod tests {
         assert!(empty.is_empty() && empty.nearest().is_none() && empty.into_iter().next().is_none());
         assert_eq!(empty.status(), Status::BadTarget);
         assert_eq!(Solution::<f32, 2>::EMPTY.free, JointMask::NONE);
+    }
+
+    #[test]
+    fn a_list_that_is_reset_is_a_new_one() {
+        let mut kept = list(&[1.0, 2.0]);
+        kept.mark_awkward();
+        kept.set_deviation(0.5);
+        kept.reset(Status::BadTarget);
+        assert!(kept.is_empty() && !kept.is_awkward());
+        assert_eq!((kept.status(), kept.deviation()), (Status::BadTarget, 0.0));
     }
 
     #[test]

@@ -140,7 +140,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Passes<T, N
     }
 }
 
-impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, T, N, M, P> {
+impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T, M>> Search<'_, T, N, M, D, P> {
     #[inline(never)]
     fn passes(&mut self) -> &mut Passes<T, N, M, P> {
         let defaults = self.defaults;

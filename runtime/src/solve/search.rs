@@ -15,13 +15,12 @@ use crate::{Branch, Flags, JointMask, Residual, Solution, Solutions, Status};
 /// The place of a virtual joint in a mask, beyond the joints of any arm with an inverse.
 pub(super) const VIRTUAL: usize = 15;
 
-/// The most doubts on one branch. A cascade solves at most seven joints, each stage one of them or more; besides its
-/// stages [`Search::directed`] may leave a state.
-const MOST_DOUBTS: usize = 8;
-
-/// One call of the inverse kinematics. `P` remembers the branches that are missed with a free joint at its default:
-/// [`Levels`](super::Levels). An arm that has none takes [`Decoupled`](super::Decoupled).
-pub struct Search<'a, T: 'static, const N: usize, const M: usize, P> {
+/// One call of the inverse kinematics of an arm with `N` joints and at most `M` solutions.
+///
+/// `D`: the most doubts on one branch, one for each call of [`follow`](Self::follow) and [`directed`](Self::directed) on
+/// the way. `P` remembers the branches that are missed with a free joint at its default: [`Levels`](super::Levels). An
+/// arm that has none takes [`Decoupled`](super::Decoupled).
+pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize, P> {
     pub(super) constants: &'a ArmConstants<'a, T, N>,
     pub(super) arm: &'a dyn Evaluate<T, N>,
     pub(super) goal: &'a dyn Goal<T, N>,
@@ -39,7 +38,7 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, P> {
     pub(super) verified: Option<Verified<T, N>>,
     /// The doubts of the branch that is followed, one entry for each stage in doubt. Branches are followed depth first,
     /// so an entry stays until the branches behind it have ended.
-    doubts: Option<[Option<Doubts<T>>; MOST_DOUBTS]>,
+    doubts: Option<[Option<Doubts<T>>; D]>,
     /// Every branch is verified. The arm misses its structure by more than rounding, or the target is so far away that
     /// its rounding alone can exceed what closes. A long slide may reach such a target.
     doubt: bool,
@@ -49,7 +48,7 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, P> {
     pub(super) passes: Option<Passes<T, N, M, P>>,
 }
 
-impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'a, T, N, M, P> {
+impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T, M>> Search<'a, T, N, M, D, P> {
     /// A search that fills `solutions`.
     #[inline(always)]
     pub fn new(
@@ -173,7 +172,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<
 
     /// The state of a branch with further doubts.
     fn with_doubts(&mut self, state: BranchState, doubts: Doubts<T>, ended: bool) -> BranchState {
-        if let Some(slot) = self.doubts.get_or_insert([None; MOST_DOUBTS]).get_mut(state.depth()) {
+        if let Some(slot) = self.doubts.get_or_insert([None; D]).get_mut(state.depth()) {
             *slot = Some(doubts);
         }
         state.deeper(ended)

@@ -26,7 +26,7 @@ enum Found {
 /// Evaluations kept for the reference of `inverse_near`: the first one, and its steps.
 const RESERVED: usize = MOST_STEPS + 1;
 
-impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Search<'_, T, N, M, P> {
+impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T, M>> Search<'_, T, N, M, D, P> {
     /// The end of a branch at an awkward pose.
     #[cold]
     #[inline(never)]

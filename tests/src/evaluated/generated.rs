@@ -26,6 +26,8 @@ pub struct Generated {
 pub(super) trait Inverse {
     fn all(&self, target: &DynamicTarget, given: Option<f64>) -> Answer;
     fn near(&self, target: &DynamicTarget, given: Option<f64>, q_ref: &[f64]) -> Answer;
+    /// `near` and `all` into one list, one after the other.
+    fn kept(&self, target: &DynamicTarget, given: Option<f64>, q_ref: &[f64]) -> [Answer; 2];
     fn branch(&self, target: &DynamicTarget, given: Option<f64>, branch: Branch) -> Result<Bits, (u8, u64)>;
     fn residual(&self, target: &DynamicTarget, given: Option<f64>, q: &[f64]) -> [u64; 2];
 }
@@ -82,6 +84,10 @@ impl<T: Typed, const N: usize> Inverse for OfSize<T, N> {
 
     fn near(&self, target: &DynamicTarget, given: Option<f64>, q_ref: &[f64]) -> Answer {
         bits::answer(&self.0.near(&T::typed(target, given), array(q_ref)))
+    }
+
+    fn kept(&self, target: &DynamicTarget, given: Option<f64>, q_ref: &[f64]) -> [Answer; 2] {
+        self.0.kept(&T::typed(target, given), array(q_ref)).map(|answer| bits::answer(&answer))
     }
 
     fn branch(&self, target: &DynamicTarget, given: Option<f64>, branch: Branch) -> Result<Bits, (u8, u64)> {

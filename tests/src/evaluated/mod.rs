@@ -84,6 +84,8 @@ fn ask(
         let near = bits::listed(&arm.inverse_near(target, reference).unwrap());
         let held = arm.held(reference).unwrap();
         assert_eq!(near, generated.near(target, held, reference), "inverse_near, {case}");
+        let kept = generated.kept(target, given, reference);
+        assert_eq!(kept, [generated.near(target, given, reference), generated.all(target, given)], "one list, {case}");
         let residual = bits::residual(&arm.residual(reference, target).unwrap());
         assert_eq!(residual, generated.residual(target, given, reference), "residual, {case}");
     }

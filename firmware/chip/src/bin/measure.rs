@@ -45,17 +45,20 @@ fn at(sorted: &[u32], of_hundred: usize) -> u32 {
 
 macro_rules! measure {
     ($arm:ident, $scalar:ident) => {{
-        use firmware_arms::$arm::{Case, Robot, call};
-        let functions: [(&str, fn(&Case)); 5] = [
-            ("forward", call::forward),
-            ("forward_and_jacobian", call::forward_and_jacobian),
-            ("inverse", call::inverse),
-            ("inverse_near", call::inverse_near),
-            ("inverse_branch", call::inverse_branch),
+        use firmware_arms::$arm::call::{self, Kept};
+        use firmware_arms::$arm::{Case, Robot};
+        let functions: [(&str, fn(&Case, &mut Kept)); 6] = [
+            ("forward", |case, _| call::forward(case)),
+            ("forward_and_jacobian", |case, _| call::forward_and_jacobian(case)),
+            ("inverse", |case, _| call::inverse(case)),
+            ("inverse_into", call::inverse_into),
+            ("inverse_near", |case, _| call::inverse_near(case)),
+            ("inverse_branch", |case, _| call::inverse_branch(case)),
         ];
-        let nothing: fn(&Case) = |case| {
+        let nothing: fn(&Case, &mut Kept) = |case, _| {
             black_box(case);
         };
+        let mut kept = call::kept();
         for (name, function) in functions {
             // The cases are made anew for each function: only one function's numbers are in memory.
             let mut maker = Maker::new(1);
@@ -65,10 +68,10 @@ macro_rules! measure {
                 for place in list.iter_mut().take(count) {
                     let case = maker.case::<Robot, $scalar, { Robot::DOF }>(&Robot, family);
                     let (case, function, nothing) = (black_box(&case), black_box(function), black_box(nothing));
-                    let empty = instructions(&mut || nothing(case));
-                    *place = instructions(&mut || function(case)).saturating_sub(empty);
-                    let empty = stack::of(&mut || nothing(case));
-                    deepest = deepest.max(stack::of(&mut || function(case)).saturating_sub(empty));
+                    let empty = instructions(&mut || nothing(case, &mut kept));
+                    *place = instructions(&mut || function(case, &mut kept)).saturating_sub(empty);
+                    let empty = stack::of(&mut || nothing(case, &mut kept));
+                    deepest = deepest.max(stack::of(&mut || function(case, &mut kept)).saturating_sub(empty));
                 }
                 let list = list.get_mut(..count).unwrap_or_default();
                 list.sort_unstable();

@@ -17,7 +17,7 @@ use core::sync::atomic::{AtomicU32, Ordering};
 use cortex_m::peripheral::{Peripherals, SYST, syst::SystClkSource};
 use cortex_m::{asm, interrupt};
 use cortex_m_rt::exception;
-use denhart::{Arm, Branch, Flags, Solution, Status};
+use denhart::{Arm, Branch, Flags, Solution, Solutions, Status};
 use firmware_board::{output, ticks};
 
 use path::Part;
@@ -42,6 +42,9 @@ fn SysTick() {
     BEGUN.store(BEGUN.load(Ordering::Relaxed).wrapping_add(1), Ordering::Relaxed);
 }
 
+/// The list of solutions. The loop keeps one: a list that is returned would be copied in every tick.
+type Found = Solutions<f32, 3, { SalmanRrr::MAX_SOLUTIONS }>;
+
 /// What a tick did.
 enum Outcome {
     /// Followed the path.
@@ -54,13 +57,13 @@ enum Outcome {
 ///
 /// At the edge and above the first axis two branches meet. The nearest solution beyond may be that of the other branch,
 /// which runs into a limit later.
-fn tick(target: &[f32; 3], branch: Branch, q: &mut [f32; 3], steppers: &mut Steppers) -> Outcome {
-    let solutions = SalmanRrr.inverse_near(target, q);
+fn tick(target: &[f32; 3], branch: Branch, q: &mut [f32; 3], found: &mut Found, steppers: &mut Steppers) -> Outcome {
+    SalmanRrr.inverse_near_into(target, q, found);
     let on_branch = |solution: &&Solution<f32, 3>| {
         solution.is_exact() && (solution.branch == branch || solution.flags.contains(Flags::BOUNDARY))
     };
-    let Some(next) = solutions.within_limits().find(on_branch) else {
-        return Outcome::Held(solutions.status());
+    let Some(next) = found.within_limits().find(on_branch) else {
+        return Outcome::Held(found.status());
     };
     *q = next.q;
     steppers.go_to(SalmanRrr.to_pulses(q));
@@ -100,8 +103,8 @@ fn main() -> ! {
     // Where the motors count 0.
     let home = SalmanRrr.from_pulses(&[0; 3]);
     let mut q = home;
-    let at_home = SalmanRrr.inverse_near(&SalmanRrr.forward(&home).translation, &home);
-    let branch = at_home.first().map_or(Branch::NONE, |solution| solution.branch);
+    let mut found = SalmanRrr.inverse_near(&SalmanRrr.forward(&home).translation, &home);
+    let branch = found.first().map_or(Branch::NONE, |solution| solution.branch);
     let mut steppers = Steppers::new();
     let mut worst_of_all = 0;
     let mut missed = 0;
@@ -113,7 +116,7 @@ fn main() -> ! {
         for step in 1..=part.ticks() {
             let target = part.target(step);
             last = next_period(last);
-            let outcome = tick(&target, branch, &mut q, &mut steppers);
+            let outcome = tick(&target, branch, &mut q, &mut found, &mut steppers);
             // From the beginning of the period, where the count is at its top, on; the interrupt is in it.
             let left = SYST::get_current();
             let late = BEGUN.load(Ordering::Relaxed).wrapping_sub(last);

@@ -1,6 +1,6 @@
 //! No three consecutive axes of this arm meet or are parallel.
 
-use denhart::Arm;
+use denhart::{Arm, Solutions, Status};
 
 #[derive(Arm)]
 #[arm(yaml = "
@@ -21,4 +21,6 @@ fn main() {
     let pose = General.forward(&[0.0; 6]);
     println!("{:?}", General.inverse(&pose).len());
     println!("{:?}", General.inverse_near(&pose, &[0.0; 6]).len());
+    let mut kept = Solutions::new(Status::BadTarget);
+    General.inverse_into(&pose, &mut kept);
 }

@@ -36,6 +36,9 @@ fn main() {
         println!("{:?}", arm.forward(&solution.q));
     }
     println!("{:?}", arm.inverse(&pose).status());
+    let mut kept = arm.inverse(&pose);
+    arm.inverse_into(&pose, &mut kept);
+    arm.inverse_near_into(&pose, &q, &mut kept);
     let table: DhTable = Broken::DH;
     println!("{:?} {:?} {:?}", table, Broken::LIMITS, Broken::JOINT_NAMES.join(" "));
     println!("{:?} {}", Broken::LENGTH_UNIT, Broken::MAX_SOLUTIONS);
