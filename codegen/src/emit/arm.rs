@@ -144,6 +144,9 @@ fn without_inverse(model: &Model, unsupported: &Unsupported, target: &Target) ->
         function: TokenStream::new(),
         trait_impl: TokenStream::new(),
         methods: quote! {
+            /// There is no inverse.
+            pub const MAX_SOLUTIONS: usize = 0;
+
             #doc
             pub fn inverse<Target: #solvable>(&self, _target: Target #given) -> #none {
                 #krate::Solutions::new(#krate::Status::BadTarget)

@@ -41,7 +41,7 @@ fn place(text: &str) -> Option<(&str, &str)> {
 
 /// One line an arm.
 fn table(rows: &[Row]) -> String {
-    let mut text = "| arm | `forward` | and Jacobian | `inverse` | `inverse_into` | `inverse_near` | `inverse_branch` | longest call | flash, 3 | flash, s | stack | stack, list kept |\n\
+    let mut text = "| arm | `forward` | and Jacobian | `inverse` | `inverse_into` | `inverse_near` | `inverse_branch` | longest call | flash at 3 | flash at `s` | stack | stack, list kept |\n\
                     |---|---|---|---|---|---|---|---|---|---|---|---|\n"
         .to_owned();
     let number = |arm: &str, function: &str, column: usize| {

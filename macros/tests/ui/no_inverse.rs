@@ -21,6 +21,6 @@ fn main() {
     let pose = General.forward(&[0.0; 6]);
     println!("{:?}", General.inverse(&pose).len());
     println!("{:?}", General.inverse_near(&pose, &[0.0; 6]).len());
-    let mut kept = Solutions::new(Status::BadTarget);
+    let mut kept: Solutions<f64, 6, { General::MAX_SOLUTIONS }> = Solutions::new(Status::BadTarget);
     General.inverse_into(&pose, &mut kept);
 }
