@@ -32,7 +32,7 @@ use crate::dh::{Convention, DhFrame, DhRow, DhTable, JointKind};
 /// assert_eq!(pose.translation.z, 0.2);
 /// # Ok::<(), denhart::ChainError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone)]
 pub struct Chain {
     convention: Convention,
     rows: Vec<DhRow>,
@@ -203,6 +203,32 @@ enum Place {
 
 fn quaternion_form(frame: &Frame) -> Isometry3<f64> {
     Isometry3::from_parts(frame.translation, frame.rotation.into())
+}
+
+impl Chain {
+    /// What a chain is made from.
+    fn parts(&self) -> (Convention, &[DhRow], &DhFrame, &DhFrame) {
+        (self.convention, &self.rows, &self.base, &self.tool)
+    }
+}
+
+/// Of equal tables.
+impl PartialEq for Chain {
+    fn eq(&self, other: &Self) -> bool {
+        self.parts() == other.parts()
+    }
+}
+
+impl fmt::Debug for Chain {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (convention, rows, base, tool) = self.parts();
+        f.debug_struct("Chain")
+            .field("convention", &convention)
+            .field("rows", &rows)
+            .field("base", base)
+            .field("tool", tool)
+            .finish()
+    }
 }
 
 impl From<&DhTable> for Chain {

@@ -186,3 +186,15 @@ fn jacobian_is_the_derivative_of_forward() {
         }
     }
 }
+
+#[test]
+fn equal_tables_are_equal_chains() {
+    let arm = |a: f64| Chain::new(Convention::Standard, &[DhRow::revolute(a, 0.3, 0.0, 0.4)]);
+    let frame = DhFrame { xyz: [0.2, -0.3, 0.4], rpy: [0.7, 0.8, -0.9] };
+    assert_eq!(arm(f64::INFINITY), arm(f64::INFINITY));
+    assert_ne!(arm(f64::NAN), arm(f64::NAN));
+    assert_eq!(arm(0.5).with_base(frame).with_tool(frame), arm(0.5).with_tool(frame).with_base(frame));
+    assert_ne!(arm(0.5), arm(0.5).with_tool(frame));
+    let shown = std::format!("{:?}", arm(0.5));
+    assert!(shown.starts_with("Chain { convention: Standard, rows: [") && !shown.contains("constants"), "{shown}");
+}

@@ -8,7 +8,7 @@ use nalgebra::{IsometryMatrix3, Matrix3, Rotation3, Translation3};
 use crate::dh::{Convention, DhFrame, DhRow, JointKind};
 
 /// The constant transforms of a chain.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone)]
 pub(super) struct Constants {
     pub(super) base: IsometryMatrix3<f64>,
     /// One for each row.
@@ -20,7 +20,7 @@ pub(super) struct Constants {
 ///
 /// The motion commutes with `Rz(theta) Tz(d)`, so these are constants: standard nothing and `Rz Tz Tx Rx`, modified
 /// `Rx Tx` and `Rz Tz`.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 pub(super) struct Around {
     pub(super) before: Option<IsometryMatrix3<f64>>,
     pub(super) after: IsometryMatrix3<f64>,
