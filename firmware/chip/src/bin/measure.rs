@@ -43,22 +43,25 @@ fn at(sorted: &[u32], of_hundred: usize) -> u32 {
     sorted.get((sorted.len() * of_hundred / 100).min(sorted.len().saturating_sub(1))).copied().unwrap_or(0)
 }
 
+/// A call that does nothing: what it takes is taken off the others.
+#[inline(never)]
+fn nothing<C>(case: &C) {
+    black_box(case);
+}
+
 macro_rules! measure {
     ($arm:ident, $scalar:ident) => {{
-        use firmware_arms::$arm::call::{self, Kept};
-        use firmware_arms::$arm::{Case, Robot};
-        let functions: [(&str, fn(&Case, &mut Kept)); 6] = [
-            ("forward", |case, _| call::forward(case)),
-            ("forward_and_jacobian", |case, _| call::forward_and_jacobian(case)),
-            ("inverse", |case, _| call::inverse(case)),
-            ("inverse_into", call::inverse_into),
-            ("inverse_near", |case, _| call::inverse_near(case)),
-            ("inverse_branch", |case, _| call::inverse_branch(case)),
-        ];
-        let nothing: fn(&Case, &mut Kept) = |case, _| {
-            black_box(case);
-        };
+        use firmware_arms::$arm::{Case, Robot, call};
         let mut kept = call::kept();
+        let mut into = |case: &Case| call::inverse_into(case, &mut kept);
+        let functions: [(&str, &mut dyn FnMut(&Case)); 6] = [
+            ("forward", &mut |case| call::forward(case)),
+            ("forward_and_jacobian", &mut |case| call::forward_and_jacobian(case)),
+            ("inverse", &mut |case| call::inverse(case)),
+            ("inverse_into", &mut into),
+            ("inverse_near", &mut |case| call::inverse_near(case)),
+            ("inverse_branch", &mut |case| call::inverse_branch(case)),
+        ];
         for (name, function) in functions {
             // The cases are made anew for each function: only one function's numbers are in memory.
             let mut maker = Maker::new(1);
@@ -67,11 +70,12 @@ macro_rules! measure {
                 let mut deepest = 0;
                 for place in list.iter_mut().take(count) {
                     let case = maker.case::<Robot, $scalar, { Robot::DOF }>(&Robot, family);
-                    let (case, function, nothing) = (black_box(&case), black_box(function), black_box(nothing));
-                    let empty = instructions(&mut || nothing(case, &mut kept));
-                    *place = instructions(&mut || function(case, &mut kept)).saturating_sub(empty);
-                    let empty = stack::of(&mut || nothing(case, &mut kept));
-                    deepest = deepest.max(stack::of(&mut || function(case, &mut kept)).saturating_sub(empty));
+                    let empty: &mut dyn FnMut(&Case) = &mut |case| nothing(case);
+                    let (case, function, empty) = (black_box(&case), black_box(&mut *function), black_box(empty));
+                    let idle = instructions(&mut || empty(case));
+                    *place = instructions(&mut || function(case)).saturating_sub(idle);
+                    let idle = stack::of(&mut || empty(case));
+                    deepest = deepest.max(stack::of(&mut || function(case)).saturating_sub(idle));
                 }
                 let list = list.get_mut(..count).unwrap_or_default();
                 list.sort_unstable();
