@@ -131,7 +131,7 @@ pub(super) fn function(
         let search = "The search; it remembers the branches that are missed with a free joint at its default value.";
         (passes, quote!(#krate::solve::Levels<#scalar, #m>), search)
     };
-    let search_doc = docs::lines(search_doc);
+    let search_doc = docs::lines(&format!("{search_doc} Its numbers: joints, solutions, stages that may be in doubt."));
     let doubts = integer(program.most_doubts());
     let passes = docs::lines(passes);
     let (missed_doc, in_doubt) = plan.missed.map_or_else(Default::default, |by| {
@@ -237,7 +237,6 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
     let one =
         if plan.flip().is_some() { quote!(solutions.one_on(branch)) } else { quote!(solutions.first_or_status()) };
     let list = quote!(let mut solutions = #krate::Solutions::new(#krate::Status::BadTarget););
-    let reset = quote!(solutions.reset(#krate::Status::BadTarget););
     quote! {
         #arm_angle
         #sample
@@ -250,14 +249,14 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
         #[must_use]
         pub fn inverse(&self, target: &#target_type #argument) -> #solutions {
             #list
-            branches(self, target, #pass_wrapped ::core::option::Option::None, ALL, &mut solutions);
+            self.inverse_into(target, #pass &mut solutions);
             solutions
         }
 
         /// `inverse` into a list that the caller keeps: the list is neither made anew nor copied. What it held is gone.
-        #[inline]
+        #[inline(always)]
         pub fn inverse_into(&self, target: &#target_type #argument, solutions: &mut #solutions) {
-            #reset
+            solutions.reset(#krate::Status::BadTarget);
             branches(self, target, #pass_wrapped ::core::option::Option::None, ALL, solutions);
         }
 
@@ -278,17 +277,16 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
         #[inline(always)]
         #[must_use]
         pub fn inverse_near(&self, target: &#target_type, q_ref: &[#scalar; #n]) -> #solutions {
-            #from_reference
             #list
-            branches(self, target, #pass ::core::option::Option::Some(q_ref), ALL, &mut solutions);
+            self.inverse_near_into(target, q_ref, &mut solutions);
             solutions
         }
 
         /// `inverse_near` into a list that the caller keeps.
-        #[inline]
+        #[inline(always)]
         pub fn inverse_near_into(&self, target: &#target_type, q_ref: &[#scalar; #n], solutions: &mut #solutions) {
             #from_reference
-            #reset
+            solutions.reset(#krate::Status::BadTarget);
             branches(self, target, #pass ::core::option::Option::Some(q_ref), ALL, solutions);
         }
 

@@ -38,7 +38,7 @@ pub struct Chain {
     rows: Vec<DhRow>,
     base: DhFrame,
     tool: DhFrame,
-    /// Of the above; worked out once.
+    /// The transforms of the table that no joint value changes, worked out once.
     constants: Constants,
 }
 
@@ -88,13 +88,17 @@ impl Chain {
     /// Kinds of the joints in order: revolute or prismatic.
     #[must_use]
     pub fn kinds(&self) -> Vec<JointKind> {
-        self.rows.iter().map(|row| row.kind).filter(|kind| *kind != JointKind::Fixed).collect()
+        self.joints().collect()
     }
 
     /// Number of joints.
     #[must_use]
     pub fn dof(&self) -> usize {
-        self.rows.iter().filter(|row| row.kind != JointKind::Fixed).count()
+        self.joints().count()
+    }
+
+    fn joints(&self) -> impl Iterator<Item = JointKind> {
+        self.rows.iter().map(|row| row.kind).filter(|kind| *kind != JointKind::Fixed)
     }
 
     /// Pose of the tool in the base frame, through base, all rows and tool.
@@ -133,8 +137,7 @@ impl Chain {
             }
         })?;
         let mut jacobian = Matrix6xX::zeros(axes.len());
-        let kinds = self.rows.iter().map(|row| row.kind).filter(|kind| *kind != JointKind::Fixed);
-        for (mut column, (kind, (axis, origin))) in jacobian.column_iter_mut().zip(kinds.zip(&axes)) {
+        for (mut column, (kind, (axis, origin))) in jacobian.column_iter_mut().zip(self.joints().zip(&axes)) {
             let (linear, angular) = match kind {
                 JointKind::Revolute => (axis.cross(&(tool.translation.vector - origin)), *axis),
                 JointKind::Prismatic | JointKind::Fixed => (*axis, Vector3::zeros()),

@@ -18,8 +18,8 @@ pub(super) struct Constants {
 
 /// What stands before and after the motion of a row's joint.
 ///
-/// The motion commutes with `Rz(theta) Tz(d)`, so these are constants: standard nothing and `Rz Tz Tx Rx`, modified
-/// `Rx Tx` and `Rz Tz`.
+/// The motion commutes with `Rz(theta) Tz(d)`, so these are constants. In the standard convention nothing stands before
+/// it and `Rz Tz Tx Rx` after it, in the modified one `Rx Tx` before and `Rz Tz` after.
 #[derive(Clone, Copy)]
 pub(super) struct Around {
     pub(super) before: Option<IsometryMatrix3<f64>>,
