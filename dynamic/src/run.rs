@@ -1,9 +1,7 @@
 //! One run of the inverse: the nest of a program, with the runtime's search.
 
 use denhart::math;
-use denhart::solve::{
-    self, ArmConstants, BranchState, Cone, DefaultValue, Elbow, MOST_CASCADES, Missed, Search, Select, Turn,
-};
+use denhart::solve::{self, ArmConstants, BranchState, Cone, DefaultValue, Elbow, Missed, Search, Select, Turn};
 use denhart::{Branch, Elbow as ElbowSide, Shoulder, Wrist};
 use denhart_codegen::lower::{self, Branching, Call, Each, Root, Slot, Statement, Unit};
 
@@ -36,15 +34,11 @@ impl<'a> Run<'a> {
         constants: &ArmConstants<'_, f64, N>,
         near: Option<&[f64; N]>,
     ) {
-        for _ in 0..MOST_CASCADES {
+        search.run(constants, near, |search, start| {
             self.states.clear();
-            self.states.resize(self.nest.states(), search.start());
-            self.level(0, Branch::NONE, &mut search);
-            if search.complete() {
-                break;
-            }
-        }
-        search.finish(constants, near);
+            self.states.resize(self.nest.states(), start);
+            self.level(0, Branch::NONE, search);
+        });
     }
 
     fn level<const N: usize, const M: usize, P: Missed<f64, M>>(
@@ -61,7 +55,7 @@ impl<'a> Run<'a> {
         }
         let Some(each) = nest.levels.get(depth + 1).and_then(|next| next.each.as_ref()) else { return };
         let Some(roots) = self.known.get(each.stage).and_then(|known| known.roots) else { return };
-        let (state, wanted) = (self.state(each.state, search), self.root_wanted(each.branching));
+        let (Some(state), wanted) = (self.state(each.state), self.root_wanted(each.branching)) else { return };
         let wanted = if each.flips { state.flips(wanted) } else { wanted };
         with_roots!(&roots, stage => {
             for (index, root) in stage.each(&state, wanted) {
@@ -97,7 +91,7 @@ impl<'a> Run<'a> {
             }
             Statement::Solve(call) => self.solve(call, search),
             Statement::Follow { stage, before } => {
-                let before = self.state(*before, search);
+                let Some(before) = self.state(*before) else { return };
                 let roots = self.known.get(*stage).and_then(|known| known.roots);
                 self.set_state(lower::BranchState::Stage(*stage), follow(search, &before, &roots));
             }
@@ -113,13 +107,14 @@ impl<'a> Run<'a> {
             }
             Statement::Agree { index, before, unit, misses, .. } => {
                 let measure = measure(*unit, self.nest.program.constants.reach);
-                let mut state = self.state(*before, search);
+                let Some(mut state) = self.state(*before) else { return };
                 for miss in misses {
                     state = search.agree(&state, measure, [self.value(*miss)]);
                 }
                 self.set_state(lower::BranchState::Agreed(*index), state);
             }
             Statement::Swivel { symbols, vectors, before, .. } => {
+                let Some(before) = self.state(*before) else { return };
                 let [wrist, moved, axis, elbow] = self.values().rows(vectors);
                 let rotation = solve::swivel(wrist, moved, axis, elbow, self.swing);
                 for (symbol, value) in symbols.iter().flatten().zip(rotation.iter().flatten()) {
@@ -127,7 +122,7 @@ impl<'a> Run<'a> {
                 }
                 let length = measure(Unit::Length, self.nest.program.constants.reach);
                 let defaults = [search.default(0), search.default(1)];
-                let state = search.directed(&self.state(*before, search), length, wrist, defaults);
+                let state = search.directed(&before, length, wrist, defaults);
                 self.set_state(lower::BranchState::Swung, state);
             }
             Statement::Value { symbol, terms, constant } => {
@@ -145,7 +140,7 @@ impl<'a> Run<'a> {
                 self.set(*symbol, solve::wrap(sum));
             }
             Statement::Push { state, q } => {
-                let state = self.state(*state, search);
+                let Some(state) = self.state(*state) else { return };
                 let mut values = [f64::NAN; N];
                 for (value, slot) in values.iter_mut().zip(q) {
                     *value = self.value(*slot);
@@ -205,12 +200,8 @@ impl<'a> Run<'a> {
         }
     }
 
-    fn state<const N: usize, const M: usize, P: Missed<f64, M>>(
-        &self,
-        state: lower::BranchState,
-        search: &Search<'_, f64, N, M, MOST_DOUBTS, P>,
-    ) -> BranchState {
-        self.states.get(self.nest.state(state)).copied().unwrap_or_else(|| search.start())
+    fn state(&self, state: lower::BranchState) -> Option<BranchState> {
+        self.states.get(self.nest.state(state)).copied()
     }
 
     fn set_state(&mut self, state: lower::BranchState, value: BranchState) {

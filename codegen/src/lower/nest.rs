@@ -86,8 +86,9 @@ pub fn inverse(model: &Model, plan: &Plan) -> Inverse {
 const PREFIXES: [&str; 7] = ["q", "index", "roots", "state", "elbow", "cone", "phase"];
 
 /// Names that it uses as they are.
-const NAMES: [&str; 13] = [
+const NAMES: [&str; 14] = [
     "agreed",
+    "nest",
     "locked",
     "nearest",
     "search",

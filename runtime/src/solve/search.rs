@@ -7,7 +7,7 @@ use super::level::{Behind, Level, LevelOf};
 use super::open::LEVELS;
 use super::passes::{Missed, Passes};
 use super::{ArmConstants, BranchState, DefaultValue, Goal, Measure, Stage, Tolerances};
-use crate::effort::MOST_EVALUATIONS;
+use crate::effort::{MOST_CASCADES, MOST_EVALUATIONS};
 use crate::limits::within;
 use crate::vector::norm;
 use crate::{Branch, Flags, JointMask, Residual, Solution, Solutions, Status};
@@ -113,13 +113,6 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         let strokes = self.goal.given().iter().filter(|joint| self.constants.prismatic.contains(*joint));
         let placed = self.goal.placed(self.defaults);
         strokes.filter_map(|joint| placed.get(joint)).fold(T::ZERO, |sum, stroke| sum + stroke.abs())
-    }
-
-    /// The start of every branch.
-    #[inline]
-    pub fn start(&self) -> BranchState {
-        crate::effort::cascade();
-        BranchState::start(self.doubt || self.passes.is_some())
     }
 
     /// Where a joint stays if it is free: its reference value; without one 0, or the limit nearest to 0.
@@ -273,19 +266,27 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         }
     }
 
-    /// The end of a pass. Returns whether this pass was the last one. If not, a joint is free or nearly so on some
-    /// branch, and the branches are to be followed once more with that joint elsewhere.
-    #[inline]
-    #[must_use]
-    pub fn complete(&mut self) -> bool {
-        self.passes.is_none() || !self.next_pass()
-    }
-
-    /// The end of the search: with a reference, solutions are unwound next to it and sorted; limits are marked, and the
-    /// status is set. `constants` are those of the search: the compiler sees their values here, and leaves out what they
-    /// exclude.
-    #[inline]
-    pub fn finish(&mut self, constants: &ArmConstants<'_, T, N>, near: Option<&[T; N]>) {
+    /// Runs the cascade: `nest` follows every branch once and pushes the solutions. At a singular target `nest` runs
+    /// again, with a free joint at another place, at most [`MOST_CASCADES`] times in all. Then, with a reference,
+    /// solutions are unwound next to it and sorted; limits are marked, and the status is set.
+    ///
+    /// `constants` are those of the search: the compiler sees their values here, and leaves out what they exclude.
+    #[inline(always)]
+    pub fn run(
+        &mut self,
+        constants: &ArmConstants<'_, T, N>,
+        near: Option<&[T; N]>,
+        mut nest: impl FnMut(&mut Self, BranchState),
+    ) {
+        // One place of the call: the nest is inlined into it.
+        for _ in 0..MOST_CASCADES {
+            crate::effort::cascade();
+            let start = BranchState::start(self.doubt || self.passes.is_some());
+            nest(self, start);
+            if self.passes.is_none() || !self.next_pass() {
+                break;
+            }
+        }
         if let Some(near) = near {
             self.next_to(near);
         }
