@@ -28,7 +28,7 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize
     /// Where each joint stays if it is free, and where a virtual one does.
     pub(super) defaults: [T; N],
     pub(super) away: T,
-    /// The least gap of a stage at which a branch ended, or what a branch that went on misses by.
+    /// Least stage residual at which a branch ended, or least residual of a branch that went on.
     pub(super) least: Option<T>,
     /// The joints that already an amplitude near zero leaves free: those on open branches, on the way there.
     pub(super) nearly: JointMask,
@@ -42,9 +42,9 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize
     /// Every branch is verified. The arm misses its structure by more than rounding, or the target is so far away that
     /// its rounding alone can exceed what closes. A long slide may reach such a target.
     doubt: bool,
-    /// Whether there is a reference.
+    /// True if there is a reference.
     pub(super) has_reference: bool,
-    /// What is remembered at a pose that needs further passes.
+    /// Branches remembered at a pose that needs further passes.
     pub(super) passes: Option<Passes<T, N, M, P>>,
 }
 
@@ -76,8 +76,8 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         }
     }
 
-    /// The same search with every branch verified. The search is for an arm whose axes miss the structure of its
-    /// equations by more than rounding. The roots of the equations then miss by more than rounding, too.
+    /// Verifies every branch. An arm whose axes miss the structure of its equations by more than rounding needs this:
+    /// the roots of the equations then miss by more than rounding, too.
     #[inline(always)]
     #[must_use]
     pub fn in_doubt(mut self) -> Self {
@@ -85,10 +85,10 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         self
     }
 
-    /// Whether there is something to search. Otherwise the solutions get their status. The status is
+    /// Returns true if there is something to search. Otherwise the solutions get their status. The status is
     /// [`Status::BadTarget`] if the target or the reference is not finite, or the reference is wound too far. The
-    /// status is [`Status::Unreachable`] if the target is so far away, or the given value of a slide so large, that
-    /// squares overflow.
+    /// status is [`Status::Unreachable`] if squares overflow: the target is too far away, or the given value of a
+    /// prismatic joint too large.
     #[inline(always)]
     #[must_use]
     pub fn begins(&mut self, near: Option<&[T; N]>) -> bool {
@@ -121,7 +121,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         self.default_at(joint, self.defaults.get(joint).copied().unwrap_or(T::ZERO))
     }
 
-    /// The same for a virtual joint: 0.
+    /// The default value of a virtual joint: 0, or in a further pass another one.
     #[inline]
     pub fn virtual_default(&self) -> DefaultValue<T> {
         self.default_at(VIRTUAL, self.away)
@@ -212,7 +212,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         self.with_doubts(state, next, ended)
     }
 
-    /// A branch misses by this.
+    /// Notes a branch that misses by `gap`, a length or an angle.
     #[cold]
     #[inline(never)]
     pub(super) fn misses(&mut self, gap: T) {
@@ -220,7 +220,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         self.least = Some(self.least.map_or(gap, |least| least.min(gap)));
     }
 
-    /// The same with a length and an angle.
+    /// Notes a branch that misses by a length and an angle.
     #[cold]
     #[inline(never)]
     pub(super) fn misses_by(&mut self, residual: &Residual<T>) {
