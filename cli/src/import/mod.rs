@@ -9,6 +9,7 @@ mod couple;
 mod likely;
 mod number;
 mod path;
+mod prefixes;
 mod proof;
 mod rigid;
 mod said;
