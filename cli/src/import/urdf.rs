@@ -300,10 +300,7 @@ mod tests {
                 "<robot name=\"r\">\n\n<drake:a/><xacro:arm/></robot>".to_owned(),
                 "line 3: `<xacro:arm>`: this file is a template",
             ),
-            (
-                "<robot name=\"r\">\n<drake:a/>\n<joint name=\"j\"/></robot>".to_owned(),
-                "line 3: joint `j`: no `type`",
-            ),
+            ("<robot name=\"r\">\n<drake:a/>\n<joint name=\"j\"/></robot>".to_owned(), "line 3: joint `j`: no `type`"),
             (
                 "<robot><link name=\"a\"/><link name=\"b\"/></robot>".to_owned(),
                 "the links are no tree: a, b have no parent",
