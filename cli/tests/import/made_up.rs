@@ -1,6 +1,6 @@
 //! `denhart import` on small URDF files made up for what is hard about them.
 
-use crate::{refused, text, written};
+use crate::{model, refused, text, written};
 
 /// A joint of a chain: type, xyz and rpy of the origin, axis.
 type Joint<'t> = (&'t str, &'t str, &'t str, &'t str);
@@ -53,4 +53,31 @@ fn a_table_that_misses_the_urdf_is_told_with_the_bound_it_misses() {
         said.contains("the table misses the URDF by ") && said.contains(": expected at most 1.0e-9 m and 1.0e-9 rad"),
         "{said}"
     );
+}
+
+/// The `d` of each row, m.
+fn offsets(file: &str) -> Vec<f64> {
+    model(file).rows.iter().map(|row| row.d.default_value()).collect()
+}
+
+#[test]
+fn a_calibrated_arm_has_no_offset_beyond_its_size() {
+    let tilts = [
+        "0.0017 -0.0012 0",
+        "1.5719 0.0014 0.002",
+        "-0.0017 0.0009 0.001",
+        "0.0011 -0.0016 0",
+        "1.5703 0.0005 0",
+        "-1.5712 0.0003 0",
+    ];
+    let origins = ["0 0 0.1521", "0.0001 0 0", "-0.2435 0.0002 0", "-0.2134 0 0.1311", "0 -0.0853 0", "0 0.0921 0"];
+    let joints: Vec<_> = tilts.iter().zip(origins).map(|(rpy, xyz)| ("revolute", xyz, *rpy, "0 0 1")).collect();
+    let (file, said) = imported(&chain(&joints), &[]);
+    let most = offsets(&file).into_iter().fold(0.0, |most: f64, d| most.max(d.abs()));
+    assert!(most < 0.6, "{file}");
+    assert!(!said.contains("millimeters"), "{said}");
+    assert_eq!(file.matches("type: fixed").count(), 2, "{file}");
+    // Joint 1 and the wrist are far from parallel: their rows have the common normal.
+    assert_eq!(model(&file).rows.len(), 8);
+    assert!(said.contains("from the URDF's by at most "), "{said}");
 }
