@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use clap::ValueEnum;
-use denhart::{JointKind, Pose};
+use denhart::JointKind;
 use denhart_dynamic::{DynamicArm, DynamicError};
 
 use crate::Failure;
@@ -76,6 +76,17 @@ impl From<DynamicError> for Failure {
     }
 }
 
+impl Failure {
+    /// The same failure with the place of its text before it.
+    pub fn at(self, place: &str) -> Self {
+        match self {
+            Self::Usage(text) => Self::Usage(format!("{place}: {text}")),
+            Self::Other(text) => Self::Other(format!("{place}: {text}")),
+            other => other,
+        }
+    }
+}
+
 /// The arm of a file; `-` is the standard input.
 ///
 /// # Errors
@@ -88,11 +99,6 @@ pub fn arm(file: &Path) -> Result<DynamicArm, Failure> {
 /// `1 value`, `2 values`.
 pub fn count(n: usize, of: &str) -> String {
     if n == 1 { format!("1 {of}") } else { format!("{n} {of}s") }
-}
-
-/// A pose from `x y z roll pitch yaw`.
-pub fn pose([x, y, z, roll, pitch, yaw]: [f64; 6], units: Units) -> Pose<f64> {
-    Pose::from_xyz_rpy([x, y, z], [roll, pitch, yaw].map(|angle| units.rad(angle)))
 }
 
 /// At most nine digits, no trailing zeros, no negative zero.
