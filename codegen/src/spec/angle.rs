@@ -70,7 +70,7 @@ const SUFFIXES: &[(&str, AngleUnit)] = &[
 ];
 
 /// A decimal number and nothing else: `f64::from_str` would also take `inf`.
-fn decimal(text: &str) -> Option<f64> {
+pub(super) fn decimal(text: &str) -> Option<f64> {
     let digits = text.chars().any(|c| c.is_ascii_digit());
     let plain = text.chars().all(|c| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e'));
     text.parse().ok().filter(|value: &f64| digits && plain && value.is_finite())

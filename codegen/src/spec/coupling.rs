@@ -159,7 +159,7 @@ impl Reader<'_> {
     /// A number, or a length for a turn: `20 per rev`.
     fn coupling_factor(&mut self, field: &Field<'_>) -> Option<Factor> {
         match field.node {
-            Node::Text(text) => {
+            Node::Text(text) if field.node.number().is_none() => {
                 let factor = length_per_angle(text);
                 if let Some(Factor::LengthPerRad(size)) = factor {
                     self.within(range::FACTOR, field, size, "write the travel of the motor for a turn: `20 per rev`")?;

@@ -156,7 +156,17 @@ fn sum(text: &str) -> Option<String> {
 
 /// A number in other characters than the keyboard's.
 fn typed(text: &str) -> Option<String> {
-    with_ascii_minus(text).or_else(|| with_point(text))
+    let plain = || without_leading_zeros(text).map(|plain| format!("write {plain}"));
+    with_ascii_minus(text).or_else(|| with_point(text)).or_else(plain)
+}
+
+/// `010` as `10`, `-007` as `-7`; none of a text that is no number, or has no zero in front of another digit.
+pub fn without_leading_zeros(text: &str) -> Option<String> {
+    let text = text.trim();
+    let (sign, digits) = text.split_at(usize::from(text.starts_with(['-', '+'])));
+    let zeros = digits.bytes().zip(digits.bytes().skip(1)).take_while(|(c, next)| *c == b'0' && next.is_ascii_digit());
+    let plain = digits.get(zeros.count()..)?;
+    (plain.len() < digits.len() && text.parse::<f64>().is_ok()).then(|| format!("{sign}{plain}"))
 }
 
 /// A length with its unit.
@@ -207,7 +217,9 @@ mod tests {
         assert_eq!(number("-80,5").as_deref(), Some("write -80.5, with a decimal point"));
         assert!(number("365 mm").is_some_and(|help| help.contains("365 if that is mm")));
         assert!(number("\u{2212}445").is_some_and(|help| help.starts_with("write -445:")));
-        for text in ["long", "1,2,3", "3 parsec", ""] {
+        assert_eq!(number("010").as_deref(), Some("write 10"));
+        assert_eq!(angle("-007.5").as_deref(), Some("write -7.5"));
+        for text in ["long", "1,2,3", "3 parsec", "", "0", "0.5", "00x"] {
             assert_eq!(number(text), None, "{text}");
         }
     }

@@ -70,7 +70,10 @@ impl Reader<'_> {
 
     /// A length: a number or a multiple of a parameter. Without a list of parameters no text is judged.
     pub fn length(&mut self, field: &Field<'_>, parameters: Option<&[ParameterSpec]>) -> Option<Length> {
-        let Node::Text(text) = field.node else { return self.number(field).map(Length::Constant) };
+        let text = match field.node {
+            Node::Text(text) if field.node.number().is_none() => text,
+            _ => return self.number(field).map(Length::Constant),
+        };
         let parameters = parameters?;
         let names = || parameters.iter().map(|parameter| parameter.name.as_str());
         match factored(text) {
@@ -93,7 +96,7 @@ impl Reader<'_> {
                     self.mistakes.push(self.source.mistake(&field.place, message).help(help));
                 }
             },
-            // A quoted number has a message of its own.
+            // A number that is not finite or has leading zeros has a message of its own.
             Err(expected) if !parameters.is_empty() && text.trim().parse::<f64>().is_err() => {
                 let help = if expected.starts_with("a factor") { None } else { meant::expression(text) };
                 self.unexpected(field, &format!("a number, or {expected}"), help);
