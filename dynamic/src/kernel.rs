@@ -37,7 +37,7 @@ macro_rules! with_roots {
 }
 pub(crate) use with_roots;
 
-/// What is known of a stage while it is solved: what was worked out before, and its roots.
+/// State of a stage while it is solved: its constant ranges and its roots.
 #[derive(Debug, Clone, Copy)]
 pub struct Known {
     pub phase: Turn<f64>,
@@ -83,7 +83,7 @@ impl Values<'_> {
     }
 }
 
-/// What the numbers of an equation measure.
+/// Unit of an equation, with its typical size.
 pub fn measure(unit: Unit, reach: f64) -> Measure<f64> {
     match unit {
         Unit::Length => Measure::length(reach),

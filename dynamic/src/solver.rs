@@ -14,7 +14,7 @@ use crate::nest::Nest;
 use crate::run::Run;
 use crate::{DynamicError, DynamicSolution, DynamicSolutions, DynamicTarget};
 
-/// What is asked of an inverse.
+/// Query to an inverse.
 pub struct Asked<'a> {
     pub target: &'a DynamicTarget,
     /// The value of the redundant joint, or the arm angle, where the inverse takes one.
@@ -31,7 +31,7 @@ pub trait Solve: std::fmt::Debug + Send + Sync {
     fn solve(&self, asked: &Asked) -> DynamicSolutions;
     /// The solution of [`solve`](Self::solve), or its status.
     fn one(&self, asked: &Asked) -> Result<DynamicSolution, Status<f64>>;
-    /// By how much a joint vector, at which the tool has this pose, misses the target.
+    /// Residual of a joint vector, at which the tool has this pose.
     fn residual(&self, q: &[f64], target: &DynamicTarget, pose: &Pose<f64>) -> Residual<f64>;
 }
 

@@ -170,7 +170,7 @@ impl Nest<'_> {
         }
     }
 
-    /// What is taken of a stage's roots: the parts in use.
+    /// Parts in use of a stage's roots.
     fn roots(&mut self, stage: &Stage) -> Vec<Root> {
         let level = self.deepest();
         let mut roots = Vec::new();

@@ -9,15 +9,15 @@ use crate::model::{JointKind, Model, Task};
 pub struct Unsupported {
     /// The sentence.
     pub reason: String,
-    /// What to look at in the file, where something in it is probably meant otherwise.
+    /// Advice on an entry of the file that is probably meant otherwise.
     pub hint: Option<String>,
-    /// What the file may ask for instead, as it is written: `inverse: {task: position}`.
+    /// Requests that have an inverse, as the file writes them: `inverse: {task: position}`.
     pub instead: Vec<String>,
 }
 
 /// A request for which the arm has an inverse.
 pub(super) struct Alternative {
-    /// What differs from the request of the file; empty if that is not a part of the reason.
+    /// Difference from the request of the file; empty if that is not a part of the reason.
     words: String,
     /// The request as the file writes it.
     written: String,
@@ -33,7 +33,7 @@ impl Alternative {
 }
 
 impl Unsupported {
-    /// The same with what would work instead.
+    /// Adds the requests that would work instead.
     pub(super) fn or_else(self, alternatives: Vec<Alternative>) -> Self {
         let (words, instead): (Vec<String>, Vec<String>) =
             alternatives.into_iter().map(|Alternative { words, written }| (words, written)).unzip();
@@ -62,7 +62,7 @@ fn needs(task: Option<Task>) -> usize {
     }
 }
 
-/// Whether the arm has one joint more than its task needs, and the file does not name it.
+/// Returns true if the arm has one joint more than its task needs, and the file does not name that joint.
 pub(super) fn is_one_more(model: &Model, task: Option<Task>) -> bool {
     // The angle of `position_angle` is the sum of all joints but one: none of them can be given.
     let takes_one = task != Some(Task::PositionAngle);

@@ -114,7 +114,7 @@ fn pi_product(text: &str) -> Option<WrittenAngle> {
 ///
 /// Double-double arithmetic after Dekker (1971): products split by a fused multiply-add, `pi` to 106 bits.
 pub fn pi_times(numerator: f64, denominator: f64) -> f64 {
-    /// What is left of pi after rounding it to the nearest double.
+    /// Pi less its nearest double.
     const PI_TAIL: f64 = 1.224_646_799_147_353_2e-16;
     let product = numerator * PI;
     let tail = numerator.mul_add(PI, -product) + numerator * PI_TAIL;

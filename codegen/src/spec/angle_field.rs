@@ -7,7 +7,7 @@ use super::reader::{Field, NOTHING, Reader};
 use super::yaml::Node;
 use std::f64::consts::{FRAC_PI_4, PI};
 
-/// What an angle is for: how sure it is that an odd value is a mistake.
+/// Role of an angle: tells how sure it is that an odd value is a mistake.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AngleRole {
     /// The angle between two axes. Nobody builds an arm with 1.57 degrees here.
@@ -16,17 +16,17 @@ pub enum AngleRole {
     Offset,
     /// The end of a joint's range: any value may be meant, and exactness gains nothing.
     Limit,
-    /// Where a joint or a motor stands: the same.
+    /// The position of a joint or a motor: any value may be meant here, too.
     Position,
     /// A small angle of any size.
     Tolerance,
 }
 
-/// What to write instead of a range that is no range.
+/// Advice for a range that is no range.
 pub const NO_LIMIT: &str = "write null for an end without a limit";
 
 impl AngleRole {
-    /// What to write instead of an angle that is too large or too small.
+    /// Advice for an angle that is too large or too small.
     fn advice(self) -> &'static str {
         match self {
             Self::Twist | Self::Offset => "write the angle within a turn, such as 90 deg, 1.5 rad or pi/2; 0 for none",
@@ -87,7 +87,7 @@ impl Reader<'_> {
         Some(angle)
     }
 
-    /// Whether a plain number is certainly in the other unit; where it only may be, a warning is left.
+    /// Returns true if a plain number is certainly in the other unit. A number that only may be leaves a warning.
     fn wrong_unit(&mut self, field: &Field<'_>, value: f64, unit: AngleUnit, role: AngleRole) -> bool {
         if role == AngleRole::Tolerance {
             return false;

@@ -1,15 +1,15 @@
-//! What people write for a number or an angle where the file takes only the number.
+//! Advice on texts that people write for a number or an angle where the file takes only the number.
 
 use super::angle::WrittenAngle;
 use super::yaml::Node;
 
-/// What to write for a text in the place of a number.
+/// Advice on a text in the place of a number.
 pub fn number(text: &str) -> Option<String> {
     let text = text.trim();
     typed(text).or_else(|| with_unit(text)).or_else(|| sum(text)).or_else(|| expression(text))
 }
 
-/// What to write for a text in the place of an angle.
+/// Advice on a text in the place of an angle.
 pub fn angle(text: &str) -> Option<String> {
     let text = text.trim();
     let computed = || {
@@ -18,14 +18,14 @@ pub fn angle(text: &str) -> Option<String> {
     typed(text).or_else(|| with_variable(text)).or_else(|| sum(text)).or_else(computed)
 }
 
-/// What to write for a length that is to be computed.
+/// Advice on a length that is to be computed.
 pub fn expression(text: &str) -> Option<String> {
     let help = "write its value, or give it a name: `parameters: {l5: 0.35}`. A name takes a sign or a factor, and \
                 nothing is added to it: `-l5`, `2*l5`, `l5/2`";
     sum(text).or_else(|| has_operator(text).then(|| help.to_owned()))
 }
 
-/// Whether something is to be computed between numbers or names.
+/// Returns true if a text has an operator between numbers or names.
 fn has_operator(text: &str) -> bool {
     let is_operand = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.' | '(' | ')');
     let between = |at: usize| {
@@ -52,7 +52,7 @@ pub fn other_name(name: &str, known: &[&'static str]) -> Option<&'static str> {
     known.iter().copied().find(|word| *word == key)
 }
 
-/// What to write for a list of `found` entries in the place of one of `wanted`: `[-60, 0,5]` as `[-60, 0.5]`.
+/// Advice on a list of `found` entries in the place of a list of `wanted`: `[-60, 0,5]` as `[-60, 0.5]`.
 pub fn list(written: &str, found: usize, wanted: usize) -> Option<String> {
     let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
     let chars: Vec<char> = written.chars().collect();
@@ -68,7 +68,7 @@ pub fn list(written: &str, found: usize, wanted: usize) -> Option<String> {
     Some(format!("write {pointed}, with a decimal point"))
 }
 
-/// What to write for a key that other tools have.
+/// Advice on a key that other tools have.
 pub fn key(name: &str, known: &[&str]) -> Option<String> {
     let row = known.contains(&"theta") && known.contains(&"alpha");
     let lower = name.to_lowercase();
@@ -93,8 +93,8 @@ pub fn key(name: &str, known: &[&str]) -> Option<String> {
     Some(help.to_owned())
 }
 
-/// What to write in the place of a mapping with `known` keys: for a row of a table, a matrix, a number, a unit. `key` is
-/// the one that the mapping belongs to.
+/// Advice on the place of a mapping with `known` keys: for a row of a table, a matrix, a number, a unit. The mapping
+/// belongs to `key`.
 pub fn mapping(key: &str, written: &str, node: &Node, known: &[&str]) -> Option<String> {
     if known.contains(&"rpy") {
         return Some(

@@ -20,7 +20,7 @@ pub struct ParameterSpec {
     pub place: Place,
 }
 
-/// What the lengths and angles of rows and frames are read with.
+/// Unit and parameters with which the lengths and angles of rows and frames are read.
 #[derive(Clone, Copy)]
 pub struct Context<'c> {
     /// The unit of plain angles; `None` where the file's unit is a mistake.
@@ -119,7 +119,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether a text can name a field as it stands: an identifier of Rust that is no keyword.
+/// Returns true if a text can name a field as it stands: an identifier of Rust that is no keyword.
 fn is_field_name(text: &str) -> bool {
     !text.starts_with("r#") && syn::parse_str::<syn::Ident>(text).is_ok()
 }

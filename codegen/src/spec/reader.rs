@@ -50,7 +50,7 @@ impl<'n> Fields<'n> {
         self.entries.iter().find(|field| field.key == key).cloned()
     }
 
-    /// Whether the key is there, or a misspelling of it.
+    /// Returns true if the key is there, or a misspelling of it.
     pub fn has(&self, key: &str) -> bool {
         self.meant.contains(&key) || self.entries.iter().any(|field| field.key == key)
     }
@@ -195,7 +195,7 @@ impl<'s> Reader<'s> {
         self.displacement(field, "lengths are in the unit that `units` names; write 0 where there is none")
     }
 
-    /// The same with advice of its own for a number that is too large or too small.
+    /// A finite number in the file's length unit, with advice of its own for a number that is too large or too small.
     pub fn displacement(&mut self, field: &Field<'_>, help: &str) -> Option<f64> {
         if let Some(value) = field.node.number() {
             let value = self.within(range::LENGTH, field, value, help)?;
@@ -250,7 +250,7 @@ impl<'s> Reader<'s> {
     }
 }
 
-/// What a node is, in the words of a message.
+/// Description of a node, in the words of a message.
 fn describe(node: &Node, written: &str) -> String {
     match node {
         Node::Null => "nothing".to_owned(),
