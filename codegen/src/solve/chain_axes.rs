@@ -59,6 +59,21 @@ impl LoopChain {
         })
     }
 
+    /// The normal of the plane that every joint moves in, in the base frame. `None` without such a plane, or where no joint
+    /// turns.
+    pub fn plane_normal(&self) -> Option<[f64; 3]> {
+        let sample = self.generic.samples().first()?;
+        let axes = self.axes(sample);
+        let normal = axes.iter().zip(&self.loop_joints).find(|(_, slot)| slot.revolute)?.0.direction;
+        let in_plane = self.generic.samples().iter().all(|sample| {
+            self.axes(sample).iter().zip(&self.loop_joints).all(|(line, slot)| {
+                let u = line.direction;
+                self.generic.decisions.vanishes(if slot.revolute { length(cross(u, normal)) } else { dot(u, normal) })
+            })
+        });
+        in_plane.then_some(normal)
+    }
+
     /// For an arm in the plane: the turn about the tool's x axis that takes an upright frame to the tool's. `None` if
     /// that axis leaves the plane.
     pub fn tool_twist(&self) -> Option<Angle> {
