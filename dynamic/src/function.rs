@@ -109,18 +109,20 @@ impl Straight {
 
 /// A signed sum of joint angles and a constant angle, rad.
 #[derive(Debug, Clone)]
-struct Sum {
+pub struct Sum {
     terms: Vec<(usize, bool)>,
     constant: Option<f64>,
 }
 
 impl Sum {
-    fn new(sum: &AngleSum) -> Self {
+    /// From the generator's.
+    pub fn new(sum: &AngleSum) -> Self {
         let constant = (!sum.constant.is_zero()).then(|| sum.constant.rad());
         Sum { terms: sum.terms.clone(), constant }
     }
 
-    fn value(&self, q: &[f64]) -> f64 {
+    /// At joint values.
+    pub fn value(&self, q: &[f64]) -> f64 {
         let joint = |joint: &usize| q.get(*joint).copied().unwrap_or(f64::NAN);
         let Some(((first, negative), rest)) = self.terms.split_first() else { return self.constant.unwrap_or(0.0) };
         let first = if *negative { -joint(first) } else { joint(first) };

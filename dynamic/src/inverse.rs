@@ -5,6 +5,7 @@ use denhart::solve::wrap;
 use denhart::{Branch, PlanarPose, PointAngle, PointAxis, Pose, Residual, Status, math};
 use denhart_codegen::lower::{Given, Goal, Inverse};
 
+use crate::function::Sum;
 use crate::solver::{Asked, Solve};
 use crate::{DynamicArm, DynamicError, DynamicSolution, DynamicSolutions, DynamicTarget};
 
@@ -190,8 +191,8 @@ fn target_of(goal: &Goal, pose: &Pose<f64>, q: &[f64]) -> DynamicTarget {
             let axis = rotation.map(|row| row.get(*column).copied().unwrap_or(f64::NAN));
             DynamicTarget::PositionAxis(PointAxis::new(point, axis))
         }
-        Goal::PositionAngle { signs, offset } => {
-            let angle = signs.iter().zip(q).fold(offset.rad(), |sum, (sign, q)| sum + sign * q);
+        Goal::PositionAngle { .. } => {
+            let angle = goal.angle_sum().map_or(f64::NAN, |sum| Sum::new(&sum).value(q));
             DynamicTarget::PositionAngle(PointAngle::new(point, math::wrap(angle)))
         }
         Goal::PlanarPose => DynamicTarget::PlanarPose(PlanarPose::new(x, y, math::atan2(sin, cos))),

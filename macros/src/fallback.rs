@@ -51,6 +51,18 @@ impl Outline {
             None => self.joints == Some(USUAL_JOINTS),
         }
     }
+
+    /// The type of a target at joint values; a pose where no task can be seen.
+    fn target_at(&self, krate: &Path, number: &TokenStream) -> TokenStream {
+        match self.task.as_deref() {
+            Some("position") => quote!([#number; 3]),
+            Some("position_axis") => quote!(#krate::PointAxis<#number>),
+            Some("position_angle") => quote!(#krate::PointAngle<#number>),
+            Some("planar_pose") => quote!(#krate::PlanarPose<#number>),
+            Some("planar_position") => quote!([#number; 2]),
+            _ => quote!(#krate::Pose<#number>),
+        }
+    }
 }
 
 /// The impls. Where the number of joints is not known the functions take any; what they return has six.
@@ -67,6 +79,7 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
     } else {
         (quote!(Target), Some(quote!(Target: ?::core::marker::Sized)))
     };
+    let target_at = outline.target_at(krate, &number);
     let given = outline.redundant.then(|| quote!(, _: #number));
     let motors = motors(krate, &number, joints, &q, any_list.as_ref());
     let any_target_list = any_target.as_ref().map(|any| quote!(<#any>));
@@ -131,6 +144,9 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
             }
             pub fn residual <#(#near),*> (&self, _: &[#number; #q], _: &#target) -> #krate::Residual<#number> {
                 #krate::Residual::ZERO
+            }
+            pub fn target_at #any_list (&self, _: &[#number; #q]) -> #target_at {
+                loop {}
             }
             pub fn sample_redundancy #any_target_list (
                 &self,
@@ -238,6 +254,9 @@ fn traits(name: &Ident, outline: &Outline, krate: &Path, number: &TokenStream) -
             }
             fn residual(&self, _: &[#number; #q], _: &Self::Target) -> #krate::Residual<#number> {
                 #krate::Residual::ZERO
+            }
+            fn target_at(&self, _: &[#number; #q]) -> Self::Target {
+                #krate::Pose::identity()
             }
             fn status(_: &Self::Solutions) -> #krate::Status<#number> {
                 #krate::Status::BadTarget

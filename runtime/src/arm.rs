@@ -244,6 +244,13 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
     #[must_use]
     fn residual(&self, q: &[T; N], target: &Self::Target) -> Residual<T>;
 
+    /// The target of the arm's task at joint values `q` `[N]`: where the tool is, as far as the task asks for it.
+    ///
+    /// With the value of a redundant joint, or the arm angle, that target includes the one of `q`. Away from
+    /// singularities [`inverse`](Self::inverse) of the target lists `q`, its angles brought into `(-pi, pi]`.
+    #[must_use]
+    fn target_at(&self, q: &[T; N]) -> Self::Target;
+
     /// Outcome of the call that gave `solutions`.
     #[must_use]
     fn status(solutions: &Self::Solutions) -> Status<T>;

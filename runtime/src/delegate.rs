@@ -27,7 +27,8 @@ macro_rules! delegate_arm {
     };
 }
 
-/// The items of an `impl InverseKinematics` for a generated arm; `given`: one joint's value comes with the target.
+/// The items of an `impl InverseKinematics` for a generated arm; `given`: a value comes with the target, which
+/// is this one at joint values.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! delegate_inverse {
@@ -54,9 +55,13 @@ macro_rules! delegate_inverse {
         fn residual(&self, q: &[$scalar; $n], target: &Self::Target) -> $crate::Residual<$scalar> {
             $name::residual(self, q, target)
         }
+        #[inline]
+        fn target_at(&self, q: &[$scalar; $n]) -> Self::Target {
+            $name::target_at(self, q)
+        }
         $crate::delegate_inverse!($scalar, $n, $m);
     };
-    ($name:ident, $scalar:ty, $n:literal, $m:literal, $target:ty, given) => {
+    ($name:ident, $scalar:ty, $n:literal, $m:literal, $target:ty, given |$arm:ident, $q:ident| $given:expr) => {
         type Target = ($target, $scalar);
         fn inverse(&self, target: &Self::Target) -> Self::Solutions {
             $name::inverse(self, &target.0, target.1)
@@ -78,6 +83,10 @@ macro_rules! delegate_inverse {
         }
         fn residual(&self, q: &[$scalar; $n], target: &Self::Target) -> $crate::Residual<$scalar> {
             $name::residual(self, q, &target.0)
+        }
+        fn target_at(&self, $q: &[$scalar; $n]) -> Self::Target {
+            let $arm = self;
+            ($name::target_at($arm, $q), $given)
         }
         $crate::delegate_inverse!($scalar, $n, $m);
     };

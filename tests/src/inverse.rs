@@ -50,6 +50,8 @@ pub trait Inverse<const N: usize>: Send + Sync {
     fn branch(&self, target: &Self::Target, branch: Branch) -> OneSolution<f64, N>;
     /// Residual of a joint vector.
     fn residual(&self, target: &Self::Target, q: &[f64; N]) -> Residual<f64>;
+    /// The target at a joint vector.
+    fn target_at(&self, q: &[f64; N]) -> Self::Target;
 }
 
 /// The functions behind a pointer, so that the rules compile once and not once an arm. Each keeps to the bound on a call.
@@ -110,6 +112,10 @@ where
 
     fn residual(&self, target: &A::Target, q: &[f64; N]) -> Residual<f64> {
         self.arm.residual(q, target)
+    }
+
+    fn target_at(&self, q: &[f64; N]) -> A::Target {
+        self.arm.target_at(q)
     }
 }
 
@@ -180,5 +186,10 @@ impl<const N: usize> Inverse<N> for Evaluated {
 
     fn residual(&self, Request { target, .. }: &Request, q: &[f64; N]) -> Residual<f64> {
         self.arm.residual(q, target).expect("as above")
+    }
+
+    fn target_at(&self, q: &[f64; N]) -> Request {
+        let target = self.arm.target_at(q).expect("a number for each joint");
+        Request { target, given: self.arm.held(q).expect("as above") }
     }
 }

@@ -68,6 +68,18 @@ pub mod taken {
     #[arm(spec = "../specs/salman_rrr.yaml")]
     pub struct Counting;
 
+    #[derive(::denhart::Arm)]
+    #[arm(spec = "../specs/jupiter.yaml", scalar = "f32")]
+    pub struct PointAngle;
+
+    #[derive(::denhart::Arm)]
+    #[arm(spec = "arms/position_axis/scorbot_x.yaml")]
+    pub struct PointAxis;
+
+    #[derive(::denhart::Arm)]
+    #[arm(spec = "../specs/planar3r.yaml")]
+    pub struct PlanarPose;
+
     /// Fields with the names of locals and arguments of generated code.
     #[derive(::denhart::Arm)]
     #[arm(yaml = "
@@ -150,6 +162,13 @@ fn arms_work_in_hard_surroundings() {
     let tip = named.forward(&[0.0; 3]).translation;
     assert_eq!(tip.map(f64::to_bits), [1.5, 0.0, 2.0].map(f64::to_bits));
     assert!(named.inverse(&tip).iter().any(denhart::Solution::is_exact));
+    assert_eq!(taken::Ur5.target_at(&q), pose);
+    let tip = taken::PointAngle.target_at(&[0.1, 0.2, 0.3, 0.4]);
+    assert!(taken::PointAngle.inverse(&tip).iter().any(denhart::Solution::is_exact));
+    let tip = taken::PointAxis.target_at(&[0.1, 0.2, 0.3, 0.4, 0.5]);
+    assert!(taken::PointAxis.inverse(&tip).iter().any(denhart::Solution::is_exact));
+    let tip = taken::PlanarPose.target_at(&[0.1, 0.2, 0.3]);
+    assert!(taken::PlanarPose.inverse(&tip).iter().any(denhart::Solution::is_exact));
     let tip: denhart::Pose<f32> = Lever.forward(&[0.0]);
     assert_eq!(tip.translation.map(f32::to_bits), [500.0, 0.0, 0.0].map(f32::to_bits));
 }

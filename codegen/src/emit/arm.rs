@@ -3,6 +3,7 @@
 use super::constants::Dimensions;
 use super::inverse::{Inverse as InverseCode, inverse};
 use super::margins::margins;
+use super::target_at::target_at;
 use super::tokens::integer;
 use super::{Target, actuator, combined_limits, coupling, docs, kinematics, motion, parameters, paths, tables};
 use crate::lower::Functions;
@@ -54,7 +55,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
             dimensions.collect_from(&plan.graph, &plan.inputs());
             let margins = margins(model, plan, target, &mut dimensions);
             let mut code = inverse(model, plan, target);
-            code.methods.extend(margins);
+            code.methods.extend([target_at(model, plan, target), margins]);
             code
         }
         Err(unsupported) => without_inverse(model, unsupported, target),
@@ -176,6 +177,11 @@ fn without_inverse(model: &Model, unsupported: &Unsupported, target: &Target) ->
                 _q_ref: &[#scalar; #n],
                 _solutions: &mut List,
             ) {
+            }
+
+            #doc
+            pub fn target_at<Joints: #solvable>(&self, _q: &Joints) -> #krate::Pose<#scalar> {
+                #krate::Pose::identity()
             }
         },
     }

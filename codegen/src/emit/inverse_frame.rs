@@ -373,7 +373,13 @@ pub(super) fn inverse_trait(plan: &Plan, target: &Target, task: &TaskCode) -> To
     let (krate, scalar, name) = (&target.krate, target.scalar.tokens(), &target.type_name);
     let (n, m) = (integer(plan.joints()), integer(plan.max_solutions()));
     let target_type = &task.target;
-    let given = given(plan).is_some().then(|| quote!(, given));
+    let given = plan.task.given.map(|given| match given {
+        Given::ArmAngle => quote!(, given |arm, q| arm.arm_angle(q)),
+        Given::Joint { joint, .. } => {
+            let joint = integer(joint);
+            quote!(, given |_arm, q| q[#joint])
+        }
+    });
     quote! {
         #[automatically_derived]
         impl #krate::InverseKinematics<#scalar, #n> for #name {

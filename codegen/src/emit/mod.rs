@@ -19,6 +19,7 @@ mod nest;
 mod parameters;
 mod paths;
 mod tables;
+mod target_at;
 mod task;
 mod tokens;
 mod worked_out;

@@ -10,7 +10,7 @@ use quote::quote;
 
 /// The target of a plan's task.
 pub struct TaskCode {
-    /// Type of the target, without what is given beside it.
+    /// Type of the target, as of [`target_type`].
     pub target: TokenStream,
     /// One sentence about it.
     pub doc: String,
@@ -22,9 +22,22 @@ pub struct TaskCode {
     pub unpack: TokenStream,
 }
 
+/// Type of a task's target, without what is given beside it.
+pub fn target_type(goal: &Goal, target: &Target) -> TokenStream {
+    let (krate, scalar) = (&target.krate, target.scalar.tokens());
+    match goal {
+        Goal::Pose => quote!(#krate::Pose<#scalar>),
+        Goal::Position => quote!([#scalar; 3]),
+        Goal::PositionAxis { .. } => quote!(#krate::PointAxis<#scalar>),
+        Goal::PositionAngle { .. } => quote!(#krate::PointAngle<#scalar>),
+        Goal::PlanarPose => quote!(#krate::PlanarPose<#scalar>),
+        Goal::PlanarPosition => quote!([#scalar; 2]),
+    }
+}
+
 /// The code of a program's task.
 pub fn task(model: &Model, program: &Inverse, target: &Target) -> TaskCode {
-    let (krate, scalar) = (&target.krate, target.scalar.tokens());
+    let (krate, target_type) = (&target.krate, target_type(&program.goal, target));
     let unit = model.length_unit.symbol();
     let pattern = |input: Input| bound(&input.name(), program.reads(input));
     let field = |input: Input| {
@@ -41,7 +54,7 @@ pub fn task(model: &Model, program: &Inverse, target: &Target) -> TaskCode {
     };
     match &program.goal {
         Goal::Position => TaskCode {
-            target: quote!([#scalar; 3]),
+            target: target_type,
             doc: format!("`target`: where the tool point is to be, base frame, {unit}, `[3]`."),
             bad: "is not finite",
             goal: quote!(target),
@@ -52,7 +65,7 @@ pub fn task(model: &Model, program: &Inverse, target: &Target) -> TaskCode {
             let column = integer(*column);
             let unpack = frame(quote!(frame));
             TaskCode {
-                target: quote!(#krate::PointAxis<#scalar>),
+                target: target_type,
                 doc: format!(
                     "`target`: where the tool point is to be ({unit}) and where the tool's {letter} axis is to point, \
                      base frame; the direction is normalized."
@@ -66,7 +79,7 @@ pub fn task(model: &Model, program: &Inverse, target: &Target) -> TaskCode {
             let (signs, offset) = (signs.iter().copied().map(number), angle::tokens(*offset, target));
             let goal = quote!(#krate::solve::InPlane::new(target, [#(#signs),*], #offset));
             TaskCode {
-                target: quote!(#krate::PointAngle<#scalar>),
+                target: target_type,
                 doc: format!(
                     "`target`: where the tool point is to be (base frame, {unit}) and the sum of the pitch joints with \
                      their DH offsets (rad)."
@@ -84,7 +97,7 @@ pub fn task(model: &Model, program: &Inverse, target: &Target) -> TaskCode {
             }
         }
         Goal::PlanarPose => TaskCode {
-            target: quote!(#krate::PlanarPose<#scalar>),
+            target: target_type,
             doc: format!(
                 "`target`: position of the tool in the base frame's xy plane ({unit}) and direction of its x axis there (rad)."
             ),
@@ -101,7 +114,7 @@ pub fn task(model: &Model, program: &Inverse, target: &Target) -> TaskCode {
             },
         },
         Goal::PlanarPosition => TaskCode {
-            target: quote!([#scalar; 2]),
+            target: target_type,
             doc: format!("`target`: where the tool point is to be in the base frame's xy plane, {unit}, `[2]`."),
             bad: "is not finite",
             goal: quote!(target),
@@ -111,7 +124,7 @@ pub fn task(model: &Model, program: &Inverse, target: &Target) -> TaskCode {
             },
         },
         Goal::Pose => TaskCode {
-            target: quote!(#krate::Pose<#scalar>),
+            target: target_type,
             doc: format!(
                 "`target`: pose of the tool in the base frame, position in {unit}. A rotation that is off by at most 1e-3 \
                  stands for the nearest one; `deviation()` of the solutions says how far off it was."

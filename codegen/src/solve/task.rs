@@ -2,7 +2,7 @@
 
 use crate::model::numeric::Transform;
 use crate::model::{Angle, Task};
-use crate::symbolic::{Input, Part};
+use crate::symbolic::{AngleSum, Input, Part};
 
 /// Task of a plan, with all that belongs to it.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,6 +82,13 @@ impl Goal {
             Goal::PlanarPose => Task::PlanarPose,
             Goal::PlanarPosition => Task::PlanarPosition,
         }
+    }
+
+    /// The angle of `position_angle` as a sum of joints; `None` for the other tasks.
+    pub fn angle_sum(&self) -> Option<AngleSum> {
+        let Goal::PositionAngle { signs, offset } = self else { return None };
+        let turns = signs.iter().enumerate().filter(|(_, sign)| **sign != 0.0);
+        Some(AngleSum { terms: turns.map(|(joint, sign)| (joint, *sign < 0.0)).collect(), constant: *offset })
     }
 }
 

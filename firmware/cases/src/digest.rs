@@ -5,8 +5,8 @@
 
 use denhart::numeric::NumericSolution;
 use denhart::{
-    Acceleration, AnalyticJacobian, AxisAngle, Branch, Euler, Flags, Jacobian, JointMask, Margin, Pose, Quantized,
-    Residual, Solution, Solutions, Status, Twist,
+    Acceleration, AnalyticJacobian, AxisAngle, Branch, Euler, Flags, Jacobian, JointMask, Margin, PlanarPose, PointAngle,
+    PointAxis, Pose, Quantized, Residual, Solution, Solutions, Status, Twist,
 };
 
 /// FNV-1a over words of 32 bits (Fowler, Noll, Vo), with a shift, since that hash leaves low bits to low bits.
@@ -119,6 +119,9 @@ fields! {
     [T: Bits] Pose<T> { rotation translation }
     [T: Bits, const N: usize] Jacobian<T, N> { rows }
     [T: Bits, const M: usize, const N: usize] AnalyticJacobian<T, M, N> { position orientation margin singular }
+    [T: Bits] PointAxis<T> { point axis }
+    [T: Bits] PointAngle<T> { point angle }
+    [T: Bits] PlanarPose<T> { x y phi }
     [T: Bits] Twist<T> { linear angular }
     [T: Bits] Acceleration<T> { linear angular }
     [T: Bits] Residual<T> { position orientation }

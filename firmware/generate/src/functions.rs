@@ -66,8 +66,8 @@ pub(crate) fn read(code: &str, robot: &str) -> Result<Functions, Error> {
     let given = inverse.and_then(|signature| names(signature).into_iter().find(|name| name != "target"));
     let has_inverse = inverse.is_some();
     for signature in signatures {
-        // An arm without inverse has a method of that name that says why, and whose call does not compile.
-        if signature.ident.to_string().starts_with("inverse") && !has_inverse {
+        // An arm without inverse has methods whose call does not compile and says why.
+        if !has_inverse && (signature.ident == "target_at" || signature.ident.to_string().starts_with("inverse")) {
             continue;
         }
         calls.push(call(signature, given.as_deref())?);

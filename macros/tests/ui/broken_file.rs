@@ -19,6 +19,7 @@ struct Broken;
 fn generic<A: Arm<f64, N> + InverseKinematics<f64, N, Target = Pose<f64>>, const N: usize>(arm: A) -> Jacobian<f64, N> {
     let q = [0.0; N];
     let _nearest: Option<Solution<f64, N>> = arm.inverse_near(&arm.forward(&q), &q).as_ref().first().copied();
+    let _target: Pose<f64> = arm.target_at(&q);
     arm.jacobian(&q)
 }
 
@@ -39,6 +40,7 @@ fn main() {
     let mut kept = arm.inverse(&pose);
     arm.inverse_into(&pose, &mut kept);
     arm.inverse_near_into(&pose, &q, &mut kept);
+    println!("{:?}", arm.inverse(&arm.target_at(&q)).len());
     let table: DhTable = Broken::DH;
     println!("{:?} {:?} {:?}", table, Broken::LIMITS, Broken::JOINT_NAMES.join(" "));
     println!("{:?} {}", Broken::LENGTH_UNIT, Broken::MAX_SOLUTIONS);

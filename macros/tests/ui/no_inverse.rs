@@ -23,4 +23,5 @@ fn main() {
     println!("{:?}", General.inverse_near(&pose, &[0.0; 6]).len());
     let mut kept: Solutions<f64, 6, { General::MAX_SOLUTIONS }> = Solutions::new(Status::BadTarget);
     General.inverse_into(&pose, &mut kept);
+    println!("{}", General.target_at(&[0.0; 6]));
 }

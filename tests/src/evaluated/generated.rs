@@ -30,16 +30,20 @@ pub(super) trait Inverse {
     fn kept(&self, target: &DynamicTarget, given: Option<f64>, q_ref: &[f64]) -> [Answer; 2];
     fn branch(&self, target: &DynamicTarget, given: Option<f64>, branch: Branch) -> Result<Bits, (u8, u64)>;
     fn residual(&self, target: &DynamicTarget, given: Option<f64>, q: &[f64]) -> [u64; 2];
+    /// The numbers of the target at `q`, and of the target that is expected there.
+    fn target_at(&self, target: &DynamicTarget, given: Option<f64>, q: &[f64]) -> [Vec<u64>; 2];
 }
 
 /// A target as a generated arm takes it.
 pub trait Typed: Clone + Debug {
     /// Converts a target; `given`: the value beside it.
     fn typed(target: &DynamicTarget, given: Option<f64>) -> Self;
+    /// Its numbers.
+    fn bits(&self) -> Vec<u64>;
 }
 
 macro_rules! typed {
-    ($($Variant:ident($Target:ty);)*) => {$(
+    ($($Variant:ident($Target:ty), |$target:ident| $numbers:expr;)*) => {$(
         impl Typed for $Target {
             fn typed(target: &DynamicTarget, given: Option<f64>) -> Self {
                 match (target, given) {
@@ -47,22 +51,31 @@ macro_rules! typed {
                     (other, given) => panic!("the evaluated arm asks for `{}` and {given:?}", other.task()),
                 }
             }
+
+            fn bits(&self) -> Vec<u64> {
+                let $target = *self;
+                bits::numbers($numbers)
+            }
         }
     )*};
 }
 
 typed! {
-    Pose(Pose<f64>);
-    Position([f64; 3]);
-    PositionAxis(PointAxis<f64>);
-    PositionAngle(PointAngle<f64>);
-    PlanarPose(PlanarPose<f64>);
-    PlanarPosition([f64; 2]);
+    Pose(Pose<f64>), |pose| pose.rotation.into_iter().flatten().chain(pose.translation);
+    Position([f64; 3]), |point| point;
+    PositionAxis(PointAxis<f64>), |asked| asked.point.into_iter().chain(asked.axis);
+    PositionAngle(PointAngle<f64>), |asked| asked.point.into_iter().chain([asked.angle]);
+    PlanarPose(PlanarPose<f64>), |asked| [asked.x, asked.y, asked.phi];
+    PlanarPosition([f64; 2]), |point| point;
 }
 
 impl<T: Typed> Typed for (T, f64) {
     fn typed(target: &DynamicTarget, given: Option<f64>) -> Self {
         (T::typed(target, None), given.expect("the evaluated arm takes a value beside the target"))
+    }
+
+    fn bits(&self) -> Vec<u64> {
+        [self.0.bits(), vec![bits::number(self.1)]].concat()
     }
 }
 
@@ -97,6 +110,10 @@ impl<T: Typed, const N: usize> Inverse for OfSize<T, N> {
 
     fn residual(&self, target: &DynamicTarget, given: Option<f64>, q: &[f64]) -> [u64; 2] {
         bits::residual(&self.0.residual(&T::typed(target, given), array(q)))
+    }
+
+    fn target_at(&self, target: &DynamicTarget, given: Option<f64>, q: &[f64]) -> [Vec<u64>; 2] {
+        [self.0.target_at(array(q)), T::typed(target, given)].map(|target| target.bits())
     }
 }
 

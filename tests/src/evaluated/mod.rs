@@ -18,6 +18,9 @@ use generated::Inverse;
 /// Joint vectors of an arm.
 const POSES: usize = 60;
 
+/// How far a joint vector is from its own target, rad: the rounding of a sum of joint angles.
+const AT_TARGET: f64 = 4e-15;
+
 /// The arm of a file, from the folder of this package.
 pub fn arm(file: &str) -> DynamicArm {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
@@ -58,7 +61,12 @@ pub fn compare(name: &str, arm: &DynamicArm, generated: &Generated) {
             margins.unwrap_or_default().into_iter().map(|margin| (margin.name, bits::number(margin.value))).collect();
         assert_eq!(margins, (generated.margins)(&q), "margins, {}", at());
         if let Some(inverse) = &generated.inverse {
-            for target in questions::targets(&arm.target_at(&q).unwrap(), round, &mut random) {
+            let target = arm.target_at(&q).unwrap();
+            let [generated, expected] = inverse.target_at(&target, arm.held(&q).unwrap(), &q);
+            assert_eq!(generated, expected, "target, {}", at());
+            let missed = arm.residual(&q, &target).unwrap();
+            assert!(missed.position == 0.0 && missed.orientation < AT_TARGET, "{target:?} by {missed}, {}", at());
+            for target in questions::targets(&target, round, &mut random) {
                 let case = format!("{target:?} and {}", at());
                 solutions += ask(&case, arm, inverse.as_ref(), &target, &q, &mut random);
             }
