@@ -1,4 +1,4 @@
-//! What an import claims, and its proof: the file as it will be read, against the URDF.
+//! The claim of an import and its proof: the file as it will be read, against the URDF.
 
 use super::couple::Drive;
 use super::number::short_lengths;

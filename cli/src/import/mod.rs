@@ -6,6 +6,8 @@
 mod axes;
 mod claim;
 mod couple;
+mod gripper;
+mod inverse;
 mod lengths;
 mod likely;
 mod number;
@@ -39,7 +41,7 @@ use urdf::Robot;
 /// size of a smaller arm. The widest limit with which the proof holds is taken.
 const ROUNDED: [f64; 4] = [1e-9, 1e-10, 1e-11, 0.0];
 
-/// What the command takes.
+/// The arguments of the command.
 #[derive(Args)]
 pub struct Options {
     /// The URDF; `-` reads the standard input
@@ -47,7 +49,7 @@ pub struct Options {
     /// First link of the chain [default: the root of the URDF]
     #[arg(long, value_name = "LINK")]
     base: Option<String>,
-    /// Last link of the chain [default: the end of the one with the most moving joints]
+    /// Last link of the chain [default: the end of the one with the most moving joints, before its gripper]
     #[arg(long, value_name = "LINK")]
     tool: Option<String>,
     /// Angles that are this near to a multiple of 15 degrees, rad, are taken as that multiple
@@ -119,7 +121,7 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
 struct Imported {
     text: String,
     remarks: Vec<String>,
-    /// The same as JSON.
+    /// The remarks as JSON.
     facts: Value,
 }
 
@@ -168,8 +170,22 @@ fn import(text: &str, from: &str, options: &Options) -> Result<Imported, String>
     }
     let Proved { table, lengths, same, all } = proved?;
     let changes = [in_origins, in_table].concat();
-    let said = Said { from, path: &path, changes: &changes, lengths: &lengths, drive: &drive, reach, same, all };
-    let text = write::file(&written.name, &said.head(), &table, &drive)?;
+    let mut said = Said {
+        from,
+        path: &path,
+        changes: &changes,
+        lengths: &lengths,
+        drive: &drive,
+        reach,
+        same,
+        all,
+        inverse: None,
+    };
+    let mut text = write::file(&written.name, &said.head(), &table, &drive)?;
+    if let Some(inverse) = inverse::of(&text, &path, &drive) {
+        text += &inverse.lines;
+        said.inverse = Some(inverse.remark);
+    }
     Ok(Imported { text, remarks: said.remarks(within), facts: said.json(within) })
 }
 

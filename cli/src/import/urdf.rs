@@ -214,6 +214,11 @@ fn tree<'a>(joints: &'a [Joint], links: impl Iterator<Item = &'a str>) -> Result
     }
     match roots[..] {
         [root] => Ok(root.to_owned()),
+        [] if joints.is_empty() => {
+            Err("`<robot>` is empty: it has no link and no joint\nhelp: a URDF has `<link>` and \
+                                        `<joint>` elements directly in `<robot>`; export it again"
+                .to_owned())
+        }
         [] => Err("no link is the root: the joints go round in a circle".to_owned()),
         _ => {
             let unknown = joints.iter().find(|joint| !declared.contains(&joint.parent.as_str()));

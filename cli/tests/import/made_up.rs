@@ -19,7 +19,7 @@ pub fn chain(joints: &[Joint]) -> String {
 }
 
 /// The arm file of a URDF, and what was said.
-fn imported(urdf: &str, arguments: &[&str]) -> (String, String) {
+pub fn imported(urdf: &str, arguments: &[&str]) -> (String, String) {
     let output = written(urdf, arguments);
     assert!(output.status.success(), "{}\n{urdf}", text(&output.stderr));
     (text(&output.stdout), text(&output.stderr))

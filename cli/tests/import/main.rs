@@ -8,8 +8,10 @@ use std::process::{Command, Output};
 
 use poses::{by_name, joints, model, random, table_pose, urdf_pose, worst};
 
+mod inverse;
 mod made_up;
 mod poses;
+mod tools;
 
 fn run(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_denhart")).args(arguments).output().unwrap()
