@@ -107,13 +107,13 @@ impl Batch<'_> {
                 Ok(answer) => {
                     exact &= answer.is_exact();
                     for hint in answer.asked.target.hints.iter().filter(|_| !self.json) {
-                        writeln!(err, "hint: {name}:{number}: {hint}")?;
+                        progress.aside(|| writeln!(err, "hint: {name}:{number}: {hint}"))?;
                     }
                     self.print(number, &answer, out)?;
                 }
                 Err(Failure::Usage(message) | Failure::Other(message)) => {
                     wrong += 1;
-                    writeln!(err, "error: {name}:{number}: {message}")?;
+                    progress.aside(|| writeln!(err, "error: {name}:{number}: {message}"))?;
                     self.print_wrong(number, &message, out)?;
                 }
                 Err(other) => return Err(other),
