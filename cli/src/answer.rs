@@ -56,7 +56,7 @@ impl<'a> Answer<'a> {
         Ok(Self { arm, asked, solutions, form })
     }
 
-    /// Whether a solution of those that are listed is exact.
+    /// Tells if a solution of those that are listed is exact.
     pub fn is_exact(&self) -> bool {
         self.solutions.status().is_reachable() && (!self.form.within_limits || self.listed().next().is_some())
     }
@@ -234,7 +234,7 @@ impl<'a> Answer<'a> {
         Ok([number.to_string()].into_iter().chain(values).chain(flags).chain(free).chain(rest).collect())
     }
 
-    /// Whether a column for free joints has an entry.
+    /// Tells if a column for free joints has an entry.
     pub fn any_free(&self) -> bool {
         self.listed().any(|(_, solution)| !solution.free.is_empty())
     }

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use crate::Failure;
 use crate::answer::{Answer, Asked, Form, merged};
-use crate::numbers::count;
+use crate::numbers::{count, printed};
 use crate::progress::Progress;
 use crate::target::{Target, check_columns, is_standard_input, of_columns, of_json_text, of_task, open, shown};
 use crate::typed::Typed;
@@ -107,13 +107,13 @@ impl Batch<'_> {
                 Ok(answer) => {
                     exact &= answer.is_exact();
                     for hint in answer.asked.target.hints.iter().filter(|_| !self.json) {
-                        writeln!(err, "hint: {name}:{number}: {hint}")?;
+                        progress.aside(|| writeln!(err, "hint: {name}:{number}: {hint}"))?;
                     }
                     self.print(number, &answer, out)?;
                 }
                 Err(Failure::Usage(message) | Failure::Other(message)) => {
                     wrong += 1;
-                    writeln!(err, "error: {name}:{number}: {message}")?;
+                    progress.aside(|| writeln!(err, "error: {name}:{number}: {message}"))?;
                     self.print_wrong(number, &message, out)?;
                 }
                 Err(other) => return Err(other),
@@ -172,17 +172,17 @@ impl Batch<'_> {
             return self.print_empty(number, status, out);
         }
         for (index, solution) in answer.listed() {
-            let q: Vec<String> = answer.values(&solution.q).iter().map(f64::to_string).collect();
+            let q: Vec<String> = answer.values(&solution.q).iter().map(|value| printed(*value)).collect();
             let residual = answer.residual(solution)?;
             writeln!(
                 out,
-                "{number},{status},{index},{},\"{}\",{},{},{:e},{:e}",
+                "{number},{status},{index},{},\"{}\",{},{},{},{}",
                 q.join(","),
                 solution.branch,
                 solution.flags,
                 solution.is_within_limits(),
-                residual.position,
-                self.form.units.of(residual.orientation),
+                printed(residual.position),
+                printed(self.form.units.of(residual.orientation)),
             )?;
         }
         Ok(())

@@ -50,7 +50,7 @@ fn in_degrees(value: f64) -> Option<i64> {
     (near && !rounded).then_some(15 * twelfths as i64)
 }
 
-/// The same for the values of joints, in rad and lengths: of those that turn.
+/// A hint as of [`of_angles`] for joint values in rad and lengths: those of turning joints count.
 pub fn of_joints(option: &str, arm: &DynamicArm, q: &[f64], units: Units) -> Option<String> {
     let turning = arm.joint_kinds().iter().zip(q).filter(|(kind, _)| **kind == JointKind::Revolute);
     let angles: Vec<f64> = turning.map(|(_, value)| units.of(*value)).collect();
@@ -81,6 +81,9 @@ pub fn of_point(point: &[f64], own: LengthUnit, reach: f64) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
+    // Angles with the digits that people type.
+    #![allow(clippy::approx_constant)]
+
     use super::*;
 
     #[test]

@@ -176,6 +176,7 @@ fn act(action: Action, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), F
 }
 
 /// Why the command did not do what was asked.
+#[derive(Debug)]
 enum Failure {
     /// Arguments that make no sense.
     Usage(String),

@@ -77,7 +77,7 @@ impl From<DynamicError> for Failure {
 }
 
 impl Failure {
-    /// The same failure with the place of its text before it.
+    /// Puts the place of its text before a failure.
     pub fn at(self, place: &str) -> Self {
         match self {
             Self::Usage(text) => Self::Usage(format!("{place}: {text}")),
@@ -110,6 +110,13 @@ pub fn short(value: f64) -> String {
     let text = format!("{value:.digits$}");
     let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+/// The shortest text that reads back as the same number; no negative zero.
+pub fn printed(value: f64) -> String {
+    let value = value + 0.0;
+    let magnitude = value.abs();
+    if magnitude == 0.0 || (1e-5..1e16).contains(&magnitude) { format!("{value}") } else { format!("{value:e}") }
 }
 
 /// The joints outside their limits, as `q2 = 200 is above 90 deg`.

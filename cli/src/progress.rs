@@ -45,6 +45,14 @@ impl Progress {
             bar.set_position(done);
         }
     }
+
+    /// Writes to the standard error, with the bar out of the way.
+    pub fn aside<R>(&self, write: impl FnOnce() -> R) -> R {
+        match &self.bar {
+            Some(bar) => bar.suspend(write),
+            None => write(),
+        }
+    }
 }
 
 impl Drop for Progress {

@@ -78,7 +78,7 @@ impl Target {
         }
     }
 
-    /// The same target, with a hint if there is one.
+    /// Adds a hint to the target, if there is one.
     fn with(mut self, hint: Option<String>) -> Self {
         self.hints.extend(hint);
         self
@@ -91,7 +91,7 @@ impl Target {
 }
 
 impl Spelling {
-    /// Whether the target comes from the standard input.
+    /// Tells if the target comes from the standard input.
     pub fn reads_standard_input(&self) -> bool {
         self.json_target.as_deref().is_some_and(is_standard_input)
     }
@@ -125,7 +125,7 @@ impl Spelling {
     }
 }
 
-/// Whether a path stands for the standard input.
+/// Tells if a path stands for the standard input.
 pub fn is_standard_input(file: &Path) -> bool {
     file.as_os_str() == "-"
 }

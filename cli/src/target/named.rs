@@ -56,7 +56,7 @@ impl Parts {
         self.whole(arm, units)?.ok_or_else(|| self.lacking(task))
     }
 
-    /// Whether the names of the task are there, or those of a whole pose.
+    /// Tells if the names of the task are there, or those of a whole pose.
     fn are_enough(&self, task: &str) -> bool {
         let at = |n: usize| self.position.as_ref().is_some_and(|position| position.len() >= n);
         let own = match task {

@@ -182,7 +182,7 @@ pub fn rotation(pose: Pose<f64>) -> Result<Pose<f64>, String> {
     let deviation = 0.5 * squares.sqrt();
     let determinant = a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g);
     match deviation {
-        off if !(off <= NOT_A_ROTATION) => {
+        off if off > NOT_A_ROTATION || off.is_nan() => {
             Err(format!("the 3 x 3 part is no rotation: it is off by {off:.2e}, expected at most {NOT_A_ROTATION:e}"))
         }
         _ if determinant < 0.0 => Err("the 3 x 3 part is mirrored: its determinant is -1, expected 1".to_owned()),

@@ -32,7 +32,7 @@ const BETWEEN_LOOKS: u64 = 512;
 /// The progress bar.
 const BAR: &str = "{wide_bar} {human_pos}/{human_len} samples, {eta} left";
 
-/// What the command takes.
+/// The arguments of the command.
 #[derive(Args)]
 pub struct Options {
     /// The arm file, YAML; `-` reads the standard input
@@ -162,11 +162,11 @@ struct Trace {
     chain: Chain,
     kinds: Vec<JointKind>,
     limits: Limits,
-    /// Whether the trace ends where a limit is broken.
+    /// The trace ends where a limit is broken.
     stops: bool,
     laws: Vec<Law>,
     times: Times,
-    /// What JSON says beside the samples; none of CSV.
+    /// The keys of JSON beside the samples; none of CSV.
     top: Option<Top>,
     angle: Units,
     form: Orientation,
@@ -190,7 +190,7 @@ impl Trace {
         ended
     }
 
-    /// Whether there is a first sample.
+    /// Fails without a first sample.
     fn first(&self) -> Result<(), Failure> {
         match self.sample(self.times.at(0))?.broken {
             Some(message) => Err(Failure::Other(message)),
