@@ -150,6 +150,33 @@ fn check_shows_an_axis_that_points_the_other_way() {
     );
 }
 
+#[test]
+fn check_proposes_rows_with_the_frames_near() {
+    let head = "name: far\nconvention: standard\nunits: {length: m, angle: deg}\njoints:\n";
+    let first = "  - {a: 0, alpha: 90, d: 0.1, theta: 0}\n";
+    let far = "  - {a: -0.4, alpha: 0.1, d: 298, theta: 0, limits: [-90, 90]}\n  - {a: -0.4, alpha: 0, d: -297.9, theta: 0}\n";
+    let path = arm_file("far.yaml", &[head, first, far].concat());
+    let all: serde_json::Value =
+        serde_json::from_slice(&denhart(&["check", "--json", path.to_str().unwrap()]).stdout).unwrap();
+    let help = all.pointer("/0/messages/0/help").and_then(serde_json::Value::as_str).unwrap();
+    let rows: String = help.lines().skip(1).map(|row| format!("  {row}\n")).collect();
+    assert!(rows.contains("limits: [-90, 90]}\n  - {type: fixed, a: 0, alpha: 0.1, d: 0, theta: "), "{rows}");
+    assert!(
+        text(&denhart(&["check", path.to_str().unwrap()]).stdout).contains("  - {type: fixed, a: 0, alpha: 0.1, d: 0,")
+    );
+    let near = arm_file("near.yaml", &[head, first, &rows].concat());
+    let pose = |path: &Path| -> Vec<f64> {
+        let output = denhart(&["forward", path.to_str().unwrap(), "--q", "20 -50 70", "--json"]);
+        let all: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let rows = all.pointer("/pose/matrix").unwrap().as_array().unwrap().clone();
+        rows.iter().flat_map(|row| row.as_array().unwrap().clone()).map(|entry| entry.as_f64().unwrap()).collect()
+    };
+    for (far, near) in pose(&path).iter().zip(pose(&near)) {
+        assert!((far - near).abs() < 1e-12, "{far} {near}");
+    }
+    assert_eq!(text(&denhart(&["check", "--strict", near.to_str().unwrap()]).stderr), "");
+}
+
 /// The lines on the arm at its zero.
 fn text_of_zero(output: &Output) -> Vec<String> {
     let said = text(&output.stdout);
