@@ -8,7 +8,7 @@ use denhart::{Chain, Convention, DhFrame, DhRow, JointKind};
 use denhart_codegen::model::{self, Frame, Length, Model, RowKind};
 use denhart_codegen::spec;
 
-/// What the standard input is called in messages.
+/// Name of the standard input in messages.
 const STANDARD_INPUT: &str = "<stdin>";
 
 /// An arm file, checked.
@@ -51,7 +51,7 @@ pub fn read(file: &Path) -> Result<Arm, String> {
     of_text(&text, &name)
 }
 
-/// The same of the text of an arm file; `file` is its name for messages.
+/// The arm of the text of an arm file, or the mistakes in it; `file` is its name for messages.
 ///
 /// # Errors
 /// The message.

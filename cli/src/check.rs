@@ -1,10 +1,12 @@
-//! `denhart check`: what the generator found in arm files, or the mistakes in them.
+//! `denhart check`: findings of the generator in arm files, or the mistakes in them.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use denhart::{JointKind, Pose};
+use denhart_codegen::model::Convention;
+use denhart_codegen::model::geometry::Line;
 use denhart_codegen::{Diagnostic, Report, Severity};
 use serde_json::{Value, json};
 
@@ -13,7 +15,7 @@ use crate::cost::{Cost, Target};
 use crate::home::{Home, home};
 use crate::numbers::Units;
 
-/// What the command takes.
+/// Arguments of the command.
 #[derive(Args)]
 pub struct Options {
     /// The arm files, YAML; `-` reads the standard input
@@ -33,7 +35,7 @@ pub struct Options {
     target: Option<Target>,
 }
 
-/// What is known of one file.
+/// Findings for one file.
 struct Checked {
     file: String,
     /// None where there are mistakes.
@@ -80,7 +82,7 @@ impl Unread {
     }
 }
 
-/// Checks all files; whether nothing was wrong.
+/// Checks all files, and returns true if nothing was wrong.
 ///
 /// # Errors
 /// No way to print.
@@ -199,8 +201,14 @@ impl Found {
         let Some(home) = &self.home else { return String::new() };
         let unit = self.arm.model.length_unit.symbol();
         let mut lines = vec![format!("at q = 0, in the base frame ({unit}, {}):", units.symbol())];
-        for (joint, origin) in self.arm.model.joints.iter().zip(&home.origins) {
-            lines.push(format!("  link of {}: origin {}", joint.name, list(origin)));
+        let joints = || self.arm.model.joints.iter();
+        for (joint, axis) in joints().zip(&home.axes) {
+            let (point, direction) = (list(&axis.point), list(&axis.direction));
+            lines.push(format!("  axis of {}: through {point}, along {direction}", joint.name));
+        }
+        lines.push(format!("  frame origins ({}):", self.frames()));
+        for (joint, origin) in joints().zip(&home.frame_origins) {
+            lines.push(format!("    {}: {}", joint.name, list(origin)));
         }
         lines.push(format!(
             "  tool: position {}, roll pitch yaw {}",
@@ -219,6 +227,17 @@ impl Found {
             None => lines.push("reach: without end, a sliding joint has no limit".to_owned()),
         }
         lines.join("\n")
+    }
+
+    /// The place of the table's frames.
+    fn frames(&self) -> String {
+        let model = &self.arm.model;
+        let place = match model.convention {
+            Convention::Standard => "standard: frame i stands at the end of link i, on axis i+1",
+            Convention::Modified => "modified: frame i stands on axis i",
+        };
+        let follows = model.rows.iter().skip_while(|row| row.joint.is_none()).any(|row| row.joint.is_none());
+        format!("{place}{}", if follows { "; fixed rows move it on" } else { "" })
     }
 
     fn json(&self, units: Units) -> serde_json::Map<String, Value> {
@@ -258,7 +277,10 @@ impl Found {
         }
         if let Some(home) = home {
             let tool = json!({"position": home.tool.translation, "rpy": rpy(&home.tool, units), "rotation": home.tool.rotation});
-            put("home", json!({"tool": tool, "origins": home.origins, "outside_limits": home.outside}));
+            let axis = |axis: &Line| json!({"point": axis.point, "direction": axis.direction});
+            let axes: Vec<Value> = home.axes.iter().map(axis).collect();
+            let (origins, outside) = (&home.frame_origins, &home.outside);
+            put("home", json!({"tool": tool, "axes": axes, "frame_origins": origins, "outside_limits": outside}));
             put("reach", json!(home.farthest));
         }
         object

@@ -1,17 +1,21 @@
-//! The arm at its zero, to hold against a drawing: the tool's pose, the origin of each link, and how far it reaches.
+//! The arm at its zero, to hold against a drawing: axes of the joints, origins of the frames, pose of the tool, and reach.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use denhart::{Chain, Pose};
-use denhart_codegen::model::{JointKind, Model};
+use denhart_codegen::model::geometry::{Line, axes_at_zero};
+use denhart_codegen::model::{self, JointKind, Model};
 
 use crate::arm::Arm;
 
 /// The arm with all joints at 0, lengths in the file's unit.
 pub struct Home {
     pub tool: Pose<f64>,
-    /// Of each joint's link, with the fixed rows that follow it.
-    pub origins: Vec<[f64; 3]>,
+    /// The axis of each joint, in the direction of its positive motion. Each goes through its point nearest to the point
+    /// before, the first through that nearest to the base's origin.
+    pub axes: Vec<Line>,
+    /// The origin of each joint's frame in the table, at the end of the fixed rows that follow the joint's row.
+    pub frame_origins: Vec<[f64; 3]>,
     /// The farthest that the tool gets from the origin of the base within the limits of the joints; none where a slide
     /// has no limit. Limits of sums are not looked at.
     pub farthest: Option<f64>,
@@ -24,11 +28,12 @@ pub fn home(arm: &Arm) -> Option<Home> {
     let Arm { chain, model } = arm;
     let zero = vec![0.0; model.joints.len()];
     let tool = Pose::from(chain.forward(&zero).ok()?);
-    let origins = chain.link_poses(&zero).ok()?.iter().map(|pose| Pose::from(*pose).translation).collect();
+    let frame_origins = chain.link_poses(&zero).ok()?.iter().map(|pose| Pose::from(*pose).translation).collect();
     let leaves_out = |limits: [f64; 2]| limits[0] > 0.0 || limits[1] < 0.0;
     let outside = model.joints.iter().filter(|joint| joint.limits.is_some_and(leaves_out));
     let outside = outside.map(|joint| joint.name.clone()).collect();
-    Some(Home { tool, origins, farthest: farthest(chain, model), outside })
+    let axes = axes_at_zero(&model::chain::Chain::of(model));
+    Some(Home { tool, axes, frame_origins, farthest: farthest(chain, model), outside })
 }
 
 /// The largest distance of the tool from the origin. While one joint turns, the square of the distance is
@@ -110,7 +115,7 @@ mod tests {
         let straight = of("  - {a: 0.5, alpha: 0, d: 0, theta: 0}\n  - {a: 0.3, alpha: 0, d: 0, theta: 0}\n");
         assert!((straight.farthest.unwrap() - 0.8).abs() < 1e-12);
         assert_eq!(straight.tool.translation, [0.8, 0.0, 0.0]);
-        assert_eq!(straight.origins, [[0.5, 0.0, 0.0], [0.8, 0.0, 0.0]]);
+        assert_eq!(straight.frame_origins, [[0.5, 0.0, 0.0], [0.8, 0.0, 0.0]]);
         let bent =
             of("  - {a: 0.5, alpha: 0, d: 0, theta: 0}\n  - {a: 0.3, alpha: 0, d: 0, theta: 0, limits: [60, 90]}\n");
         let expected = (0.25 + 0.09 + 2.0 * 0.15 * 0.5_f64).sqrt();

@@ -62,7 +62,7 @@ enum Action {
     /// Print what the generator found in an arm file, or the mistakes in it
     ///
     /// The axes that are parallel or meet, the way the inverse kinematics is solved, the largest number of solutions,
-    /// and the operation counts. The arm at its zero and its reach are to hold against a drawing. Then advice on the file.
+    /// and the operation counts. Axes, frames and tool of the arm at its zero, and its reach, are to hold against a drawing. Then advice on the file.
     Check(check::Options),
     /// Print the motion of the tool under motion laws of the joints, as CSV or JSON
     ///

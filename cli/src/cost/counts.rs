@@ -1,4 +1,4 @@
-//! What of an arm's programs the estimates are made from.
+//! Counts of an arm's programs, from which the estimates are made.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -55,11 +55,11 @@ fn works(node: Node) -> bool {
 struct Walk {
     /// Calls of kernels.
     kernels: BTreeMap<&'static str, usize>,
-    /// The same by what they cost: one root, two, a wrist, a quartic.
+    /// Calls of kernels by their cost: one root, two, a wrist, a quartic.
     classes: [usize; 4],
     /// Additions, multiplications and roots outside the kernels.
     arithmetic: usize,
-    /// The same in the code, each once.
+    /// Additions, multiplications and roots outside the kernels, each statement of the code counted once.
     written: usize,
     /// Angles that are measured.
     angles: usize,

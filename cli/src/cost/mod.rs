@@ -24,10 +24,10 @@ pub enum Target {
 /// A line for each function and quantity: `forward.instructions sin_cos 40 arithmetic 2`.
 const CORTEX_M4F: &str = include_str!("cortex-m4f.txt");
 
-/// What is estimated of a function, beside the name of its coefficients.
+/// Estimated quantities of a function, as the table of coefficients names them.
 const QUANTITIES: [&str; 3] = ["instructions", "flash", "stack"];
 
-/// What an arm takes on a processor.
+/// Instructions, flash and stack of an arm on a processor.
 pub struct Cost {
     sheet: counts::Sheet,
     coefficients: &'static str,
@@ -71,7 +71,7 @@ impl Cost {
         lines.join("\n")
     }
 
-    /// The same for programs, with the counts that the estimates are made from.
+    /// The estimates as JSON, with the counts that they are made from.
     pub fn json(&self) -> Value {
         let functions: Map<String, Value> = self
             .sheet

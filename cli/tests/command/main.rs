@@ -93,12 +93,94 @@ fn check_shows_the_arm_at_its_zero_and_its_reach() {
     let said = text(&denhart(&["check", "specs/puma560.yaml", "specs/ur5.yaml"]).stdout);
     for line in [
         "at q = 0, in the base frame (m, deg):",
-        "  link of q2: origin -0.425, 0, 0.089159",
+        "  axis of q2: through 0, 0, 0.089159, along 0, -1, 0",
+        "  axis of q3: through -0.425, 0, 0.089159, along 0, -1, 0",
+        "  axis of q5: through -0.81725, -0.10915, 0.089159, along 0, 0, -1",
+        "  frame origins (standard: frame i stands at the end of link i, on axis i+1):",
+        "    q2: -0.425, 0, 0.089159",
         "  tool: position -0.81725, -0.19145, -0.005491, roll pitch yaw 90, 0, 0",
         "reach: the tool gets 1.038384 m away from the base's origin",
     ] {
         assert!(said.lines().any(|found| found == line), "{line}\n{said}");
     }
+}
+
+#[test]
+fn check_shows_an_axis_that_points_the_other_way() {
+    let said = |convention: &str, rows: [&str; 3]| {
+        let rows: String = rows.iter().map(|row| format!("  - {{{row}}}\n")).collect();
+        let text = format!("name: axes\nconvention: {convention}\nunits: {{length: mm, angle: deg}}\njoints:\n{rows}");
+        let path = arm_file("axes.yaml", &text);
+        text_of_zero(&denhart(&["check", path.to_str().unwrap()]))
+    };
+    // The column of axis 2 and the frame of row 2 are 250 mm apart along the axis: the point stays on the column.
+    let right = [
+        "a: 0, alpha: 90, d: 400, theta: 0",
+        "a: 0, alpha: -90, d: 250, theta: 0",
+        "a: 100, alpha: 0, d: 300, theta: 0",
+    ];
+    let found = said("standard", right);
+    assert_eq!(
+        found[..3],
+        [
+            "  axis of q1: through 0, 0, 0, along 0, 0, 1",
+            "  axis of q2: through 0, 0, 400, along 0, -1, 0",
+            "  axis of q3: through 0, -250, 400, along 0, 0, 1",
+        ]
+    );
+    assert_eq!(found[4], "    q1: 0, 0, 400");
+    let wrong = right.map(|row| row.replace("alpha: 90", "alpha: -90"));
+    let found = said("standard", wrong.each_ref().map(String::as_str));
+    assert_eq!(found[1], "  axis of q2: through 0, 0, 400, along 0, 1, 0");
+    // In this convention frames stand on their own axes, and a fixed row moves a frame on.
+    let rows = [
+        "a: 0, alpha: 0, d: 400, theta: 0",
+        "a: 50, alpha: 90, d: 250, theta: 0",
+        "type: fixed, a: 0, alpha: 0, d: 30, theta: 0",
+    ];
+    assert_eq!(
+        said("modified", rows)[..5],
+        [
+            "  axis of q1: through 0, 0, 0, along 0, 0, 1",
+            "  axis of q2: through 50, 0, 400, along 0, -1, 0",
+            "  frame origins (modified: frame i stands on axis i; fixed rows move it on):",
+            "    q1: 0, 0, 400",
+            "    q2: 50, -280, 400",
+        ]
+    );
+}
+
+#[test]
+fn check_proposes_rows_with_the_frames_near() {
+    let head = "name: far\nconvention: standard\nunits: {length: m, angle: deg}\njoints:\n";
+    let first = "  - {a: 0, alpha: 90, d: 0.1, theta: 0}\n";
+    let far = "  - {a: -0.4, alpha: 0.1, d: 298, theta: 0, limits: [-90, 90]}\n  - {a: -0.4, alpha: 0, d: -297.9, theta: 0}\n";
+    let path = arm_file("far.yaml", &[head, first, far].concat());
+    let all: serde_json::Value =
+        serde_json::from_slice(&denhart(&["check", "--json", path.to_str().unwrap()]).stdout).unwrap();
+    let help = all.pointer("/0/messages/0/help").and_then(serde_json::Value::as_str).unwrap();
+    let rows: String = help.lines().skip(1).map(|row| format!("  {row}\n")).collect();
+    assert!(rows.contains("limits: [-90, 90]}\n  - {type: fixed, a: 0, alpha: 0.1, d: 0, theta: "), "{rows}");
+    assert!(
+        text(&denhart(&["check", path.to_str().unwrap()]).stdout).contains("  - {type: fixed, a: 0, alpha: 0.1, d: 0,")
+    );
+    let near = arm_file("near.yaml", &[head, first, &rows].concat());
+    let pose = |path: &Path| -> Vec<f64> {
+        let output = denhart(&["forward", path.to_str().unwrap(), "--q", "20 -50 70", "--json"]);
+        let all: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let rows = all.pointer("/pose/matrix").unwrap().as_array().unwrap().clone();
+        rows.iter().flat_map(|row| row.as_array().unwrap().clone()).map(|entry| entry.as_f64().unwrap()).collect()
+    };
+    for (far, near) in pose(&path).iter().zip(pose(&near)) {
+        assert!((far - near).abs() < 1e-12, "{far} {near}");
+    }
+    assert_eq!(text(&denhart(&["check", "--strict", near.to_str().unwrap()]).stderr), "");
+}
+
+/// The lines on the arm at its zero.
+fn text_of_zero(output: &Output) -> Vec<String> {
+    let said = text(&output.stdout);
+    said.lines().skip_while(|line| !line.starts_with("at q = 0")).skip(1).map(str::to_owned).collect()
 }
 
 #[test]
@@ -118,7 +200,8 @@ fn check_in_json_has_places_and_what_was_found() {
     let at = |pointer: &str| all.pointer(pointer).cloned().unwrap_or_default();
     assert_eq!(at("/0/inverse/max_solutions"), 8);
     assert_eq!(at("/0/inverse/task"), "pose");
-    assert_eq!(at("/0/home/origins/1/0"), -0.425);
+    assert_eq!(at("/0/home/frame_origins/1/0"), -0.425);
+    assert_eq!(at("/0/home/axes/1"), serde_json::json!({"point": [0.0, 0.0, 0.089159], "direction": [0.0, -1.0, 0.0]}));
     assert_eq!(at("/0/messages"), serde_json::json!([]));
     let found = all.pointer("/1/messages").unwrap().as_array().unwrap();
     let convention = found.iter().find(|message| message["line"] == 2).unwrap();

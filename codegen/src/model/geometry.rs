@@ -203,14 +203,31 @@ pub fn triples(axes: &[Line], turns: &[bool], reach: f64, decisions: &Decisions)
     (triples, misses)
 }
 
+/// The axes with every joint at zero, each through the point that is nearest to the point before; before the first is the
+/// base's origin.
+pub fn axes_at_zero(chain: &Chain) -> Vec<Line> {
+    let mut before = [0.0; 3];
+    let nearest = |axis: Line| {
+        let along = dot(sub(before, axis.point), axis.direction);
+        before = scaled(axis.point, axis.direction, along);
+        Line { point: before, ..axis }
+    };
+    axes_at(chain, |_, _| Transform::IDENTITY).into_iter().map(nearest).collect()
+}
+
 /// The axes with every joint at a value that is special for no arm.
 fn axes(chain: &Chain, reach: f64) -> Vec<Line> {
+    axes_at(chain, |joint, turns| generic_motion(joint, turns, reach))
+}
+
+/// The axes with the joints moved; `motion` has the joint and its kind, revolute or not.
+fn axes_at(chain: &Chain, motion: impl Fn(usize, bool) -> Transform) -> Vec<Line> {
     let mut current = Transform::IDENTITY;
     let mut axes = Vec::new();
     for step in &chain.transforms {
         if let Some(joint) = step.joint() {
             axes.push(Line { point: current.p, direction: current.axis(2) });
-            current = current.then(&generic_motion(joint, matches!(step, Elementary::Revolute { .. }), reach));
+            current = current.then(&motion(joint, matches!(step, Elementary::Revolute { .. })));
         }
         current = current.then(&Transform::of(step));
     }

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::arm::{InverseRequest, Model};
+use super::far_frames::far_frames;
 use super::joint::{Joint, JointKind};
 use crate::error::Diagnostic;
 use crate::spec::{LengthUnit, LimitsSpec, Place, RowSpec, Spec, Task, WrittenAngle, looks_like_radians};
@@ -12,8 +13,10 @@ const LONG: f64 = 30.0;
 
 /// Advice on entries to look at again. The file is used as it stands.
 pub fn advice(spec: &Spec, model: &Model) -> Vec<Diagnostic> {
-    let mut found = Vec::new();
-    found.extend(long(spec));
+    let mut found = far_frames(spec, model);
+    if found.is_empty() {
+        found.extend(long(spec));
+    }
     found.extend(radians(spec));
     found.extend(model.joints.iter().filter_map(|joint| {
         let [low, high] = joint.limits?;

@@ -7,6 +7,7 @@ pub mod chain;
 mod check;
 mod combined_limits;
 mod coupling;
+mod far_frames;
 pub mod geometry;
 mod joint;
 mod joint_names;

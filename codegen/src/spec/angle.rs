@@ -43,6 +43,18 @@ impl WrittenAngle {
         }
     }
 
+    /// Its text in a file whose plain numbers have this unit.
+    pub fn text(self, unit: AngleUnit) -> String {
+        match (self, unit) {
+            (Self::Degrees(value), AngleUnit::Degree) | (Self::Radians(value), AngleUnit::Radian) => value.to_string(),
+            (Self::Degrees(0.0), AngleUnit::Radian) => "0".to_owned(),
+            (Self::Degrees(value), AngleUnit::Radian) => format!("{value} deg"),
+            (Self::Radians(value), AngleUnit::Degree) => format!("{value} rad"),
+            (Self::PiFraction(numerator, 1), _) => format!("{numerator}*pi"),
+            (Self::PiFraction(numerator, denominator), _) => format!("{numerator}*pi/{denominator}"),
+        }
+    }
+
     /// Reads text with a unit or with `pi`. `None` for anything else, a number without a unit too.
     pub fn parse(text: &str) -> Option<Self> {
         let text = text.trim().to_lowercase();

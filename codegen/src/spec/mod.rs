@@ -28,7 +28,7 @@ mod weights;
 mod yaml;
 
 pub use actuator::{ActuatorSpec, HomeSpec};
-pub use angle::{WrittenAngle, pi_times};
+pub use angle::{AngleUnit, WrittenAngle, pi_times};
 pub use angle_field::looks_like_radians;
 pub use combined_limits::CombinedLimitSpec;
 pub use coupling::{CouplingSpec, Factor, MotorSpec, TermSpec};
@@ -62,6 +62,8 @@ pub struct Spec {
     pub convention: Convention,
     /// The unit of all lengths.
     pub length_unit: LengthUnit,
+    /// The unit of plain numbers that are angles.
+    pub angle_unit: AngleUnit,
     /// `joints`; empty only if that is among the mistakes.
     pub rows: Vec<RowSpec>,
     /// The frame before the first row.
@@ -125,6 +127,7 @@ pub fn read(text: &str, file: &str) -> Result<(Spec, Vec<Diagnostic>), Errors> {
         name,
         convention,
         length_unit: units.length,
+        angle_unit: units.angle.unwrap_or(AngleUnit::Degree),
         rows,
         base,
         tool,

@@ -24,3 +24,10 @@ pub const KIND_SYNONYMS: &[(&str, &str)] = &[
     ("sliding", "prismatic"),
     ("constant", "fixed"),
 ];
+
+impl RowKind {
+    /// As the file writes it.
+    pub fn name(self) -> &'static str {
+        KINDS.iter().find(|(_, kind)| *kind == self).map_or("revolute", |(name, _)| name)
+    }
+}
