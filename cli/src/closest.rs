@@ -1,11 +1,11 @@
-//! Where an arm comes closest to a target that it does not reach, and what it misses there.
+//! The closest approach of an arm to a target that it does not reach, and the part of the target that it misses there.
 
 use denhart::numeric::{NumericInverse, Task};
-use denhart::{PointAngle, Pose, Residual};
+use denhart::{JointKind, PointAngle, Pose, Residual, math};
 use denhart_dynamic::{DynamicArm, DynamicTarget};
 
 use crate::arm;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 /// So many starts besides the first one.
 const RESTARTS: usize = 20;
@@ -18,7 +18,15 @@ const POINT_FIRST: f64 = 1e-3;
 const TURNS: u32 = 360;
 const BISECTIONS: u32 = 40;
 
-/// What is missed.
+/// The closest approach to a target out of reach.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Closest {
+    pub missed: Missed,
+    /// Joint values, within their limits if a turn brings them there.
+    pub q: Vec<f64>,
+}
+
+/// The part of a target that is missed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Missed {
     /// No joint vector found brings the tool point to its place; it comes as close as this, length unit.
@@ -27,8 +35,22 @@ pub enum Missed {
     Direction(Residual<f64>),
 }
 
-/// What is missed, by iteration from `start`, without limits. `None` where no iteration can tell.
-pub fn missed(arm: &DynamicArm, target: &DynamicTarget, pose: &Pose<f64>, start: &[f64]) -> Option<Missed> {
+/// The closest approach by iteration from `start`, without limits. `None` where no iteration can tell.
+pub fn closest(arm: &DynamicArm, target: &DynamicTarget, pose: &Pose<f64>, start: &[f64]) -> Option<Closest> {
+    let (missed, q) = approach(arm, target, pose, start)?;
+    let joints = arm.joint_kinds().iter().zip(arm.limits()).zip(q);
+    let q = joints.map(|((kind, limits), q)| if *kind == JointKind::Revolute { turned(q, *limits) } else { q });
+    Some(Closest { missed, q: q.collect() })
+}
+
+/// The angle less whole turns, within the limits if one turn more or less brings it there.
+fn turned(angle: f64, [low, high]: [f64; 2]) -> f64 {
+    let angle = math::wrap(angle);
+    let within = |angle: &f64| (low..=high).contains(angle);
+    [angle, angle + TAU, angle - TAU].into_iter().find(within).unwrap_or(angle)
+}
+
+fn approach(arm: &DynamicArm, target: &DynamicTarget, pose: &Pose<f64>, start: &[f64]) -> Option<(Missed, Vec<f64>)> {
     let chain = arm::chain(arm.model());
     let planar = matches!(target, DynamicTarget::PlanarPose(_) | DynamicTarget::PlanarPosition(_));
     let point = Task::Components([true, true, !planar, false, false, false]);
@@ -37,7 +59,7 @@ pub fn missed(arm: &DynamicArm, target: &DynamicTarget, pose: &Pose<f64>, start:
         |numeric: NumericInverse<f64>, start: &[f64]| numeric.solve_chain(&chain, &(*pose).into(), start, None).ok();
     let at_point = solve(numeric(point), start)?;
     if !at_point.converged() {
-        return Some(Missed::Distance(at_point.residual.position));
+        return Some((Missed::Distance(at_point.residual.position), at_point.q));
     }
     let whole = match target {
         DynamicTarget::Pose(_) => Task::Pose,
@@ -47,29 +69,34 @@ pub fn missed(arm: &DynamicArm, target: &DynamicTarget, pose: &Pose<f64>, start:
             let [x, y, z] = asked.axis;
             Task::PositionAxis(pose.inverse().rotation.map(|[a, b, c]| a * x + b * y + c * z))
         }
-        DynamicTarget::PositionAngle(asked) => return nearest_angle(arm, asked).map(Missed::Direction),
+        DynamicTarget::PositionAngle(asked) => return nearest_angle(arm, asked, start),
         DynamicTarget::Position(_) | DynamicTarget::PlanarPosition(_) => return None,
     };
     let reach = arm.program().inverse.as_ref().ok()?.constants.reach;
     let whole = solve(numeric(whole).length(POINT_FIRST * reach), &at_point.q)?;
-    (!whole.converged()).then_some(Missed::Direction(whole.residual))
+    (!whole.converged()).then_some((Missed::Direction(whole.residual), whole.q))
 }
 
-/// By how much the angle is missed with the point in its place. The asked angle is turned either way, until the inverse
-/// reaches the target: turns of half a degree, then bisection.
-fn nearest_angle(arm: &DynamicArm, asked: &PointAngle<f64>) -> Option<Residual<f64>> {
-    let reaches = |turn: f64| {
-        [turn, -turn].into_iter().any(|turn| {
+/// The least turn of the asked angle, either way, with which the inverse reaches the point, and joint values there: turns of
+/// half a degree, then bisection.
+fn nearest_angle(arm: &DynamicArm, asked: &PointAngle<f64>, start: &[f64]) -> Option<(Missed, Vec<f64>)> {
+    let reached = |turn: f64| {
+        [turn, -turn].into_iter().find_map(|turn| {
             let target = DynamicTarget::PositionAngle(PointAngle::new(asked.point, asked.angle + turn));
-            arm.inverse(&target, None).is_ok_and(|found| found.status().is_reachable())
+            let found = arm.inverse_near(&target, start).ok()?;
+            let nearest = found.first().filter(|_| found.status().is_reachable())?;
+            Some(nearest.q.to_vec())
         })
     };
     let turn = |k: u32| f64::from(k) * (PI / f64::from(TURNS));
-    let outside = (0..TURNS).find(|k| reaches(turn(k + 1)))?;
+    let (outside, mut q) = (0..TURNS).find_map(|k| Some((k, reached(turn(k + 1))?)))?;
     let (mut beyond, mut within) = (turn(outside), turn(outside + 1));
     for _ in 0..BISECTIONS {
         let middle = 0.5 * (beyond + within);
-        if reaches(middle) { within = middle } else { beyond = middle }
+        match reached(middle) {
+            Some(there) => (within, q) = (middle, there),
+            None => beyond = middle,
+        }
     }
-    Some(Residual { position: 0.0, orientation: within })
+    Some((Missed::Direction(Residual { position: 0.0, orientation: within }), q))
 }

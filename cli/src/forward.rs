@@ -1,4 +1,4 @@
-//! `denhart forward`: where the tool of an arm is, and its links.
+//! `denhart forward`: the pose of the tool of an arm, and the origins of its links.
 
 use std::io::Write;
 use std::path::PathBuf;
@@ -9,10 +9,11 @@ use denhart_dynamic::DynamicArm;
 use serde_json::{Value, json};
 
 use crate::Failure;
+use crate::hints;
 use crate::numbers::{Units, arm, outside, short};
 use crate::typed::joints;
 
-/// What the command takes.
+/// The arguments of the command.
 #[derive(Args)]
 pub struct Options {
     /// The arm file, YAML; `-` reads the standard input
@@ -69,6 +70,9 @@ fn as_text(arm: &DynamicArm, q: &[f64], pose: &Pose<f64>, links: &[Pose<f64>], u
             text += &format!("  {name:<20}  {}\n", list(&link.translation));
         }
     }
+    if let Some(hint) = hints::of_joints("--q", arm, q, units) {
+        text += &format!("\nhint: {hint}");
+    }
     for broken in outside(arm, q, units) {
         text += &format!("\noutside the limits: {broken}");
     }
@@ -99,6 +103,7 @@ fn as_json(arm: &DynamicArm, q: &[f64], pose: &Pose<f64>, links: &[Pose<f64>], o
         "q": shown,
         "pose": pose_json(pose, units),
         "outside_limits": outside(arm, q, units),
+        "hints": hints::of_joints("--q", arm, q, units).as_slice(),
     });
     if options.links
         && let Some(object) = all.as_object_mut()

@@ -1,6 +1,8 @@
 //! The command `denhart` as a function. Each subcommand has a file of its own.
 
+mod answer;
 mod arm;
+mod batch;
 mod check;
 mod closest;
 mod cost;
@@ -8,12 +10,17 @@ mod documents;
 mod export;
 mod files;
 mod forward;
+mod hints;
 mod home;
 mod import;
 mod inverse;
 mod new;
 mod numbers;
+mod progress;
 mod schema;
+mod sweep;
+mod table;
+mod target;
 mod trace;
 mod typed;
 
@@ -155,7 +162,7 @@ fn act(action: Action, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), F
         },
         Action::Trace(options) => trace::run(&options, out),
         Action::Forward(options) => forward::run(&options, out),
-        Action::Inverse(options) => match inverse::run(&options, out)? {
+        Action::Inverse(options) => match inverse::run(&options, out, err)? {
             true => Ok(()),
             false => Err(Failure::NoSolution),
         },
@@ -169,6 +176,7 @@ fn act(action: Action, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), F
 }
 
 /// Why the command did not do what was asked.
+#[derive(Debug)]
 enum Failure {
     /// Arguments that make no sense.
     Usage(String),

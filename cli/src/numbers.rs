@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use clap::ValueEnum;
-use denhart::{JointKind, Pose};
+use denhart::JointKind;
 use denhart_dynamic::{DynamicArm, DynamicError};
 
 use crate::Failure;
@@ -76,6 +76,17 @@ impl From<DynamicError> for Failure {
     }
 }
 
+impl Failure {
+    /// Puts the place of its text before a failure.
+    pub fn at(self, place: &str) -> Self {
+        match self {
+            Self::Usage(text) => Self::Usage(format!("{place}: {text}")),
+            Self::Other(text) => Self::Other(format!("{place}: {text}")),
+            other => other,
+        }
+    }
+}
+
 /// The arm of a file; `-` is the standard input.
 ///
 /// # Errors
@@ -90,11 +101,6 @@ pub fn count(n: usize, of: &str) -> String {
     if n == 1 { format!("1 {of}") } else { format!("{n} {of}s") }
 }
 
-/// A pose from `x y z roll pitch yaw`.
-pub fn pose([x, y, z, roll, pitch, yaw]: [f64; 6], units: Units) -> Pose<f64> {
-    Pose::from_xyz_rpy([x, y, z], [roll, pitch, yaw].map(|angle| units.rad(angle)))
-}
-
 /// At most nine digits, no trailing zeros, no negative zero.
 pub fn short(value: f64) -> String {
     if value != 0.0 && !(1e-6..1e9).contains(&value.abs()) {
@@ -104,6 +110,13 @@ pub fn short(value: f64) -> String {
     let text = format!("{value:.digits$}");
     let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+/// The shortest text that reads back as the same number; no negative zero.
+pub fn printed(value: f64) -> String {
+    let value = value + 0.0;
+    let magnitude = value.abs();
+    if magnitude == 0.0 || (1e-5..1e16).contains(&magnitude) { format!("{value}") } else { format!("{value:e}") }
 }
 
 /// The joints outside their limits, as `q2 = 200 is above 90 deg`.

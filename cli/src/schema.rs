@@ -40,7 +40,7 @@ fn schema() -> Value {
             "tool": {"$ref": "#/definitions/frame", "description": "Constant frame after the last row."},
             "parameters": {
                 "type": "object",
-                "additionalProperties": {"type": "number"},
+                "additionalProperties": {"$ref": "#/definitions/number"},
                 "description": "Names for lengths with their values; a field of the struct of that name binds one at run time."
             },
             "inverse": inverse(),
@@ -53,10 +53,10 @@ fn schema() -> Value {
                     json!({
                         "sum": {
                             "anyOf": [
-                                {"type": "object", "additionalProperties": {"type": "number"}},
-                                {"type": "array", "items": {"type": "number"}}
+                                {"type": "object", "additionalProperties": {"$ref": "#/definitions/number"}},
+                                {"type": "array", "items": {"type": "string"}}
                             ],
-                            "description": "Factors of the joints, by name."
+                            "description": "Factors of the joints, by name; a list of names for factors of 1."
                         },
                         "limits": {"$ref": "#/definitions/limits"}
                     }),
@@ -65,6 +65,7 @@ fn schema() -> Value {
             }
         },
         "definitions": {
+            "number": {"type": ["number", "string"], "description": "A number, which may stand in quotes."},
             "angle": {
                 "type": ["number", "string"],
                 "description": "A number in the file's unit, or text with its own: 90 deg, 1.5 rad, pi/2, -2*pi/3."
@@ -114,11 +115,11 @@ fn row() -> Value {
     let actuator = object(
         "A motor that counts pulses.",
         json!({
-            "pulses_per_rev": {"type": "number", "description": "Of a turning joint."},
-            "pulses_per_unit": {"type": "number", "description": "Of a sliding joint."},
-            "gear_ratio": {"type": "number", "description": "Multiplies pulses_per_rev."},
+            "pulses_per_rev": {"type": ["number", "string"], "description": "Of a turning joint."},
+            "pulses_per_unit": {"type": ["number", "string"], "description": "Of a sliding joint."},
+            "gear_ratio": {"type": ["number", "string"], "description": "Multiplies pulses_per_rev."},
             "home": {"type": ["number", "string"], "description": "The motor's value at a count of 0."},
-            "direction": {"enum": [1, -1]}
+            "direction": {"enum": [1, -1, "1", "-1"]}
         }),
         json!([]),
     );
@@ -144,7 +145,7 @@ fn row() -> Value {
 fn inverse() -> Value {
     let tolerance = object(
         "What is still listed as approximate.",
-        json!({"length": {"type": "number"}, "angle": {"$ref": "#/definitions/angle"}}),
+        json!({"length": {"$ref": "#/definitions/number"}, "angle": {"$ref": "#/definitions/angle"}}),
         json!([]),
     );
     object(
@@ -157,8 +158,8 @@ fn inverse() -> Value {
             "tolerance": tolerance,
             "weights": {
                 "anyOf": [
-                    {"type": "object", "additionalProperties": {"type": "number"}},
-                    {"type": "array", "items": {"type": "number"}}
+                    {"type": "object", "additionalProperties": {"$ref": "#/definitions/number"}},
+                    {"type": "array", "items": {"$ref": "#/definitions/number"}}
                 ],
                 "description": "How much each joint counts in the distance that inverse_near sorts by."
             }

@@ -10,7 +10,7 @@ use crate::numbers::{Units, count, rounded};
 /// The value of an option that is a list of numbers.
 #[derive(Clone, Copy)]
 pub struct Typed<'t> {
-    /// The option, for messages: `--q`.
+    /// The option, for messages: `--q`. Empty for a line of a file.
     pub option: &'t str,
     pub text: &'t str,
     /// Units of the numbers that are expected.
@@ -33,31 +33,41 @@ impl Typed<'_> {
     /// The numbers: separated by commas or spaces, in brackets or not.
     ///
     /// # Errors
-    /// What is no number, with the list to type instead where that is plain.
+    /// The first word that is no number, with the list to type instead where that is plain.
     pub fn numbers(&self) -> Result<Vec<f64>, Failure> {
         let number = |word: &str| match word.parse::<f64>() {
             Ok(value) if value.is_finite() => Ok(value),
             _ => {
                 let help = self.instead().unwrap_or_else(|| self.form());
-                let option = self.option;
-                Err(Failure::Usage(format!("{option}: `{word}` is not a number\nhelp: {help}")))
+                Err(self.wrong(&format!("`{word}` is not a number"), &help))
             }
         };
         words(inside(self.text)).map(number).collect()
     }
 
-    /// The same for a list of which another number of entries is wanted: `what` says how many. `help` follows where the
+    /// The failure of a list with another number of entries than wanted: `what` says how many. `help` follows where the
     /// text has no decimal commas.
     pub fn miscounted(&self, what: &str, help: &str) -> Failure {
         let help = self.instead().unwrap_or_else(|| help.to_owned());
-        Failure::Usage(format!("{}: {what}\nhelp: {help}", self.option))
+        self.wrong(what, &help)
     }
 
-    /// What to type where it is not known what was meant.
+    /// The failure `what`, with the option before it and `help` behind.
+    pub fn wrong(&self, what: &str, help: &str) -> Failure {
+        let place = if self.option.is_empty() { String::new() } else { format!("{}: ", self.option) };
+        Failure::Usage(format!("{place}{what}\nhelp: {help}"))
+    }
+
+    /// The option as it stands before its value; nothing in a line of a file.
+    pub fn start(&self) -> String {
+        if self.option.is_empty() { String::new() } else { format!("{} ", self.option) }
+    }
+
+    /// The advice for a text whose meaning is not known.
     fn form(&self) -> String {
         match self.wanted {
-            [1] => format!("write one number, such as {} 0.5", self.option),
-            _ => format!("write numbers with commas or spaces between them, such as {} \"0.5, -90\"", self.option),
+            [1] => format!("write one number, such as {}0.5", self.start()),
+            _ => format!("write numbers with commas or spaces between them, such as {}\"0.5, -90\"", self.start()),
         }
     }
 
@@ -93,7 +103,7 @@ impl Typed<'_> {
         .flatten()
         .collect();
         let quoted = if let [one] = &values[..] { one.clone() } else { format!("\"{}\"", values.join(", ")) };
-        (!reasons.is_empty()).then(|| format!("write {} {quoted}, {}", self.option, reasons.join(", and ")))
+        (!reasons.is_empty()).then(|| format!("write {}{quoted}, {}", self.start(), reasons.join(", and ")))
     }
 
     /// The numbers of the text without their units, as they are to be typed.
@@ -136,7 +146,7 @@ impl Typed<'_> {
 /// A joint vector of an arm, in rad and lengths; `option` is where it comes from, for messages.
 ///
 /// # Errors
-/// What is no number; another number of values than joints.
+/// A word that is no number; another number of values than joints.
 pub fn joints(option: &str, text: &str, arm: &DynamicArm, units: Units) -> Result<Vec<f64>, Failure> {
     let (kinds, length) = (arm.joint_kinds(), arm.length_unit());
     let wanted = [kinds.len()];

@@ -73,6 +73,20 @@ fn every_key_of_the_json_is_documented() {
                 "inverse specs/scara_rrrp_325_275.yaml --pose 400_100_0_90_0_0 --json",
                 "inverse specs/al5d.yaml --pose 0.35_-0.15_0.1_30 --json",
                 "inverse specs/planar3r.yaml --q 10_20_30 --json",
+                "inverse specs/kuka_iiwa7_r800.yaml --q 0_20_30_40_50_60_70 --json --within-limits",
+            ],
+        ),
+        (
+            "With `--sweep`, `inverse --json`",
+            &["`inverse --json`", "`forward --json`"],
+            &["inverse specs/kuka_iiwa7_r800.yaml --q 0_20_30_40_50_60_70 --sweep 3 --json"],
+        ),
+        (
+            "With `--json` each line",
+            &["`inverse --json`", "`forward --json`"],
+            &[
+                "inverse specs/planar2r.yaml --batch cli/tests/targets/good.csv --json",
+                "inverse specs/planar2r.yaml --batch cli/tests/targets/wrong.csv --json",
             ],
         ),
         (

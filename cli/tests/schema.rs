@@ -145,8 +145,17 @@ combined_limits: [{sum: {one: 1}, limits: [-90, 90 deg]}]
         &text.replace("{q2: {one: 20 per rev, q2: 1, offset: 3}}", "{matrix: [[1, 0], [1, 1]], offset: [0, 90]}"),
     )
     .unwrap();
+    // Numbers may stand in quotes, and a sum of factors 1 is a list of names.
+    let mut quoted = text.replace("sum: {one: 1}", "sum: [one, q2]");
+    for number in ["425", "0.1", "200", "50", "80", "-1", "2"] {
+        quoted = quoted.replace(&format!(": {number}}}"), &format!(": '{number}'}}"));
+        quoted = quoted.replace(&format!(": {number},"), &format!(": '{number}',"));
+    }
+    assert!(quoted.contains("gear_ratio: '50'") && quoted.contains("direction: '-1'") && quoted.contains("{q1: '2'}"));
+    check(&schema, &quoted).unwrap();
     // The reader takes every key of it too.
     denhart_codegen::check(text, "all.yaml").unwrap();
+    denhart_codegen::check(&quoted.replace("sum: [one, q2]", "sum: [one]"), "all.yaml").unwrap();
 }
 
 #[test]

@@ -3,40 +3,13 @@
 
 use std::io::Write;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::Stdio;
 
 use serde_json::Value;
 
-fn command(arguments: &[&str]) -> Command {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let mut command = Command::new(env!("CARGO_BIN_EXE_denhart"));
-    command.args(arguments).current_dir(root);
-    command
-}
+mod shell;
 
-fn denhart(arguments: &[&str]) -> Output {
-    command(arguments).output().unwrap()
-}
-
-fn said(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
-}
-
-fn shown(arguments: &[&str]) -> String {
-    let output = denhart(arguments);
-    assert!(output.status.success(), "{output:?}");
-    said(&output.stdout)
-}
-
-fn json(arguments: &[&str]) -> Value {
-    serde_json::from_str(&said(&denhart(arguments).stdout)).unwrap()
-}
-
-fn close(value: &Value, expected: &[f64]) {
-    let values: Vec<f64> = value.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
-    assert_eq!(values.len(), expected.len());
-    assert!(values.iter().zip(expected).all(|(x, y)| (x - y).abs() < 1e-9), "{values:?}, not {expected:?}");
-}
+use shell::{close, command, denhart, json, said, shown};
 
 #[test]
 fn forward_prints_the_pose() {
@@ -203,7 +176,8 @@ fn wrong_arguments_have_status_2_and_wrong_files_status_1() {
         ),
         (&["forward", "specs/ur5.yaml", "--q", "0 0 0 0 0 x"], 2, "`x` is not a number"),
         (&["forward", "specs/ur5.yaml"], 2, "--q"),
-        (&["inverse", "specs/ur5.yaml"], 2, "<--pose <NUMBERS>|--q <VALUES>>"),
+        (&["inverse", "specs/ur5.yaml"], 2, "<--pose <NUMBERS>|--whole-pose <NUMBERS>|"),
+        (&["inverse", "specs/ur5.yaml"], 2, "|--q <VALUES>|--batch <FILE>>"),
         (
             &["inverse", "specs/ur5.yaml", "--pose", "1 2"],
             2,
@@ -258,7 +232,7 @@ fn numbers_typed_in_another_way_have_the_right_ones_as_help() {
     assert_eq!(brackets, shown(&["forward", ur5, "--q", "0 -90 90 0 0 0"]));
 }
 
-/// What is typed in degrees is printed so, not as -119.99999999999999. In rad every bit is there.
+/// Degrees are printed as typed: -120, not -119.99999999999999. In rad every bit is there.
 #[test]
 fn degrees_in_json_have_no_rounding_of_their_conversion() {
     let q = "-120 0.1 77.7 -33.3 59.9 1";

@@ -76,7 +76,7 @@ pub fn decode(bytes: Vec<u8>, what: &str) -> Result<String, ReadError> {
     }
 }
 
-/// What to write instead of a path at which there is no file.
+/// Suggestion of a path, in place of one at which there is no file.
 fn nearby(root: &Path, written: &Path) -> Option<String> {
     let above = ["..", "../.."].iter().map(|up| Path::new(up).join(written)).find(|path| root.join(path).is_file());
     if let Some(path) = above {

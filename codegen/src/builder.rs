@@ -72,14 +72,14 @@ impl Builder {
         self
     }
 
-    /// Whether the `parameters` of the file are bound at run time: the struct then has a public field for each. By
-    /// default it has none, and their values in the file are constants.
+    /// Binds the `parameters` of the file at run time, if true: the struct then has a public field for each. By default
+    /// it has none, and their values in the file are constants.
     pub fn runtime_parameters(mut self, bound: bool) -> Self {
         self.runtime_parameters = bound;
         self
     }
 
-    /// Whether the generator's advice on the file is printed as a `cargo:warning`, one for the file; by default it is.
+    /// Prints the generator's advice on the file as a `cargo:warning`, one for the file, if true. Default: true.
     pub fn warnings(mut self, printed: bool) -> Self {
         self.warnings = printed;
         self
@@ -179,7 +179,7 @@ pub enum BuildError {
     Write {
         /// Where it was to be written.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the system.
         error: io::Error,
     },
 }

@@ -1,4 +1,4 @@
-//! What is said to the user when an arm file is wrong.
+//! Messages to the user about a wrong arm file.
 //!
 //! A [`Diagnostic`] is one mistake (or one warning) with its place; [`Errors`] are all the mistakes of one file,
 //! in the order of the file. Both display as plain text with the source line and a caret line under the place.
@@ -26,7 +26,7 @@ impl fmt::Display for Location {
     }
 }
 
-/// Whether a diagnostic stops the generation.
+/// Severity of a diagnostic: tells whether it stops the generation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Severity {
     /// Nothing is generated.
@@ -38,13 +38,13 @@ pub enum Severity {
 /// One mistake or one warning: what was found, where, what was expected, and the fix where it is plain.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// What was found and what was expected, without the place.
+    /// Message: the value found and the value expected, without the place.
     pub message: String,
     /// The place, where there is one.
     pub at: Option<Location>,
     /// A few words beside the caret, or nothing.
     pub label: String,
-    /// What to write instead.
+    /// Advice: the text to write instead.
     pub help: Option<String>,
     /// Error or warning.
     pub severity: Severity,
@@ -61,17 +61,17 @@ impl Diagnostic {
         Self { severity: Severity::Warning, ..Self::error(message) }
     }
 
-    /// The same with a place.
+    /// Adds the place.
     pub fn at(self, at: impl Into<Option<Location>>) -> Self {
         Self { at: at.into(), ..self }
     }
 
-    /// The same with a few words beside the caret.
+    /// Adds a few words beside the caret.
     pub fn label(self, label: impl Into<String>) -> Self {
         Self { label: label.into(), ..self }
     }
 
-    /// The same with advice.
+    /// Adds advice.
     pub fn help(self, help: impl Into<String>) -> Self {
         Self { help: Some(help.into()), ..self }
     }

@@ -12,7 +12,7 @@ use crate::{ScalarKind, spec, stages};
 use proc_macro2::TokenStream;
 use quote::ToTokens;
 
-/// What the code is to look like.
+/// Options for the generated code.
 #[derive(Clone)]
 pub struct Options {
     /// Name of the type.
@@ -42,7 +42,7 @@ pub struct Generated {
     pub item: TokenStream,
     /// Advice.
     pub warnings: Vec<Diagnostic>,
-    /// What `denhart check` prints.
+    /// Report that `denhart check` prints.
     pub report: Report,
 }
 
@@ -158,7 +158,7 @@ pub fn generate(text: &str, file: &str, options: &Options) -> Result<Generated, 
     })
 }
 
-/// What code is made from, as data: for evaluating it without a compiler. The parameters have the values of the file.
+/// Programs of an arm as data, for evaluating it without a compiler. The parameters have the values of the file.
 #[derive(Debug, Clone)]
 pub struct Program {
     /// The checked arm.
@@ -196,7 +196,7 @@ pub fn program(text: &str, file: &str) -> Result<Program, Errors> {
     })
 }
 
-/// What the generator finds about an arm, without code.
+/// Checks an arm file and reports the findings about the arm, without code.
 ///
 /// # Errors
 /// Every mistake in the file, with its place.
@@ -204,7 +204,8 @@ pub fn check(text: &str, file: &str) -> Result<Report, Errors> {
     Ok(analyze(text, file, &Bound::None, ScalarKind::F64)?.report())
 }
 
-/// What the stages before code find with the parameters bound so, as text. For the tests of this repository: no contract.
+/// Results of the stages before code with the parameters bound so, as text. For the tests of this repository: no
+/// contract.
 ///
 /// # Errors
 /// Every mistake in the file, with its place.

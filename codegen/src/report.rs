@@ -1,4 +1,4 @@
-//! What `denhart check` prints.
+//! Report that `denhart check` prints.
 
 use crate::error::Diagnostic;
 use crate::model::geometry::{Geometry, Relation};
@@ -8,7 +8,7 @@ use crate::solve::{Goal, Plan, Unsupported, describe};
 use crate::symbolic::Cost;
 use std::fmt;
 
-/// What the generator found about an arm.
+/// Findings of the generator about an arm.
 #[derive(Debug, Clone)]
 pub struct Report {
     /// Name of the arm.
@@ -21,7 +21,7 @@ pub struct Report {
     pub max_solutions: Option<usize>,
     /// Why there is no inverse, if there is none.
     pub unsupported: Option<String>,
-    /// What to look at in the file, where something in it is probably meant otherwise and there is no inverse.
+    /// Advice on an entry of the file that is probably meant otherwise, if there is no inverse.
     pub hint: Option<String>,
     /// Without an inverse: the requests for which there is one, as the file writes them. `inverse: {task: position}` is one.
     pub instead: Vec<String>,

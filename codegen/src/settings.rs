@@ -1,4 +1,4 @@
-//! What an arm file says beside its table, in words.
+//! Entries of an arm file beside its table, in words.
 
 use crate::model::{JointKind, Model, Parameter, joint_sum};
 

@@ -1,4 +1,4 @@
-//! What each stage hands to the next, as text: for snapshots, so that a wrong stage shows where.
+//! Results of each stage, as text: for snapshots, so that a wrong stage shows where.
 
 use crate::emit::Writer;
 use crate::lower::Block;

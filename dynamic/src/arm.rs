@@ -112,7 +112,7 @@ impl DynamicArm {
         self.kinds.len()
     }
 
-    /// What each joint does.
+    /// Kind of each joint: revolute or prismatic.
     #[must_use]
     pub fn joint_kinds(&self) -> &[JointKind] {
         &self.kinds

@@ -1,10 +1,10 @@
-//! What the search needs to know about an arm.
+//! Constants of an arm, as the search needs them.
 
 use denhart::solve;
 use denhart::{CombinedLimit, JointMask, Residual};
 use denhart_codegen::lower;
 
-/// What the runtime's [`ArmConstants`](solve::ArmConstants) refer to, of an arm with `N` joints.
+/// Numbers that the runtime's [`ArmConstants`](solve::ArmConstants) refer to, of an arm with `N` joints.
 #[derive(Debug)]
 pub struct ArmConstants<const N: usize> {
     limits: [[f64; 2]; N],
@@ -19,7 +19,7 @@ pub struct ArmConstants<const N: usize> {
 }
 
 impl<const N: usize> ArmConstants<N> {
-    /// Those of a program; `None` if its arm has another number of joints.
+    /// Arm constants of a program; `None` if its arm has another number of joints.
     pub fn of(constants: &lower::ArmConstants) -> Option<Self> {
         let combined = constants.combined.iter().map(|(factors, limits)| {
             let factors = <[f64; N]>::try_from(factors.as_slice()).ok()?;
@@ -39,7 +39,7 @@ impl<const N: usize> ArmConstants<N> {
         })
     }
 
-    /// The same for one call.
+    /// Arm constants for one call, by reference.
     pub fn get(&self) -> solve::ArmConstants<'_, f64, N> {
         let ArmConstants { limits, weights, combined, limited, prismatic, stands_for, wrist, reach, tolerance } = self;
         solve::ArmConstants {

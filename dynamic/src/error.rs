@@ -37,7 +37,7 @@ pub enum DynamicError {
     /// The inverse takes no value beside the target.
     #[error("the inverse takes no value beside the target")]
     NothingGiven,
-    /// What this crate cannot evaluate although generated code can.
+    /// An arm that generated code supports and this crate cannot evaluate.
     #[error("not supported at run time: {0}; the generated code (`denhart expand`, `#[derive(Arm)]`) has it")]
     Unsupported(String),
 }

@@ -18,7 +18,7 @@ impl DynamicArm {
         Ok(task(&self.inverse_program()?.goal))
     }
 
-    /// What the inverse takes beside the target: `q3`, or `the arm angle`.
+    /// Name of the value that the inverse takes beside the target: `q3`, or `the arm angle`.
     ///
     /// # Errors
     /// As of [`task`](Self::task).
@@ -29,7 +29,8 @@ impl DynamicArm {
         }))
     }
 
-    /// Whether what the inverse takes beside the target is a length: the value of a sliding joint.
+    /// Returns true if the value that the inverse takes beside the target is a length: the displacement of a prismatic
+    /// joint.
     ///
     /// # Errors
     /// As of [`task`](Self::task).
@@ -69,8 +70,8 @@ impl DynamicArm {
         Ok(self.solver(target)?.solve(&Asked { target, given, near: None, branch: None }))
     }
 
-    /// The same solutions next to `q_ref`, the nearest first. Free joints, and what the inverse takes beside the target,
-    /// have their value in `q_ref`.
+    /// Solutions of [`inverse`](Self::inverse) with their joints next to `q_ref`, sorted nearest first. Free joints,
+    /// and the value that the inverse takes beside the target, stay at their values in `q_ref`.
     ///
     /// # Errors
     /// An arm without inverse; a target of another task; another number of joint values than joints.
@@ -108,7 +109,7 @@ impl DynamicArm {
         }
     }
 
-    /// What the inverse takes beside the target, at a joint vector; `None` if it takes nothing.
+    /// Value that the inverse takes beside the target, at a joint vector; `None` if it takes no such value.
     ///
     /// # Errors
     /// An arm without inverse; another number of joint values than joints.
@@ -136,7 +137,7 @@ impl DynamicArm {
         Ok(links.get(3).map_or(f64::NAN, |link| swivel.angle(link)))
     }
 
-    /// By how much `q` misses the target.
+    /// Residual of `q` for the target.
     ///
     /// # Errors
     /// As of [`inverse_near`](Self::inverse_near).
@@ -179,7 +180,7 @@ fn task(goal: &Goal) -> &'static str {
     }
 }
 
-/// What a pose and a joint vector reach of a goal.
+/// The target that a pose and a joint vector reach, by the task of `goal`.
 fn target_of(goal: &Goal, pose: &Pose<f64>, q: &[f64]) -> DynamicTarget {
     let (point, rotation) = (pose.translation, pose.rotation);
     let ([x, y, _], [[cos, ..], [sin, ..], _]) = (point, rotation);

@@ -1,6 +1,6 @@
 //! A call of a kernel of the runtime, with its numbers taken from registers.
 
-use denhart::solve::{self, BranchState, Cone, DefaultValue, Elbow, Measure, Missed, Search, Sight, Stage, Turn};
+use denhart::solve::{self, Cone, DefaultValue, Elbow, Measure, Sight, Stage, Turn};
 use denhart_codegen::lower::kernel::{
     Aim, Align, Flip, Offset, OffsetOfTwo, Pair, PairSliding, Quadratic, Slide, SlideTo, SlideTurning, Wrist,
 };
@@ -37,7 +37,7 @@ macro_rules! with_roots {
 }
 pub(crate) use with_roots;
 
-/// What is known of a stage while it is solved: what was worked out before, and its roots.
+/// State of a stage while it is solved: its constant ranges and its roots.
 #[derive(Debug, Clone, Copy)]
 pub struct Known {
     pub phase: Turn<f64>,
@@ -83,7 +83,7 @@ impl Values<'_> {
     }
 }
 
-/// What the numbers of an equation measure.
+/// Unit of an equation, with its typical size.
 pub fn measure(unit: Unit, reach: f64) -> Measure<f64> {
     match unit {
         Unit::Length => Measure::length(reach),
@@ -152,17 +152,5 @@ fn counted(stage: Stage<f64, 1, 2>, from: Counted, known: &Known, values: Values
         Counted::FromZero => stage,
         Counted::TurnedBack(slot) => stage.turned_back(values.of(slot) < 0.0),
         Counted::FromPhase => stage.about(known.phase),
-    }
-}
-
-/// The state after a stage; the one before where the stage has no roots yet.
-pub fn follow<const N: usize, const M: usize, P: Missed<f64, M>>(
-    search: &mut Search<'_, f64, N, M, MOST_DOUBTS, P>,
-    before: &BranchState,
-    roots: &Option<Roots>,
-) -> BranchState {
-    match roots {
-        None => *before,
-        Some(roots) => with_roots!(roots, stage => search.follow(before, stage)),
     }
 }

@@ -36,6 +36,7 @@
 
 mod arm;
 mod arm_constants;
+mod branches;
 mod error;
 mod function;
 mod inverse;

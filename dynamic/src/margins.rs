@@ -26,7 +26,7 @@ pub struct Factors {
 }
 
 impl Factors {
-    /// Those of a program, with lengths over `reach`.
+    /// Margin factors of a program, with lengths relative to `reach`.
     pub fn new(program: &Margins, reach: f64) -> Self {
         let mut compiler = Compiler::new(&program.straight.graph);
         let leaf = |slot: Option<_>, compiler: &mut Compiler| slot.map_or(Register::MAX, |slot| compiler.leaf(slot));

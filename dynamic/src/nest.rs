@@ -13,7 +13,7 @@ pub struct Nest {
     pub tape: Tape,
     pub places: Places,
     pub levels: Vec<Body>,
-    /// What is known of the stages before the first statement: constant ranges.
+    /// State of each stage before the first statement, from constant ranges.
     pub known: Vec<Known>,
     pub program: Inverse,
 }
@@ -106,7 +106,7 @@ fn leaves(compiler: &mut Compiler, roots: &[Root]) {
     }
 }
 
-/// What is taken of a turn.
+/// One part of a turn: its value, sine or cosine.
 pub fn part(turn: &denhart::solve::Turn<f64>, part: Part) -> f64 {
     match part {
         Part::Value => turn.value,

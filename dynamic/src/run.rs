@@ -1,13 +1,12 @@
 //! One run of the inverse: the nest of a program, with the runtime's search.
 
 use denhart::math;
-use denhart::solve::{
-    self, ArmConstants, BranchState, Cone, DefaultValue, Elbow, MOST_CASCADES, Missed, Search, Select, Turn,
-};
+use denhart::solve::{self, BranchState, Cone, DefaultValue, Elbow, Select, Turn};
 use denhart::{Branch, Elbow as ElbowSide, Shoulder, Wrist};
-use denhart_codegen::lower::{self, Branching, Call, Each, Root, Slot, Statement, Unit};
+use denhart_codegen::lower::{self, Branching, Call, Each, Given, Input, Root, Slot, Statement, Unit};
 
-use crate::kernel::{Known, MOST_DOUBTS, Values, follow, measure, solve, with_roots};
+use crate::branches::Branches;
+use crate::kernel::{Known, Values, measure, solve, with_roots};
 use crate::nest::{Nest, part};
 use crate::tape::Registers;
 
@@ -25,34 +24,33 @@ pub struct Run<'a> {
 
 impl<'a> Run<'a> {
     /// Before the first statement, with the target's numbers in their registers.
-    pub fn new(nest: &'a Nest, registers: Registers, swing: (f64, f64), wanted: Option<Branch>) -> Self {
-        Run { nest, registers, known: nest.known.clone(), states: Vec::new(), swing, wanted }
-    }
-
-    /// Once; again with a free joint at another place, where a later stage has no root with it at its default.
-    pub fn search<const N: usize, const M: usize, P: Missed<f64, M>>(
-        mut self,
-        mut search: Search<'_, f64, N, M, MOST_DOUBTS, P>,
-        constants: &ArmConstants<'_, f64, N>,
-        near: Option<&[f64; N]>,
-    ) {
-        for _ in 0..MOST_CASCADES {
-            self.states.clear();
-            self.states.resize(self.nest.states(), search.start());
-            self.level(0, Branch::NONE, &mut search);
-            if search.complete() {
-                break;
-            }
+    ///
+    /// `given`: the value of the redundant joint, or the arm angle. `number`: the other numbers of the target.
+    pub fn new(nest: &'a Nest, given: f64, number: &dyn Fn(Input) -> f64, wanted: Option<Branch>) -> Self {
+        let program = &nest.program;
+        let turns = matches!(program.given, Some(Given::ArmAngle | Given::Joint { revolute: true, .. }));
+        let (sin, cos) = if turns { math::sin_cos(given) } else { (f64::NAN, f64::NAN) };
+        let mut registers = nest.tape.registers();
+        for (slot, input) in &program.inputs {
+            let value = match input {
+                Input::Given(_) => given,
+                Input::SinGiven(_) => sin,
+                Input::CosGiven(_) => cos,
+                other => number(*other),
+            };
+            registers.set(nest.places.of(*slot), value);
         }
-        search.finish(constants, near);
+        Run { nest, registers, known: nest.known.clone(), states: Vec::new(), swing: (sin, cos), wanted }
     }
 
-    fn level<const N: usize, const M: usize, P: Missed<f64, M>>(
-        &mut self,
-        depth: usize,
-        branch: Branch,
-        search: &mut Search<'_, f64, N, M, MOST_DOUBTS, P>,
-    ) {
+    /// Follows all branches from their start.
+    pub fn cascade(&mut self, search: &mut dyn Branches, start: BranchState) {
+        self.states.clear();
+        self.states.resize(self.nest.states(), start);
+        self.level(0, Branch::NONE, search);
+    }
+
+    fn level(&mut self, depth: usize, branch: Branch, search: &mut dyn Branches) {
         let nest = self.nest;
         let Some(body) = nest.levels.get(depth) else { return };
         for (operations, statement) in &body.steps {
@@ -61,7 +59,7 @@ impl<'a> Run<'a> {
         }
         let Some(each) = nest.levels.get(depth + 1).and_then(|next| next.each.as_ref()) else { return };
         let Some(roots) = self.known.get(each.stage).and_then(|known| known.roots) else { return };
-        let (state, wanted) = (self.state(each.state, search), self.root_wanted(each.branching));
+        let (Some(state), wanted) = (self.state(each.state), self.root_wanted(each.branching)) else { return };
         let wanted = if each.flips { state.flips(wanted) } else { wanted };
         with_roots!(&roots, stage => {
             for (index, root) in stage.each(&state, wanted) {
@@ -71,12 +69,7 @@ impl<'a> Run<'a> {
         });
     }
 
-    fn statement<const N: usize, const M: usize, P: Missed<f64, M>>(
-        &mut self,
-        statement: &Statement,
-        branch: Branch,
-        search: &mut Search<'_, f64, N, M, MOST_DOUBTS, P>,
-    ) {
+    fn statement(&mut self, statement: &Statement, branch: Branch, search: &mut dyn Branches) {
         match statement {
             // The operations before it are all there is to do.
             Statement::Let(_) => {}
@@ -97,9 +90,11 @@ impl<'a> Run<'a> {
             }
             Statement::Solve(call) => self.solve(call, search),
             Statement::Follow { stage, before } => {
-                let before = self.state(*before, search);
+                let Some(before) = self.state(*before) else { return };
                 let roots = self.known.get(*stage).and_then(|known| known.roots);
-                self.set_state(lower::BranchState::Stage(*stage), follow(search, &before, &roots));
+                // Without roots yet, the state stays.
+                let after = roots.map_or(before, |roots| search.follow(&before, &roots));
+                self.set_state(lower::BranchState::Stage(*stage), after);
             }
             Statement::Only { stage, roots } => {
                 let Some(solved) = self.known.get(*stage).and_then(|known| known.roots) else { return };
@@ -113,13 +108,14 @@ impl<'a> Run<'a> {
             }
             Statement::Agree { index, before, unit, misses, .. } => {
                 let measure = measure(*unit, self.nest.program.constants.reach);
-                let mut state = self.state(*before, search);
+                let Some(mut state) = self.state(*before) else { return };
                 for miss in misses {
-                    state = search.agree(&state, measure, [self.value(*miss)]);
+                    state = search.agree(&state, measure, self.value(*miss));
                 }
                 self.set_state(lower::BranchState::Agreed(*index), state);
             }
             Statement::Swivel { symbols, vectors, before, .. } => {
+                let Some(before) = self.state(*before) else { return };
                 let [wrist, moved, axis, elbow] = self.values().rows(vectors);
                 let rotation = solve::swivel(wrist, moved, axis, elbow, self.swing);
                 for (symbol, value) in symbols.iter().flatten().zip(rotation.iter().flatten()) {
@@ -127,7 +123,7 @@ impl<'a> Run<'a> {
                 }
                 let length = measure(Unit::Length, self.nest.program.constants.reach);
                 let defaults = [search.default(0), search.default(1)];
-                let state = search.directed(&self.state(*before, search), length, wrist, defaults);
+                let state = search.directed(&before, length, wrist, defaults);
                 self.set_state(lower::BranchState::Swung, state);
             }
             Statement::Value { symbol, terms, constant } => {
@@ -145,21 +141,13 @@ impl<'a> Run<'a> {
                 self.set(*symbol, solve::wrap(sum));
             }
             Statement::Push { state, q } => {
-                let state = self.state(*state, search);
-                let mut values = [f64::NAN; N];
-                for (value, slot) in values.iter_mut().zip(q) {
-                    *value = self.value(*slot);
-                }
-                search.push(&state, values, branch);
+                let Some(state) = self.state(*state) else { return };
+                search.push(&state, &mut q.iter().map(|slot| self.value(*slot)), branch);
             }
         }
     }
 
-    fn solve<const N: usize, const M: usize, P: Missed<f64, M>>(
-        &mut self,
-        call: &Call,
-        search: &Search<'_, f64, N, M, MOST_DOUBTS, P>,
-    ) {
+    fn solve(&mut self, call: &Call, search: &dyn Branches) {
         let defaults = call.defaults.map(|default| self.default(default, search));
         let reach = self.nest.program.constants.reach;
         let Some(known) = self.known.get(call.stage) else { return };
@@ -167,11 +155,7 @@ impl<'a> Run<'a> {
         self.prepare(call.stage, |known| known.roots = Some(roots));
     }
 
-    fn default<const N: usize, const M: usize, P: Missed<f64, M>>(
-        &self,
-        default: lower::DefaultValue,
-        search: &Search<'_, f64, N, M, MOST_DOUBTS, P>,
-    ) -> DefaultValue<f64> {
+    fn default(&self, default: lower::DefaultValue, search: &dyn Branches) -> DefaultValue<f64> {
         let at = match default.joint {
             Some(joint) => search.default(joint),
             None => search.virtual_default(),
@@ -205,12 +189,8 @@ impl<'a> Run<'a> {
         }
     }
 
-    fn state<const N: usize, const M: usize, P: Missed<f64, M>>(
-        &self,
-        state: lower::BranchState,
-        search: &Search<'_, f64, N, M, MOST_DOUBTS, P>,
-    ) -> BranchState {
-        self.states.get(self.nest.state(state)).copied().unwrap_or_else(|| search.start())
+    fn state(&self, state: lower::BranchState) -> Option<BranchState> {
+        self.states.get(self.nest.state(state)).copied()
     }
 
     fn set_state(&mut self, state: lower::BranchState, value: BranchState) {

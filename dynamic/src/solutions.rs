@@ -11,24 +11,24 @@ use crate::Joints;
 pub struct DynamicSolution {
     /// Joint values: rad for revolute joints, the length unit for prismatic ones.
     pub q: Joints,
-    /// What is known about the solution.
+    /// Facts about the solution: exact or approximate, singular, outside the limits.
     pub flags: Flags,
     /// The joints whose value the solver chose because the target does not determine it.
     pub free: JointMask,
     /// The branch that the solution lies on.
     pub branch: Branch,
-    /// What the solution misses the target by: zero for an ordinary one.
+    /// Error of the solution against the target; zero for a solution that the closed form gives to rounding.
     pub residual: Residual<f64>,
 }
 
 impl DynamicSolution {
-    /// Whether the solution reaches the target up to rounding.
+    /// Returns true if the solution reaches the target up to rounding.
     #[must_use]
     pub const fn is_exact(&self) -> bool {
         self.flags.contains(Flags::EXACT)
     }
 
-    /// Whether every joint is within the arm's limits.
+    /// Returns true if every joint is within the arm's limits.
     #[must_use]
     pub const fn is_within_limits(&self) -> bool {
         !self.flags.contains(Flags::OUT_OF_LIMITS)
@@ -57,7 +57,7 @@ impl DynamicSolutions {
         self.status
     }
 
-    /// By how much the target's rotation was off: see [`Solutions::deviation`].
+    /// Deviation of the target's matrix from a rotation, see [`Solutions::deviation`].
     #[must_use]
     pub const fn deviation(&self) -> f64 {
         self.deviation

@@ -5,7 +5,7 @@ use std::marker::PhantomData;
 use denhart::math;
 use denhart::solve::{Decoupled, Evaluate, Goal, InPlane, Levels, Locked, Missed, Pointing, Search, nearest_rotation};
 use denhart::{Branch, Jacobian, Pose, Residual, Solutions, Status};
-use denhart_codegen::lower::{self, Given, Input, Inverse};
+use denhart_codegen::lower::{self, Input, Inverse};
 
 use crate::arm_constants::ArmConstants;
 use crate::function::Straight;
@@ -14,7 +14,7 @@ use crate::nest::Nest;
 use crate::run::Run;
 use crate::{DynamicError, DynamicSolution, DynamicSolutions, DynamicTarget};
 
-/// What is asked of an inverse.
+/// Query to an inverse.
 pub struct Asked<'a> {
     pub target: &'a DynamicTarget,
     /// The value of the redundant joint, or the arm angle, where the inverse takes one.
@@ -31,7 +31,7 @@ pub trait Solve: std::fmt::Debug + Send + Sync {
     fn solve(&self, asked: &Asked) -> DynamicSolutions;
     /// The solution of [`solve`](Self::solve), or its status.
     fn one(&self, asked: &Asked) -> Result<DynamicSolution, Status<f64>>;
-    /// By how much a joint vector, at which the tool has this pose, misses the target.
+    /// Residual of a joint vector, at which the tool has this pose.
     fn residual(&self, q: &[f64], target: &DynamicTarget, pose: &Pose<f64>) -> Residual<f64>;
 }
 
@@ -173,32 +173,29 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
         number: impl Fn(Input) -> f64,
         solutions: &mut Solutions<f64, N, M>,
     ) {
+        match self.nest.held() {
+            Some(joint) => self.search_for(&Locked::new(goal, joint, asked.given), asked, &number, solutions),
+            None => self.search_for(goal, asked, &number, solutions),
+        }
+    }
+
+    /// The same without the goal's type, so that it is compiled once for all goals.
+    fn search_for(
+        &self,
+        goal: &dyn Goal<f64, N>,
+        asked: &Asked,
+        number: &dyn Fn(Input) -> f64,
+        solutions: &mut Solutions<f64, N, M>,
+    ) {
         let Ok(near) = asked.near.map(<&[f64; N]>::try_from).transpose() else { return };
-        let locked = self.nest.held().map(|joint| Locked::new(goal, joint, asked.given));
-        let sought: &dyn Goal<f64, N> = match &locked {
-            Some(locked) => locked,
-            None => goal,
-        };
         let constants = self.constants.get();
-        let search = Search::<f64, N, M, MOST_DOUBTS, P>::new(&constants, &self.both, sought, near, solutions);
+        let search = Search::<f64, N, M, MOST_DOUBTS, P>::new(&constants, &self.both, goal, near, solutions);
         let mut search = if self.nest.program.in_doubt { search.in_doubt() } else { search };
         if !search.begins(near) {
             return;
         }
-        let program = &self.nest.program;
-        let turns = matches!(program.given, Some(Given::ArmAngle | Given::Joint { revolute: true, .. }));
-        let (sin, cos) = if turns { math::sin_cos(asked.given) } else { (f64::NAN, f64::NAN) };
-        let mut registers = self.nest.tape.registers();
-        for (slot, input) in &program.inputs {
-            let value = match input {
-                Input::Given(_) => asked.given,
-                Input::SinGiven(_) => sin,
-                Input::CosGiven(_) => cos,
-                other => number(*other),
-            };
-            registers.set(self.nest.places.of(*slot), value);
-        }
-        Run::new(&self.nest, registers, (sin, cos), asked.branch).search(search, &constants, near);
+        let mut run = Run::new(&self.nest, asked.given, number, asked.branch);
+        search.run(&constants, near, |search, start| run.cascade(search, start));
     }
 }
 

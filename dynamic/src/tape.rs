@@ -103,7 +103,7 @@ pub struct Compiler<'a> {
     places: Vec<Option<u32>>,
     /// Registers of numbers, by their bits.
     numbers: HashMap<u64, u32>,
-    /// What the value of an expression is, if that is known now.
+    /// Values of the expressions that are constant.
     constants: HashMap<Slot, f64>,
 }
 

@@ -1,4 +1,4 @@
-//! What the inverse of an arm known at run time is asked for.
+//! Targets of an arm known at run time.
 
 use denhart::{PlanarPose, PointAngle, PointAxis, Pose};
 

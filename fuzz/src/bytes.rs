@@ -1,16 +1,16 @@
 //! Values from bytes: whatever the bytes are, there is one; after the last byte all are zero.
 
-/// What is left of the bytes.
+/// Bytes that are not read yet.
 #[derive(Debug, Clone)]
 pub struct Bytes<'a>(&'a [u8]);
 
 impl<'a> Bytes<'a> {
-    /// All of them.
+    /// Bytes from the start of `data`.
     pub fn new(data: &'a [u8]) -> Self {
         Self(data)
     }
 
-    /// Whether none are left.
+    /// Returns true if no byte is left.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
@@ -37,7 +37,7 @@ impl<'a> Bytes<'a> {
         f64::from(i16::from_le_bytes([self.byte(), self.byte()])) / 32_768.0
     }
 
-    /// What is left.
+    /// Bytes that are left.
     pub fn rest(&self) -> &'a [u8] {
         self.0
     }

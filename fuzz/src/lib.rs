@@ -1,4 +1,4 @@
-//! What is asked of any bytes. A target fails by panicking.
+//! Fuzz targets for any bytes. A target fails by panicking.
 //!
 //! `fuzz/run.sh` lets libFuzzer look for bytes that do; `cargo test` replays the corpus.
 

@@ -16,14 +16,14 @@ pub enum Source {
     Inline(LitStr),
 }
 
-/// What `#[arm(..)]` says, with defaults in place of what it does not say or says wrongly.
+/// Contents of `#[arm(..)]`, with defaults in place of missing and wrong entries.
 pub struct ArmAttribute {
     /// None only after an error.
     pub source: Option<Source>,
     pub scalar: ScalarKind,
     pub crate_path: Path,
     pub warn: bool,
-    /// Whether the attribute says where the crate is.
+    /// True if the attribute names the path of the crate.
     pub names_crate: bool,
     /// The environment variables that `env!` reads.
     pub environment: Vec<String>,

@@ -12,7 +12,7 @@ use crate::fallback::{self, Outline};
 use crate::fields;
 use crate::renamed;
 
-/// What an arm file given as `yaml = "..."` is called in messages.
+/// Name of an arm file given as `yaml = "..."`, for messages.
 const INLINE: &str = "<inline>";
 
 /// The impls of the arm; or the errors, and impls in which every call of a function of an arm type-checks.

@@ -1,5 +1,5 @@
-//! What is derived for an arm with a mistake: impls in which the calls that a user writes type-check. So the mistake is
-//! the only error. They are never run, as the crate does not compile; still they are total.
+//! Impls for an arm with a mistake, in which the calls that a user writes type-check. So the mistake is the only error.
+//! These impls never run, as the crate does not compile; still they are total.
 
 use denhart_codegen::ScalarKind;
 use proc_macro2::TokenStream;
@@ -11,14 +11,14 @@ use crate::stub_motors::motors;
 /// Joints of an arm whose file says nothing of them: by far the most arms have six.
 const USUAL_JOINTS: usize = 6;
 
-/// What can be seen of an arm without a reader of YAML, in a file that may be broken.
+/// Properties of an arm that can be seen without a reader of YAML, in a file that may be broken.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub struct Outline {
     /// The number of moving rows; None if there is no row to be seen.
     pub joints: Option<usize>,
     /// `task` of `inverse`.
     pub task: Option<String>,
-    /// Whether `inverse` has a `redundant` joint, whose value is a further argument.
+    /// True if `inverse` has a `redundant` joint, whose value is a further argument.
     pub redundant: bool,
 }
 
@@ -44,7 +44,7 @@ impl Outline {
         Self { joints: (moving > 0).then_some(moving), task, redundant }
     }
 
-    /// Whether `inverse` takes a pose, as far as can be seen.
+    /// Returns true if `inverse` seems to take a pose.
     fn takes_pose(&self) -> bool {
         match &self.task {
             Some(task) => task == "pose",
@@ -172,7 +172,7 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
     }
 }
 
-/// What follows from pose and Jacobian.
+/// Stubs of the methods that follow from pose and Jacobian.
 fn motion(krate: &Path, number: &TokenStream, q: &TokenStream, any_list: Option<&TokenStream>) -> TokenStream {
     let (joints, jacobian) = (quote!(&[#number; #q]), quote!(#krate::Jacobian { rows: [[0.0; #q]; 6] }));
     quote! {

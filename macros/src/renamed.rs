@@ -64,7 +64,7 @@ struct Entry {
 }
 
 impl Entry {
-    /// Whether it is of the workspace, not of a package.
+    /// Returns true for an entry of the workspace, not of a package.
     fn is_of_workspace(&self) -> bool {
         self.path.first().is_some_and(|table| table == "workspace")
     }

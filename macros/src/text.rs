@@ -20,7 +20,7 @@ pub fn text(key: &str, value: &Expr, environment: &mut Vec<String>) -> Result<Li
     }
 }
 
-/// What an expression of literals, `concat!` and `env!` gives.
+/// Value of an expression of literals, `concat!` and `env!`.
 fn known(key: &str, value: &Expr, environment: &mut Vec<String>) -> Result<String, Error> {
     match value {
         Expr::Lit(literal) => match &literal.lit {
@@ -61,7 +61,7 @@ fn called(key: &str, call: &ExprMacro, environment: &mut Vec<String>) -> Result<
     }
 }
 
-/// What is wrong with another expression, and what to write.
+/// Error for any other expression, with a suggestion of the text to write.
 fn not_a_text(key: &str, value: &Expr) -> Error {
     let written = value.to_token_stream().to_string();
     let constant = matches!(value, Expr::Path(_)) && written.chars().all(|c| !c.is_lowercase());

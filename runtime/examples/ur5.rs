@@ -39,7 +39,7 @@ fn print_solutions(target: &Pose<f64>) {
     }
 }
 
-/// What a controller asks: the solution nearest to where the arm is, joints more than half a turn away included.
+/// The query of a controller: the solution nearest to the current joints, also joints more than half a turn away.
 fn near_a_reference() {
     heading("Nearest to a reference, with q6 one turn further and the wrist singular");
     let q = [30.0, -70.0, 80.0, -40.0, 0.0, 375.0].map(f64::to_radians);

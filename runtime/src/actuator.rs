@@ -8,7 +8,7 @@ use crate::math::Scalar;
 use crate::pose::Pose;
 use crate::solution::Residual;
 
-/// What a motor counts.
+/// Pulse scale and zero position of a motor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Actuator<T> {
     /// Pulses per rad, or per length unit of a sliding joint; negative where the count falls as the value rises. Not 0.

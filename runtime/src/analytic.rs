@@ -16,10 +16,10 @@ pub struct AnalyticJacobian<T, const M: usize, const N: usize> {
     /// angle. Where the first axis returns (ZYZ), the margin is `|sin|` of that angle. The margin is 1 for a
     /// quaternion, which has no singularity. The rates grow as the inverse of the margin.
     pub margin: T,
-    /// Whether the margin is zero to rounding (up to 16 units of it).
+    /// True if the margin is zero to rounding (up to 16 units of it).
     ///
-    /// One direction of the angular velocity then has no rates at all: the one at right angles to the two axes that are
-    /// left. The rates given are those of the rest of it, and of these, the smallest (the Moore-Penrose inverse).
+    /// One direction of the angular velocity then has no rates: the direction at right angles to the two remaining
+    /// axes. The rates are those of the other components, of least norm (the Moore-Penrose inverse).
     pub singular: bool,
 }
 

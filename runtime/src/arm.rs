@@ -1,4 +1,4 @@
-//! What every generated arm can do, for code that is generic over the arm.
+//! Traits of generated arms, for code that is generic over the arm.
 
 use crate::branch::Branch;
 use crate::dh::JointKind;
@@ -204,7 +204,7 @@ pub trait Arm<T, const N: usize> {
 /// }
 /// ```
 pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
-    /// What is asked of the tool: a [`Pose`], or less where the arm has fewer freedoms.
+    /// Target of an inverse: a [`Pose`], or less where the arm has fewer degrees of freedom.
     type Target;
 
     /// The list of solutions.
@@ -227,11 +227,11 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
         *solutions = self.inverse(target);
     }
 
-    /// The same solutions next to `q_ref`, the nearest first.
+    /// Every solution of the target with its joints next to `q_ref`, sorted nearest first.
     ///
-    /// Each revolute joint is on the turn nearest to its reference, of those inside its limits if there are any. A joint
-    /// whose reference is outside the limits itself follows it all the same, within half a turn. The distance is
-    /// Euclidean, strokes over the reach, with the weights of the arm's file if it has any.
+    /// Each revolute joint is on the turn nearest to its reference, among turns inside its limits if there are any. A
+    /// joint whose reference is outside the limits stays within half a turn of that reference. The distance is
+    /// Euclidean. Strokes count relative to the reach, and joints by the weights of the arm's file if it has any.
     ///
     /// Joints that the target does not determine take their value from `q_ref`. A `q_ref` that is not finite gives
     /// [`Status::BadTarget`].
@@ -257,7 +257,7 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
     /// the target has no such branch.
     fn inverse_branch(&self, target: &Self::Target, branch: Branch) -> OneSolution<T, N>;
 
-    /// By how much `q` misses the target, from the arm's own `forward`: only what the target asks for counts.
+    /// Residual of `q` for the target, by the arm's own `forward`. Only the components that the target gives count.
     #[must_use]
     fn residual(&self, q: &[T; N], target: &Self::Target) -> Residual<T>;
 

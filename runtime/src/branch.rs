@@ -73,7 +73,7 @@ impl Branch {
     /// A branch without a name.
     pub const NONE: Self = Self { labels: 0, root: 0 };
 
-    /// The same branch with the number of a root, given its index from 0.
+    /// Returns the branch with the number of a root, given its index from 0.
     #[inline]
     #[must_use]
     pub const fn with_root_index(self, index: usize) -> Self {
@@ -83,28 +83,28 @@ impl Branch {
     const ELBOW: u8 = 2;
     const WRIST: u8 = 4;
 
-    /// The same branch with the side of the shoulder.
+    /// Returns the branch with this side of the shoulder.
     #[inline]
     #[must_use]
     pub const fn with_shoulder(self, shoulder: Shoulder) -> Self {
         self.with(0, shoulder as u8)
     }
 
-    /// The same branch with the side of the elbow.
+    /// Returns the branch with this side of the elbow.
     #[inline]
     #[must_use]
     pub const fn with_elbow(self, elbow: Elbow) -> Self {
         self.with(Self::ELBOW, elbow as u8)
     }
 
-    /// The same branch with the solution of the wrist.
+    /// Returns the branch with this solution of the wrist.
     #[inline]
     #[must_use]
     pub const fn with_wrist(self, wrist: Wrist) -> Self {
         self.with(Self::WRIST, wrist as u8)
     }
 
-    /// The same branch with the number of the polynomial's root, counted from 1; 0 for none.
+    /// Returns the branch with the number of the polynomial's root, counted from 1; 0 for none.
     #[inline]
     #[must_use]
     pub const fn with_root(self, root: u8) -> Self {
@@ -151,7 +151,7 @@ impl Branch {
         if self.root == 0 { None } else { Some(self.root) }
     }
 
-    /// Whether two branches have the same parts, of those that both name.
+    /// Returns true if two branches agree in every part that both name.
     #[inline]
     pub(crate) const fn agrees_with(self, other: Self) -> bool {
         let labels = (self.labels ^ other.labels) & self.named() & other.named();

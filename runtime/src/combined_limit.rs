@@ -28,7 +28,8 @@ impl<T: Scalar, const N: usize> CombinedLimit<T, N> {
         sum
     }
 
-    /// Whether the sum is within the limits, up to the rounding of its terms; not where it is not a number.
+    /// Returns true if the sum is within the limits, up to the rounding of its terms. A sum that is not a number is
+    /// outside.
     #[inline]
     #[must_use]
     pub fn holds(&self, q: &[T; N]) -> bool {

@@ -1,4 +1,4 @@
-//! What a call of the inverse costs, counted: for tests.
+//! Effort of a call of the inverse, counted for tests.
 //!
 //! A *cascade* is one run of an arm's nest of stages; an *evaluation* is one `forward_and_jacobian` that verifies a
 //! solution. Every call of `inverse`, `inverse_near` and `inverse_branch` takes at most [`MOST_CASCADES`] and
@@ -17,7 +17,7 @@ mod counted {
 
     use core::cell::Cell;
 
-    /// What a call cost.
+    /// Number of cascades and evaluations of a call.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub struct Effort {
         /// Runs of the nest of stages.

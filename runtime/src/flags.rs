@@ -3,7 +3,7 @@
 use core::ops::{BitOr, BitOrAssign};
 use core::{fmt, iter};
 
-/// What is known about one solution: a set.
+/// A set of facts about one solution: exact or approximate, singular, outside the limits.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Flags(u8);
 
@@ -32,7 +32,7 @@ impl Flags {
         (Self::OUT_OF_LIMITS, "OUT_OF_LIMITS"),
     ];
 
-    /// Whether every flag of `other` is set. Every set contains [`Flags::NONE`].
+    /// Returns true if every flag of `other` is set. Every set contains [`Flags::NONE`].
     #[inline]
     #[must_use]
     pub const fn contains(self, other: Self) -> bool {
@@ -58,7 +58,7 @@ impl Flags {
         self.0 &= !other.0;
     }
 
-    /// Whether no flag is set.
+    /// Returns true if no flag is set.
     #[inline]
     #[must_use]
     pub const fn is_empty(self) -> bool {
@@ -120,7 +120,7 @@ impl JointMask {
         if joint < u16::BITS as usize { Self(1 << joint) } else { Self::NONE }
     }
 
-    /// Whether the joint, counted from 0, is in the set.
+    /// Returns true if the joint, counted from 0, is in the set.
     #[inline]
     #[must_use]
     pub const fn contains(self, joint: usize) -> bool {
@@ -134,7 +134,7 @@ impl JointMask {
         Self(self.0 | other.0)
     }
 
-    /// Whether a joint is in both sets.
+    /// Returns true if a joint is in both sets.
     #[inline]
     pub(crate) const fn meets(self, other: Self) -> bool {
         self.0 & other.0 != 0
@@ -153,7 +153,7 @@ impl JointMask {
         self.0 |= other.0;
     }
 
-    /// Whether no joint is in the set.
+    /// Returns true if no joint is in the set.
     #[inline]
     #[must_use]
     pub const fn is_empty(self) -> bool {

@@ -8,8 +8,8 @@ pub(crate) fn rounding<T: Scalar>(size: T) -> T {
     T::from_f64(16.0) * T::EPSILON * (T::ONE + size)
 }
 
-/// Whether a value is within limits, up to the rounding of what it was computed from, which has this size. Not where it
-/// is not a number.
+/// Returns true if a value is within limits, up to the rounding of the numbers it was computed from, which have this
+/// `size`. A value that is not a number is outside.
 #[inline]
 pub(crate) fn within<T: Scalar>(value: T, [low, high]: [T; 2], size: T) -> bool {
     if low <= value && value <= high {

@@ -20,7 +20,7 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
         self.manipulability_of([true; 6])
     }
 
-    /// The same over some of the rows `vx vy vz wx wy wz`: those that the task of the arm counts.
+    /// Manipulability over the rows that `counts` selects of `vx vy vz wx wy wz`: the rows that matter to the task.
     ///
     /// With `M` rows: `sqrt(det(J J^T))` for `M <= N`, `sqrt(det(J^T J))` for `M > N`; 1 without rows. For the position
     /// of the tool count the first three, for a planar arm `vx vy` or `vx vy wz`. A row that is zero at every position
@@ -56,9 +56,9 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
         }
     }
 
-    /// The same where the task is a point and the direction of an axis, a unit vector in the base frame. The rows are
-    /// `vx vy vz` and the two turns across the axis. A turn about the axis itself is not asked for. With fewer than
-    /// five joints `sqrt(det(J^T J))`.
+    /// Manipulability for a task that gives a point and the direction of an axis, a unit vector in the base frame. The
+    /// rows are `vx vy vz` and the two turns across the axis. A turn about the axis does not count. With fewer than
+    /// five joints the value is `sqrt(det(J^T J))`.
     #[must_use]
     pub fn manipulability_pointing(&self, axis: [T; 3]) -> T {
         let [vx, vy, vz, wx, wy, wz] = self.rows;
@@ -79,8 +79,8 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
             .manipulability_of([true, true, true, true, true, false])
     }
 
-    /// The same where the task is a point and the sum of the joints by `signs` (0 for joints that do not count). The
-    /// rows are `vx vy vz` and the rate of that angle.
+    /// Manipulability for a task that gives a point and the sum of the joints by `signs` (0 for joints that do not
+    /// count). The rows are `vx vy vz` and the rate of that angle.
     #[must_use]
     pub fn manipulability_turning(&self, signs: [T; N]) -> T {
         let [vx, vy, vz, ..] = self.rows;
@@ -88,10 +88,11 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
         Self { rows: [vx, vy, vz, signs, none, none] }.manipulability_of([true, true, true, true, false, false])
     }
 
-    /// The same Jacobian with lengths measured in `unit`: the linear rows over `unit`.
+    /// Returns the Jacobian with lengths measured in `unit`: the linear rows divided by `unit`.
     ///
     /// With the reach of the arm as the unit, lengths and angles are of one order. Values computed from the Jacobian
-    /// then do not depend on meters or millimeters. The unit is finite and not zero; entries over zero are not finite.
+    /// then do not depend on meters or millimeters. The unit must be finite and not zero; entries divided by zero are
+    /// not finite.
     #[inline]
     #[must_use]
     pub fn with_length_unit(&self, unit: T) -> Self {

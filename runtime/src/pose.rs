@@ -110,15 +110,15 @@ impl<T: Scalar> Pose<T> {
         Residual { position, orientation: math::atan2(norm(axis), trace - T::ONE) }
     }
 
-    /// By how much the rotation fails to be one, of the order of the distance of the nearest rotation (Frobenius norm).
-    /// The parts are the lengths of the columns x and y less 1, how much these lean, and the difference of z from their
+    /// Distance of the matrix from a rotation, of the order of the Frobenius distance to the nearest rotation. The
+    /// parts are the lengths of the columns x and y less 1, their dot product, and the difference of z from their cross
     /// product.
     #[inline]
     pub(crate) fn deviation(&self) -> T {
         self.squared_deviation().sqrt()
     }
 
-    /// Its square.
+    /// Square of [`deviation`](Self::deviation).
     #[inline]
     pub(crate) fn squared_deviation(&self) -> T {
         let [[a, d, g], [b, e, h], [c, f, i]] = self.rotation;
@@ -130,7 +130,7 @@ impl<T: Scalar> Pose<T> {
         squares + u * u + v * v + w * w
     }
 
-    /// Whether every entry is finite.
+    /// Returns true if every entry is finite.
     #[inline]
     #[must_use]
     pub fn is_finite(&self) -> bool {

@@ -36,20 +36,20 @@ impl<T: fmt::LowerExp> fmt::Display for Residual<T> {
 pub struct Solution<T, const N: usize> {
     /// Joint values: rad for revolute joints, the length unit for prismatic ones.
     pub q: [T; N],
-    /// What is known about the solution.
+    /// Facts about the solution: exact or approximate, singular, outside the limits.
     pub flags: Flags,
     /// The joints whose value the solver chose because the target does not determine it, see [`Flags::FREE`].
     pub free: JointMask,
     /// The branch that the solution lies on.
     pub branch: Branch,
-    /// What the solution misses the target by. The residual is zero for a solution that the closed form gives to
-    /// rounding. A solution at a singular pose or at the boundary of reach is verified, and its residual is by forward
-    /// kinematics.
+    /// Error of the solution against the target. The residual is zero for a solution that the closed form gives to
+    /// rounding. A solution at a singular pose or at the boundary of reach is verified: its residual is computed by
+    /// forward kinematics.
     pub residual: Residual<T>,
 }
 
 impl<T: Scalar, const N: usize> Solution<T, N> {
-    /// What stands in the unused places of [`Solutions`](crate::Solutions).
+    /// Filler of the unused places of [`Solutions`](crate::Solutions).
     pub(crate) const EMPTY: Self = Self {
         q: [T::ZERO; N],
         flags: Flags::NONE,
@@ -58,7 +58,7 @@ impl<T: Scalar, const N: usize> Solution<T, N> {
         residual: Residual::ZERO,
     };
 
-    /// What the closed form gives to rounding.
+    /// A solution that the closed form gives to rounding.
     #[inline(always)]
     pub(crate) const fn exact(q: [T; N], branch: Branch) -> Self {
         Self { q, flags: Flags::EXACT, free: JointMask::NONE, branch, residual: Residual::ZERO }
@@ -66,14 +66,14 @@ impl<T: Scalar, const N: usize> Solution<T, N> {
 }
 
 impl<T, const N: usize> Solution<T, N> {
-    /// Whether the solution reaches the target up to rounding.
+    /// Returns true if the solution reaches the target up to rounding.
     #[inline]
     #[must_use]
     pub const fn is_exact(&self) -> bool {
         self.flags.contains(Flags::EXACT)
     }
 
-    /// Whether every joint is within the arm's limits.
+    /// Returns true if every joint is within the arm's limits.
     #[inline]
     #[must_use]
     pub const fn is_within_limits(&self) -> bool {
@@ -97,7 +97,7 @@ impl<T: Scalar, const N: usize> Solution<T, N> {
         Windings::new(&self.q, &A::LIMITS, &A::JOINT_KINDS)
     }
 
-    /// The same solution with each revolute joint on the turn next to `q_ref` (`[N]`), by the rule of
+    /// Returns the solution with each revolute joint on the turn next to `q_ref` (`[N]`), by the rule of
     /// [`inverse_near`](crate::InverseKinematics::inverse_near). A joint whose reference is not finite stays.
     #[must_use]
     pub fn next_to<A: Arm<T, N>>(&self, _arm: &A, q_ref: &[T; N]) -> Self {
@@ -177,7 +177,7 @@ fn write_facts<T, const N: usize>(f: &mut fmt::Formatter<'_>, solution: &Solutio
     write!(f, "  {}", solution.branch)
 }
 
-/// What a query for one solution gives: the solution, or the status that says why there is none.
+/// Result of a query for one solution: the solution, or the status that says why there is none.
 pub type OneSolution<T, const N: usize> = Result<Solution<T, N>, Status<T>>;
 
 /// Outcome of an inverse.
@@ -203,7 +203,7 @@ pub enum Status<T> {
 }
 
 impl<T> Status<T> {
-    /// Whether the target is reached.
+    /// Returns true if the target is reached.
     #[inline]
     #[must_use]
     pub const fn is_reachable(&self) -> bool {

@@ -6,13 +6,13 @@ use crate::pose::Pose;
 use crate::solution::Residual;
 use crate::solve::{Goal, Tolerances};
 
-/// What an arm `A` with `N` joints can be asked to reach.
+/// A target that an arm `A` with `N` joints can reach for.
 ///
 /// A [`Pose`], a point `[T; 3]`, a point of the plane `[T; 2]` and a [`PlanarPose`] mean the same for every arm. The
-/// others have a meaning only for an arm whose task they belong to. A pair of a target and the value of a redundant
-/// joint is that target.
+/// other types belong to arms of one task. A pair of a target and the value of a redundant joint counts as the target
+/// alone.
 pub trait Target<A, T, const N: usize> {
-    /// By how much the arm's tool misses this at `q`; what is not asked for does not count.
+    /// Residual of the arm's tool at `q`; only the components that the target gives count.
     fn missed_by(&self, arm: &A, q: &[T; N]) -> Residual<T>;
 }
 
@@ -115,7 +115,7 @@ impl<T: Scalar> PointAngle<T> {
         PointAngle { point, angle: radians(degrees) }
     }
 
-    /// The same target with its angle in (-pi, pi]: sums with the angle lose no digits to its turns.
+    /// Returns the target with its angle in (-pi, pi]: sums with the angle lose no digits to its turns.
     #[inline]
     #[must_use]
     pub fn wrapped(&self) -> Self {
@@ -166,7 +166,7 @@ impl<T: Scalar> PlanarPose<T> {
         PlanarPose { x, y, phi: radians(degrees) }
     }
 
-    /// The same target with its direction in (-pi, pi]: sums with the angle lose no digits to its turns.
+    /// Returns the target with its direction in (-pi, pi]: sums with the angle lose no digits to its turns.
     #[inline]
     #[must_use]
     pub fn wrapped(&self) -> Self {

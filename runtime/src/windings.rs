@@ -31,7 +31,7 @@ fn at_limit<T: Scalar>(value: T, near: T, limits: [T; 2]) -> T {
     }
 }
 
-/// Whether an angle is beyond a limit by more than a solution near a singularity may be off, 7e-10 in f64.
+/// Returns true if an angle is beyond a limit by more than the error of a solution near a singularity, 7e-10 in f64.
 #[inline]
 fn far_beyond<T: Scalar>(angle: T, [low, high]: [T; 2]) -> bool {
     let margin = T::from_f64(0.05) * T::EPSILON.sqrt();

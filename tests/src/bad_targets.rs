@@ -15,7 +15,7 @@ use crate::task::{Asked, Goal};
 use nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion};
 use std::f64::consts::TAU;
 
-/// What is no number.
+/// Values that are not finite.
 const NO_NUMBERS: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
 /// A target that can be spoiled.
@@ -34,7 +34,7 @@ pub trait Spoil: Clone + std::fmt::Debug {
         None
     }
 
-    /// Whether `inverse_near` reads the part that is spoiled. A given joint it takes from its reference.
+    /// Returns true if `inverse_near` reads the part that is spoiled. A given joint comes from the reference instead.
     fn is_bad_beside_a_reference(&self) -> bool {
         true
     }
@@ -229,8 +229,9 @@ where
     report.assert_empty();
 }
 
-/// What cannot be meant is a BadTarget without solutions, and so is a reference that is not finite. What means the same
-/// has the same solutions. A pose that is off by little stands for the one with the nearest rotation.
+/// Checks targets that are spoiled. A target that cannot be meant is a BadTarget without solutions, and so is a
+/// reference that is not finite. A target with an unchanged meaning has the same solutions. A pose that is off by
+/// little stands for the pose with the nearest rotation.
 pub fn check_some<I: Inverse<N, Target: Spoil>, const N: usize>(
     subject: &Subject<N>,
     inverse: &I,

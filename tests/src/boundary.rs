@@ -23,7 +23,7 @@ const TOLERANCE: f64 = 1e-6;
 pub struct Carried {
     point: Point3<f64>,
     joints: Range<usize>,
-    /// Whether the first equation measures the distance of the point, so that its gap is the push.
+    /// True if the first equation measures the distance of the point, so that its gap is the push.
     measured: bool,
 }
 
@@ -45,8 +45,8 @@ impl Carried {
         }
     }
 
-    /// The same for an arm whose equations nobody has looked at. The gap of such an arm may be larger than the push, by
-    /// a factor up to the conditioning of the arm.
+    /// The point for an arm whose equations nobody has looked at. The gap of such an arm may be larger than the push,
+    /// by a factor up to the conditioning of the arm.
     #[must_use]
     pub fn of_any_arm(self) -> Self {
         Self { measured: false, ..self }

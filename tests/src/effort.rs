@@ -1,4 +1,4 @@
-//! What a call of the inverse costs: no more than the bound, whatever it is asked.
+//! Effort of a call of the inverse: no more than the bound, whatever the target.
 
 use denhart::effort::{Effort, MOST_CASCADES, MOST_EVALUATIONS, effort_of};
 use denhart::{Branch, InverseKinematics, PlanarPose, PointAngle, PointAxis, Pose, Solution, Status};

@@ -8,7 +8,7 @@ use denhart_dynamic::{DynamicArm, DynamicError, DynamicSolution, DynamicSolution
 use crate::effort;
 use crate::task::{Asked, Goal, Kind};
 
-/// What a call of an inverse gave.
+/// Result of a call of an inverse.
 #[derive(Debug, Clone)]
 pub struct Answer<const N: usize> {
     pub solutions: Vec<Solution<f64, N>>,
@@ -35,7 +35,7 @@ impl<const N: usize> fmt::Display for Answer<N> {
 
 /// The inverse functions of an arm.
 pub trait Inverse<const N: usize>: Send + Sync {
-    /// What they take: the target of the task, and the given joint's value where there is one.
+    /// Argument of the functions: the target of the task, and the given joint's value if there is one.
     type Target: Debug + Clone;
 
     /// The part of a goal that the task looks at.
@@ -48,7 +48,7 @@ pub trait Inverse<const N: usize>: Send + Sync {
     fn kept(&self, target: &Self::Target, q_ref: &[f64; N]) -> [Answer<N>; 2];
     /// The solution on one branch.
     fn branch(&self, target: &Self::Target, branch: Branch) -> OneSolution<f64, N>;
-    /// By how much a joint vector misses the target.
+    /// Residual of a joint vector.
     fn residual(&self, target: &Self::Target, q: &[f64; N]) -> Residual<f64>;
     /// The target at a joint vector.
     fn target_at(&self, q: &[f64; N]) -> Self::Target;
@@ -128,11 +128,11 @@ fn listed<A: InverseKinematics<f64, N>, const N: usize>(solutions: &A::Solutions
 pub struct Evaluated {
     arm: DynamicArm,
     kind: Kind,
-    /// Whether a joint's value is given.
+    /// True if a joint's value is given.
     takes: bool,
 }
 
-/// What an evaluated inverse takes: the target, and the given value where there is one.
+/// Argument of an evaluated inverse: the target, and the given value if there is one.
 #[derive(Debug, Clone, Copy)]
 pub struct Request {
     pub target: DynamicTarget,

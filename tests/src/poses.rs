@@ -37,7 +37,7 @@ impl<const N: usize> Space<N> {
         Self::new(&subject.kinds, &subject.limits, subject.reach)
     }
 
-    /// The same from the parts.
+    /// The space of joints of these kinds and limits, for an arm of this reach.
     pub fn new(kinds: &[JointKind; N], limits: &[[f64; 2]; N], reach: f64) -> Self {
         let spans = std::array::from_fn(|joint| match (kinds[joint], limits[joint]) {
             (JointKind::Revolute, _) => [-PI, PI],

@@ -103,7 +103,7 @@ pub fn check_references<const N: usize>(
     }
 }
 
-/// Whether an EXACT solution equals `q` as far as the pose determines it, see [`check`].
+/// Returns true if an EXACT solution equals `q` as far as the pose determines it, see [`check`].
 fn recovered<const N: usize>(subject: &Subject<N>, q: &[f64; N], answer: &Answer<N>) -> bool {
     let found = |tolerance: f64, counts: &dyn Fn(usize) -> bool| {
         answer.exact().any(|solution| subject.distance(&solution.q, q, counts) <= tolerance)
@@ -130,14 +130,15 @@ fn recovered<const N: usize>(subject: &Subject<N>, q: &[f64; N], answer: &Answer
     })
 }
 
-/// Whether a solution whose joints are partly free stands for `q`. The arm is asked for the solutions next to this
-/// solution, with the free joints where `q` has them. The answer must give `q`. All other joints of that reference are
-/// those of the solution, so that nothing but the free joints comes from `q`.
+/// Returns true if a solution whose joints are partly free stands for `q`. The arm is asked for the solutions next to
+/// this solution, with the free joints where `q` has them. The answer must give `q`. All other joints of that reference
+/// are those of the solution, so that nothing but the free joints comes from `q`.
 ///
-/// Only where two singular values are below the root of rounding. There a fold (a stretched elbow) is not resolved: a
-/// distance of `q` from the fold changes the pose by its square, which is rounding. So the pose determines that joint,
-/// and with it the Jacobian, only to the root of rounding. Singular values below that root may as well be zero. With
-/// two of them the rank is so low that the rule above would ask for closure alone; this asks for more.
+/// The rule applies only where two singular values are below the root of rounding. There a fold (a stretched elbow) is
+/// not resolved: a distance of `q` from the fold changes the pose by its square, which is rounding. So the pose
+/// determines that joint, and with it the Jacobian, only to the root of rounding. Singular values below that root may
+/// as well be zero. With two of them the rank is so low that the rule above would ask for closure alone; this rule asks
+/// for more.
 fn stood_for<const N: usize>(subject: &Subject<N>, target: &Goal, q: &[f64; N], answer: &Answer<N>) -> bool {
     Svd::at(subject, q).below(f64::EPSILON.sqrt()) >= 2
         && answer.exact().filter(|solution| !solution.free.is_empty()).any(|solution| {
@@ -251,9 +252,9 @@ fn broken_rule<const N: usize>(
 /// between the two.
 const FOLLOWED: f64 = 8e-10;
 
-/// Whether an angle is on the turn that `inverse_near` has to choose. Of the turns inside the limits, the right turn is
-/// the nearest to the reference. If none is inside, or the reference is not, the right turn is within half a turn of
-/// the reference. Within rounding of a limit either will do.
+/// Returns true if an angle is on the turn that `inverse_near` has to choose. Of the turns inside the limits, the right
+/// turn is the nearest to the reference. If none is inside, or the reference is not, the right turn is within half a
+/// turn of the reference. Within rounding of a limit either will do.
 fn next_to(angle: f64, reference: f64, [low, high]: [f64; 2]) -> bool {
     let distance = (angle - reference).abs();
     let near = reference + wrap(angle - reference);
@@ -269,8 +270,8 @@ fn next_to(angle: f64, reference: f64, [low, high]: [f64; 2]) -> bool {
     }
 }
 
-/// Whether the solutions are sorted by their Euclidean distance from the reference. Whether a prismatic joint counts in
-/// its own unit or in reaches is left to the arm.
+/// Returns true if the solutions are sorted by their Euclidean distance from the reference. The arm may count a
+/// prismatic joint in its own unit or in reaches.
 fn in_order<const N: usize>(subject: &Subject<N>, q_ref: &[f64; N], solutions: &[Solution<f64, N>]) -> bool {
     let sorted = |unit: f64| {
         let distance = |solution: &Solution<f64, N>| -> f64 {

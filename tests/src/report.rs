@@ -30,7 +30,7 @@ pub struct Failures {
 pub struct Shown {
     /// The joint vector that the target was made from.
     pub q: Vec<f64>,
-    /// What went wrong.
+    /// Message about the failure.
     pub detail: String,
 }
 

@@ -122,8 +122,8 @@ fn dot<const M: usize>(a: &[f64; M], b: &[f64; M]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
-/// Whether `accepts` holds for the joints that move along the self-motion through `q`, which is followed over up to
-/// 4 rad both ways. `start` is the decomposition at `q`, of rank `N - 1`.
+/// Returns true if `accepts` holds for the joints that move along the self-motion through `q`, which is followed over
+/// up to 4 rad both ways. `start` is the decomposition at `q`, of rank `N - 1`.
 ///
 /// The null space at `q` alone may show a joint at rest only because it turns back just there. Where another
 /// self-motion crosses this one, the joints that it moves count too: the same pose lies on both. Where no motion keeps
@@ -161,8 +161,8 @@ pub fn accepts_moved<const N: usize>(
     false
 }
 
-/// Whether a self-motion passes through `q`: joints that move without moving the tool, not a fold only. `start` is the
-/// decomposition at `q`, of rank `N - 1`.
+/// Returns true if a self-motion passes through `q`: joints that move without moving the tool, not a fold only. `start`
+/// is the decomposition at `q`, of rank `N - 1`.
 pub fn self_motion<const N: usize>(subject: &Subject<N>, q: &[f64; N], start: &Svd<N>) -> bool {
     let target = subject.goal(q);
     [1.0, -1.0].into_iter().any(|sign| {

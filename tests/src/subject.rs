@@ -13,7 +13,7 @@ pub trait Specified<const N: usize>: denhart::Arm<f64, N> + Default + Send + Syn
     const NAME: &'static str;
     /// Its table.
     const TABLE: DhTable;
-    /// What its inverse is asked for.
+    /// Task of its inverse.
     const TASK: Task = Task::new(Kind::Pose);
 }
 
@@ -28,7 +28,7 @@ pub struct Subject<const N: usize> {
     pub kinds: [JointKind; N],
     pub limits: [[f64; 2]; N],
     pub max_solutions: usize,
-    /// What the inverse is asked for.
+    /// Task of the inverse.
     pub task: Task,
     pitch: Pitch<N>,
     solver: Box<dyn Solver<N>>,
@@ -80,7 +80,7 @@ impl<const N: usize> Subject<N> {
         self.solver.inverse_near(goal, q_ref)
     }
 
-    /// What the arm reaches at `q`, by the chain.
+    /// Goal that the arm reaches at `q`, by the chain.
     pub fn goal(&self, q: &[f64; N]) -> Goal {
         let given = self.task.given.map_or(0.0, |joint| q[joint]);
         Goal { pose: self.pose(q), angle: self.pitch.angle(q), given }
@@ -136,8 +136,8 @@ impl<const N: usize> Subject<N> {
         })
     }
 
-    /// What is left to do from `q` to the goal, one number an equation: lengths in reaches, angles in rad, to first
-    /// order.
+    /// Error that is left from `q` to the goal, one number an equation: lengths relative to reach, angles in rad, to
+    /// first order.
     pub fn error(&self, goal: &Goal, q: &[f64; N]) -> [f64; EQUATIONS] {
         let reached = self.pose(q);
         let shift = (goal.pose.translation.vector - reached.translation.vector) / self.reach;
@@ -246,12 +246,12 @@ impl<const N: usize> Subject<N> {
         largest((0..N).map(|joint| (a[joint] - b[joint]) / self.unit(joint)))
     }
 
-    /// What a joint is measured in: 1 rad for a revolute joint, the reach for a prismatic one.
+    /// Unit of a joint: 1 rad for a revolute joint, the reach for a prismatic joint.
     pub fn unit(&self, joint: usize) -> f64 {
         if self.kinds[joint] == JointKind::Revolute { 1.0 } else { self.reach }
     }
 
-    /// Whether some joint is prismatic.
+    /// Returns true if some joint is prismatic.
     pub fn has_prismatic(&self) -> bool {
         self.kinds.contains(&JointKind::Prismatic)
     }
@@ -273,7 +273,7 @@ pub fn reach<const N: usize>(table: &DhTable, limits: &[[f64; 2]; N]) -> f64 {
     length(table.rows, [&table.base, &table.tool], limits)
 }
 
-/// The same from the parts: rows, base and tool, limits of the joints.
+/// Reach from the parts: rows, base and tool, limits of the joints.
 pub fn length(rows: &[DhRow], frames: [&DhFrame; 2], limits: &[[f64; 2]]) -> f64 {
     let norm = |xyz: [f64; 3]| xyz.iter().map(|x| x * x).sum::<f64>().sqrt();
     let links: f64 = rows.iter().map(|row| row.a.abs() + row.d.abs()).sum();

@@ -1,4 +1,4 @@
-//! What every arm with an inverse has to pass, group by group.
+//! Tests that every arm with an inverse has to pass, group by group.
 
 use denhart::{InverseKinematics, JointKind, Target};
 
@@ -100,7 +100,7 @@ pub fn out_of_reach<const N: usize>(subject: &Subject<N>) {
     report.assert_empty();
 }
 
-/// What the arm says a joint vector misses a target by, and what the chain says: the same, near the target and anywhere.
+/// Compares the residual of a joint vector by the arm with that by the chain, near the target and anywhere.
 pub fn residuals<A, const N: usize>()
 where
     A: Specified<N> + InverseKinematics<f64, N, Target: Asked + Target<A, f64, N>>,

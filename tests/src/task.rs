@@ -1,12 +1,12 @@
-//! What the tool of an arm is asked for, and how far a joint vector is from it.
+//! Tasks of an arm's tool, and the error of a joint vector.
 //!
-//! A [`Goal`] always knows the whole pose; the arm's [`Task`] says which part of it counts, and so what a miss is.
+//! A [`Goal`] always knows the whole pose. The arm's [`Task`] selects the part that counts, and so defines the error.
 
 use denhart::{Chain, DhRow, JointKind, PlanarPose, PointAngle, PointAxis, Pose};
 use denhart_dynamic::DynamicTarget;
 use nalgebra::{Isometry3, Vector3};
 
-/// What a task asks of the tool.
+/// Kind of a task: the part of the tool's pose that counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Position and orientation.
@@ -37,7 +37,7 @@ impl Task {
         Self { kind, given: None }
     }
 
-    /// The same with the value of joint `number`, counted from 1 as in arm files, as an argument.
+    /// Adds the value of joint `number`, counted from 1 as in arm files, as an argument.
     pub const fn redundant(self, number: usize) -> Self {
         Self { given: Some(number - 1), ..self }
     }
@@ -54,7 +54,7 @@ impl Task {
         asked + usize::from(self.given.is_some())
     }
 
-    /// Whether only what happens in the base frame's x-y plane counts.
+    /// Returns true if only motion in the base frame's x-y plane counts.
     pub fn is_planar(&self) -> bool {
         matches!(self.kind, Kind::PlanarPose | Kind::PlanarPosition)
     }
@@ -63,7 +63,7 @@ impl Task {
 /// Most equations a task has: six of a pose and one of a given joint.
 pub const EQUATIONS: usize = 7;
 
-/// What is asked for, whatever the task.
+/// Goal of any task.
 #[derive(Debug, Clone, Copy)]
 pub struct Goal {
     pub pose: Isometry3<f64>,

@@ -27,7 +27,7 @@ impl<'a> Case<'a> {
     }
 }
 
-/// What was measured, one line a case, in the order of the cases.
+/// Measurements, one line a case, in the order of the cases.
 #[derive(Debug)]
 pub struct Table {
     title: String,

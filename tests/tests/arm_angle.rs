@@ -1,4 +1,4 @@
-//! The arm angle as what is given: `redundant: arm_angle`.
+//! The arm angle as the given value: `redundant: arm_angle`.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -26,7 +26,7 @@ joints:
 ")]
 struct Wall;
 
-/// The same kind by standard rows, the elbow beside the line of the upper arm.
+/// A seven-joint arm in standard rows, the elbow beside the line of the upper arm.
 #[derive(Default, Arm)]
 #[arm(yaml = "
 name: elbow_with_offset
@@ -86,7 +86,7 @@ fn joint_vectors_come_back() {
     check::<Offset>(Offset::DH, 1.29, |arm, q| arm.arm_angle(q));
 }
 
-/// The same with links of equal length: folded, the wrist comes to the shoulder.
+/// An arm with links of equal length: folded, the wrist comes to the shoulder.
 #[derive(Default, Arm)]
 #[arm(yaml = "
 name: iiwa_of_equal_links

@@ -1,4 +1,4 @@
-//! What the generator says about arm files with mistakes: for each file of `bad/` the exact text, beside it.
+//! Messages of the generator for arm files with mistakes: for each file of `bad/` the exact text, beside it.
 #![allow(clippy::unwrap_used)]
 
 use std::fs;

@@ -39,7 +39,7 @@ fn the_builder_and_the_command_write_the_same() {
     assert_eq!(expand(&[file, "--scalar", "f32"]), Builder::new(file).scalar("f32").generate().unwrap());
 }
 
-/// What is written is the struct and then the impls that the derive emits, formatted.
+/// The written file is the struct and then the impls that the derive emits, formatted.
 #[test]
 fn a_written_file_is_the_struct_and_the_impls_of_the_derive() {
     for path in specs() {

@@ -17,7 +17,7 @@ const ATTEMPTS: usize = 1_500;
 /// Random joint vectors.
 const RANDOM: usize = 5_000;
 
-/// What the rules are held to in a scalar. Singular values are those of the Jacobian with lengths in reaches.
+/// Bounds of the rules in a scalar. Singular values are those of the Jacobian with lengths in reaches.
 struct Bars {
     /// A pose that is singular once: the least singular value but one and the [`slope`] are above this. Below, a second stage is
     /// doubtful too, an elbow nearly stretched.

@@ -12,10 +12,10 @@ use denhart_tests::subject::{Specified, largest, reach};
 use denhart_tests::task::{Kind, Task, across, tool_axis};
 use nalgebra::DMatrix;
 
-/// What `numeric.rs` holds poses and Jacobians to, in reaches: some fifty roundings through ten transforms.
+/// Bound on poses and Jacobians in `numeric.rs`, in reaches: some fifty roundings through ten transforms.
 const ROUNDING: f64 = 1e-13;
 
-/// What `scalar_f32.rs` holds poses and Jacobians to, in reaches.
+/// Bound on poses and Jacobians in `scalar_f32.rs`, in reaches.
 const SINGLE: f64 = 4e-6;
 
 type Joints<const N: usize> = [f64; N];
@@ -237,7 +237,7 @@ fn extrapolated(f: impl Fn(f64) -> Vec<f64>) -> Vec<f64> {
     table.remove(0)
 }
 
-/// What the task of an arm counts.
+/// Components that the task of an arm counts.
 #[derive(Debug, Clone, Copy)]
 enum Counted {
     /// Rows of the Jacobian.

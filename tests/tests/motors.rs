@@ -1,4 +1,4 @@
-//! What stands between joints and motors: linked joints, limits of sums, and pulses.
+//! Links between joints and motors: linked joints, limits of sums, and pulses.
 
 use denhart::{Arm, Flags, InverseKinematics, Jacobian, JointMask, Pose};
 use denhart_tests::random::Random;

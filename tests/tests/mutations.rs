@@ -49,7 +49,7 @@ const EXTREMES: &[&str] = &[
     "é",
 ];
 
-/// What the arms of `specs/` have no use for, so that its numbers are changed too.
+/// Entries that the arms of `specs/` have no use for, so that their numbers are changed too.
 const EXTRAS: &[&str] = &[
     "parameters: {l: 0.5, m: 0.25}\n",
     "tool: {xyz: [0, l/2, 0.1], rpy: [0, 90, 0]}\n",
@@ -147,7 +147,7 @@ fn mutated(text: &str, random: &mut Random) -> String {
     }
 }
 
-/// What comes of a file: whether it is refused.
+/// Generates and checks a file. Returns true if the file is refused.
 fn refused(text: &str, random: &mut Random) -> bool {
     let scalar = random.pick(&[ScalarKind::F64, ScalarKind::F32]);
     let bound = if random.below(2) == 0 { Bound::All } else { Bound::None };

@@ -1,4 +1,4 @@
-//! What README.md and the pages of `docs/` show works as it stands.
+//! Tests that the examples of README.md and of the pages of `docs/` work as they stand.
 //!
 //! - A fence under a line with the name of a file in backticks is a file of a crate. The crate ends with its
 //!   `src/main.rs` or `src/lib.rs`. The crate is built and run. `Cargo.toml` and `arm.yaml` are those of the README
@@ -25,7 +25,7 @@ use user_crate::{UserCrate, root};
 
 /// README.md is for someone who has never heard of denhart.
 const MOST_LINES: usize = 150;
-/// What README.md and `docs/` show at least. Fewer: the fences are not found.
+/// Least number of crates in README.md and `docs/`. Fewer: the fences are not found.
 const LEAST_CRATES: usize = 8;
 
 /// The content of a file that the README shows.
@@ -34,7 +34,7 @@ fn of_readme(pages: &[Page], name: &str) -> String {
     fence.unwrap_or_else(|| panic!("README.md has no {name}")).content.clone()
 }
 
-/// Whether a fence shows a file of a crate, not one of this repository.
+/// Returns true if a fence shows a file of a crate, not one of this repository.
 fn in_a_crate(fence: &Fence) -> bool {
     fence.file.as_ref().is_some_and(|name| !root().join(name).exists() || name == "Cargo.toml")
 }

@@ -23,7 +23,7 @@ fn specs() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs")
 }
 
-/// What `of` makes of the arm file.
+/// Result of `of` on the arm file.
 fn made<T>(name: &str, of: impl Fn(&str, &str) -> Result<T, Errors>) -> T {
     let path = specs().join(format!("{name}.yaml"));
     let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
@@ -68,7 +68,7 @@ fn numbers(code: &str) -> impl Iterator<Item = &str> {
     words.flat_map(|word| word.split("..")).filter(|word| word.starts_with(|c: char| c.is_ascii_digit()))
 }
 
-/// Whether `part` occurs and is not a piece of longer numbers, as `* 1.0` is in `* 1.05`.
+/// Returns true if `part` occurs and is not a piece of longer numbers, as `* 1.0` is in `* 1.05`.
 fn occurs(code: &str, part: &str) -> bool {
     let in_number = |c: char| c.is_alphanumeric() || c == '_' || c == '.';
     code.match_indices(part).any(|(at, _)| {

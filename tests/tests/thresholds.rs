@@ -1,4 +1,5 @@
-//! What the pages for developers say of the code: thresholds, the bound of a call, the names of files.
+//! Facts in the pages for developers that have to hold in the code: thresholds, the bound of a call, the names of
+//! files.
 #![allow(clippy::unwrap_used)]
 
 use std::fs;

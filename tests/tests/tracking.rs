@@ -145,7 +145,7 @@ fn anywhere<const N: usize>(subject: &Subject<N>, q: &[f64; N], random: &mut Ran
     start
 }
 
-/// What became of a path.
+/// Outcome of a path.
 #[derive(Debug, PartialEq)]
 enum Outcome {
     /// Followed to the end; how many steps were free.

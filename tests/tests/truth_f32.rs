@@ -25,7 +25,7 @@ const JACOBIAN: f64 = 4e-7;
 const SMALL_SUM: f64 = 4.0;
 /// Random joint values times this keep sums of three within half a turn or little more.
 const NEAR_ZERO: f64 = 0.2;
-/// What the position of solutions called exact misses by: ninety-nine in a hundred, all. A free joint stays at its
+/// Largest position error of solutions called exact: of ninety-nine in a hundred, of all. A free joint stays at its
 /// default value, though a target beside the singular one determines it. Then the solution misses by up to the diameter
 /// of the joint's circle, which is `EXACT`.
 const MISSED: [f64; 2] = [3e-7, 1e-6];
@@ -100,8 +100,8 @@ fn half_ulp(x: f64) -> f64 {
     f64::from(x.next_up() - x) / 2.0
 }
 
-/// By how much the sums of joint values over parallel axes are rounded, rad. Generated code takes the sine of such a sum,
-/// which adds one joint value after the other. A sum within `SMALL_SUM` counts as none. Axes are parallel where the angular
+/// Rounding of the sums of joint values over parallel axes, rad. Generated code takes the sine of such a sum, which
+/// adds one joint value after the other. A sum within `SMALL_SUM` counts as none. Axes are parallel where the angular
 /// columns of the Jacobian are.
 fn rounded_sums<const N: usize>(kinds: &[JointKind; N], jacobian: &Jacobian<f64, N>, q: &[f64; N]) -> f64 {
     let turning: Vec<usize> = (0..N).filter(|&joint| kinds[joint] == JointKind::Revolute).collect();
@@ -159,7 +159,7 @@ fn forward<A: Arm<f32, N> + Default, const N: usize>(name: &str, table: &DhTable
     println!("{name}: position {:.2e}, rotation {:.2e}, Jacobian {:.2e}", most[0], most[1], most[2]);
 }
 
-/// By how much `q` misses the target: position over reach, angle.
+/// Error of `q` against the target: position over reach, angle.
 fn missed<const N: usize>(chain: &Chain, q: &[f32; N], target: &Pose<f32>, reach: f64) -> [f64; 2] {
     let wanted = Pose { rotation: target.rotation.map(double), translation: double(target.translation) };
     let wanted = wanted.orthonormalized();

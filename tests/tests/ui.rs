@@ -1,5 +1,5 @@
-//! What cargo does where an arm file changes or is missing: a new build, or one error at the attribute. The messages of
-//! rustc for each mistake are in `macros/tests/ui/`.
+//! Reaction of cargo where an arm file changes or is missing: a new build, or one error at the attribute. The messages
+//! of rustc for each mistake are in `macros/tests/ui/`.
 #![allow(clippy::unwrap_used)]
 
 mod user_crate;

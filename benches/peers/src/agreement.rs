@@ -1,10 +1,10 @@
-//! Whether two sides solve the same arm: only then their times can be compared.
+//! Check that two sides solve one arm: only then their times can be compared.
 
 use std::fmt;
 
 use denhart::{Chain, DhTable, Pose};
 
-/// What one side found over a set of targets.
+/// Result of one side over a set of targets.
 #[derive(Debug)]
 pub struct Agreement {
     name: String,

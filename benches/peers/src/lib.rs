@@ -1,4 +1,4 @@
-//! The same arms and targets for denhart, rs-opw-kinematics and ik-geo.
+//! Arms and targets for denhart, rs-opw-kinematics and ik-geo alike.
 
 pub mod agreement;
 pub mod arms;

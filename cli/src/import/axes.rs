@@ -28,22 +28,22 @@ pub struct Axes {
 /// An angle that was made exact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Change {
-    /// What it belongs to.
+    /// The joint or row that it belongs to.
     pub of: String,
-    /// As it was, rad.
+    /// The angle before, rad.
     pub from: f64,
-    /// What it is now, degrees.
+    /// The angle now, degrees.
     pub to: f64,
 }
 
 impl Change {
-    /// By how much the angle changed, rad.
+    /// The change of the angle, rad.
     pub fn size(&self) -> f64 {
         (self.from - self.to * PI / 180.0).abs()
     }
 }
 
-/// What changes an angle by less than this, rad, is the rounding of its digits and is not told.
+/// A change below this, rad, is the rounding of an angle's digits and is not told.
 const TOLD: f64 = 1e-12;
 
 /// The angle, made exact where that changes it by at most `within`.
@@ -98,7 +98,7 @@ pub fn axes(path: &Path, held: &dyn Fn(&Joint) -> Option<f64>) -> Axes {
     Axes { axes, tool: frame }
 }
 
-/// What a joint does to its child.
+/// The motion of a joint's child at a value of the joint.
 pub fn motion(joint: &Joint, value: f64) -> Rigid {
     match joint.kind {
         Kind::Turning => Rigid::about(joint.axis, value),

@@ -1,4 +1,4 @@
-//! What an import claims, and its proof: the file as it will be read, against the URDF.
+//! The claim of an import and its proof: the file as it will be read, against the URDF.
 
 use super::couple::Drive;
 use super::number::short_lengths;
@@ -9,34 +9,34 @@ use super::urdf::Robot;
 use super::write;
 use crate::arm;
 
-/// What the poses of file and URDF may differ by, m and rad.
+/// The most by which the poses of file and URDF may differ, m and rad, apart from angles made exact.
 pub const MOST: f64 = 1e-9;
 
 /// A table, and the chains that it stands for.
 pub struct Claim<'r> {
     /// The URDF as written.
     pub written: (&'r Robot, &'r Path<'r>),
-    /// The same with its origins' angles made exact.
+    /// The URDF with its origins' angles made exact.
     pub exact: (&'r Robot, &'r Path<'r>),
     pub drive: &'r Drive,
     /// With angles of its own made exact.
     pub table: &'r Table,
-    /// Whether there are such angles. The table then is that of neither chain.
+    /// True where there are such angles. The table then is that of neither chain.
     pub changed: bool,
-    /// By how much the table before these changes misses the exact chain.
+    /// The miss of the table before these changes against the exact chain.
     pub same: Difference,
-    /// By how much the file may miss the URDF as written.
+    /// The most by which the file may miss the URDF as written: [`MOST`] and the motion that changed angles make.
     pub allowed: Difference,
 }
 
 /// A table that is proved.
 pub struct Proved {
     pub table: Table,
-    /// By how much lengths were rounded, m.
+    /// The change of each rounded length, m.
     pub lengths: Vec<f64>,
-    /// By how much the file misses the URDF with the angles that were made exact.
+    /// The miss of the file against the URDF with the angles that were made exact.
     pub same: Difference,
-    /// By how much the file misses the URDF as written.
+    /// The miss of the file against the URDF as written.
     pub all: Difference,
 }
 
@@ -54,12 +54,17 @@ impl Claim<'_> {
         let misses = |(robot, path)| compare(robot, path, self.drive, &|q| of_chain(&chain, q));
         let same = if self.changed { self.same } else { self.same.max(misses(self.exact)) };
         let all = misses((robot, path));
-        if same.most() <= MOST && all.position <= self.allowed.position && all.angle <= self.allowed.angle {
+        let most = Difference { position: MOST, angle: MOST };
+        let (missed, of, most) = if !same.is_within(most) {
+            (same, "", most)
+        } else if !all.is_within(self.allowed) {
+            (all, " as written", self.allowed)
+        } else {
             return Ok(Proved { table, lengths, same, all });
-        }
+        };
         Err(format!(
-            "the table misses the URDF by {:.1e} m and {:.1e} rad ({:.1e} m and {:.1e} rad as written): expected at most {MOST:e}",
-            same.position, same.angle, all.position, all.angle
+            "the table misses the URDF{of} by {:.1e} m and {:.1e} rad: expected at most {:.1e} m and {:.1e} rad",
+            missed.position, missed.angle, most.position, most.angle
         ))
     }
 }

@@ -4,6 +4,8 @@
 //! Joints on one line of which one mimics are one row of the table, whose value is their sum. An arm file says
 //! `u = A w + b`, so M has to be square and invertible.
 
+use std::f64::consts::PI;
+
 use super::axes::{Axes, Axis, axes};
 use super::path::Path;
 use super::rigid::{ROUNDING, cross, dot, length, sub};
@@ -18,6 +20,18 @@ pub struct Motor {
     pub turns: bool,
     /// Where every joint that follows it keeps its limits.
     pub limits: Option<[f64; 2]>,
+}
+
+impl Motor {
+    /// The values that are tried: the limits, else one turn or 2 m; from the only end of a range as far.
+    pub fn tried(&self) -> [f64; 2] {
+        let free = if self.turns { PI } else { 1.0 };
+        match self.limits.unwrap_or([-free, free]) {
+            [low, high] if high.is_infinite() => [low, low + 2.0 * free],
+            [low, high] if low.is_infinite() => [high - 2.0 * free, high],
+            ends => ends,
+        }
+    }
 }
 
 /// The axes of the table and what moves them; axis i is named after motor i.
@@ -56,7 +70,7 @@ pub fn value(robot: &Robot, joint: &Joint, motor: &dyn Fn(&str) -> f64) -> f64 {
     }
 }
 
-/// What moves a joint. A mimic of a mimic follows the last one.
+/// The law of a joint's motor. A mimic of a mimic follows the last one.
 fn law(robot: &Robot, joint: &Joint) -> Result<Law, String> {
     let (mut at, mut multiplier, mut offset) = (joint, 1.0, 0.0);
     for _ in 0..=robot.joints.len() {
@@ -236,7 +250,7 @@ impl Drive {
         pairs.filter(|(name, file_name)| name != file_name).collect()
     }
 
-    /// Whether every joint is its own motor.
+    /// True where every joint is its own motor.
     pub fn is_plain(&self) -> bool {
         let unit =
             |(i, row): (usize, &Vec<f64>)| row.iter().enumerate().all(|(j, x)| *x == f64::from(u8::from(i == j)));

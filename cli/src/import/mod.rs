@@ -6,9 +6,13 @@
 mod axes;
 mod claim;
 mod couple;
+mod gripper;
+mod inverse;
+mod lengths;
 mod likely;
 mod number;
 mod path;
+mod prefixes;
 mod proof;
 mod rigid;
 mod said;
@@ -30,14 +34,14 @@ use proof::{Difference, compare};
 use rigid::{Rigid, V};
 use said::Said;
 use serde_json::{Value, json};
-use table::{Table, table};
+use table::{Row, Table, table};
 use urdf::Robot;
 
 /// Lengths this near to a whole number of micrometers are written as that number. The limit is in m, or relative to the
 /// size of a smaller arm. The widest limit with which the proof holds is taken.
 const ROUNDED: [f64; 4] = [1e-9, 1e-10, 1e-11, 0.0];
 
-/// What the command takes.
+/// The arguments of the command.
 #[derive(Args)]
 pub struct Options {
     /// The URDF; `-` reads the standard input
@@ -45,7 +49,7 @@ pub struct Options {
     /// First link of the chain [default: the root of the URDF]
     #[arg(long, value_name = "LINK")]
     base: Option<String>,
-    /// Last link of the chain [default: the end of the one with the most moving joints]
+    /// Last link of the chain [default: the end of the one with the most moving joints, before its gripper]
     #[arg(long, value_name = "LINK")]
     tool: Option<String>,
     /// Angles that are this near to a multiple of 15 degrees, rad, are taken as that multiple
@@ -117,7 +121,7 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
 struct Imported {
     text: String,
     remarks: Vec<String>,
-    /// The same as JSON.
+    /// The remarks as JSON.
     facts: Value,
 }
 
@@ -125,31 +129,33 @@ fn import(text: &str, from: &str, options: &Options) -> Result<Imported, String>
     let within = options.exact_within;
     let written = urdf::read(text)?;
     let path = path::find(&written, options.base.as_deref(), options.tool.as_deref())?;
-    let mut changes = Vec::new();
+    let mut in_origins = Vec::new();
     let on_path = |name: &str| path.joints.iter().any(|passed| passed.joint.name == name);
     let joints = written.joints.iter().map(|joint| match on_path(&joint.name) {
-        true => exact_origin(joint, within, &mut changes),
+        true => exact_origin(joint, within, &mut in_origins),
         false => joint.clone(),
     });
     let exact_robot = Robot { joints: joints.collect(), ..written.clone() };
     let exact_path = path::find(&exact_robot, Some(&path.base), Some(&path.tool))?;
     let drive = couple::drive(&exact_robot, &exact_path)?;
     let plain = table(&drive.axes);
-    let in_table = changes.len();
-    let made_exact = exact_table(&plain, within, &mut changes);
+    let mut in_table = Vec::new();
+    let made_exact = exact_table(&plain, within, &mut in_table);
 
     // The table against the URDF with the angles that were made exact.
     let turns: Vec<bool> = drive.motors.iter().map(|motor| motor.turns).collect();
     let same = compare(&exact_robot, &exact_path, &drive, &|q| plain.pose(q, &turns));
-    let turned: f64 = changes.iter().map(Change::size).sum();
-    let reach = longest(&plain, &drive);
-    let allowed = Difference { position: MOST + turned * reach, angle: MOST + turned };
+    let turned = |changes: &[Change]| changes.iter().map(Change::size).sum::<f64>();
+    let (of_origins, of_table) = (turned(&in_origins), turned(&in_table));
+    let reach = lengths::of_table(&plain, &drive);
+    let moved = of_origins * lengths::of_links(&written, &path, &drive) + of_table * reach;
+    let allowed = Difference { position: MOST + moved, angle: MOST + of_origins + of_table };
     let claim = Claim {
         written: (&written, &path),
         exact: (&exact_robot, &exact_path),
         drive: &drive,
         table: &made_exact,
-        changed: changes.len() != in_table,
+        changed: !in_table.is_empty(),
         same,
         allowed,
     };
@@ -163,24 +169,29 @@ fn import(text: &str, from: &str, options: &Options) -> Result<Imported, String>
         }
     }
     let Proved { table, lengths, same, all } = proved?;
-    let said = Said { from, path: &path, changes: &changes, lengths: &lengths, drive: &drive, reach, same, all };
-    let text = write::file(&written.name, &said.head(), &table, &drive)?;
+    let changes = [in_origins, in_table].concat();
+    let mut said = Said {
+        from,
+        path: &path,
+        changes: &changes,
+        lengths: &lengths,
+        drive: &drive,
+        reach,
+        same,
+        all,
+        inverse: None,
+    };
+    let mut text = write::file(&written.name, &said.head(), &table, &drive)?;
+    if let Some(inverse) = inverse::of(&text, &path, &drive) {
+        text += &inverse.lines;
+        said.inverse = Some(inverse.remark);
+    }
     Ok(Imported { text, remarks: said.remarks(within), facts: said.json(within) })
-}
-
-/// The longest the chain can be, m: what an angle at its base moves.
-fn longest(table: &Table, drive: &couple::Drive) -> f64 {
-    let rows: f64 = table.rows.iter().map(|row| row.a.abs() + row.d.abs()).sum();
-    let finite = |end: &f64| if end.is_finite() { end.abs() } else { 1.0 };
-    let stroke = |limits: [f64; 2]| limits.iter().map(finite).fold(0.0, f64::max);
-    let sliding = drive.motors.iter().filter(|motor| !motor.turns);
-    let strokes: f64 = sliding.map(|motor| motor.limits.map_or(1.0, stroke)).sum();
-    rows + strokes + rigid::length(table.base.p) + rigid::length(table.tool.p)
 }
 
 /// The table with its angles made exact; a fixed row that then is none is part of the next row.
 fn exact_table(table: &Table, within: f64, changes: &mut Vec<Change>) -> Table {
-    let mut rows: Vec<table::Row> = Vec::new();
+    let mut rows: Vec<Row> = Vec::new();
     let mut carried = 0.0;
     for (index, row) in table.rows.iter().enumerate() {
         let of = |what: &str| format!("{what} of row {}", index + 1);

@@ -1,7 +1,5 @@
 //! The proof of an import: the file's forward kinematics beside the URDF's own at random configurations.
 
-use std::f64::consts::PI;
-
 use denhart::Chain;
 
 use super::couple::{Drive, value};
@@ -20,9 +18,9 @@ pub struct Difference {
 }
 
 impl Difference {
-    /// The larger of both.
-    pub fn most(self) -> f64 {
-        self.position.max(self.angle)
+    /// True where neither difference is above that of `most`.
+    pub fn is_within(self, most: Self) -> bool {
+        self.position <= most.position && self.angle <= most.angle
     }
 
     /// The larger ones. What is no number is larger than any.
@@ -41,12 +39,7 @@ pub fn compare(robot: &Robot, path: &Path, drive: &Drive, pose: &dyn Fn(&[f64]) 
             .motors
             .iter()
             .map(|motor| {
-                let free = if motor.turns { PI } else { 1.0 };
-                let [low, high] = match motor.limits.unwrap_or([-free, free]) {
-                    [low, high] if high.is_infinite() => [low, low + 2.0 * free],
-                    [low, high] if low.is_infinite() => [high - 2.0 * free, high],
-                    ends => ends,
-                };
+                let [low, high] = motor.tried();
                 low + (high - low) * random.next()
             })
             .collect();

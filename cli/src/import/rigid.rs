@@ -22,7 +22,7 @@ fn sin_cos(angle: f64) -> (f64, f64) {
     }
 }
 
-/// What the arithmetic of this module may be off by, rad or relative to the arm's size.
+/// The rounding of this module's arithmetic, rad or relative to the arm's size.
 pub const ROUNDING: f64 = 1e-13;
 
 /// The multiple of 15 degrees that is at most `within` rad away.

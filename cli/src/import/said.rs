@@ -1,4 +1,4 @@
-//! What is said about an import: in the head comment of the file, beside it, and as JSON.
+//! The words about an import: in the head comment of the file, beside it, and as JSON.
 
 use std::f64::consts::PI;
 
@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::axes::Change;
 use super::couple::Drive;
-use super::path::Path;
+use super::path::{Gripper, Path};
 use super::proof::{CONFIGURATIONS, Difference};
 use super::rigid::exact_degrees;
 
@@ -27,13 +27,13 @@ struct Nearly<'s> {
     off: f64,
 }
 
-/// What is said about an import.
+/// The findings of an import, to be put in words.
 pub struct Said<'s> {
     /// The name of the URDF.
     pub from: &'s str,
     pub path: &'s Path<'s>,
     pub changes: &'s [Change],
-    /// By how much lengths were rounded, m.
+    /// The change of each rounded length, m.
     pub lengths: &'s [f64],
     pub drive: &'s Drive,
     /// The longest the chain can be, m.
@@ -42,6 +42,8 @@ pub struct Said<'s> {
     pub same: Difference,
     /// The URDF as written.
     pub all: Difference,
+    /// The remark about the inverse.
+    pub inverse: Option<String>,
 }
 
 impl Said<'_> {
@@ -116,7 +118,14 @@ impl Said<'_> {
         })
     }
 
-    /// What the user is told beside the file.
+    /// A gripper that is left out.
+    fn gripper(&self) -> Option<String> {
+        let Gripper { joint, end } = self.path.gripper.as_ref()?;
+        let told = format!("the chain ends before joint `{joint}`, which moves a gripper or a hand");
+        Some(format!("{told}\nhelp: --tool {end} takes it in"))
+    }
+
+    /// The remarks beside the file.
     pub fn remarks(&self, within: f64) -> Vec<String> {
         let Self { path, .. } = self;
         let mut lines = vec![format!("chain: `{}` to `{}`", path.base, path.tool)];
@@ -134,10 +143,12 @@ impl Said<'_> {
         lines.extend(self.renamed());
         lines.extend(self.endless());
         lines.extend(self.in_millimeters());
+        lines.extend(self.gripper());
+        lines.extend(self.inverse.clone());
         lines
     }
 
-    /// The same as JSON: lengths in m, angles in the unit that the key names.
+    /// The findings as JSON: lengths in m, angles in the unit that the key names.
     pub fn json(&self, within: f64) -> Value {
         let difference = |of: Difference| json!({"position_m": of.position, "angle_rad": of.angle});
         let changes = self.changes.iter().map(|change| {
@@ -147,12 +158,14 @@ impl Said<'_> {
             let angle = format!("{} of joint `{}`", near.what, near.joint);
             json!({"angle": angle, "rad": near.angle, "off_by_rad": near.off})
         });
+        let remarks = self.renamed().into_iter().chain(self.endless()).chain(self.in_millimeters());
+        let remarks = remarks.chain(self.gripper()).chain(self.inverse.clone());
         json!({
             "chain": {"base": self.path.base, "tool": self.path.tool},
             "made_exact": changes.collect::<Vec<_>>(),
             "nearly_exact": nearly.collect::<Vec<_>>(),
             "rounded_lengths_by_m": self.lengths,
-            "remarks": self.renamed().into_iter().chain(self.endless()).chain(self.in_millimeters()).collect::<Vec<_>>(),
+            "remarks": remarks.collect::<Vec<_>>(),
             "proof": {
                 "configurations": CONFIGURATIONS,
                 "exact_angles": difference(self.same),

@@ -3,9 +3,12 @@
 use super::axes::{Axes, Axis};
 use super::rigid::{ROUNDING, Rigid, V, cross, dot, length, scale, sub, unit};
 
-/// Axes nearer to parallel than this, rad, have their common normal far away. They get a row for the distance and a
-/// fixed one for the tilt.
+/// Axes nearer to parallel than this, as the sine of their angle, get a row for the distance and a fixed one for the
+/// tilt. Their common normal is far away.
 const NEARLY_PARALLEL: f64 = 1e-3;
+
+/// Up to this sine, axes get the same two rows where their common normal is farther away than the arm is long.
+const TILTED: f64 = 0.5;
 
 /// `Rz(theta) Tz(d) Tx(a) Rx(alpha)`
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -39,11 +42,13 @@ pub fn table(axes: &Axes) -> Table {
     let base = base(first);
     let mut frame = base;
     let mut rows = Vec::new();
-    for (index, next) in axes.axes.iter().enumerate().skip(1) {
-        let pair = between(&frame, next, size);
+    let long = arm_length(axes);
+    for (index, pair) in axes.axes.windows(2).enumerate() {
+        let [here, next] = pair else { continue };
+        let pair = between(&frame, here, next, size, long);
         for (fixed, row) in pair.iter().enumerate() {
             frame = frame.then(&constant(row));
-            rows.push(Row { axis: (fixed == 0).then_some(index - 1), ..*row });
+            rows.push(Row { axis: (fixed == 0).then_some(index), ..*row });
         }
     }
     let (last, tool) = end(&frame.inverse().then(&axes.tool), size);
@@ -67,8 +72,15 @@ fn base(first: &Axis) -> Rigid {
     Rigid::of_columns([chosen, cross(z, chosen), z], p)
 }
 
-/// The rows from a frame on one axis to a frame on the next.
-fn between(frame: &Rigid, next: &Axis, size: f64) -> Vec<Row> {
+/// The length of the way from the base by a point of each axis to the tool, m.
+fn arm_length(axes: &Axes) -> f64 {
+    let points = || axes.axes.iter().map(|axis| axis.point);
+    let from = [[0.0; 3]].into_iter().chain(points());
+    from.zip(points().chain([axes.tool.p])).map(|(from, to)| length(sub(to, from))).sum()
+}
+
+/// The rows from a frame on the axis `here` to a frame on the next, in an arm of length `long`.
+fn between(frame: &Rigid, here: &Axis, next: &Axis, size: f64, long: f64) -> Vec<Row> {
     let (x, y, z, o) = (frame.column(0), frame.column(1), frame.column(2), frame.p);
     let (w, p) = (next.direction, next.point);
     let normal = cross(z, w);
@@ -81,12 +93,18 @@ fn between(frame: &Rigid, next: &Axis, size: f64) -> Vec<Row> {
     let apart = sub(p, o);
     let reach = dot(apart, normal);
     let d = dot(cross(apart, w), normal) / sine;
+    // A frame may stand anywhere on its joint's axis: how far the normal is from the joint does not depend on it.
+    let away = d - dot(sub(here.point, o), z);
+    if sine < TILTED && away.abs() > long {
+        return parallel(frame, next, size);
+    }
     // Either direction of the normal: the one that leaves theta in -90 to 90 degrees, best at 0.
     let (theta, sign) = within_half_turn(from_x(normal));
     let a = if reach.abs() < ROUNDING * size { 0.0 } else { sign * reach };
     vec![Row { a, alpha: sign * sine.atan2(dot(z, w)), d, theta, axis: None }]
 }
 
+/// The rows to an axis that is parallel but for a tilt: to where it meets the plane across this one, then the tilt.
 fn parallel(frame: &Rigid, next: &Axis, size: f64) -> Vec<Row> {
     let (x, y, z, o) = (frame.column(0), frame.column(1), frame.column(2), frame.p);
     let (w, p) = (next.direction, next.point);
@@ -184,6 +202,24 @@ mod tests {
     }
 
     #[test]
+    fn a_common_normal_within_the_arm_s_length_is_kept() {
+        // The next axis, 0.4 m to the side, leans by 0.3 rad along it; the normal is 0.4 / tan(0.3) = 1.29 m away.
+        let lean: f64 = 0.3;
+        let axes = |tool: f64| Axes {
+            axes: vec![
+                axis(true, [0.0; 3], [0.0, 0.0, 1.0]),
+                axis(true, [0.4, 0.0, 0.0], [lean.sin(), 0.0, lean.cos()]),
+            ],
+            tool: Rigid::shift([0.4, 0.0, tool]),
+        };
+        let near = table(&axes(1.0)).rows;
+        assert!(near.len() == 2 && near[0].a == 0.0 && (near[0].d + 0.4 / lean.tan()).abs() < 1e-14, "{near:?}");
+        let far = table(&axes(0.8)).rows;
+        assert!(far.len() == 3 && (far[0].a, far[0].d, far[1].axis) == (0.4, 0.0, None), "{far:?}");
+        assert!((far[1].alpha - lean).abs() < 1e-15, "{far:?}");
+    }
+
+    #[test]
     fn any_two_axes_in_a_row_come_out_as_they_are() {
         let next = [
             ([0.0, 0.0, 1.0], [0.4, 0.3, 0.2]),
@@ -194,6 +230,8 @@ mod tests {
             ([1.0, 0.0, 0.0], [0.0, 0.0, 0.5]),
             ([1.0, 2.0, -0.5], [0.4, 0.3, 0.2]),
             ([0.0, 0.02, 1.0], [-0.4, 0.3, 0.2]),
+            ([0.05, -0.02, -1.0], [0.4, 0.3, 0.2]),
+            ([0.2, 0.3, 1.0], [0.4, 0.3, 0.2]),
         ];
         let tools = [
             Rigid::of_origin([0.1, 0.2, 0.9], [0.2, -0.4, 1.0]),
@@ -217,6 +255,8 @@ mod tests {
                         let (position, angle) = table.pose(&values, &turns).difference(&product(&axes, &values));
                         assert!(position < 1e-13 && angle < 1e-13, "{turns:?} {direction:?}: {position:e}, {angle:e}");
                     }
+                    let long = arm_length(&axes);
+                    assert!(table.rows.iter().all(|row| row.d.abs() < 2.0 * long), "{direction:?}: {:?}", table.rows);
                 }
             }
         }

@@ -4,9 +4,10 @@ use std::collections::HashMap;
 
 use roxmltree::{Document, Node};
 
+use super::prefixes;
 use super::rigid::{V, unit};
 
-/// What a URDF says about how its links move.
+/// The links and joints of a URDF.
 #[derive(Debug, Clone)]
 pub struct Robot {
     pub name: String,
@@ -15,7 +16,7 @@ pub struct Robot {
     pub root: String,
 }
 
-/// What a joint does.
+/// The motion of a joint's child.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Kind {
     Fixed,
@@ -60,7 +61,8 @@ const MOST_LIMIT: f64 = 1e6;
 /// The first mistake with its line. Mistakes are: no XML, no robot, a joint without parent or child, text in the place
 /// of a number, links that are no tree.
 pub fn read(text: &str) -> Result<Robot, String> {
-    let document = Document::parse(text).map_err(|error| format!("this is not XML: {error}"))?;
+    let text = prefixes::declared(text);
+    let document = Document::parse(&text).map_err(|error| format!("this is not XML: {error}"))?;
     let root = document.root_element();
     if root.tag_name().name() != "robot" {
         return Err(format!("this is not a URDF: expected `<robot>`, found `<{}>`", root.tag_name().name()));
@@ -87,8 +89,10 @@ pub fn read(text: &str) -> Result<Robot, String> {
     Ok(Robot { name, joints, root: root_link })
 }
 
+/// The children of this name without a prefix: `drake:joint` is no joint.
 fn elements<'a, 'i: 'a>(node: &Node<'a, 'i>, name: &'static str) -> impl Iterator<Item = Node<'a, 'i>> {
-    node.children().filter(move |child| child.is_element() && child.tag_name().name() == name)
+    let plain = |child: &Node| child.tag_name().namespace() == child.default_namespace();
+    node.children().filter(move |child| child.is_element() && child.tag_name().name() == name && plain(child))
 }
 
 fn line(node: &Node) -> u32 {
@@ -210,6 +214,11 @@ fn tree<'a>(joints: &'a [Joint], links: impl Iterator<Item = &'a str>) -> Result
     }
     match roots[..] {
         [root] => Ok(root.to_owned()),
+        [] if joints.is_empty() => {
+            Err("`<robot>` is empty: it has no link and no joint\nhelp: a URDF has `<link>` and \
+                                        `<joint>` elements directly in `<robot>`; export it again"
+                .to_owned())
+        }
         [] => Err("no link is the root: the joints go round in a circle".to_owned()),
         _ => {
             let unknown = joints.iter().find(|joint| !declared.contains(&joint.parent.as_str()));
@@ -238,6 +247,20 @@ mod tests {
         let joint = &robot.joints[0];
         assert_eq!((joint.axis, joint.xyz, joint.rpy, joint.limits), ([1.0, 0.0, 0.0], [0.0; 3], [0.0; 3], None));
         assert_eq!((robot.root.as_str(), robot.name.as_str()), ("a", "r"));
+    }
+
+    #[test]
+    fn elements_and_attributes_with_a_prefix_are_not_of_the_format() {
+        let text = r#"<!-- <robot> --><robot name="r" viz:name="no"><link name="a"/><link name="b" drake:name="no"/>
+            <drake:link name="no"/><drake:joint name="no"/>
+            <joint name="j" type="revolute"><drake:parent link="no"/><parent link="a"/><child link="b"/>
+            <limit drake:acceleration="40" lower="-1" upper="1" drake:lower="no"/></joint></robot>"#;
+        let robot = read(text).unwrap();
+        assert_eq!((robot.root.as_str(), robot.name.as_str(), robot.joints.len()), ("a", "r", 1));
+        assert_eq!((robot.joints[0].parent.as_str(), robot.joints[0].limits), ("a", Some([-1.0, 1.0])));
+        // The prefix of another element is none of those that belong to the format.
+        let spaced = text.replace("<robot ", "<robot xmlns=\"urn:robot\" xmlns:drake=\"urn:drake\" ");
+        assert_eq!(read(&spaced).unwrap().joints.len(), 1);
     }
 
     #[test]
@@ -278,6 +301,11 @@ mod tests {
                 "<robot xmlns:xacro=\"http://ros.org/wiki/xacro\">\n<xacro:include/></robot>".to_owned(),
                 "line 2: `<xacro:include>`: this file is a template",
             ),
+            (
+                "<robot name=\"r\">\n\n<drake:a/><xacro:arm/></robot>".to_owned(),
+                "line 3: `<xacro:arm>`: this file is a template",
+            ),
+            ("<robot name=\"r\">\n<drake:a/>\n<joint name=\"j\"/></robot>".to_owned(), "line 3: joint `j`: no `type`"),
             (
                 "<robot><link name=\"a\"/><link name=\"b\"/></robot>".to_owned(),
                 "the links are no tree: a, b have no parent",

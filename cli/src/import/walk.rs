@@ -15,6 +15,11 @@ pub fn links(robot: &Robot) -> impl Iterator<Item = &str> {
     [robot.root.as_str()].into_iter().chain(robot.joints.iter().map(|joint| joint.child.as_str()))
 }
 
+/// The links without a joint after them.
+pub fn leaves(robot: &Robot) -> impl Iterator<Item = &str> {
+    links(robot).filter(|link| !robot.joints.iter().any(|joint| joint.parent == *link))
+}
+
 /// The joints from the root to a link.
 fn from_root<'r>(robot: &'r Robot, link: &str) -> Vec<&'r Joint> {
     let mut joints = Vec::new();
@@ -39,7 +44,22 @@ pub fn between<'r>(robot: &'r Robot, base: &str, tool: &str) -> Vec<Passed<'r>> 
     backward.chain(down.iter().skip(shared).map(|joint| Passed { joint, backward: false })).collect()
 }
 
-/// How many of the joints turn or slide.
+/// The link to which a joint leads.
+pub fn end<'r>(passed: &Passed<'r>) -> &'r str {
+    if passed.backward { &passed.joint.parent } else { &passed.joint.child }
+}
+
+/// True for a joint that turns or slides.
+pub fn moves(passed: &Passed) -> bool {
+    matches!(passed.joint.kind, Kind::Turning | Kind::Sliding)
+}
+
+/// The number of joints that turn or slide.
 pub fn moving(joints: &[Passed]) -> usize {
-    joints.iter().filter(|passed| matches!(passed.joint.kind, Kind::Turning | Kind::Sliding)).count()
+    joints.iter().filter(|passed| moves(passed)).count()
+}
+
+/// The name of the last joint that moves. Ways with the same one end on one rigid body.
+pub fn last_moving<'r>(joints: &[Passed<'r>]) -> Option<&'r str> {
+    joints.iter().rev().find(|passed| moves(passed)).map(|passed| passed.joint.name.as_str())
 }

@@ -5,7 +5,7 @@ use super::number::{angle, shortest};
 use super::rigid::{Rigid, V};
 use super::table::{Row, Table};
 
-/// What the digits of the file may be off by, relative to the size of the arm, or rad.
+/// The rounding of the digits of the file, relative to the size of the arm, or rad.
 const DIGITS: f64 = 1e-13;
 
 /// Writes the file. `head` are the lines of its comment.
@@ -103,13 +103,13 @@ fn comment(line: &str) -> String {
     format!("# {}", line.replace(breaks, " ")).trim_end().to_owned()
 }
 
-/// Whether a character may end a line of YAML, or is none that can be seen.
+/// True for a character that may end a line of YAML or cannot be seen.
 fn breaks(c: char) -> bool {
     c.is_control() || matches!(c, '\u{2028}' | '\u{2029}' | '\u{feff}')
 }
 
 /// A name as YAML: in quotes unless it is a plain word.
-fn quoted(name: &str) -> String {
+pub fn quoted(name: &str) -> String {
     let plain = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
         && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
     let word = ["true", "false", "yes", "no", "on", "off", "null", "y", "n", "nan", "inf", "offset", "matrix"];

@@ -12,15 +12,14 @@ mod token;
 use std::fs::File;
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::PathBuf;
-use std::time::{Duration, Instant};
 
 use crate::Failure;
 use crate::arm;
 use crate::numbers::{Units, count};
+use crate::progress::Progress;
 use crate::typed::plain;
 use clap::{Args, ValueEnum};
 use denhart::{Chain, JointKind, Pose};
-use indicatif::{ProgressBar, ProgressStyle};
 use jet::Jet;
 use law::Law;
 use limits::Limits;
@@ -28,12 +27,12 @@ use samples::{Samples, Top};
 use times::Times;
 use token::LawError;
 
-/// A progress bar appears after this long.
-const LONG: Duration = Duration::from_secs(1);
 /// How many samples pass between two looks at the clock.
 const BETWEEN_LOOKS: u64 = 512;
+/// The progress bar.
+const BAR: &str = "{wide_bar} {human_pos}/{human_len} samples, {eta} left";
 
-/// What the command takes.
+/// The arguments of the command.
 #[derive(Args)]
 pub struct Options {
     /// The arm file, YAML; `-` reads the standard input
@@ -163,11 +162,11 @@ struct Trace {
     chain: Chain,
     kinds: Vec<JointKind>,
     limits: Limits,
-    /// Whether the trace ends where a limit is broken.
+    /// The trace ends where a limit is broken.
     stops: bool,
     laws: Vec<Law>,
     times: Times,
-    /// What JSON says beside the samples; none of CSV.
+    /// The keys of JSON beside the samples; none of CSV.
     top: Option<Top>,
     angle: Units,
     form: Orientation,
@@ -191,7 +190,7 @@ impl Trace {
         ended
     }
 
-    /// Whether there is a first sample.
+    /// Fails without a first sample.
     fn first(&self) -> Result<(), Failure> {
         match self.sample(self.times.at(0))?.broken {
             Some(message) => Err(Failure::Other(message)),
@@ -201,7 +200,7 @@ impl Trace {
 
     /// The samples up to the last, or to the first that is none.
     fn samples(&self, samples: &mut Samples, may_show: bool) -> Result<(), Failure> {
-        let mut progress = Progress::new(self.times.count(), may_show);
+        let mut progress = Progress::new(self.times.count(), BAR, BETWEEN_LOOKS, may_show);
         for index in 0..self.times.count() {
             let row = self.sample(self.times.at(index))?;
             if let Some(message) = row.broken {
@@ -263,42 +262,4 @@ fn undefined(law: &Law, jet: Jet, t: f64) -> String {
         ("acceleration", jet.second)
     };
     format!("the law `{law}` has no finite {what} at t = {t}: {value}")
-}
-
-/// A bar on the standard error, if that is a terminal, once the work takes long.
-struct Progress {
-    start: Instant,
-    count: u64,
-    may_show: bool,
-    bar: Option<ProgressBar>,
-}
-
-impl Progress {
-    fn new(count: u64, may_show: bool) -> Self {
-        Self { start: Instant::now(), count, may_show: may_show && io::stderr().is_terminal(), bar: None }
-    }
-
-    fn look(&mut self, index: u64) {
-        if !self.may_show || !index.is_multiple_of(BETWEEN_LOOKS) {
-            return;
-        }
-        if self.bar.is_none() && self.start.elapsed() > LONG {
-            let bar = ProgressBar::new(self.count);
-            if let Ok(style) = ProgressStyle::with_template("{wide_bar} {human_pos}/{human_len} samples, {eta} left") {
-                bar.set_style(style);
-            }
-            self.bar = Some(bar);
-        }
-        if let Some(bar) = &self.bar {
-            bar.set_position(index);
-        }
-    }
-}
-
-impl Drop for Progress {
-    fn drop(&mut self) {
-        if let Some(bar) = &self.bar {
-            bar.finish_and_clear();
-        }
-    }
 }

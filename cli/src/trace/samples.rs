@@ -5,9 +5,9 @@ use std::io::{self, Write};
 use denhart_codegen::model::Model;
 use serde_json::json;
 
-use crate::numbers::Units;
+use crate::numbers::{Units, printed};
 
-/// What the JSON says beside the samples.
+/// The keys of the JSON beside the samples.
 pub struct Top {
     arm: String,
     length_unit: &'static str,
@@ -25,7 +25,7 @@ impl Top {
 pub struct Samples<'a> {
     out: &'a mut dyn Write,
     names: &'a [String],
-    /// Whether it is JSON.
+    /// JSON, not CSV.
     json: bool,
     count: u64,
 }
@@ -65,11 +65,4 @@ impl<'a> Samples<'a> {
         }
         self.out.flush()
     }
-}
-
-/// The shortest text that reads back as the same number; no negative zero.
-fn printed(value: f64) -> String {
-    let value = value + 0.0;
-    let magnitude = value.abs();
-    if magnitude == 0.0 || (1e-5..1e16).contains(&magnitude) { format!("{value}") } else { format!("{value:e}") }
 }

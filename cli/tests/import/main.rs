@@ -2,12 +2,16 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing)]
 
 use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use poses::{by_name, joints, model, random, table_pose, urdf_pose, worst};
 
+mod inverse;
+mod made_up;
 mod poses;
+mod tools;
 
 fn run(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_denhart")).args(arguments).output().unwrap()
@@ -31,7 +35,9 @@ fn import(name: &str, arguments: &[&str]) -> (String, String) {
 
 /// What becomes of the text of a URDF.
 fn written(urdf: &str, arguments: &[&str]) -> Output {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{:x}.urdf", urdf.len() + arguments.len()));
+    let mut hasher = DefaultHasher::new();
+    (urdf, arguments).hash(&mut hasher);
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{:x}.urdf", hasher.finish()));
     fs::write(&path, urdf).unwrap();
     run(&[&["import", path.to_str().unwrap()], arguments].concat())
 }

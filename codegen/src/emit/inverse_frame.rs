@@ -121,19 +121,20 @@ pub(super) fn function(
     } else {
         (quote!(&constants), parameters::sizes(model, target))
     };
-    let (passes, missed, search_doc) = if program.decoupled {
-        let passes = "Once; again with two free joints at other places, where two families of solutions cross.";
+    let (nest_doc, missed, search_doc) = if program.decoupled {
+        let nest_doc = "Follows every branch, stage by stage. The search repeats it with two free joints at other places, where \
+                        two families of solutions cross.";
         let search = "The search of an arm on which no later stage sees where a free joint is.";
-        (passes, quote!(#krate::solve::Decoupled), search)
+        (nest_doc, quote!(#krate::solve::Decoupled), search)
     } else {
-        let passes =
-            "Once; again with a free joint at another place, where a later stage has no root with it at its default.";
+        let nest_doc = "Follows every branch, stage by stage. The search repeats it with a free joint at another place, where a \
+                        later stage has no root with that joint at its default.";
         let search = "The search; it remembers the branches that are missed with a free joint at its default value.";
-        (passes, quote!(#krate::solve::Levels<#scalar, #m>), search)
+        (nest_doc, quote!(#krate::solve::Levels<#scalar, #m>), search)
     };
     let search_doc = docs::lines(&format!("{search_doc} Its numbers: joints, solutions, stages that may be in doubt."));
     let doubts = integer(program.most_doubts());
-    let passes = docs::lines(passes);
+    let nest_doc = docs::lines(nest_doc);
     let (missed_doc, in_doubt) = plan.missed.map_or_else(Default::default, |by| {
         let missed = format!("The axes miss the structure of the equations by {by:.0e}: every branch is verified.");
         (docs::lines(&missed), quote!(.in_doubt()))
@@ -160,15 +161,11 @@ pub(super) fn function(
             if search.begins(near) {
                 #unpack
                 #given_symbols
-                #passes
-                for _ in 0..#krate::solve::MOST_CASCADES {
-                    let start = search.start();
+                #nest_doc
+                let nest = |search: &mut InverseSearch<'_>, start| {
                     #body
-                    if search.complete() {
-                        break;
-                    }
-                }
-                search.finish(#constants, near);
+                };
+                search.run(#constants, near, nest);
             }
         }
     }

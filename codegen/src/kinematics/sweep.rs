@@ -17,7 +17,7 @@ pub struct Column {
     pub w: Vec3,
 }
 
-/// What a function returns.
+/// Result of a function.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Wanted {
     /// The tool's pose.

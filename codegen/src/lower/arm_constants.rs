@@ -8,7 +8,7 @@ use crate::solve::Plan;
 pub struct ArmConstants {
     /// Lower and upper limit of every joint, infinite where there is none.
     pub limits: Vec<[f64; 2]>,
-    /// Whether any joint has limits.
+    /// True if any joint has limits.
     pub limited: bool,
     /// Limits of sums of joint values: factors, and the range.
     pub combined: Vec<(Vec<f64>, [f64; 2])>,
@@ -29,7 +29,7 @@ pub struct ArmConstants {
 }
 
 impl ArmConstants {
-    /// Those of an arm and its plan.
+    /// Arm constants of an arm and its plan.
     pub fn of(model: &Model, plan: &Plan) -> ArmConstants {
         let joints = || model.joints.iter();
         ArmConstants {

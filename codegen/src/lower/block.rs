@@ -15,7 +15,7 @@ pub struct Block<'a> {
     uses: HashMap<Expr, usize>,
     taken: HashSet<String>,
     partial_sums: HashMap<Expr, String>,
-    /// What is bound so far.
+    /// Names bound so far.
     pub bound: Names,
 }
 
@@ -46,7 +46,7 @@ impl<'a> Block<'a> {
         Block { graph, uses, taken, partial_sums: partial_sums(graph, roots), bound: Names::new() }
     }
 
-    /// Whether an expression is to be bound.
+    /// Returns true if an expression is to be bound.
     fn wanted(&self, e: Expr) -> bool {
         if self.graph.constant(e).is_some() {
             return false;

@@ -11,7 +11,7 @@ pub struct Call {
     pub stage: usize,
     /// The equation.
     pub kernel: Kernel,
-    /// What its numbers measure.
+    /// Unit of the equation's numbers.
     pub unit: Unit,
     /// The default values of the joints that it may leave free.
     pub defaults: [DefaultValue; 2],
@@ -26,7 +26,7 @@ pub struct Call {
 pub struct DefaultValue {
     /// The arm's joint, from 0; `None` for a virtual one.
     pub joint: Option<usize>,
-    /// What is added to its value to give the kernel's variable.
+    /// Angle added to the joint value to give the kernel's variable.
     pub shift: Angle,
 }
 
@@ -51,7 +51,7 @@ pub enum RootRange {
         /// Smallest component.
         min: [f64; 2],
     },
-    /// What a statement before has worked out.
+    /// A range that a statement before has computed.
     Prepared,
 }
 

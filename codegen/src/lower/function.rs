@@ -32,7 +32,7 @@ pub struct Functions {
 }
 
 impl Functions {
-    /// Those of a chain with so many joints.
+    /// Functions of a chain, for this number of joints.
     pub fn of(chain: &Chain, joints: usize) -> Self {
         let [forward, jacobian, both] = [Wanted::Forward, Wanted::Jacobian, Wanted::Both]
             .map(|wanted| function(&kinematics(chain, wanted), wanted, joints));
@@ -50,7 +50,7 @@ impl Function {
         Function { straight: Straight::new(graph, roots, reserved), joints, turned, cost }
     }
 
-    /// Whether the value of a joint is read, in an angle or as a displacement.
+    /// Returns true if the value of a joint is read, in an angle or as a displacement.
     pub fn reads(&self, joint: usize) -> bool {
         let in_angle = self.turned.iter().flat_map(|turned| &turned.sum.terms).any(|(term, _)| *term == joint);
         in_angle || self.joints.get(joint).is_some_and(|slot| self.straight.reads(*slot))

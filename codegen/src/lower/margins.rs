@@ -10,7 +10,7 @@ use crate::symbolic::{Graph, Input, Label, Node, Part};
 pub struct Variable {
     /// The joint, from 0.
     pub joint: usize,
-    /// What the variable is less than the joint value.
+    /// Joint value less the variable.
     pub constant: Angle,
     /// Where the sine goes, if it is read.
     pub sin: Option<Slot>,
@@ -39,7 +39,7 @@ pub struct Margins {
     pub straight: Straight,
     /// The factors.
     pub factors: Vec<Factor>,
-    /// What is read of the tool's pose.
+    /// Parts of the tool's pose that are read.
     pub pose: Vec<(Slot, Input)>,
     /// Where the joint values go.
     pub joints: Vec<Slot>,
@@ -50,7 +50,7 @@ pub struct Margins {
 }
 
 impl Margins {
-    /// Whether the value of a joint is read.
+    /// Returns true if the value of a joint is read.
     pub fn reads(&self, joint: usize) -> bool {
         let turns = self.variables.iter().any(|variable| variable.joint == joint);
         let pitches = self.plane.as_ref().and_then(|plane| plane.signs.get(joint)).is_some_and(|sign| *sign != 0.0);
@@ -113,7 +113,7 @@ fn is_leaf(graph: &Graph, e: Slot) -> bool {
     matches!(graph.node(e), Node::Symbol(_)) && graph.constant(e).is_none()
 }
 
-/// What a kernel's variable is less than the joint value.
+/// Joint value less the variable of its kernel.
 pub fn constant(plan: &Plan, joint: usize) -> Angle {
     let slot = plan.loop_joints.iter().position(|slot| slot.label == Label::Arm(joint));
     slot.and_then(|slot| plan.values.get(slot)).map_or(Angle::ZERO, |value| value.constant)

@@ -1,7 +1,7 @@
-//! What is computed in which order, as data: the programs that code is emitted from and that can be run as they are.
+//! Programs as data: computations in their order, from which code is emitted and which can be run as they are.
 //!
-//! A program is a list of typed statements over slots. A slot is an expression of the program's [`Graph`]: a leaf that a
-//! statement gives a value, or what is computed from other slots. Names are for the emitted code alone; nothing here is
+//! A program is a list of typed statements over slots. A slot is an expression of the program's [`Graph`]: a leaf that
+//! a statement gives a value, or a computation from other slots. Names are for the emitted code alone; nothing here is
 //! looked up by name.
 //!
 //! Two visitors exist: `emit` writes a program as Rust, the crate `denhart-dynamic` evaluates it. Both follow the same

@@ -86,8 +86,9 @@ pub fn inverse(model: &Model, plan: &Plan) -> Inverse {
 const PREFIXES: [&str; 7] = ["q", "index", "roots", "state", "elbow", "cone", "phase"];
 
 /// Names that it uses as they are.
-const NAMES: [&str; 13] = [
+const NAMES: [&str; 14] = [
     "agreed",
+    "nest",
     "locked",
     "nearest",
     "search",
@@ -169,7 +170,7 @@ impl Nest<'_> {
         }
     }
 
-    /// What is taken of a stage's roots: the parts in use.
+    /// Parts in use of a stage's roots.
     fn roots(&mut self, stage: &Stage) -> Vec<Root> {
         let level = self.deepest();
         let mut roots = Vec::new();

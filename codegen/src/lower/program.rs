@@ -17,11 +17,11 @@ pub struct Inverse {
     pub constants: ArmConstants,
     /// The task, with its numbers.
     pub goal: Goal,
-    /// What is given beside it.
+    /// Value given beside the target.
     pub given: Option<Given>,
-    /// What the arm angle of a joint vector is read from, where that is given.
+    /// Constants for the arm angle of a joint vector, where the arm angle is given.
     pub swivel: Option<SwivelConstants>,
-    /// What is read of both.
+    /// Numbers read of the target and of the given value.
     pub inputs: Vec<(Slot, Input)>,
     /// Statements and loops: the first level stands before every loop, each other one is the body of a loop in the level
     /// before.
@@ -34,15 +34,15 @@ pub struct Inverse {
     pub joints: usize,
     /// The largest number of solutions.
     pub capacity: usize,
-    /// Whether every stage after a free joint has its roots wherever that joint is. The search then looks for other
+    /// True if every stage after a free joint has its roots wherever that joint is. The search then looks for other
     /// values of two free joints only.
     pub decoupled: bool,
-    /// Whether every branch is verified, because the arm misses the structure by more than rounding.
+    /// True if every branch is verified, because the arm misses the structure by more than rounding.
     pub in_doubt: bool,
 }
 
 impl Inverse {
-    /// Whether a number of the target is read.
+    /// Returns true if a number of the target is read.
     pub fn reads(&self, input: Input) -> bool {
         self.inputs.iter().any(|(_, read)| *read == input)
     }
@@ -70,15 +70,15 @@ pub struct Each {
     pub stage: usize,
     /// The state that says whether the branch goes on.
     pub state: BranchState,
-    /// What is taken of each root, by the stage's joints.
+    /// Parts in use of each root, by the stage's joints.
     pub roots: Vec<Root>,
-    /// What the roots are called.
+    /// Names of the roots.
     pub branching: Branching,
-    /// Whether they differ by a wrist flip, see `Plan::flip`.
+    /// True if the roots differ by a wrist flip, see `Plan::flip`.
     pub flips: bool,
 }
 
-/// What is taken of a joint of a root.
+/// Parts in use of a root, for one joint.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Root(pub Vec<(Part, Slot)>);
 
@@ -136,7 +136,7 @@ pub enum Statement {
     Only {
         /// The stage.
         stage: usize,
-        /// What is taken.
+        /// Parts in use of the root.
         roots: Vec<Root>,
     },
     /// `symbol = atan2(y, x)`
@@ -147,7 +147,7 @@ pub enum Statement {
         y: Slot,
         /// Cosine times the same factor.
         x: Slot,
-        /// What it is.
+        /// Description of the angle.
         meaning: String,
     },
     /// Compares equations without a joint.
@@ -156,11 +156,11 @@ pub enum Statement {
         index: usize,
         /// The branch state before.
         before: BranchState,
-        /// What is compared.
+        /// Unit of the equations.
         unit: Unit,
-        /// By how much each is missed.
+        /// Residual of each equation.
         misses: Vec<Slot>,
-        /// What has to agree.
+        /// Description of the quantities that have to agree.
         meaning: String,
     },
     /// The rotation of the upper arm from the arm angle, then the branch state after it.
@@ -171,7 +171,7 @@ pub enum Statement {
         vectors: [[Slot; 3]; 4],
         /// The branch state before.
         before: BranchState,
-        /// What it is.
+        /// Description of the rotation.
         meaning: String,
     },
     /// A joint value from what the stages give: a signed sum and a constant, brought into (-pi, pi].
@@ -193,7 +193,7 @@ pub enum Statement {
 }
 
 impl Statement {
-    /// What it reads.
+    /// Slots that the statement reads.
     pub fn reads(&self) -> Vec<Slot> {
         match self {
             Statement::Let(slot) => vec![*slot],

@@ -9,7 +9,7 @@ use std::collections::HashSet;
 pub struct Straight {
     /// The arena.
     pub graph: Graph,
-    /// What is bound before the results, in evaluation order.
+    /// Slots bound before the results, in evaluation order.
     pub shared: Vec<Slot>,
     /// The names of the shared ones.
     pub names: Names,
@@ -29,7 +29,7 @@ impl Straight {
         Straight { graph, shared, names, roots, read }
     }
 
-    /// Whether a result depends on a slot.
+    /// Returns true if a result depends on a slot.
     pub fn reads(&self, slot: Slot) -> bool {
         self.read.contains(&slot)
     }

@@ -1,4 +1,4 @@
-//! What holds for every program of the arms in `specs/`.
+//! Properties of every program of the arms in `specs/`.
 #![allow(clippy::unwrap_used)]
 
 use super::{BranchState, Functions, Inverse, Node, Root, Slot, Statement, Straight};
@@ -39,7 +39,7 @@ fn functions_read_joint_values_and_their_sines_alone() {
     }
 }
 
-/// What has a value so far.
+/// Slots, states and stages that have a value so far.
 #[derive(Default)]
 struct Known {
     slots: HashSet<Slot>,

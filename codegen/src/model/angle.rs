@@ -74,7 +74,7 @@ impl Angle {
         }
     }
 
-    /// Whether the angle is exactly zero; a whole turn is not.
+    /// Returns true if the angle is exactly zero; a whole turn is not.
     pub fn is_zero(&self) -> bool {
         matches!(self.0, Form::Twelfths(0))
     }
@@ -142,7 +142,7 @@ impl Angle {
         }
     }
 
-    /// What makes two angles equal: the form and the bits of the value.
+    /// Key by which two angles are equal: the form and the bits of the value.
     fn key(&self) -> (u8, u64) {
         match self.0 {
             Form::Twelfths(twelfths) => (0, twelfths as u64),

@@ -38,14 +38,14 @@ pub struct Model {
     pub coupling: Option<Coupling>,
     /// Ranges of sums of joint values.
     pub combined_limits: Vec<CombinedLimit>,
-    /// What the motors count, one for each joint, where the file says so.
+    /// Pulse scales and zero positions of the motors, one for each joint, where the file has them.
     pub actuators: Option<Vec<Actuator>>,
 }
 
 /// A row of the table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
-    /// What the joint of the row does.
+    /// Kind of the row's joint.
     pub kind: RowKind,
     /// Length.
     pub a: Length,
@@ -84,11 +84,11 @@ pub struct Parameter {
 pub struct InverseRequest {
     /// The task, where one is named.
     pub task: Option<Task>,
-    /// Whether an arm without an inverse is a mistake.
+    /// True if an arm without an inverse is a mistake.
     pub require: bool,
     /// The joint whose value is given, an index into [`Model::joints`].
     pub redundant: Option<usize>,
-    /// Whether the arm angle is given instead of a joint.
+    /// True if the arm angle is given instead of a joint.
     pub arm_angle: bool,
     /// The tool's axis for [`Task::PositionAxis`], where one is named.
     pub axis: Option<Axis>,
@@ -100,9 +100,10 @@ pub struct InverseRequest {
     pub weights: Option<Vec<f64>>,
     /// Where `inverse.task` or `inverse` stands in the file.
     pub at: Option<Location>,
-    /// Whether the file has `inverse` at all.
+    /// True if the file has `inverse` at all.
     pub present: bool,
 }
 
-/// What a residual may be where the file does not say: of a position relative to the reach, of an orientation in rad.
+/// Largest residual of a listed solution where the file names none: of a position relative to the reach, of an
+/// orientation in rad.
 pub const DEFAULT_TOLERANCE: f64 = 1e-6;

@@ -139,7 +139,7 @@ impl Chain {
         Chain { transforms: steps, link_ends }
     }
 
-    /// The same chain with its parameters at the given values, all lengths numbers.
+    /// Returns the chain with its parameters at the given values, all lengths numbers.
     pub fn at(&self, values: &HashMap<String, f64>) -> Chain {
         let number = |length: &Length| Length::Constant(length.at(values));
         let step = |step: &Elementary| match step.clone() {

@@ -12,7 +12,7 @@ pub struct CombinedLimit {
     pub factors: Vec<f64>,
     /// Lowest and highest value of the sum, rad or length; infinite on a side without an end.
     pub limits: [f64; 2],
-    /// What its joints do.
+    /// Kind of the joints in the sum.
     pub kind: JointKind,
 }
 

@@ -23,7 +23,7 @@ pub struct Decisions {
 }
 
 impl Decisions {
-    /// Whether a number is as good as zero; a length is given relative to reach.
+    /// Returns true if a number is as good as zero; a length is given relative to reach.
     pub fn vanishes(&self, miss: f64) -> bool {
         let vanishes = miss.abs() <= TOLERANCE;
         if vanishes {
@@ -32,7 +32,7 @@ impl Decisions {
         vanishes
     }
 
-    /// By how much the arm misses a structure that was said to hold, if by more than rounding.
+    /// Largest miss of a structure that was said to hold, if it is more than rounding.
     pub fn missed(&self) -> Option<f64> {
         Some(self.largest.get()).filter(|miss| *miss > ROUNDING)
     }
@@ -47,10 +47,10 @@ pub struct Line {
     pub direction: [f64; 3],
 }
 
-/// What two axes do.
+/// Relation of two axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Relation {
-    /// The same line.
+    /// Both axes are one line.
     Coincident,
     /// Parallel or anti-parallel, at a distance.
     Parallel {
@@ -71,7 +71,7 @@ pub enum Relation {
     },
 }
 
-/// What makes three consecutive axes solvable in closed form.
+/// Kind of three consecutive axes that are solvable in closed form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum TripleKind {
     /// All three intersect in one point.
@@ -83,7 +83,7 @@ pub enum TripleKind {
 }
 
 impl TripleKind {
-    /// What its axes do, in words; `slides` if one of its joints is prismatic.
+    /// Relation of the three axes, in words; `slides` if one of the joints is prismatic.
     pub fn words(self, slides: bool) -> &'static str {
         match self {
             TripleKind::Intersecting => "meet in a point",
@@ -249,8 +249,9 @@ pub fn relation(a: &Line, b: &Line, reach: f64, decisions: &Decisions) -> Relati
     }
 }
 
-/// By how much three lines miss a common point: the largest of three distances. Two are those of the outer lines from the
-/// middle one, the third is that of their feet. `None` if an outer line is parallel to the middle one.
+/// Distance by which three lines miss a common point, the largest of three. Two are the distances of the outer lines
+/// from the middle one, the third is the distance between their feet. `None` if an outer line is parallel to the middle
+/// one.
 fn common_point_miss(a: &Line, b: &Line, c: &Line) -> Option<f64> {
     let (on_a, from_a) = nearest(a, b)?;
     let (on_c, from_c) = nearest(c, b)?;

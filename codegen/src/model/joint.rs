@@ -1,6 +1,6 @@
 //! The moving joints of an arm, and sums of their values.
 
-/// What a moving joint does.
+/// Kind of a moving joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum JointKind {
     /// `q` is added to `theta`, rad.

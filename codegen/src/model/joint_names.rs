@@ -79,7 +79,7 @@ pub fn range(spec: &Spec, ends: [Option<f64>; 2], place: &Place, mistakes: &mut 
     [low, high]
 }
 
-/// Whether nothing else is expected than what was written.
+/// Returns true if nothing is `expected` in place of the written value. Otherwise adds the mistake.
 fn within(spec: &Spec, what: &str, expected: Option<String>, place: &Place, mistakes: &mut Vec<Diagnostic>) -> bool {
     if let Some(expected) = &expected {
         let message = format!("`{what}`: expected {expected}, found {}", spec.source.written(place));

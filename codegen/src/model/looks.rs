@@ -10,7 +10,7 @@ use crate::spec::{LengthUnit, LimitsSpec, Place, RowSpec, Spec, Task, WrittenAng
 /// No link of an arm is as long as this, m.
 const LONG: f64 = 30.0;
 
-/// What to look at again. The file is used as it stands.
+/// Advice on entries to look at again. The file is used as it stands.
 pub fn advice(spec: &Spec, model: &Model) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     found.extend(long(spec));

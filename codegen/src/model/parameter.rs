@@ -15,7 +15,7 @@ pub enum Bound {
     None,
     /// All of them.
     All,
-    /// Those of these names; a name that is no parameter binds nothing.
+    /// Parameters of these names; a name that is no parameter binds nothing.
     Fields(Vec<String>),
 }
 

@@ -22,7 +22,7 @@ pub fn inverse(matrix: &[Vec<f64>]) -> Result<Matrix, usize> {
     }
 }
 
-/// Whether the product is the unit matrix, to what a motor's value may be off.
+/// Returns true if the product is the unit matrix, up to the error that a motor's value may have.
 fn is_inverse(matrix: &[Vec<f64>], inverse: &[Vec<f64>]) -> bool {
     let column = |j: usize| inverse.iter().map(move |row| row.get(j).copied().unwrap_or(f64::NAN));
     let product = |row: &[f64], j: usize| row.iter().zip(column(j)).map(|(a, b)| a * b).sum::<f64>();
@@ -31,7 +31,7 @@ fn is_inverse(matrix: &[Vec<f64>], inverse: &[Vec<f64>]) -> bool {
     matrix.iter().enumerate().all(fits)
 }
 
-/// What elimination needs of a number. `None` where a result is beyond its range.
+/// Arithmetic of an elimination. `None` where a result is beyond the range of the number.
 trait Number: Copy {
     const ZERO: Self;
     const ONE: Self;

@@ -7,12 +7,12 @@ use crate::error::Diagnostic;
 use crate::spec::{Length, Spec};
 use std::collections::HashMap;
 
-/// What an arm may measure: the kernels compute fourth powers of lengths, which must stay in the range of the scalar.
+/// Range of an arm's reach: the kernels compute fourth powers of lengths, which must stay in the range of the scalar.
 #[derive(Debug, Clone, Copy)]
 pub struct Sizes {
     least: f64,
     most: f64,
-    /// What has this range, and what to do about an arm that is not in it.
+    /// The kind of arm that has this range, and advice for an arm outside it.
     of: &'static str,
     help: &'static str,
 }

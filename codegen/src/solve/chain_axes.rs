@@ -9,7 +9,8 @@ use crate::model::numeric::{Transform, cross, dot, length};
 use crate::symbolic::{Expr, Graph, Rigid, transpose};
 
 impl LoopChain {
-    /// Whether link `i` keeps the z axis parallel or anti-parallel, for every value of a given joint: its sign.
+    /// Sign of the z axis after link `i`, if the link keeps that axis parallel or anti-parallel for every value of a
+    /// given joint.
     pub fn keeps_axis(&self, i: usize) -> Option<f64> {
         let mut axes = self.generic.samples().iter().map(|sample| self.numeric(i, sample).axis(2));
         let first = axes.next()?;
@@ -18,7 +19,7 @@ impl LoopChain {
         (parallel(first) && axes.all(parallel)).then_some(sign)
     }
 
-    /// Whether two axes are parallel at a generic configuration.
+    /// Returns true if two axes are parallel at a generic configuration.
     pub fn are_parallel(&self, i: usize, j: usize) -> bool {
         let axes = self.generic.samples().first().map(|sample| self.axes(sample)).unwrap_or_default();
         let pair = axes.get(i).zip(axes.get(j));
@@ -48,7 +49,7 @@ impl LoopChain {
         joints.all(|joint| joint == Some(first)).then_some(first)
     }
 
-    /// Whether every joint moves in the base frame's xy plane.
+    /// Returns true if every joint moves in the base frame's xy plane.
     pub fn is_planar(&self) -> bool {
         self.generic.samples().iter().all(|sample| {
             self.axes(sample).iter().zip(&self.loop_joints).all(|(line, slot)| {
@@ -56,6 +57,21 @@ impl LoopChain {
                 self.generic.decisions.vanishes(if slot.revolute { x.hypot(y) } else { z })
             })
         })
+    }
+
+    /// The normal of the plane that every joint moves in, in the base frame. `None` without such a plane, or where no joint
+    /// turns.
+    pub fn plane_normal(&self) -> Option<[f64; 3]> {
+        let sample = self.generic.samples().first()?;
+        let axes = self.axes(sample);
+        let normal = axes.iter().zip(&self.loop_joints).find(|(_, slot)| slot.revolute)?.0.direction;
+        let in_plane = self.generic.samples().iter().all(|sample| {
+            self.axes(sample).iter().zip(&self.loop_joints).all(|(line, slot)| {
+                let u = line.direction;
+                self.generic.decisions.vanishes(if slot.revolute { length(cross(u, normal)) } else { dot(u, normal) })
+            })
+        });
+        in_plane.then_some(normal)
     }
 
     /// For an arm in the plane: the turn about the tool's x axis that takes an upright frame to the tool's. `None` if

@@ -1,4 +1,4 @@
-//! The same chain with its prismatic joints in other places.
+//! Commuted chains: the prismatic joints stand in other places.
 //!
 //! A prismatic joint commutes with a prismatic one, and with a revolute one about a parallel axis.
 

@@ -15,7 +15,7 @@ pub struct GenericSamples {
     samples: Vec<Sample>,
     angles: Vec<Symbol>,
     reach: f64,
-    /// What was decided on them.
+    /// Decisions made on the samples.
     pub decisions: Decisions,
 }
 
@@ -89,7 +89,8 @@ impl GenericSamples {
         same.then_some(first)
     }
 
-    /// Whether the expressions depend on nothing but what has samples: not on joints that are solved at run time.
+    /// Returns true if the expressions depend only on symbols that have samples: not on joints that are solved at run
+    /// time.
     pub fn decides(&self, g: &Graph, expressions: &[Expr]) -> bool {
         let Some(sample) = self.samples.first() else { return false };
         g.reachable(expressions).into_iter().all(|e| match g.node(e) {
@@ -98,7 +99,7 @@ impl GenericSamples {
         })
     }
 
-    /// Whether every one of the expressions vanishes for every target; lengths are compared to reach.
+    /// Returns true if each expression vanishes for every target; lengths are compared to reach.
     pub fn vanish(&self, g: &Graph, expressions: &[Expr], unit: Unit) -> bool {
         if !self.decides(g, expressions) {
             return false;

@@ -12,7 +12,7 @@ impl LoopClosure {
         self.move_triple_to_intersection([z, a, b, c]);
     }
 
-    /// The same for any triple, after the joint before it.
+    /// Moves the frames of any triple, after the joint before it, to the intersection.
     pub fn move_triple_to_intersection(&mut self, [z, a, b, c]: [usize; 4]) {
         let (on_a, on_c) = (self.intersection(a, false), self.intersection(b, true));
         let shift = |g: &mut Graph, link: Link, before: Expr, after: Expr| {

@@ -12,7 +12,7 @@ use crate::symbolic::{ConstantAngle, Expr, Graph, Input, Label, Pair, Part, Rigi
 pub struct LoopJoint {
     /// Which one it is, and what its unknowns are called.
     pub label: Label,
-    /// Whether it turns.
+    /// True for a revolute joint.
     pub revolute: bool,
     /// The row's theta.
     pub offset: Angle,
@@ -34,7 +34,7 @@ pub struct LoopChain {
     pub generic: GenericSamples,
     /// The joints in order.
     pub loop_joints: Vec<LoopJoint>,
-    /// What stands before, between and after them: one more than joints.
+    /// Constant transforms before, between and after the joints: one more than joints.
     pub links: Vec<Rigid>,
     /// Where the last frame has to be.
     pub target: Rigid,

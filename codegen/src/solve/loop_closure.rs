@@ -19,7 +19,7 @@ pub struct Link {
     pub forward: Rigid,
     /// The inverse.
     pub back: Rigid,
-    /// Whether the target is part of it.
+    /// True if the target is part of the link.
     pub target: bool,
 }
 
@@ -74,17 +74,17 @@ impl LoopClosure {
         self.links.get(joint).copied().unwrap_or(identity)
     }
 
-    /// Whether a joint turns.
+    /// Returns true for a revolute joint.
     pub fn is_revolute(&self, joint: usize) -> bool {
         self.loop_joints.get(joint).is_none_or(|slot| slot.revolute)
     }
 
-    /// Whether none of a triple's joints is the arm's own.
+    /// Returns true if none of a triple's joints is the arm's own.
     pub fn is_virtual(&self, triple: Triple) -> bool {
         !(triple.first..triple.first + 3).any(|slot| self.is_own(slot))
     }
 
-    /// Whether a joint is the arm's own.
+    /// Returns true if a joint is the arm's own.
     pub fn is_own(&self, slot: usize) -> bool {
         self.loop_joints.get(slot).is_some_and(|slot| slot.label.arm().is_some())
     }
@@ -131,13 +131,13 @@ impl LoopClosure {
         })
     }
 
-    /// What the point is in which the axes of the triple intersect.
+    /// Name of the point in which the axes of the triple intersect.
     pub fn center(&self) -> &'static str {
         let [a, b, c, ..] = self.order;
         if [a, b, c].into_iter().any(|slot| self.is_own(slot)) { WRIST } else { "the tool point" }
     }
 
-    /// What a joint is called: its number.
+    /// Label of a joint.
     pub fn label(&self, joint: usize) -> Label {
         self.loop_joints.get(joint).map_or(Label::Virtual(0), |slot| slot.label)
     }
@@ -147,7 +147,7 @@ impl LoopClosure {
         self.g.constant(e).or_else(|| self.generic.value(&self.g, e))
     }
 
-    /// Whether expressions vanish for every target.
+    /// Returns true if the expressions vanish for every target.
     pub fn vanish(&self, expressions: &[Expr], unit: Unit) -> bool {
         self.generic.vanish(&self.g, expressions, unit)
     }

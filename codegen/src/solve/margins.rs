@@ -17,7 +17,7 @@ use crate::symbolic::{Expr, Graph};
 /// A pivot: `value / reach^power` has no unit.
 #[derive(Debug, Clone)]
 pub struct Factor {
-    /// What it is a margin of: shoulder, elbow, wrist, or the stage's joints.
+    /// Name of the margin: shoulder, elbow, wrist, or the stage's joints.
     pub name: String,
     /// The derivative, in the target's entries and the sines and cosines of the kernels' variables.
     pub value: Expr,

@@ -75,7 +75,8 @@ fn seen(c: &mut LoopClosure, side: &Side) -> Vec3 {
     seen
 }
 
-/// Whether the joint of a side enters the distance along h, and the component of h along y's axis.
+/// Tells whether the joint of a side enters two quantities: the distance along h, and the component of h along y's
+/// axis.
 fn enters(c: &LoopClosure, side: &Side) -> (bool, bool) {
     let turned = side.revolute && !c.vanish(&Side::plane(side.moved), Unit::Direction);
     let distance = if side.revolute {

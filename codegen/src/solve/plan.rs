@@ -20,21 +20,22 @@ pub struct Plan {
     pub loop_joints: Vec<LoopJoint>,
     /// The triple that makes it possible.
     pub triple: Triple,
-    /// What it answers.
+    /// Task that the plan answers.
     pub task: PlanTask,
     /// Reach of the arm.
     pub reach: f64,
-    /// By how much the arm misses the structure, relative to reach and in rad, if by more than rounding.
+    /// Largest miss of the structure that the plan relies on, relative to reach and in rad, if it is more than
+    /// rounding.
     pub missed: Option<f64>,
 }
 
 impl Plan {
-    /// What a joint of the closed chain is called.
+    /// Label of a joint of the closed chain.
     pub fn label(&self, slot: usize) -> Label {
         self.loop_joints.get(slot).map_or(Label::Virtual(0), |slot| slot.label)
     }
 
-    /// What the joints of a stage are called.
+    /// Labels of the joints of a stage.
     pub fn labels(&self, stage: &Stage) -> Vec<Label> {
         stage.joints.iter().map(|slot| self.label(*slot)).collect()
     }
@@ -47,7 +48,7 @@ impl Plan {
         Unknown::both(Label::Arm(joint), part).map(Symbol::from).to_vec()
     }
 
-    /// What is added to the value of a joint of the closed chain to give its kernel's variable.
+    /// Angle added to the value of a joint of the closed chain to give its kernel's variable.
     pub fn shift(&self, slot: usize) -> Angle {
         self.values.get(slot).map_or(Angle::ZERO, |value| value.constant.neg())
     }
@@ -70,7 +71,7 @@ impl Plan {
         in_triple.or(solved).unwrap_or(0)
     }
 
-    /// Whether a joint of the closed chain is no joint of the arm.
+    /// Returns true if a solved joint of the closed chain is no joint of the arm.
     pub fn has_virtual_joint(&self) -> bool {
         self.stages().flat_map(|stage| &stage.joints).any(|slot| self.joint(*slot).is_none())
     }
@@ -110,7 +111,7 @@ impl Plan {
         self.stages().map(|stage| stage.kernel.form()).map(|form| form.roots + form.extra_roots).product()
     }
 
-    /// Whether every stage after a free joint has its roots wherever that joint is.
+    /// Returns true if every stage after a free joint has its roots wherever that joint is.
     ///
     /// Three joints that follow one another bring a point to its place, one equation each, before a spherical wrist or
     /// nothing. A joint is free if the point lies on its axis; its value then moves nothing that a later equation reads.
@@ -159,7 +160,7 @@ pub enum PlanStep {
     Angle {
         /// Its leaf.
         symbol: Symbol,
-        /// What it is.
+        /// Description of the angle.
         meaning: String,
         /// Sine times a positive factor.
         y: Expr,
@@ -168,22 +169,22 @@ pub enum PlanStep {
     },
     /// Equations without a joint: the arm cannot reach the target unless they hold.
     Agreement {
-        /// What has to agree.
+        /// Description of the quantities that have to agree.
         meaning: String,
-        /// What is compared.
+        /// Unit of the equations.
         unit: Unit,
-        /// By how much each is missed.
+        /// Residual of each equation.
         misses: Vec<Expr>,
     },
     /// The rotation of the upper arm from the arm angle: see the runtime's `swivel`.
     Swivel {
         /// Its leaves, by rows.
         rotation: Mat3,
-        /// What it is.
+        /// Description of the rotation.
         meaning: String,
-        /// From shoulder to wrist, where it has to be.
+        /// From shoulder to wrist, where the wrist has to be.
         wrist: Vec3,
-        /// The same in the frame of the upper arm.
+        /// From shoulder to wrist in the frame of the upper arm.
         moved: Vec3,
         /// The elbow's axis there.
         axis: Vec3,
@@ -209,15 +210,15 @@ impl PlanStep {
 pub struct Stage {
     /// The joints it gives, as places in the closed chain, in the kernel's order.
     pub joints: Vec<usize>,
-    /// What it gives of each: value, sine, cosine.
+    /// Unknowns that the stage gives of each joint: value, sine, cosine.
     pub unknowns: Vec<[Unknown; 3]>,
     /// How to solve it.
     pub kernel: Kernel,
-    /// What is compared.
+    /// Unit of the equation.
     pub unit: Unit,
     /// The equation in words and formula.
     pub meaning: String,
-    /// What its two roots are called.
+    /// Names of the two roots.
     pub branching: Branching,
     /// The derivative that tells its singularity, a length, where it is not the kernel's own.
     pub pivot: Option<Expr>,

@@ -1,4 +1,4 @@
-//! Whether an arm can do its task at all: the rank of its Jacobian at generic configurations.
+//! Rank of an arm's Jacobian at generic configurations: tells whether the arm can do its task at all.
 
 use super::Unsupported;
 use super::loop_chain::LoopChain;

@@ -15,9 +15,9 @@ use crate::symbolic::{Dimension, Expr, Graph, Rigid, Vec3};
 pub struct Side {
     /// The joint.
     pub joint: usize,
-    /// Whether the motion is undone.
+    /// True if the motion is undone.
     pub undone: bool,
-    /// Whether the joint turns.
+    /// True for a revolute joint.
     pub revolute: bool,
     /// The vector it moves.
     pub moved: Vec3,
@@ -72,7 +72,7 @@ impl Side {
         z
     }
 
-    /// Whether the joint moves the component of `moved` along `n` (a direction in the joint's frame).
+    /// Returns true if the joint moves the component of `moved` along `n` (a direction in the joint's frame).
     pub fn moves_along(&self, c: &LoopClosure, n: Vec3) -> bool {
         if self.revolute {
             !c.vanish(&Self::plane(n), Unit::Direction) && !c.vanish(&Self::plane(self.moved), Unit::Length)
@@ -184,7 +184,7 @@ impl Side {
         })
     }
 
-    /// The same side with another point on y's axis as origin.
+    /// Returns the side with another point on y's axis as origin.
     fn at_height(&self, c: &mut LoopClosure, height: Expr) -> Side {
         let along = c.g.scale3(height, self.axis);
         let origin = c.g.add3(self.origin, along);

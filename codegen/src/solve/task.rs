@@ -1,21 +1,21 @@
-//! What a plan answers: the task with all that belongs to it.
+//! Tasks of plans, with all that belongs to them.
 
 use crate::model::numeric::Transform;
 use crate::model::{Angle, Task};
 use crate::symbolic::{AngleSum, Input, Part};
 
-/// What a plan answers.
+/// Task of a plan, with all that belongs to it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanTask {
     /// The task, with its numbers.
     pub goal: Goal,
-    /// What is given beside the target.
+    /// Value given beside the target.
     pub given: Option<Given>,
-    /// Whether the target has more equations than the arm joints.
+    /// True if the target has more equations than the arm has joints.
     pub overdetermined: bool,
     /// Why an axis before this one is not the one that points, where the file names none.
     pub passed_over: Option<String>,
-    /// What the arm angle of a joint vector is read from, where that is given.
+    /// Constants for the arm angle of a joint vector, where the arm angle is given.
     pub swivel: Option<SwivelConstants>,
 }
 
@@ -44,21 +44,21 @@ pub enum Goal {
     PlanarPosition,
 }
 
-/// What is given beside the target.
+/// Value given beside the target.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Given {
     /// The value of a joint, from 0.
     Joint {
         /// The joint.
         joint: usize,
-        /// Whether it turns: then its sine and cosine are read.
+        /// True for a revolute joint, whose sine and cosine are read.
         revolute: bool,
     },
     /// The arm angle, whose sine and cosine the upper arm's rotation is made from.
     ArmAngle,
 }
 
-/// What the arm angle of a joint vector is read from.
+/// Constants for the arm angle of a joint vector.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SwivelConstants {
     /// The shoulder, with the first joint's axis as z, in the base frame.

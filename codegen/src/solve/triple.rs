@@ -199,7 +199,7 @@ fn keeps_parallel(c: &LoopClosure, joint: usize) -> Option<f64> {
     c.value(Side::along(axis)).filter(|_| parallel).map(f64::signum)
 }
 
-/// What stands between the triple's last joint and its first, going back.
+/// Elements between the triple's last joint and its first, going back.
 fn elements(c: &LoopClosure) -> Vec<Element> {
     let [.., third, _, _, _] = c.order;
     let outside = c.outside();

@@ -9,16 +9,18 @@ use crate::model::{JointKind, Model, Task};
 pub struct Unsupported {
     /// The sentence.
     pub reason: String,
-    /// What to look at in the file, where something in it is probably meant otherwise.
+    /// Advice on an entry of the file that is probably meant otherwise.
     pub hint: Option<String>,
-    /// What the file may ask for instead, as it is written: `inverse: {task: position}`.
+    /// Requests that have an inverse, as the file writes them: `inverse: {task: position}`.
     pub instead: Vec<String>,
 }
 
 /// A request for which the arm has an inverse.
 pub(super) struct Alternative {
-    /// What differs from the request of the file; empty if that is not a part of the reason.
+    /// The change to the request of the file; empty if that is not a part of the reason.
     words: String,
+    /// The task, where the words do not tell it and the file asks for another.
+    of: Option<Task>,
     /// The request as the file writes it.
     written: String,
 }
@@ -28,22 +30,33 @@ impl Alternative {
         let task = task.map(|task| format!("task: {}", task.name()));
         let redundant = redundant.map(|name| format!("redundant: {name}"));
         let keys: Vec<String> = task.into_iter().chain(redundant).collect();
-        Alternative { words, written: format!("inverse: {{{}}}", keys.join(", ")) }
+        Alternative { words, of: None, written: format!("inverse: {{{}}}", keys.join(", ")) }
+    }
+
+    /// For another task than the file asks for.
+    pub(super) fn of(self, task: Option<Task>) -> Self {
+        Alternative { of: task, ..self }
     }
 }
 
 impl Unsupported {
-    /// The same with what would work instead.
+    /// Adds the requests that have an inverse, those of one task together.
     pub(super) fn or_else(self, alternatives: Vec<Alternative>) -> Self {
-        let (words, instead): (Vec<String>, Vec<String>) =
-            alternatives.into_iter().map(|Alternative { words, written }| (words, written)).unzip();
-        let words: Vec<String> = words.into_iter().filter(|words| !words.is_empty()).collect();
-        let reason = match words.as_slice() {
-            [] => self.reason,
-            [one] => format!("{}; {one} works", self.reason),
-            [rest @ .., last] => format!("{}; {} or {last} work", self.reason, rest.join(", ")),
-        };
-        Unsupported { instead, ..Unsupported::new(reason) }
+        let mut reason = self.reason.clone();
+        let worded: Vec<&Alternative> = alternatives.iter().filter(|found| !found.words.is_empty()).collect();
+        for group in worded.chunk_by(|a, b| a.of == b.of) {
+            let words: Vec<&str> = group.iter().map(|found| found.words.as_str()).collect();
+            reason += &match words.as_slice() {
+                [] => continue,
+                [one] => format!("; {one} works"),
+                [rest @ .., last] => format!("; {} or {last} work", rest.join(", ")),
+            };
+            if let Some(task) = group.first().and_then(|found| found.of) {
+                reason += &format!(" for the task `{}`", task.name());
+            }
+        }
+        let instead = alternatives.into_iter().map(|found| found.written).collect();
+        Unsupported { reason, instead, ..self }
     }
 
     pub(super) fn new(reason: impl Into<String>) -> Self {
@@ -62,7 +75,7 @@ fn needs(task: Option<Task>) -> usize {
     }
 }
 
-/// Whether the arm has one joint more than its task needs, and the file does not name it.
+/// Returns true if the arm has one joint more than its task needs, and the file does not name that joint.
 pub(super) fn is_one_more(model: &Model, task: Option<Task>) -> bool {
     // The angle of `position_angle` is the sum of all joints but one: none of them can be given.
     let takes_one = task != Some(Task::PositionAngle);
@@ -118,12 +131,20 @@ pub(super) fn not_covered(model: &Model, task: Option<Task>) -> Unsupported {
     })
 }
 
-/// No triple: which three axes come closest.
+/// No triple: which three axes come closest. An axis whose value is given counts in none.
 pub(super) fn no_triple(model: &Model, geometry: &Geometry) -> Unsupported {
-    let closest = geometry.misses.iter().min_by(|a, b| a.1.total_cmp(&b.1));
+    let held = model.inverse.redundant;
+    let is_held = |first: usize| held.is_some_and(|held| (first..first + 3).contains(&held));
+    let closest = geometry.misses.iter().filter(|(first, _)| !is_held(*first)).min_by(|a, b| a.1.total_cmp(&b.1));
     let mut reason = "no three consecutive axes meet or are parallel".to_string();
     let named = |first: usize| format!("axes {}, {}, {}", first + 1, first + 2, first + 3);
-    let nearly = nearly_parallel(model, geometry);
+    let broken = geometry.triples.iter().find(|triple| is_held(triple.first));
+    if let Some((triple, joint)) = broken.zip(held.and_then(|held| model.joints.get(held))) {
+        let slides = model.joints.iter().skip(triple.first).take(3).any(|j| j.kind == JointKind::Prismatic);
+        let (three, what) = (named(triple.first), triple.kind.words(slides));
+        reason += &format!(" where `redundant: {}` holds one of {three}, which {what}", joint.name);
+    }
+    let nearly = nearly_parallel(model, geometry, is_held);
     match (nearly, closest) {
         (Some((first, angle)), _) => {
             reason += &format!("; {} are parallel but for {} deg", named(first), rounded(angle.to_degrees()));
@@ -144,11 +165,11 @@ pub(super) fn no_triple(model: &Model, geometry: &Geometry) -> Unsupported {
 /// Axes that are off by less than this, rad, were meant to be parallel.
 const NEARLY: f64 = 0.02;
 
-/// Three revolute joints in a row whose axes are nearly parallel: the first of them, and the largest angle between two
-/// neighbors, rad.
-fn nearly_parallel(model: &Model, geometry: &Geometry) -> Option<(usize, f64)> {
+/// Three revolute joints in a row whose axes are nearly parallel, none of them held: the first of them, and the largest
+/// angle between two neighbors, rad.
+fn nearly_parallel(model: &Model, geometry: &Geometry, is_held: impl Fn(usize) -> bool) -> Option<(usize, f64)> {
     let turns = |first: usize| model.joints.iter().skip(first).take(3).all(|joint| joint.kind == JointKind::Revolute);
-    let triples = geometry.axes.windows(3).enumerate().filter(|(first, _)| turns(*first));
+    let triples = geometry.axes.windows(3).enumerate().filter(|(first, _)| turns(*first) && !is_held(*first));
     let angles = triples.filter_map(|(first, axes)| {
         let [a, b, c] = axes else { return None };
         let sine = |u: [f64; 3], v: [f64; 3]| length(cross(u, v));
@@ -171,7 +192,59 @@ fn rounded(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used)]
+
     use super::rounded;
+
+    fn reason(arm: &str) -> String {
+        let text = format!("name: arm\nunits: {{length: mm, angle: deg}}\n{arm}");
+        crate::check(&text, "arm.yaml").unwrap().unsupported.unwrap()
+    }
+
+    /// Axes 1, 2, 3 meet, and joint 3 is held.
+    const SHOULDER: &str = "convention: modified
+inverse: {redundant: q3}
+joints:
+  - {a: 0, alpha: 0, d: 267, theta: 0}
+  - {a: 0, alpha: -90, d: 0, theta: 0}
+  - {a: 0, alpha: 90, d: 293, theta: 0}
+  - {a: 52.5, alpha: 90, d: 0, theta: 0}
+  - {a: 77.5, alpha: 90, d: 342.5, theta: 0}
+  - {a: 0, alpha: 90, d: 0, theta: 0}
+  - {a: 76, alpha: -90, d: 97, theta: 0}
+";
+
+    #[test]
+    fn a_held_axis_is_no_part_of_the_closest_three() {
+        let others = "`redundant: q4`, `redundant: q5`, `redundant: q6` or `redundant: q7` work";
+        let of_the_three = "no three consecutive axes meet or are parallel where `redundant: q3` holds one of axes 1, 2, 3, \
+                            which meet in a point; closest: axes 5, 6, 7 miss by 76 mm";
+        assert_eq!(reason(SHOULDER), format!("{of_the_three}; {others}"));
+        // With an offset at the shoulder no three axes meet anywhere.
+        let offset = SHOULDER.replacen("{a: 0, alpha: -90", "{a: 30, alpha: -90", 1);
+        let none = "no three consecutive axes meet or are parallel; closest: axes 5, 6, 7 miss by 76 mm";
+        assert_eq!(reason(&offset), none);
+    }
+
+    #[test]
+    fn another_task_is_named_with_the_joint_to_give() {
+        let rows = "convention: standard
+joints:
+  - {name: j1, a: 0, alpha: -90, d: 275, theta: 0}
+  - {name: j2, a: 700, alpha: 180, d: 0, theta: -90}
+  - {name: j3, a: 0, alpha: -90, d: 0, theta: 0}
+  - {name: j4, a: 0, alpha: 90, d: -500, theta: 0}
+  - {name: j5, a: 0, alpha: -90, d: 162, theta: 0}
+  - {name: j6, a: 0, alpha: 180, d: 0, theta: 0}
+";
+        let other =
+            "`redundant: j1`, `redundant: j2`, `redundant: j3` or `redundant: j4` work for the task `position_axis`";
+        let found = reason(rows);
+        assert!(found.ends_with(&format!("axes 4, 5, 6 miss by 162 mm; {other}")), "{found}");
+        // The task that the file asks for has no need of its name.
+        let asked = reason(&rows.replace("joints:", "inverse: {task: position_axis}\njoints:"));
+        assert!(asked.ends_with("or `redundant: j4` work"), "{asked}");
+    }
 
     #[test]
     fn three_digits() {

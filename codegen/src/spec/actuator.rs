@@ -13,7 +13,7 @@ pub struct ActuatorSpec {
     pub pulses: f64,
     /// Where the count is zero.
     pub home: HomeSpec,
-    /// Whether the count falls where the joint value rises.
+    /// True if the count falls where the joint value rises.
     pub reversed: bool,
     /// Where the actuator stands.
     pub place: Place,

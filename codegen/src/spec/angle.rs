@@ -70,7 +70,7 @@ const SUFFIXES: &[(&str, AngleUnit)] = &[
 ];
 
 /// A decimal number and nothing else: `f64::from_str` would also take `inf`.
-fn decimal(text: &str) -> Option<f64> {
+pub(super) fn decimal(text: &str) -> Option<f64> {
     let digits = text.chars().any(|c| c.is_ascii_digit());
     let plain = text.chars().all(|c| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e'));
     text.parse().ok().filter(|value: &f64| digits && plain && value.is_finite())
@@ -114,7 +114,7 @@ fn pi_product(text: &str) -> Option<WrittenAngle> {
 ///
 /// Double-double arithmetic after Dekker (1971): products split by a fused multiply-add, `pi` to 106 bits.
 pub fn pi_times(numerator: f64, denominator: f64) -> f64 {
-    /// What is left of pi after rounding it to the nearest double.
+    /// Pi less its nearest double.
     const PI_TAIL: f64 = 1.224_646_799_147_353_2e-16;
     let product = numerator * PI;
     let tail = numerator.mul_add(PI, -product) + numerator * PI_TAIL;

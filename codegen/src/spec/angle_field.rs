@@ -7,7 +7,7 @@ use super::reader::{Field, NOTHING, Reader};
 use super::yaml::Node;
 use std::f64::consts::{FRAC_PI_4, PI};
 
-/// What an angle is for: how sure it is that an odd value is a mistake.
+/// Role of an angle: tells how sure it is that an odd value is a mistake.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AngleRole {
     /// The angle between two axes. Nobody builds an arm with 1.57 degrees here.
@@ -16,17 +16,17 @@ pub enum AngleRole {
     Offset,
     /// The end of a joint's range: any value may be meant, and exactness gains nothing.
     Limit,
-    /// Where a joint or a motor stands: the same.
+    /// The position of a joint or a motor: any value may be meant here, too.
     Position,
     /// A small angle of any size.
     Tolerance,
 }
 
-/// What to write instead of a range that is no range.
+/// Advice for a range that is no range.
 pub const NO_LIMIT: &str = "write null for an end without a limit";
 
 impl AngleRole {
-    /// What to write instead of an angle that is too large or too small.
+    /// Advice for an angle that is too large or too small.
     fn advice(self) -> &'static str {
         match self {
             Self::Twist | Self::Offset => "write the angle within a turn, such as 90 deg, 1.5 rad or pi/2; 0 for none",
@@ -49,34 +49,30 @@ impl Reader<'_> {
     /// judged.
     pub fn angle(&mut self, field: &Field<'_>, unit: Option<AngleUnit>, role: AngleRole) -> Option<WrittenAngle> {
         let expected = "an angle: a number, or text such as 90 deg, 1.5 rad, pi/2, -2*pi/3";
-        let angle = match field.node {
-            Node::Number(value) if value.is_finite() => {
-                let size = WrittenAngle::number(*value, unit.unwrap_or(AngleUnit::Degree)).rad();
-                self.within(range::ANGLE, field, size, role.advice())?;
-                if unit.is_some_and(|unit| self.wrong_unit(field, *value, unit, role)) {
+        let angle = match (field.node, field.node.number()) {
+            (_, Some(value)) => {
+                let angle = WrittenAngle::number(value, unit.unwrap_or(AngleUnit::Degree));
+                self.within(range::ANGLE, field, angle.rad(), role.advice())?;
+                if unit.is_some_and(|unit| self.wrong_unit(field, value, unit, role)) {
                     return None;
                 }
-                WrittenAngle::number(*value, unit.unwrap_or(AngleUnit::Degree))
+                angle
             }
-            Node::Number(_) => {
+            (Node::Number(_), None) => {
                 self.unexpected(field, "a finite angle", None);
                 return None;
             }
-            Node::Text(text) => match WrittenAngle::parse(text) {
+            (Node::Text(text), None) => match WrittenAngle::parse(text) {
                 Some(angle) => {
                     self.within(range::ANGLE, field, angle.rad(), role.advice())?;
                     angle
                 }
                 None => {
-                    let text = text.trim();
-                    let number = text.parse::<f64>().is_ok_and(f64::is_finite);
-                    let quoted = number.then(|| format!("write {text} without quotes, or {text} deg, or {text} rad"));
-                    let help = quoted.or_else(|| meant::angle(text));
-                    self.unexpected(field, expected, help);
+                    self.unexpected(field, expected, meant::angle(text));
                     return None;
                 }
             },
-            Node::Null => {
+            (Node::Null, None) => {
                 self.unexpected(field, expected, Some(NOTHING.to_owned()));
                 return None;
             }
@@ -91,7 +87,7 @@ impl Reader<'_> {
         Some(angle)
     }
 
-    /// Whether a plain number is certainly in the other unit; where it only may be, a warning is left.
+    /// Returns true if a plain number is certainly in the other unit. A number that only may be leaves a warning.
     fn wrong_unit(&mut self, field: &Field<'_>, value: f64, unit: AngleUnit, role: AngleRole) -> bool {
         if role == AngleRole::Tolerance {
             return false;
@@ -103,6 +99,7 @@ impl Reader<'_> {
             _ => return false,
         };
         let (key, written) = (&field.key, self.source.written(&field.place));
+        let written = written.trim_matches(['"', '\'', ' ']);
         let (message, help) = match eighths {
             Some(eighths) if unit == AngleUnit::Degree => (
                 format!("`{key}`: {written} looks like radians, expected degrees as the file's `units` say"),

@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 pub struct CouplingSpec {
     /// The motors listed.
     pub motors: Vec<MotorSpec>,
-    /// Whether all motors are listed in order, as `matrix` and `offset`.
+    /// True if all motors are listed in order, as `matrix` and `offset`.
     pub matrix: bool,
     /// Where the coupling stands.
     pub place: Place,
@@ -24,7 +24,7 @@ pub struct CouplingSpec {
 pub struct MotorSpec {
     /// The joint it is the motor of.
     pub joint: JointRef,
-    /// What it takes from each joint. An entry of a matrix may be 0.
+    /// Terms of the sum, by joint. An entry of a matrix may be 0.
     pub terms: Vec<TermSpec>,
     /// The motor's value where all joints are 0, and where it stands.
     pub offset: Option<(WrittenValue, Place)>,
@@ -159,7 +159,7 @@ impl Reader<'_> {
     /// A number, or a length for a turn: `20 per rev`.
     fn coupling_factor(&mut self, field: &Field<'_>) -> Option<Factor> {
         match field.node {
-            Node::Text(text) => {
+            Node::Text(text) if field.node.number().is_none() => {
                 let factor = length_per_angle(text);
                 if let Some(Factor::LengthPerRad(size)) = factor {
                     self.within(range::FACTOR, field, size, "write the travel of the motor for a turn: `20 per rev`")?;

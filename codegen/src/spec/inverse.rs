@@ -7,7 +7,7 @@ use super::reader::{Field, Fields, Reader};
 use super::weights::WeightsSpec;
 use super::yaml::Node;
 
-/// What an inverse solves for.
+/// Task of an inverse.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Task {
     /// `pose`: the whole pose of the tool.
@@ -47,7 +47,7 @@ impl Axis {
 pub struct InverseSpec {
     /// The task, where one is named.
     pub task: Option<Task>,
-    /// Whether an arm without an inverse is a mistake.
+    /// True if an arm without an inverse is a mistake.
     pub require: bool,
     /// The joint whose value is given: its name, or `qK`.
     pub redundant: Option<(String, Place)>,
@@ -74,7 +74,7 @@ const TASKS: &[(&str, Task)] = &[
 ];
 const TASK_SYNONYMS: &[(&str, &str)] =
     &[("pos", "position"), ("point", "position"), ("xyz", "position"), ("full", "pose"), ("6d", "pose")];
-/// What the tasks ask for, for whoever has to choose one.
+/// Advice for whoever has to choose a task.
 const TASK_HELP: &str = "\
 write `pose` for position and orientation, `position` for a point, `position_axis` for a point and the direction of an axis,
 `position_angle` for a point and one angle, `planar_pose` for x, y and an angle, `planar_position` for x and y";

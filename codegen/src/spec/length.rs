@@ -23,7 +23,7 @@ impl Length {
     /// Nothing.
     pub const ZERO: Length = Length::Constant(0.0);
 
-    /// Whether the length is zero whatever the parameters are.
+    /// Returns true if the length is zero whatever the parameters are.
     pub fn is_zero(&self) -> bool {
         *self == Self::ZERO
     }
@@ -93,7 +93,7 @@ pub(super) fn factored(text: &str) -> Factored<'_> {
     }
 }
 
-/// Whether a text has the form of a name: letters, digits and `_`, no digit first.
+/// Returns true if a text has the form of a name: letters, digits and `_`, no digit first.
 pub(super) fn is_name(text: &str) -> bool {
     text.chars().enumerate().all(|(at, c)| c == '_' || c.is_alphabetic() || (at > 0 && c.is_alphanumeric()))
         && !text.is_empty()

@@ -1,15 +1,15 @@
-//! What people write for a number or an angle where the file takes only the number.
+//! Advice on texts that people write for a number or an angle where the file takes only the number.
 
 use super::angle::WrittenAngle;
 use super::yaml::Node;
 
-/// What to write for a text in the place of a number.
+/// Advice on a text in the place of a number.
 pub fn number(text: &str) -> Option<String> {
     let text = text.trim();
     typed(text).or_else(|| with_unit(text)).or_else(|| sum(text)).or_else(|| expression(text))
 }
 
-/// What to write for a text in the place of an angle.
+/// Advice on a text in the place of an angle.
 pub fn angle(text: &str) -> Option<String> {
     let text = text.trim();
     let computed = || {
@@ -18,14 +18,14 @@ pub fn angle(text: &str) -> Option<String> {
     typed(text).or_else(|| with_variable(text)).or_else(|| sum(text)).or_else(computed)
 }
 
-/// What to write for a length that is to be computed.
+/// Advice on a length that is to be computed.
 pub fn expression(text: &str) -> Option<String> {
     let help = "write its value, or give it a name: `parameters: {l5: 0.35}`. A name takes a sign or a factor, and \
                 nothing is added to it: `-l5`, `2*l5`, `l5/2`";
     sum(text).or_else(|| has_operator(text).then(|| help.to_owned()))
 }
 
-/// Whether something is to be computed between numbers or names.
+/// Returns true if a text has an operator between numbers or names.
 fn has_operator(text: &str) -> bool {
     let is_operand = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.' | '(' | ')');
     let between = |at: usize| {
@@ -52,7 +52,7 @@ pub fn other_name(name: &str, known: &[&'static str]) -> Option<&'static str> {
     known.iter().copied().find(|word| *word == key)
 }
 
-/// What to write for a list of `found` entries in the place of one of `wanted`: `[-60, 0,5]` as `[-60, 0.5]`.
+/// Advice on a list of `found` entries in the place of a list of `wanted`: `[-60, 0,5]` as `[-60, 0.5]`.
 pub fn list(written: &str, found: usize, wanted: usize) -> Option<String> {
     let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
     let chars: Vec<char> = written.chars().collect();
@@ -68,7 +68,7 @@ pub fn list(written: &str, found: usize, wanted: usize) -> Option<String> {
     Some(format!("write {pointed}, with a decimal point"))
 }
 
-/// What to write for a key that other tools have.
+/// Advice on a key that other tools have.
 pub fn key(name: &str, known: &[&str]) -> Option<String> {
     let row = known.contains(&"theta") && known.contains(&"alpha");
     let lower = name.to_lowercase();
@@ -93,8 +93,8 @@ pub fn key(name: &str, known: &[&str]) -> Option<String> {
     Some(help.to_owned())
 }
 
-/// What to write in the place of a mapping with `known` keys: for a row of a table, a matrix, a number, a unit. `key` is
-/// the one that the mapping belongs to.
+/// Advice on the place of a mapping with `known` keys: for a row of a table, a matrix, a number, a unit. The mapping
+/// belongs to `key`.
 pub fn mapping(key: &str, written: &str, node: &Node, known: &[&str]) -> Option<String> {
     if known.contains(&"rpy") {
         return Some(
@@ -156,7 +156,17 @@ fn sum(text: &str) -> Option<String> {
 
 /// A number in other characters than the keyboard's.
 fn typed(text: &str) -> Option<String> {
-    with_ascii_minus(text).or_else(|| with_point(text))
+    let plain = || without_leading_zeros(text).map(|plain| format!("write {plain}"));
+    with_ascii_minus(text).or_else(|| with_point(text)).or_else(plain)
+}
+
+/// `010` as `10`, `-007` as `-7`; none of a text that is no number, or has no zero in front of another digit.
+pub fn without_leading_zeros(text: &str) -> Option<String> {
+    let text = text.trim();
+    let (sign, digits) = text.split_at(usize::from(text.starts_with(['-', '+'])));
+    let zeros = digits.bytes().zip(digits.bytes().skip(1)).take_while(|(c, next)| *c == b'0' && next.is_ascii_digit());
+    let plain = digits.get(zeros.count()..)?;
+    (plain.len() < digits.len() && text.parse::<f64>().is_ok()).then(|| format!("{sign}{plain}"))
 }
 
 /// A length with its unit.
@@ -207,7 +217,9 @@ mod tests {
         assert_eq!(number("-80,5").as_deref(), Some("write -80.5, with a decimal point"));
         assert!(number("365 mm").is_some_and(|help| help.contains("365 if that is mm")));
         assert!(number("\u{2212}445").is_some_and(|help| help.starts_with("write -445:")));
-        for text in ["long", "1,2,3", "3 parsec", ""] {
+        assert_eq!(number("010").as_deref(), Some("write 10"));
+        assert_eq!(angle("-007.5").as_deref(), Some("write -7.5"));
+        for text in ["long", "1,2,3", "3 parsec", "", "0", "0.5", "00x"] {
             assert_eq!(number(text), None, "{text}");
         }
     }

@@ -163,7 +163,7 @@ fn root(source: &Source) -> Result<Node, Errors> {
     Err(Diagnostic::error("expected an arm, a mapping of keys and values").at(at).help(SMALLEST).into())
 }
 
-/// What to look for in a line that is not YAML by `message`.
+/// Advice on a line that is not YAML by `message`.
 fn advice(message: &str, line: &str) -> Option<&'static str> {
     let says = |words: &str| message.contains(words);
     if says("second document") {

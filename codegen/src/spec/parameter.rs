@@ -20,7 +20,7 @@ pub struct ParameterSpec {
     pub place: Place,
 }
 
-/// What the lengths and angles of rows and frames are read with.
+/// Unit and parameters with which the lengths and angles of rows and frames are read.
 #[derive(Clone, Copy)]
 pub struct Context<'c> {
     /// The unit of plain angles; `None` where the file's unit is a mistake.
@@ -70,7 +70,10 @@ impl Reader<'_> {
 
     /// A length: a number or a multiple of a parameter. Without a list of parameters no text is judged.
     pub fn length(&mut self, field: &Field<'_>, parameters: Option<&[ParameterSpec]>) -> Option<Length> {
-        let Node::Text(text) = field.node else { return self.number(field).map(Length::Constant) };
+        let text = match field.node {
+            Node::Text(text) if field.node.number().is_none() => text,
+            _ => return self.number(field).map(Length::Constant),
+        };
         let parameters = parameters?;
         let names = || parameters.iter().map(|parameter| parameter.name.as_str());
         match factored(text) {
@@ -93,7 +96,7 @@ impl Reader<'_> {
                     self.mistakes.push(self.source.mistake(&field.place, message).help(help));
                 }
             },
-            // A quoted number has a message of its own.
+            // A number that is not finite or has leading zeros has a message of its own.
             Err(expected) if !parameters.is_empty() && text.trim().parse::<f64>().is_err() => {
                 let help = if expected.starts_with("a factor") { None } else { meant::expression(text) };
                 self.unexpected(field, &format!("a number, or {expected}"), help);
@@ -116,7 +119,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether a text can name a field as it stands: an identifier of Rust that is no keyword.
+/// Returns true if a text can name a field as it stands: an identifier of Rust that is no keyword.
 fn is_field_name(text: &str) -> bool {
     !text.starts_with("r#") && syn::parse_str::<syn::Ident>(text).is_ok()
 }

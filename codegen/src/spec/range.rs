@@ -3,7 +3,7 @@
 /// Numbers that are 0 or of a size from `least` to `most`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
-    /// What the numbers are, with the unit that `least` and `most` have.
+    /// Noun for the numbers, and the unit of `least` and `most`.
     what: &'static str,
     unit: &'static str,
     least: f64,
@@ -22,7 +22,7 @@ pub const FACTOR: Range = Range { what: "factor", unit: "", least: 1e-12, most: 
 pub const WEIGHT: Range = Range { what: "weight", ..FACTOR };
 
 impl Range {
-    /// What is expected instead of a number beyond the range.
+    /// Description of the expected numbers, if the value is beyond the range.
     pub fn missed(&self, value: f64) -> Option<String> {
         let Range { what, unit, least, most } = self;
         let size = value.abs();

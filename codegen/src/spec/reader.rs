@@ -50,7 +50,7 @@ impl<'n> Fields<'n> {
         self.entries.iter().find(|field| field.key == key).cloned()
     }
 
-    /// Whether the key is there, or a misspelling of it.
+    /// Returns true if the key is there, or a misspelling of it.
     pub fn has(&self, key: &str) -> bool {
         self.meant.contains(&key) || self.entries.iter().any(|field| field.key == key)
     }
@@ -195,25 +195,18 @@ impl<'s> Reader<'s> {
         self.displacement(field, "lengths are in the unit that `units` names; write 0 where there is none")
     }
 
-    /// The same with advice of its own for a number that is too large or too small.
+    /// A finite number in the file's length unit, with advice of its own for a number that is too large or too small.
     pub fn displacement(&mut self, field: &Field<'_>, help: &str) -> Option<f64> {
+        if let Some(value) = field.node.number() {
+            let value = self.within(range::LENGTH, field, value, help)?;
+            self.lengths.push((value, field.place.clone()));
+            return Some(value);
+        }
         match field.node {
-            Node::Number(value) if value.is_finite() => {
-                let value = self.within(range::LENGTH, field, *value, help)?;
-                self.lengths.push((value, field.place.clone()));
-                return Some(value);
-            }
             Node::Number(_) => self.unexpected(field, "a finite number", None),
             Node::Text(text) => match text.trim().parse::<f64>() {
-                Ok(value) if value.is_finite() => {
-                    let text = text.trim();
-                    let plain = text.trim_start_matches('0');
-                    let octal = plain.len() < text.len() && plain.starts_with(|c: char| c.is_ascii_digit());
-                    let help = if octal { format!("write {plain}") } else { format!("write {text} without quotes") };
-                    self.unexpected(field, "a number in the file's length unit", Some(help));
-                }
-                Ok(_) => self.unexpected(field, "a finite number", None),
-                Err(_) => self.unexpected(field, "a number in the file's length unit", meant::number(text)),
+                Ok(value) if !value.is_finite() => self.unexpected(field, "a finite number", None),
+                _ => self.unexpected(field, "a number in the file's length unit", meant::number(text)),
             },
             Node::Null => self.unexpected(field, "a number in the file's length unit", Some(NOTHING.to_owned())),
             _ => self.unexpected(field, "a number in the file's length unit", None),
@@ -257,7 +250,7 @@ impl<'s> Reader<'s> {
     }
 }
 
-/// What a node is, in the words of a message.
+/// Description of a node, in the words of a message.
 fn describe(node: &Node, written: &str) -> String {
     match node {
         Node::Null => "nothing".to_owned(),

@@ -1,6 +1,6 @@
 //! `type:` of a row.
 
-/// What the joint of a row does.
+/// Kind of a row's joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RowKind {
     /// `q` is added to `theta`.

@@ -129,7 +129,7 @@ fn mistakes_of_parameters() {
     only(&of_a("l2*l3"), "5:9", &["or one parameter: products of two are no length", "found `l2*l3`"]);
     only(&of_a("1/l2"), "5:9", &["or a parameter that is not divided by"]);
     only(&of_a("0*l2"), "5:9", &["or a factor that is finite and not zero"]);
-    only(&of_a("'0.5'"), "5:9", &["write 0.5 without quotes"]);
+    only(&of_a("'010'"), "5:9", &["found `010`", "write 10"]);
     let row = "{a: l2, alpha: 0, d: 0, theta: 0}";
     row_mistake(row, "5:9", &["`a`: expected a number", "found `l2`", "add `parameters: {l2: 0.5}` to the file"]);
     only(&more(row, "[l2]"), "6:13", &["`parameters`: expected a mapping of names and lengths, found a list"]);
@@ -206,14 +206,60 @@ fn couplings_and_sums() {
 fn wrong_types() {
     row_mistake("42", "5:5", &["`row 1`: expected a mapping with type", "the number 42"]);
     row_mistake("{a: [1], alpha: 0, d: 0, theta: 0}", "5:9", &["`a`: expected a number", "found a list"]);
-    row_mistake("{a: \"0.4\", alpha: 0, d: 0, theta: 0}", "5:9", &["write 0.4 without quotes"]);
+    row_mistake("{a: \"0.4 m\", alpha: 0, d: 0, theta: 0}", "5:9", &["found `0.4 m`", "write the number alone"]);
     row_mistake("{a: , alpha: 0, d: 0, theta: 0}", "5:6", &["`a`: expected a number", "found nothing"]);
     row_mistake("{a: !len 1, alpha: 0, d: 0, theta: 0}", "5:9", &["the tag `len`"]);
     row_mistake("{a: 0, alpha: true, d: 0, theta: 0}", "5:19", &["`alpha`: expected an angle", "found `true`"]);
-    row_mistake("{a: 0, alpha: '90', d: 0, theta: 0}", "5:19", &["found `90`", "write 90 without quotes"]);
+    row_mistake("{a: 0, alpha: '090', d: 0, theta: 0}", "5:19", &["found `090`", "write 90"]);
     row_mistake("{a: 0, alpha: pie, d: 0, theta: 0}", "5:19", &["`alpha`: expected an angle", "pi/2", "found `pie`"]);
     row_mistake("{name: 3, a: 0, alpha: 0, d: 0, theta: 0}", "5:12", &["expected a name", "in quotes", "\"3\""]);
     row_mistake("{name: '', a: 0, alpha: 0, d: 0, theta: 0}", "5:12", &["expected a name", "an empty text"]);
+}
+
+#[test]
+fn a_number_in_quotes_is_that_number() {
+    let plain = "name: arm
+convention: standard
+units: {length: m, angle: deg}
+parameters: {l2: 0.4}
+base: {xyz: [0.1, 0, -2e-1], rpy: [0, 90, 0]}
+tool: {xyz: [0, 0, 0.1], rpy: [0, 0, 0]}
+inverse: {task: position, tolerance: {length: 1e-3, angle: 0.1}, weights: {q1: 2, q2: 0.5}}
+joints:
+  - {a: 0, alpha: 90, d: 0.3, theta: 0, limits: [-90, 120.5], actuator: {pulses_per_rev: 200, gear_ratio: 50, home: 10, direction: -1}}
+  - {a: l2, alpha: 0, d: 0, theta: -30, actuator: {pulses_per_rev: 200}}
+  - {type: prismatic, a: 0, alpha: -90, d: +.25, theta: 0, limits: [0, null], actuator: {pulses_per_unit: 80, home: 0.1}}
+coupling: {matrix: [[1, 0, 0], [0.5, 1, 0], [0, 0, 1]], offset: [0, 15, 0]}
+combined_limits: [{sum: {q1: 1, q2: -0.5}, limits: [-100, 100]}]
+";
+    let is_number = |word: &str| word.parse::<f64>().is_ok_and(f64::is_finite);
+    let cut: Vec<&str> = plain.split_inclusive([' ', '[', ',', ']', '}']).collect();
+    let quoted: String = cut
+        .iter()
+        .map(|piece| {
+            let word = piece.trim_end_matches([' ', '[', ',', ']', '}']);
+            let rest = piece.strip_prefix(word).unwrap();
+            if is_number(word) { format!("\"{word}\"{rest}") } else { (*piece).to_owned() }
+        })
+        .collect();
+    assert_eq!(
+        quoted.matches('"').count(),
+        2 * cut.iter().filter(|piece| is_number(piece.trim_end_matches([' ', '[', ',', ']', '}']))).count()
+    );
+    let options = crate::Options::new("Arm");
+    let [plain, quoted] = [plain, &quoted].map(|text| crate::generate(text, "f", &options).unwrap());
+    assert_eq!(quoted.impls.to_string(), plain.impls.to_string());
+    assert_eq!(quoted.warnings.len(), plain.warnings.len());
+    // A unit, a range and the signs of another unit are judged alike.
+    row_mistake(
+        "{a: 0, alpha: '1.5708', d: 0, theta: 0}",
+        "5:19",
+        &["looks like radians", "write 90, or \"1.5708 rad\""],
+    );
+    row_mistake("{a: '1e70', alpha: 0, d: 0, theta: 0}", "5:9", &["a length not beyond 1e60"]);
+    row_mistake("{a: 'inf', alpha: 0, d: 0, theta: 0}", "5:9", &["a finite number"]);
+    row_mistake("{a: 0, alpha: '', d: 0, theta: 0}", "5:19", &["an empty text"]);
+    more_mistake("inverse: {weights: {q1: '-1'}}\n", "6:25", &["not negative"]);
 }
 
 #[test]

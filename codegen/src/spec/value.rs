@@ -38,9 +38,7 @@ pub struct Named<'n> {
 impl Reader<'_> {
     /// A value of a joint whose type is not known here.
     pub fn value(&mut self, field: &Field<'_>, unit: Option<AngleUnit>) -> Option<WrittenValue> {
-        if let Node::Number(value) = *field.node
-            && value.is_finite()
-        {
+        if let Some(value) = field.node.number() {
             let angle = WrittenAngle::number(value, unit.unwrap_or(AngleUnit::Degree));
             return Some(WrittenValue { angle, length: Some(value) });
         }
@@ -78,11 +76,11 @@ impl Reader<'_> {
 
     /// A finite number without a unit.
     pub fn factor(&mut self, field: &Field<'_>) -> Option<f64> {
-        match *field.node {
-            Node::Number(value) if value.is_finite() => {
+        match field.node.number() {
+            Some(value) => {
                 self.within(range::FACTOR, field, value, "use units in which the factor is a number of ordinary size")
             }
-            _ => {
+            None => {
                 self.unexpected(field, "a factor, a finite number", None);
                 None
             }

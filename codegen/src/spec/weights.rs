@@ -39,9 +39,9 @@ impl Reader<'_> {
     }
 
     fn weight(&mut self, field: &Field<'_>) -> Option<f64> {
-        match field.node {
-            Node::Number(value) if value.is_finite() && *value >= 0.0 => {
-                self.within(range::WEIGHT, field, *value, "a weight of 1 is that of a joint without a weight")
+        match field.node.number() {
+            Some(value) if value >= 0.0 => {
+                self.within(range::WEIGHT, field, value, "a weight of 1 is that of a joint without a weight")
             }
             _ => {
                 self.unexpected(field, "a weight, a finite number that is not negative", None);

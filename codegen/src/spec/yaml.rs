@@ -4,6 +4,8 @@
 //! mistakes. The library gives a place only with an error, so a node is located when a mistake needs it.
 //! The text is read again up to that node, where the reader fails on purpose: the error has the place.
 
+use super::angle::decimal;
+use super::meant::without_leading_zeros;
 use super::place::{Place, Step};
 use serde::Deserialize;
 use serde::de::{self, Deserializer, EnumAccess, IgnoredAny, MapAccess, SeqAccess, VariantAccess, Visitor};
@@ -21,6 +23,17 @@ pub enum Node {
     Mapping(Vec<(Node, Node)>),
     /// A value with a tag such as `!length`.
     Tagged(String),
+}
+
+impl Node {
+    /// The value of a finite number, in quotes or not. No text with leading zeros is one: `010` is 8 to other readers.
+    pub fn number(&self) -> Option<f64> {
+        match self {
+            Node::Number(value) => Some(*value).filter(|value| value.is_finite()),
+            Node::Text(text) if without_leading_zeros(text).is_none() => decimal(text.trim()),
+            _ => None,
+        }
+    }
 }
 
 /// Text that is not YAML.
@@ -230,6 +243,16 @@ mod tests {
         let list = Node::List(vec![Node::Bool(true), Node::Null, Node::Number(-25.0)]);
         assert_eq!(entries, [(text("a"), Node::Number(1.0)), (text("a"), text("x")), (text("b"), list)]);
         assert_eq!(parse("!t 3").unwrap(), Node::Tagged("t".to_owned()));
+    }
+
+    #[test]
+    fn a_number_in_quotes_is_a_number() {
+        for (text, value) in [("2.5", 2.5), ("'0'", 0.0), ("\"-1e-3\"", -1e-3), ("' +90 '", 90.0), ("'0.5'", 0.5)] {
+            assert_eq!(parse(text).unwrap().number(), Some(value), "{text}");
+        }
+        for text in ["010", "'-007'", "'1.57 rad'", "'inf'", "'nan'", "'1e400'", "''", "'-'", "'e'", ".inf", "true"] {
+            assert_eq!(parse(text).unwrap().number(), None, "{text}");
+        }
     }
 
     #[test]

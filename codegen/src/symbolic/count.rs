@@ -1,4 +1,4 @@
-//! What an expression costs: the operations left at run time.
+//! Cost of an expression: the operations left at run time.
 
 use super::{Expr, Graph, Node};
 use std::fmt;

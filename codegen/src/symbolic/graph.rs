@@ -121,7 +121,7 @@ impl Graph {
         }
     }
 
-    /// The same, replacing an earlier name: for what turns out to have a role of its own.
+    /// Names a shared expression, replacing an earlier name: for one that turns out to have a role of its own.
     pub fn rename(&mut self, e: Expr, name: impl Into<String>) {
         let bare = self.strip(e).0;
         self.names.remove(&bare);
@@ -155,7 +155,7 @@ impl Graph {
         u32::try_from(index).ok().map(Expr)
     }
 
-    /// The same graph for a function in which the arm, whose fields are the run-time parameters, is called `owner`.
+    /// Returns the graph for a function that calls the arm `owner`. The arm's fields are the run-time parameters.
     pub fn with_owner(self, owner: &'static str) -> Self {
         Graph { owner, ..self }
     }
@@ -165,7 +165,7 @@ impl Graph {
         Symbol::Parameter { owner: self.owner, field: parameter.to_string() }
     }
 
-    /// Whether an expression is a run-time parameter.
+    /// Returns true for a run-time parameter.
     pub fn is_field(&self, e: Expr) -> bool {
         matches!(self.node(e), Node::Symbol(Symbol::Parameter { .. }))
     }

@@ -11,14 +11,14 @@ pub enum Symbol {
     Dimension(Dimension, u64),
     /// A parameter that is bound at run time: a field of the arm, which the function calls `owner`.
     Parameter {
-        /// What the arm is called.
+        /// Name of the arm in the function.
         owner: &'static str,
         /// The field.
         field: String,
     },
     /// A number of the target, or of what is given beside it.
     Input(Input),
-    /// What the stage of a joint gives.
+    /// Unknown that the stage of a joint gives.
     Unknown(Unknown),
     /// A run-time value that only the expression which made it refers to.
     Named(String),
@@ -79,15 +79,15 @@ pub enum Part {
     Cos,
 }
 
-/// What the stage of a joint gives: `q3`, `s3`, `c3`. Where the variable of its kernel differs from the joint value by a
-/// constant: `t3`, `sin_t3`, `cos_t3`.
+/// Unknown that the stage of a joint gives: `q3`, `s3`, `c3`. Where the variable of its kernel differs from the joint
+/// value by a constant: `t3`, `sin_t3`, `cos_t3`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Unknown {
     /// The joint.
     pub joint: Label,
     /// Which part.
     pub part: Part,
-    /// Whether it is of the kernel's variable, and that is not the joint value.
+    /// True for the kernel's variable, where that is not the joint value.
     pub shifted: bool,
 }
 

@@ -27,7 +27,7 @@ impl Graph {
         Pair { sin: dimension(self, Dimension::Sin(what), sin), cos: dimension(self, Dimension::Cos(what), cos) }
     }
 
-    /// The same of an angle that belongs to no single row.
+    /// The sine and cosine of a constant angle that belongs to no single row.
     pub fn turn(&mut self, angle: Angle) -> Pair {
         self.constant_pair(angle, ConstantAngle::Turn(angle))
     }

@@ -1,4 +1,4 @@
-//! What expressions are made of, and their values.
+//! Operands of expressions, and their values.
 
 use super::graph::{Expr, Graph, Node};
 use super::symbol::Symbol;

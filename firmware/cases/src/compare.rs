@@ -1,4 +1,4 @@
-//! What the chip and the host print, to be compared.
+//! Lines that the chip and the host print, to be compared.
 
 use core::fmt;
 

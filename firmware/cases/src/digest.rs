@@ -43,7 +43,7 @@ impl Default for Digest {
     }
 }
 
-/// What is digested bit by bit.
+/// Values that are digested bit by bit.
 pub trait Bits {
     /// Adds every bit of the value.
     fn add_to(&self, digest: &mut Digest);

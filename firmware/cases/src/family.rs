@@ -5,7 +5,7 @@ use denhart::{Branch, JointKind, Scalar, Status};
 use crate::aim::Aim;
 use crate::{Case, CaseOf, Random, Subject};
 
-/// What kind of target a case has.
+/// Family of a case: the kind of its target.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Family {
     /// Joint values uniform within the limits.

@@ -60,7 +60,7 @@ impl<T: Scalar, G: Aim<T>, const N: usize> Case<T, G, N> {
     };
 }
 
-/// What is done with each function: the case, the function's name, and the call that digests its result.
+/// Callback for each function: the case, the function's name, and the call that digests its result.
 pub type Each<'a, C> = &'a mut dyn FnMut(&C, &'static str, &dyn Fn(&C, &mut Digest));
 
 /// The case of a subject.

@@ -38,7 +38,7 @@ where
     digest.add(&NumericInverse::new().max_iterations(8).patience(8).solve(arm, &case.pose, &case.q_ref));
 }
 
-/// What a pose can be asked for, and a pose made from each of it.
+/// Digests the conversions of a pose, and the poses made from them.
 pub fn poses<T: Scalar + Bits, G, const N: usize>(case: &Case<T, G, N>, digest: &mut Digest) {
     each_of_a_pose(&case.pose, &mut |value| digest.add(value));
 }

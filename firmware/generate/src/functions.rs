@@ -6,7 +6,7 @@ use syn::{Block, Expr, File, FnArg, ImplItem, Item, ItemImpl, Pat, ReturnType, S
 
 use crate::Error;
 
-/// What is called of an arm.
+/// Functions of an arm that are called.
 pub(crate) struct Functions {
     pub(crate) calls: Vec<Call>,
     /// The name of the joint whose value comes with the target, such as `q3`.
@@ -19,9 +19,9 @@ pub(crate) struct Call {
     pub(crate) name: String,
     /// The arguments, of a `case`.
     pub(crate) arguments: Vec<TokenStream>,
-    /// Whether it returns an iterator.
+    /// True if the function returns an iterator.
     pub(crate) many: bool,
-    /// Whether it fills a list that the caller keeps.
+    /// True if the function fills a list that the caller keeps.
     pub(crate) keeps: bool,
 }
 

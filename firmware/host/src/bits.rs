@@ -47,7 +47,7 @@ pub fn compare(file: &Path) -> Result<(), Error> {
     Err(format!("{name}: {count} cases differ between chip and host:\n{}", differences.join("\n")).into())
 }
 
-/// What this machine prints for the arm `name`.
+/// Output of this machine for the arm `name`.
 fn host(name: &str) -> Option<String> {
     let mut text = String::new();
     let mut print = |part: std::fmt::Arguments<'_>| text += &part.to_string();

@@ -114,7 +114,7 @@ impl Bits for PoseInC {
     }
 }
 
-/// What this machine prints, for the cases that `c/main.c` makes.
+/// Output of this machine for the cases that `c/main.c` makes.
 fn host() -> String {
     const OK: i32 = 0;
     const BAD_ARGUMENT: i32 = 3;

@@ -29,7 +29,7 @@ struct Symbol {
     name: String,
 }
 
-/// What is asked of a program.
+/// A program as its ELF file describes it: size, and symbols by address.
 #[derive(Debug)]
 pub struct Program {
     /// Bytes of flash: sections that are loaded and have contents.

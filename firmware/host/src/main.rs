@@ -1,4 +1,4 @@
-//! What `check.sh` needs on the host. Each command prints to standard output and fails with a message on standard
+//! Commands of `check.sh` on the host. Each command prints to standard output and fails with a message on standard
 //! error:
 //!
 //! - `arms`: the names of the arms that are measured

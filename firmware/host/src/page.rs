@@ -32,7 +32,7 @@ pub fn check(page: &Path, rows: &[Row]) -> Result<(), Error> {
         .into())
 }
 
-/// What stands before and after the table.
+/// Text before and after the table.
 fn place(text: &str) -> Option<(&str, &str)> {
     let (before, rest) = text.split_once(BEGIN)?;
     let (_, after) = rest.split_once(END)?;

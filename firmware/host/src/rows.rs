@@ -87,7 +87,7 @@ pub fn read(folder: &Path) -> Result<Vec<Row>, Error> {
     Ok(rows)
 }
 
-/// What a second arm of the same structure adds to the program `together` of one.
+/// Flash that a second arm of the same structure adds to the program `together` of one arm.
 fn second(folder: &Path) -> Result<Row, Error> {
     let flash = |name: &str| Program::read(&folder.join("flash").join(name)).map(|program| program.flash);
     let mut numbers = vec![None; columns().len()];

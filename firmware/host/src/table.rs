@@ -95,7 +95,7 @@ fn parse(text: &str) -> Result<Vec<Row>, Error> {
     Ok(rows)
 }
 
-/// What grew, or is not in both; and what shrank by as much.
+/// Rows that grew, or are in one table only; and rows that shrank by more than the allowed growth.
 fn compare(before: &[Row], now: &[Row]) -> (Vec<String>, Vec<String>) {
     let (mut grown, mut shrunk) = (Vec::new(), Vec::new());
     let name = |row: &Row| format!("{} {}", row.key.0, row.key.1);

@@ -61,13 +61,13 @@ impl Chain {
         Self { convention, rows, base, tool, constants }
     }
 
-    /// The same arm with a constant frame before the first row.
+    /// Sets the base: a constant frame before the first row.
     #[must_use]
     pub fn with_base(self, base: DhFrame) -> Self {
         Self::of(self.convention, self.rows, base, self.tool)
     }
 
-    /// The same arm with a constant frame after the last row.
+    /// Sets the tool: a constant frame after the last row.
     #[must_use]
     pub fn with_tool(self, tool: DhFrame) -> Self {
         Self::of(self.convention, self.rows, self.base, tool)
@@ -209,7 +209,7 @@ fn quaternion_form(frame: &Frame) -> Isometry3<f64> {
 }
 
 impl Chain {
-    /// What a chain is made from.
+    /// Table of the chain: convention, rows, base and tool.
     fn parts(&self) -> (Convention, &[DhRow], &DhFrame, &DhFrame) {
         (self.convention, &self.rows, &self.base, &self.tool)
     }

@@ -16,7 +16,7 @@ pub(super) struct Constants {
     pub(super) tool: IsometryMatrix3<f64>,
 }
 
-/// What stands before and after the motion of a row's joint.
+/// Constant transforms before and after the motion of a row's joint.
 ///
 /// The motion commutes with `Rz(theta) Tz(d)`, so these are constants. In the standard convention nothing stands before
 /// it and `Rz Tz Tx Rx` after it, in the modified one `Rx Tx` before and `Rz Tz` after.
@@ -27,7 +27,7 @@ pub(super) struct Around {
 }
 
 impl Constants {
-    /// Those of a table.
+    /// Constants of a table.
     pub(super) fn of(convention: Convention, rows: &[DhRow], base: &DhFrame, tool: &DhFrame) -> Self {
         let around = rows.iter().map(|row| Around::of(convention, row)).collect();
         Self { base: of_frame(base), around, tool: of_frame(tool) }

@@ -6,7 +6,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 use super::{double, single, sqrt};
 
 mod sealed {
-    /// What only this crate's functions use; it also keeps other types from being a scalar.
+    /// Functions and constants for this crate alone; the trait also keeps other types from being a scalar.
     pub trait Kernel: Sized {
         /// Pi less its nearest float.
         const PI_LO: Self;
@@ -74,11 +74,11 @@ pub trait Scalar:
 
     /// Nearest value to `value`.
     fn from_f64(value: f64) -> Self;
-    /// The same value as `f64`.
+    /// Value as `f64`, without rounding.
     fn to_f64(self) -> f64;
     /// Magnitude.
     fn abs(self) -> Self;
-    /// Whether it is neither infinite nor not a number.
+    /// Returns true for a finite number: neither infinite nor not a number.
     fn is_finite(self) -> bool;
     /// The magnitude of `self` with the sign of `sign`, that of a zero included.
     fn copysign(self, sign: Self) -> Self;

@@ -124,7 +124,8 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
         Self { rows }
     }
 
-    /// The same Jacobian with its columns given in another frame, by the rotation of that frame, `R^T v` and `R^T w`.
+    /// Returns the Jacobian with its columns given in another frame, by the rotation of that frame, `R^T v` and
+    /// `R^T w`.
     ///
     /// The point whose velocity the Jacobian gives stays. With the rotation of the tool the result is the Jacobian of
     /// the tool frame. Its product with the joint rates is the velocity of the tool point and the angular velocity in

@@ -47,7 +47,7 @@ macro_rules! six_numbers {
                 [x, y, z, a, b, c]
             }
 
-            /// Whether every number is finite.
+            /// Returns true if every number is finite.
             #[inline]
             #[must_use]
             pub fn is_finite(&self) -> bool {

@@ -58,7 +58,7 @@ pub(crate) fn run<T: Tolerances, M: Model<T>>(
     best.solution
 }
 
-/// What stays the same during a solution.
+/// Data of a solution that stays constant over its iterations.
 struct Descent<'a, T, M: Model<T>>
 where
     T: Scalar,
@@ -79,7 +79,7 @@ struct Closest<T, Q> {
     steps: usize,
 }
 
-/// What the tool misses the target by: as a twist, squared position and orientation error, and both in one.
+/// Error of the tool against the target: as a twist, squared by position and orientation, and both in one number.
 struct Miss<T> {
     error: [T; 6],
     position: T,
@@ -87,17 +87,17 @@ struct Miss<T> {
     size: T,
 }
 
-/// How the error went so far, which decides on the damping.
+/// Progress of the error so far, which decides on the damping.
 struct Progress<T> {
     /// Least squared error since damping was last restored.
     least: T,
-    /// What damping has faded to.
+    /// Factor to which damping has faded.
     relief: T,
 }
 
 impl<T: Scalar> Progress<T> {
-    /// Damping stays while the error falls, else it fades by tens. After twelve of them it is back, and the error here
-    /// the one to fall below.
+    /// Keeps the damping while the error falls, else divides it by ten. After twelve divisions the damping is restored,
+    /// and the next error becomes the least.
     #[inline(always)]
     fn note(&mut self, size: T) {
         if size < self.least * T::from_f64(0.99) {
@@ -218,7 +218,7 @@ impl<T: Tolerances, M: Model<T>> Descent<'_, T, M> {
         (position * position, orientation * orientation)
     }
 
-    /// What the tool misses the target by, and the Jacobian of what the task asks for.
+    /// Error of the tool and Jacobian, both reduced to the components that the task counts.
     #[inline(always)]
     fn miss<'e>(&self, evaluation: &'e mut M::Evaluation) -> (&'e mut [M::Joints; 6], Miss<T>) {
         let (pose, rows) = M::parts(evaluation);

@@ -18,7 +18,7 @@ pub(super) fn bring_in<T: Scalar>(value: T, [low, high]: [T; 2], prismatic: bool
     }
 }
 
-/// Whether a joint at a limit is pushed beyond it: the error falls in the direction of `push`.
+/// Returns true if a joint at a limit is pushed beyond it: the error falls in the direction of `push`.
 #[inline(always)]
 pub(super) fn is_held<T: Scalar>(value: T, [low, high]: [T; 2], push: impl FnOnce() -> T) -> bool {
     if value >= high {

@@ -1,4 +1,4 @@
-//! What the iteration needs of an arm: a generated one or a chain.
+//! Interface of the iteration to an arm: a generated one or a chain.
 
 use core::marker::PhantomData;
 
@@ -29,7 +29,7 @@ pub(crate) trait Model<T: Scalar> {
     /// Lowest and highest value of a joint.
     fn limits(&self, joint: usize) -> [T; 2];
 
-    /// Whether a joint slides.
+    /// Returns true for a prismatic joint.
     fn is_prismatic(&self, joint: usize) -> bool;
 
     /// Origins of the links in order, the tool last, each handed to `visit`.

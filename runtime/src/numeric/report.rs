@@ -1,4 +1,4 @@
-//! What an iteration ended with.
+//! Result of an iteration.
 
 use core::fmt;
 
@@ -53,12 +53,12 @@ pub struct NumericSolution<T, Q> {
     pub iterations: usize,
     /// How many of the [`restarts`](crate::numeric::NumericInverse::restarts) were used.
     pub restarts: usize,
-    /// What is left of the error that the task counts; infinite if nothing could be computed.
+    /// Error that is left in the components that the task counts; infinite if nothing could be computed.
     pub residual: Residual<T>,
 }
 
 impl<T, Q> NumericSolution<T, Q> {
-    /// Whether `q` reaches the target within the tolerances.
+    /// Returns true if `q` reaches the target within the tolerances.
     #[must_use]
     pub fn converged(&self) -> bool {
         self.stop == Stop::Converged

@@ -101,7 +101,7 @@ impl<T: Tolerances> NumericInverse<T> {
         Self { method, ..self }
     }
 
-    /// What of the target pose is asked for. Default: all of it.
+    /// Components of the target pose that count. Default: all of them.
     #[must_use]
     pub fn task(self, task: Task<T>) -> Self {
         Self { task, ..self }
@@ -120,8 +120,8 @@ impl<T: Tolerances> NumericInverse<T> {
         Self { patience, ..self }
     }
 
-    /// What counts as reached: a position error in the length unit and an angle in rad, both at most these. Default: 1e-9
-    /// (f32: 1e-5) of the [`length`](Self::length), and as many rad.
+    /// Largest errors of a converged solution: of the position in the length unit, of the orientation in rad. Default:
+    /// 1e-9 (f32: 1e-5) of the [`length`](Self::length), and as many rad.
     #[must_use]
     pub fn tolerance(self, position: T, orientation: T) -> Self {
         Self { tolerance: Some(Residual { position, orientation }), ..self }
@@ -148,7 +148,7 @@ impl<T: Tolerances> NumericInverse<T> {
         Self { length: Some(length), ..self }
     }
 
-    /// Whether joints are kept within the arm's limits. Default: yes.
+    /// Keeps joints within the arm's limits if true. Default: true.
     #[must_use]
     pub fn within_limits(self, within_limits: bool) -> Self {
         Self { within_limits, ..self }

@@ -1,11 +1,11 @@
-//! What of the target pose is asked for.
+//! Tasks: the components of the target pose that count.
 
 use super::model::Joints;
 use crate::math::{self, Scalar};
 use crate::pose::Pose;
 use crate::vector::{cross, dot, norm};
 
-/// What of the target pose is asked for. What is not asked for is free, and part of the null space.
+/// The components of the target pose that count. The other components are free, and part of the null space.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Task<T> {
     /// Position and orientation.
@@ -25,7 +25,7 @@ impl<T> Task<T> {
 }
 
 impl<T: Scalar> Task<T> {
-    /// Whether the task says what is asked for.
+    /// Returns true if the task is well defined: its axis has a direction.
     pub(super) fn is_meant(&self) -> bool {
         match self {
             Self::Pose | Self::Components(_) => true,
@@ -36,7 +36,7 @@ impl<T: Scalar> Task<T> {
         }
     }
 
-    /// Takes from the error and from the rows of the Jacobian what is not asked for.
+    /// Sets the components that do not count to zero, in the error and in the rows of the Jacobian.
     #[inline]
     pub(super) fn reduce<Q: Joints<T>>(&self, pose: &Pose<T>, target: &Pose<T>, error: &mut [T; 6], rows: &mut [Q; 6]) {
         match self {
@@ -54,8 +54,8 @@ impl<T: Scalar> Task<T> {
     }
 }
 
-/// Leaves of the orientation the turn that brings the axis onto its target the short way. Leaves of the tool's turning
-/// the part across the axis.
+/// Reduces the orientation error to the turn that brings the axis onto its target the short way. The tool's rate of
+/// turning is reduced to the part across the axis.
 fn reduce_to_axis<T: Scalar, Q: Joints<T>>(
     axis: &[T; 3],
     pose: &Pose<T>,

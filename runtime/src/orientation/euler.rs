@@ -5,10 +5,10 @@ use crate::pose::Pose;
 
 /// A sequence of three axes, each turned with the body (intrinsic): `Xyz` is `Rx(a) Ry(b) Rz(c)`.
 ///
-/// The same angles in reverse turn about the axes of the reference frame (extrinsic): `Zyx` with the angles yaw, pitch,
-/// roll is roll, pitch, yaw about the fixed x, y, z. The orders with three different axes (Tait-Bryan) are singular
-/// where the middle angle is +-90 degrees. Those that return to the first axis (proper Euler) are singular where it is
-/// 0 or 180.
+/// Taken in reverse, the angles turn about the axes of the reference frame (extrinsic): `Zyx` with the angles yaw,
+/// pitch, roll is roll, pitch, yaw about the fixed x, y, z. The orders with three different axes (Tait-Bryan) are
+/// singular where the middle angle is +-90 degrees. The orders that return to the first axis (proper Euler) are
+/// singular where it is 0 or 180.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum EulerOrder {
     /// `Rx(a) Ry(b) Rz(c)`.
@@ -54,13 +54,13 @@ impl EulerOrder {
         Self::Zyz,
     ];
 
-    /// Whether the third axis is the first again (proper Euler angles).
+    /// Returns true if the third axis is the first again (proper Euler angles).
     #[must_use]
     pub const fn is_proper(self) -> bool {
         matches!(self, Self::Xyx | Self::Xzx | Self::Yxy | Self::Yzy | Self::Zxz | Self::Zyz)
     }
 
-    /// Whether the first axis, the second and the one left over form a left-handed frame.
+    /// Returns true if the first axis, the second and the remaining one form a left-handed frame.
     pub(crate) const fn is_odd(self) -> bool {
         matches!(self, Self::Xzy | Self::Xzx | Self::Yxz | Self::Yxy | Self::Zyx | Self::Zyz)
     }
@@ -95,7 +95,7 @@ impl EulerOrder {
 pub struct Euler<T> {
     /// The three angles, rad, in the order that the function documents.
     pub angles: [T; 3],
-    /// Whether the first and the third axis coincide (gimbal lock): only the sum or the difference of their angles is
+    /// True if the first and the third axis coincide (gimbal lock): only the sum or the difference of their angles is
     /// determined. The third angle of the sequence is then 0, and the first one holds all of the turn.
     pub singular: bool,
 }

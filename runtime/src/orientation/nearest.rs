@@ -5,10 +5,10 @@ use crate::pose::Pose;
 use crate::vector::{add, cross, dot, scale};
 
 impl<T: Scalar> Pose<T> {
-    /// The same position with the rotation nearest to the matrix.
+    /// Returns the pose with the rotation nearest to its matrix; the position stays.
     ///
-    /// It is meant for poses that were printed with a few digits, averaged, or multiplied up over a long time.
-    /// [`InverseKinematics`](crate::InverseKinematics) does the same with a target that is off by at most 1e-3.
+    /// Use it for poses that were printed with a few digits, averaged, or multiplied up over a long time.
+    /// [`InverseKinematics`](crate::InverseKinematics) does so with a target that is off by at most 1e-3.
     ///
     /// Nearest is the rotation `U` with the least sum of squared differences over all entries (the orthogonal
     /// Procrustes problem). That is the polar factor of `R = U H`, with `H` symmetric and positive definite. Newton's

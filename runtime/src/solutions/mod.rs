@@ -95,20 +95,21 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
         self.status
     }
 
-    /// Whether a branch needed more than the closed form.
+    /// Returns true if a branch needed more than the closed form.
     #[inline]
     pub(crate) const fn is_awkward(&self) -> bool {
         self.awkward
     }
 
-    /// A branch needs more than the closed form.
+    /// Notes that a branch needs more than the closed form.
     #[inline]
     pub(crate) const fn mark_awkward(&mut self) {
         self.awkward = true;
     }
 
-    /// By how much the target's rotation was off, of the order of the Frobenius distance of the nearest rotation. That
-    /// rotation is what the solutions reach and what their residuals refer to; 0 for a deviation of rounding alone.
+    /// Deviation of the target's matrix from a rotation, of the order of the Frobenius distance to the nearest
+    /// rotation. The solutions reach that rotation, and their residuals refer to it. 0 for a deviation of rounding
+    /// alone.
     #[inline]
     #[must_use]
     pub const fn deviation(&self) -> T

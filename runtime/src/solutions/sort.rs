@@ -16,7 +16,7 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
         self.sort_with(&mut [(); M], |(a, ()), (b, ())| compare(a, b) == Ordering::Greater);
     }
 
-    /// The same by a number of each solution, which is computed once; the solution may change on the way. Numbers that do
+    /// Sorts by a number of each solution, which is computed once; the solution may change on the way. Numbers that do
     /// not compare count as equal.
     #[inline]
     pub(crate) fn sort_by_number(&mut self, mut number: impl FnMut(&mut Solution<T, N>) -> T)

@@ -20,9 +20,9 @@ pub fn align<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, from:
     Stage::solved([[Turn::of(cross * k, dot * k)]])
 }
 
-/// The same where one of the vectors is short. Both vectors have one length. Where a stage before is at the edge of its
-/// range, one of the vectors has the sine of the edge root alone. With that sine the vector has the direction of the
-/// limit on its branch.
+/// Solves [`align`] where one of the vectors is short. Both vectors have one length. Where a stage before is at the
+/// edge of its range, one of the vectors has the sine of the edge root alone. With that sine the vector has the
+/// direction of the limit on its branch.
 #[cold]
 #[inline(never)]
 fn short<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, from: [T; 2], to: [T; 2]) -> Stage<T, 1, 1> {

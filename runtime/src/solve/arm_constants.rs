@@ -1,9 +1,9 @@
-//! What a search knows about an arm.
+//! Constants of an arm, as the search needs them.
 
 use super::Tolerances;
 use crate::{Arm, CombinedLimit, Jacobian, JointMask, Pose, Residual};
 
-/// What the search needs to know about an arm.
+/// Constants of an arm that the search reads: limits, weights, reach and tolerances.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ArmConstants<'a, T, const N: usize> {
     /// Lower and upper limit of every joint, infinite where there is none.
@@ -12,7 +12,7 @@ pub struct ArmConstants<'a, T, const N: usize> {
     pub combined: &'a [CombinedLimit<T, N>],
     /// How much each joint counts in the distance from a reference, the squared norm `sum w (q - q_ref)^2`.
     pub weights: &'a [T; N],
-    /// Whether any joint has limits.
+    /// True if any joint has limits.
     pub limited: bool,
     /// The sliding joints.
     pub prismatic: JointMask,
@@ -28,8 +28,8 @@ pub struct ArmConstants<'a, T, const N: usize> {
 }
 
 impl<T: Tolerances, const N: usize> ArmConstants<'_, T, N> {
-    /// The same arm with lengths that are known at run time: its reach, and up to which position residual a solution is
-    /// listed. An arm without any length has the reach 1.
+    /// Sets lengths that are known at run time: the reach, and the largest position residual of a listed solution. An
+    /// arm without any length has the reach 1.
     ///
     /// `None` if the reach is not finite, or not between 1e-60 and 1e60 (f32: 1e-4 and 1e8) of the length unit. Beyond,
     /// products of four of the arm's lengths, which the kernels compute, come near the ends of the scalar's range.
@@ -45,8 +45,8 @@ impl<T: Tolerances, const N: usize> ArmConstants<'_, T, N> {
         (reach < T::LARGEST_REACH && reach > T::SMALLEST_REACH).then_some(self)
     }
 
-    /// Whether a joint vector can be a reference. A reference is finite, and its angles are not so far wound that their
-    /// rounding is more than an exact solution may miss by.
+    /// Returns true if a joint vector can be a reference: it is finite, and its angles are not wound too far. Beyond
+    /// `MOST_WOUND` the rounding of an angle is more than an exact solution may miss by.
     #[inline]
     pub(super) fn can_refer(&self, near: &[T; N]) -> bool {
         let mut joints = near.iter().enumerate();
@@ -70,7 +70,7 @@ impl<T: Tolerances, const N: usize> ArmConstants<'_, T, N> {
         defaults
     }
 
-    /// What a joint is measured in: 1 rad, or the reach.
+    /// The unit in which a joint is measured: 1 rad, or the reach for a prismatic joint.
     #[inline]
     pub(super) fn unit(&self, joint: usize) -> T {
         if self.prismatic.contains(joint) { self.reach } else { T::ONE }
@@ -84,13 +84,14 @@ impl<T: Tolerances, const N: usize> ArmConstants<'_, T, N> {
         if known { position.max(residual.orientation) } else { T::INFINITY }
     }
 
-    /// Whether a residual is within the file's tolerance.
+    /// Returns true if a residual is within the file's tolerance.
     pub(super) fn tolerates(&self, residual: &Residual<T>) -> bool {
         residual.position <= self.tolerance.position && residual.orientation <= self.tolerance.orientation
     }
 }
 
-/// Forward kinematics and Jacobian of an arm, as an object: what verifies a solution exists once, not once an arm.
+/// Forward kinematics and Jacobian of an arm, as an object. The code that verifies a solution then exists once, not
+/// once an arm.
 pub trait Evaluate<T, const N: usize> {
     /// Pose of the tool and geometric Jacobian at `q`, both in the base frame.
     fn evaluate(&self, q: &[T; N]) -> (Pose<T>, Jacobian<T, N>);

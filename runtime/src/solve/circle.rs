@@ -12,13 +12,13 @@ pub(super) struct Circle<T> {
 }
 
 impl<T: Tolerances> Circle<T> {
-    /// Its value.
+    /// Value at the angle `t`.
     #[inline(never)]
     pub(super) fn at(&self, t: T) -> T {
         self.toward(sin_cos(t))
     }
 
-    /// The same from the sine and cosine of the angle.
+    /// Value at the angle with this sine and cosine.
     #[inline]
     pub(super) fn toward(&self, (s, c): (T, T)) -> T {
         let Circle { k0, k1: [k1c, k1s], k2: [k2c, k2s] } = *self;
@@ -116,7 +116,7 @@ struct Conic<T> {
 }
 
 impl<T: Tolerances> Conic<T> {
-    /// Whether there is a pair of lines in the lower half of its range, `l <= 0`.
+    /// Returns true if some `l <= 0`, the lower half of the range, gives a pair of lines.
     fn lower(&self) -> bool {
         let Self { r, k0, k1: [a, b] } = *self;
         T::TWO * T::TWO * r * k0 + b * b >= a * a
@@ -243,7 +243,7 @@ mod tests {
         assert!(matched(0, roots.len(), found.len(), 0, &near), "{circle:?}: {roots:?}, found {found:?}");
     }
 
-    /// Whether the roots from `root` on can have a candidate each that is not used.
+    /// Returns true if each root from `root` on can have a candidate of its own that is not used.
     fn matched(root: usize, roots: usize, found: usize, used: u32, near: &dyn Fn((usize, usize)) -> bool) -> bool {
         root == roots
             || (0..found).any(|i| {

@@ -106,7 +106,7 @@ pub(super) struct Across<X, Z> {
 pub(super) type Place<T> = [Turn<T>; 2];
 
 impl<X, Z> Across<X, Z> {
-    /// What the lengths across may be at most.
+    /// Upper bound on the lengths across.
     fn scale<T: Tolerances>(&self) -> T
     where
         X: Moving<T>,
@@ -127,7 +127,7 @@ impl<X, Z> Across<X, Z> {
         [length(x1.at(x), x2.at(x)), length(z1.at(z), z2.at(z))]
     }
 
-    /// The larger of the lengths, relative to what it may be.
+    /// The larger of the lengths, relative to their upper bound.
     pub(super) fn relative<T: Tolerances>(&self, place: &Place<T>) -> T
     where
         X: Moving<T>,
@@ -137,7 +137,8 @@ impl<X, Z> Across<X, Z> {
         if scale > T::ZERO { a.max(b) / scale } else { T::ONE }
     }
 
-    /// By how much the lengths differ, relative to what they may be, or the row does if that is more.
+    /// The larger of two residuals: the difference of the lengths relative to their upper bound, and the gap of the
+    /// row.
     pub(super) fn gap<T: Tolerances>(&self, (p, q): (&X, &Z), place: &Place<T>) -> T
     where
         X: Moving<T>,
@@ -156,9 +157,9 @@ fn moved<T: Tolerances, X: Moving<T>, Z: Moving<T>>([x, z]: &Place<T>, [dx, dz]:
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Found<T> {
     pub place: Place<T>,
-    /// Whether the equations close to rounding there.
+    /// True if the equations close to rounding at `place`.
     pub closed: bool,
-    /// Whether they also know the place well: then it is a root beyond doubt.
+    /// True if the equations also determine the place well, so that it is a root beyond doubt.
     pub sure: bool,
 }
 

@@ -6,11 +6,11 @@ use crate::JointMask;
 /// A damped step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Step<T, const N: usize> {
-    /// By how much each joint moves; a prismatic one in parts of reach.
+    /// Change of each joint; of a prismatic joint relative to reach.
     pub(super) changes: [T; N],
     /// Its squared length.
     pub(super) square: T,
-    /// What the linear model leaves of the squared error, with the damping's part.
+    /// Squared error after the step by the linear model, including the damping term.
     pub(super) left: T,
 }
 
@@ -77,7 +77,7 @@ fn dot<T: Tolerances>([a, b, c, d, e, f]: &[T; 6], [u, v, w, x, y, z]: &[T; 6]) 
     (*a * *u + *c * *w + *e * *y) + (*b * *v + *d * *x + *f * *z)
 }
 
-/// The same as a function of its own, for code that seldom runs.
+/// [`dot`] as a function of its own, for code that seldom runs.
 #[inline(never)]
 pub(super) fn dot_out_of_line<T: Tolerances>(a: &[T; 6], b: &[T; 6]) -> T {
     dot(a, b)

@@ -28,7 +28,7 @@ impl<T: Tolerances> Elbow<T> {
         Self { max: (sum * sum + square).sqrt(), min: (difference * difference + square).sqrt(), side: T::ONE }
     }
 
-    /// The same for lengths whose product, with their signs, is this.
+    /// Sets the side by the sign of the product of the links' lengths.
     #[inline]
     pub fn signed(mut self, product: T) -> Self {
         self.side = if product < T::ZERO { -T::ONE } else { T::ONE };

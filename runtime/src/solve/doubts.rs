@@ -1,11 +1,11 @@
-//! What is remembered along a branch.
+//! State of a branch, and the doubts of its stages.
 
 use super::Tolerances;
 use super::level::LevelOf;
 use crate::{Flags, JointMask, Residual};
 
-/// Where a branch of the cascade is: what generated code hands from stage to stage. The search keeps the doubts of each
-/// stage on the way. A branch without doubts has none.
+/// State of a branch, which generated code hands from stage to stage. The search keeps the doubts of each stage on the
+/// way. A branch without doubts has none.
 ///
 /// One number, 0 without doubts: the number of doubts that belong to the branch, and two marks. One mark says that the
 /// solution is to be verified whatever the doubts are, the other that the branch has ended.
@@ -22,18 +22,18 @@ impl BranchState {
         Self(if verify { Self::VERIFY } else { 0 })
     }
 
-    /// A stage is in doubt, or the solution is to be verified.
+    /// Returns true if a stage is in doubt, or the solution is to be verified.
     #[inline]
     pub(super) fn doubt(self) -> bool {
         self.0 != 0
     }
 
-    /// The solution is to be verified whatever the doubts are.
+    /// Returns true if the solution is to be verified whatever the doubts are.
     pub(super) fn verify(self) -> bool {
         self.0 & Self::VERIFY != 0
     }
 
-    /// The branch leads nowhere: a stage has no root near it, and the joints before it are what they have to be.
+    /// Returns true if the branch leads nowhere: a stage has no root near it, and no joint before it may move.
     #[inline]
     pub(super) fn ended(self) -> bool {
         self.0 & Self::ENDED != 0
@@ -51,19 +51,19 @@ impl BranchState {
         (self.0 & (Self::VERIFY - 1)) as usize
     }
 
-    /// The same branch, to be verified if `verify` is set.
+    /// Marks the branch to be verified if `verify` is set.
     #[inline]
     pub(super) fn doubted(self, verify: bool) -> Self {
         Self(self.0 | Self::start(verify).0)
     }
 
-    /// The same branch with one more state.
+    /// Adds one more state to the branch.
     pub(super) fn deeper(self, ended: bool) -> Self {
         Self((self.0 + 1) | if ended { Self::ENDED } else { 0 })
     }
 }
 
-/// What puts a branch in doubt, all its stages so far taken together.
+/// Doubts of a branch, taken together over all stages so far.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Doubts<T> {
     pub(super) gap: Residual<T>,
@@ -105,9 +105,9 @@ impl<T: Tolerances> Doubts<T> {
         self.free | self.weak
     }
 
-    /// Whether the solution needs no verification: every stage closes its own equation to rounding, so the solution
-    /// closes the target. The joints are known to `3 eps` over the product of the small amplitudes. Below `3 eps`
-    /// rounding alone gives a joint.
+    /// Returns true if the solution needs no verification: every stage closes its own equation to rounding, so the
+    /// solution closes the target. The joints are known to `3 eps` over the product of the small amplitudes. Below
+    /// `3 eps` rounding alone gives a joint.
     pub(super) fn are_settled(&self) -> bool {
         self.closes && self.free.is_empty() && self.amplitude >= T::VANISHING * T::DOUBTFUL
     }
@@ -145,16 +145,16 @@ impl<T: Tolerances> Doubts<T> {
     }
 }
 
-/// What puts a stage in doubt.
+/// Doubt of one stage.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Doubt<T> {
     pub(super) gap: T,
     pub(super) angular: bool,
     pub(super) boundary: bool,
-    /// Relative size of what determines the joint; 1 where that is not in doubt.
+    /// Conditioning of the stage; 1 where it is not in doubt.
     pub(super) amplitude: T,
-    /// Whether the roots close the equation of the stage to rounding, however small the amplitude. The vectors of the
-    /// later stages then have the lengths that they are to have. Two roots of one joint close only where they are
+    /// True if the roots close the equation of the stage to rounding, however small the amplitude. The vectors of the
+    /// later stages then have the lengths that they should have. Two roots of one joint close only where they are
     /// farther apart than [`Tolerances::COINCIDENT`]: closer ones may be one solution.
     pub(super) closes: bool,
     pub(super) weak: JointMask,

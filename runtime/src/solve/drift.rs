@@ -38,7 +38,7 @@ fn drifted<T: Tolerances>(target: &Pose<T>, deviation: T) -> Pose<T> {
     Pose { rotation: [[T::NAN; 3]; 3], ..*target }
 }
 
-/// The same for code without a list of solutions; `None` if the target is no pose.
+/// The target with the nearest rotation, for code without a list of solutions. `None` if the target is no pose.
 pub(crate) fn as_rotation<T: Tolerances>(target: &Pose<T>) -> Option<Pose<T>> {
     let deviation = target.deviation();
     let nearest = if deviation <= T::ROUNDING { *target } else { drifted(target, deviation) };

@@ -11,10 +11,10 @@ use crate::{JointMask, Residual};
 pub(super) struct Verified<T, const N: usize> {
     /// The joint vector of the closed form.
     pub(super) start: [T; N],
-    /// The joint vector after its steps, and what it misses the target by.
+    /// The joint vector after its steps, and its residual.
     pub(super) q: [T; N],
     pub(super) residual: Residual<T>,
-    /// Whether the joint vector of the closed form was within the tolerance.
+    /// True if the joint vector of the closed form was within the tolerance.
     pub(super) close: bool,
 }
 

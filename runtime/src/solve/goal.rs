@@ -1,4 +1,4 @@
-//! What the tool is asked for, as equations: how far a pose misses it, and how that changes with the joints.
+//! Targets as equations: the residual of a pose, and its derivative by the joints.
 
 use super::Tolerances;
 use crate::math::{atan2, wrap};
@@ -7,24 +7,24 @@ use crate::{Jacobian, JointMask, PlanarPose, PointAngle, PointAxis, Pose, Residu
 
 /// A target, as the search sees it. An equation that is not asked for is a row of zeros.
 pub trait Goal<T, const N: usize> {
-    /// Whether all of it is finite.
+    /// Returns true if every number of the target is finite.
     fn is_finite(&self) -> bool;
 
-    /// Where the tool point is to be.
+    /// Position that the tool point has to reach.
     fn point(&self) -> [T; 3];
 
-    /// By how much the tool's pose at `q` misses.
+    /// Residual of the tool's pose at `q`.
     fn residual(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T>
     where
         Self: Sized;
 
-    /// The same for the search, whose residuals are small: of a rotation by an angle the chord, `2 sin(angle / 2)`.
+    /// Residual for the search, where it is small. A rotation by an angle counts by its chord, `2 sin(angle / 2)`.
     fn misses(&self, q: &[T; N], pose: &Pose<T>) -> Residual<T>;
 
     /// The error that a step has to undo: three lengths, three angles (small-angle vector).
     fn error(&self, q: &[T; N], pose: &Pose<T>) -> [T; 6];
 
-    /// Makes the geometric Jacobian into how the joints move that error.
+    /// Turns the geometric Jacobian into the derivative of that error by the joints.
     fn restrict(&self, pose: &Pose<T>, jacobian: &mut Jacobian<T, N>);
 
     /// The joints whose value is given and that nothing may move.

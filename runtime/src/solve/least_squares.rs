@@ -69,7 +69,7 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
         }
     }
 
-    /// Whether the error says nothing about where the solution is. No step starts there.
+    /// Returns true if the error is rounding, and so tells nothing about where the solution is. No step starts there.
     #[inline]
     fn is_rounding(&self) -> bool {
         let floor = T::from_f64(NOISE) * T::EPSILON;
@@ -200,7 +200,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
     wrap_angles(&mut start.q, held, constants.prismatic);
 }
 
-/// By how much a step changes the error to first order, `-J step`.
+/// Change of the error by a step to first order, `-J step`.
 #[inline(never)]
 fn slope_along<T: Tolerances>(jacobian: &[[T; 6]], changes: &[T]) -> [T; 6] {
     let mut slope = [T::ZERO; 6];

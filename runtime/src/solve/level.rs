@@ -21,34 +21,34 @@ impl<T: Tolerances> Level<T> {
     /// Nothing is known.
     pub(super) const NONE: Self = Self { value: T::NAN, low: T::NAN, high: T::NAN, pole: T::ONE };
 
-    /// Whether there is a number.
+    /// Returns true if the value is known.
     pub(super) fn is_known(&self) -> bool {
         self.value.is_finite()
     }
 
-    /// Whether it is that of a slide: the coefficient alone.
+    /// Returns true if only the pole, the coefficient of a prismatic joint, is known.
     pub(super) fn is_slide(&self) -> bool {
         self.low.is_finite() && !self.is_known()
     }
 
-    /// Whether an equation without a joint of its own holds.
+    /// Returns true if the level is that of an equation without a joint of its own, and the equation holds.
     pub(super) fn is_met(&self) -> bool {
         self.low == self.high && self.value.abs() <= T::COINCIDENT
     }
 }
 
-/// The level of a stage as its kernel leaves it: one number, and what it is.
+/// Level of a stage as its kernel leaves it: one number and its kind.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum LevelOf<T> {
     /// Nothing is known.
     Nothing,
     /// The cosine of half the difference of two angles.
     Cosine(T),
-    /// A square.
+    /// A square, which must not be negative.
     Square(T),
-    /// What has to vanish.
+    /// A value that has to vanish.
     Zero(T),
-    /// Nothing but the coefficient of a slide.
+    /// The coefficient of a prismatic joint alone.
     Slide(T),
 }
 

@@ -16,7 +16,7 @@ const MOST_TOGETHER: usize = MOST_CASCADES - 1 - two_joints::PLACES - two_joints
 /// A slide is sampled at its default and this many reaches either way.
 const STROKE: f64 = 2.0 / 3.0;
 
-/// What a further run of the cascade is for.
+/// The purpose of a further run of the cascade.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Pass {
     /// The level at one of three or five places of the first or second free joint; nothing is listed.
@@ -57,13 +57,13 @@ pub struct Levels<T, const M: usize> {
     moving: [JointMask; 2],
     /// How far the free joints are from their defaults in this pass, in turns or strokes.
     steps: [T; 2],
-    /// Whether every level that depends on its joint is of degree 1 in it: no slide follows the joint.
+    /// True if every level that depends on its joint is of degree 1 in it: no prismatic joint follows.
     simple: bool,
-    /// Whether any stage behind a free joint has a level.
+    /// True if any stage behind a free joint has a level.
     any: bool,
-    /// Whether a level depends on the first joint.
+    /// True if a level depends on the first joint.
     depends: bool,
-    /// Whether the places of both joints are found together: both turn, and levels of degree 1 depend on both.
+    /// True if both joints are placed together: both are revolute, and levels of degree 1 depend on both.
     together: bool,
 }
 
@@ -118,8 +118,9 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         }
     }
 
-    /// Whether the solution at the end of a branch is to be verified in this pass. If so, the result is the name of the
-    /// open branch that the solution stands for. `listed` tells whether a branch has a solution.
+    /// Handles the end of a branch in this pass. A pass that samples keeps the levels. Any other pass returns the name
+    /// of the open branch that the solution stands for, if the solution is to be verified. `listed` tells whether a
+    /// branch has a solution.
     #[inline(never)]
     pub(super) fn takes(
         &mut self,
@@ -220,8 +221,8 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         }
     }
 
-    /// Whether a place is the last one to be sampled. A joint that no level depends on is left after two places. Without
-    /// any level one run tells whether the branches have their roots there.
+    /// Returns true if a place is the last one to be sampled. If no level depends on the joint, two places are enough.
+    /// If no stage has a level, one run tells whether the branches have their roots there.
     fn sampled(&self, second: bool, place: usize) -> bool {
         let depends = self.open().iter().any(|open| open.moved.is_some());
         place + 1 == self.places(second) || !self.any || place > 0 && !depends
@@ -345,8 +346,8 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         spans.then_some(Pass::Node { index, node: 0 })
     }
 
-    /// What else there is for the next branch that has no solution yet. The other places come last: their branches have
-    /// a solution.
+    /// The next pass for a branch without a solution. The other places come last, because their branches have a
+    /// solution.
     #[inline(never)]
     fn further(&self, from: usize) -> Option<Pass> {
         let next = (from..self.len).find_map(|index| {

@@ -17,29 +17,30 @@ pub(super) struct Open<T> {
     pub(super) branch: Branch,
     /// The first joint that is free or nearly so, and another one.
     pub(super) joints: [JointMask; 2],
-    /// The levels behind the free joint before the joint moves, and the place among them of the first one that depends
-    /// on the joint.
+    /// Levels of the stages behind the free joint, before that joint moves.
     pub(super) before: [Sample<T>; LEVELS],
+    /// Index of the first stage behind the free joint whose level depends on that joint.
     pub(super) moved: Option<usize>,
-    /// Whether a stage after that one has a level.
+    /// True if a stage after `moved` has a level.
     pub(super) second: bool,
-    /// Samples of that level.
+    /// Samples of the level of `moved`.
     pub(super) samples: Samples<T>,
-    /// Those with the second joint off its default.
+    /// Samples of the level of `moved` with the second joint off its default.
     pub(super) rows: Rows<T>,
-    /// Those of the next stage.
+    /// Samples of the level of the stage after `moved`.
     pub(super) roots: Roots<T>,
-    /// Where else than at the branch's place the first stage has roots.
+    /// Other places at which the stage `moved` has roots.
     pub(super) beside: Beside<T>,
     /// A sample at which no stage was missed (of the second joint, place), with the steps of that pass.
     pub(super) sampled: Option<(bool, usize)>,
     pub(super) aside: [T; 2],
     /// How far the free joints are from their defaults at the branch's place, in turns or strokes.
     pub(super) steps: [T; 2],
-    /// Whether that place is known, and whether the stage has roots there.
+    /// True if the branch's place is known.
     pub(super) known: bool,
+    /// True if the stage `moved` has roots at the branch's place.
     pub(super) feasible: bool,
-    /// Whether a solution has been found there.
+    /// True if a solution has been found at the branch's place.
     pub(super) found: bool,
     /// Where a joint that is nearly free has been, and how far it may move from there without moving the tool. For a
     /// joint that is free, the `slack` is infinite.
@@ -106,7 +107,7 @@ impl<T: Tolerances> Open<T> {
         }
     }
 
-    /// The same in a run with both joints off their defaults.
+    /// Keeps a sample of that level in a run with both joints off their defaults.
     pub(super) fn sample_both(&mut self, run: usize, levels: &[Behind<T>; LEVELS], over: bool) {
         if let Some(behind) = self.find(PLACES, levels) {
             self.rows.keep(run, &behind.level, over);
@@ -152,21 +153,20 @@ impl<T: Tolerances> Open<T> {
         (half > T::COINCIDENT).then_some(self.beside.intervals)
     }
 
-    /// Whether `first` is one of the joints of this branch. `first` is the first joint that is free or nearly so on
-    /// another branch; the empty mask, where that has none, is no joint.
+    /// Returns true if `first` is one of the joints of this branch. `first` is the first joint that is free or weak on
+    /// another branch, or the empty mask if that branch has none.
     pub(super) fn moves(&self, first: JointMask) -> bool {
         !first.is_empty() && self.joints.contains(&first)
     }
 
-    /// Whether two joints may move.
+    /// Returns true if two joints may move.
     pub(super) fn two(&self) -> bool {
         let [_, second] = self.joints;
         !second.is_empty()
     }
 }
 
-/// Whether two names are those of one branch, whichever way the elbow bends, and without `wrist` whichever way the
-/// wrist does.
+/// Returns true if two names differ in the elbow at most, or without `wrist` in elbow and wrist.
 pub(super) fn same(a: Branch, b: Branch, wrist: bool) -> bool {
     a.shoulder() == b.shoulder() && a.root() == b.root() && (!wrist || a.wrist() == b.wrist())
 }

@@ -33,12 +33,12 @@ pub fn pair<T: Tolerances>(
     finished(stage, sure, defaults, measure, [&p, &q])
 }
 
-/// The same where a joint between the two turns one vector onto another, which both joints move. The last four rows
-/// have the components of the vector across that joint's axis, two as x moves the vector and two as z does. Of the rows
-/// of `p` and `q`, the second says that the vectors have the same length.
+/// Solves [`pair`] where a joint between the two turns one vector onto another, which both joints move. The last four
+/// rows have the components of the vector across that joint's axis, two as x moves the vector and two as z does. Of the
+/// rows of `p` and `q`, the second says that the vectors have the same length.
 ///
-/// Where the vectors themselves vanish, two roots meet and the second row knows them to the root of rounding only.
-/// There they are found from the lengths across, which are accurate, along the curve that the first row describes.
+/// Where the vectors vanish, two roots meet, and the second row knows them to the root of rounding only. There the
+/// roots follow from the lengths across, which are accurate, along the curve of the first row.
 pub fn pair_turning<T: Tolerances>(
     defaults: [DefaultValue<T>; 2],
     measure: Measure<T>,

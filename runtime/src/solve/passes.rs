@@ -11,7 +11,7 @@ use crate::{Branch, JointMask, Solution};
 /// member is looked for at 9/16. Both are odd sixteenths, because families cross at quarters and eighths.
 const CROSSINGS: i32 = 2;
 
-/// What a further run of the cascade is for.
+/// The purpose of a further run of the cascade.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Pass {
     /// A branch that is missed with a free joint at its default.
@@ -20,16 +20,16 @@ enum Pass {
     Cross(i32),
 }
 
-/// What a search remembers of branches that are missed with a free joint at its default: [`Levels`], or for an arm that
-/// is [`Decoupled`] nothing.
+/// Memory of a search for branches that are missed with a free joint at its default: [`Levels`], or [`Decoupled`] for
+/// an arm that has no such branches.
 pub trait Missed<T, const M: usize>: Copy {
     /// Nothing yet.
     const NONE: Self;
 
-    /// The branches; `None` for an arm that needs no such passes.
+    /// The remembered branches; `None` for an arm that needs no such passes.
     fn levels(&self) -> Option<&Levels<T, M>>;
 
-    /// The same, to change.
+    /// The remembered branches, mutable.
     fn levels_mut(&mut self) -> Option<&mut Levels<T, M>>;
 }
 
@@ -99,7 +99,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Passes<T, N
         }
     }
 
-    /// Whether this is not the first pass.
+    /// Returns true in every pass but the first.
     pub(super) fn again(&self) -> bool {
         self.pass.is_some()
     }
@@ -147,8 +147,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         self.passes.get_or_insert_with(|| Passes::new(defaults))
     }
 
-    /// Whether the solution at the end of a doubtful branch is to be verified in this pass. Its branch gets the name of
-    /// the open branch that it stands for. A branch that is missed is remembered.
+    /// Returns true if the solution at the end of a doubtful branch is to be verified in this pass. The solution gets
+    /// the name of the open branch that it stands for. A branch that is missed is remembered.
     pub(super) fn takes(&mut self, state: BranchState, doubts: &Doubts<T>, solution: &mut Solution<T, N>) -> bool {
         let branch = solution.branch;
         let pass = self.passes.as_ref().and_then(|passes| passes.pass);

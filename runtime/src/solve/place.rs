@@ -59,7 +59,8 @@ impl<T: Tolerances> Sample<T> {
         Self([level.value * square, square])
     }
 
-    /// Whether two levels of one stage are known and differ: the stage depends on the joint that has moved between.
+    /// Returns true if two levels of one stage are known and differ. The stage then depends on the joint that has moved
+    /// between.
     pub(super) fn differs(&self, other: &Self) -> bool {
         let (Self([one, pole]), Self([two, other])) = (*self, *other);
         (one / pole - two / other).abs() > T::COINCIDENT
@@ -105,7 +106,8 @@ impl<T: Tolerances> Samples<T> {
     /// Nothing is known.
     pub(super) const NONE: Self = Self { values: [Sample::NONE; PLACES], low: T::NAN, high: T::NAN, slides: false };
 
-    /// The same level at every place before this one; its range and its slides are those of `behind`.
+    /// Fills in one level at every place before `place`. The range of the level and its prismatic joints are those of
+    /// `behind`.
     pub(super) fn fill(&mut self, place: usize, sample: Sample<T>, behind: &Behind<T>) {
         self.values.iter_mut().take(place).for_each(|slot| *slot = sample);
         self.take_range(behind);
@@ -115,7 +117,8 @@ impl<T: Tolerances> Samples<T> {
         (self.low, self.high, self.slides) = (level.low, level.high, *slides);
     }
 
-    /// Whether the level is of degree 1 in a joint that turns: no slide stands between, and none solves the stage.
+    /// Returns true if the level is of degree 1 in a revolute joint: no prismatic joint stands between or solves the
+    /// stage.
     pub(super) fn are_simple(&self) -> bool {
         !(self.slides || self.low >= T::ZERO || self.high >= T::MAX)
     }
@@ -182,8 +185,7 @@ impl<T: Tolerances> Samples<T> {
         Some(Place { step: wrap(x) / T::TAU, feasible, beside })
     }
 
-    /// The same for a joint that slides, from the levels at the default and one unit either way: `level = a + b u + c
-    /// u^2`.
+    /// The place of a prismatic joint, from levels at the default and one unit either way: `level = a + b u + c u^2`.
     #[inline(never)]
     pub(super) fn sliding(&self, now: T) -> Option<Place<T>> {
         let Self { values: [Sample([l0, _]), Sample([l1, _]), Sample([l2, _]), ..], low, high, .. } = *self;
@@ -257,7 +259,7 @@ pub(super) fn turn<T: Tolerances>(count: usize, place: usize) -> T {
     T::TAU * (T::from_f64(0.03) + T::from_i32(place as i32) / T::from_i32(count as i32))
 }
 
-/// The same for one that slides, in strokes; it needs three places.
+/// The step to a place where a prismatic joint is sampled, in strokes. Three places are needed.
 pub(super) fn stroke<T: Tolerances>(place: usize) -> T {
     match place {
         1 => T::ONE,

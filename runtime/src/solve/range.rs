@@ -15,7 +15,7 @@ pub(super) struct Range<T> {
     ends: [T; 8],
     len: usize,
     equation: bool,
-    /// What the stage misses at a double root that rounding has moved.
+    /// Bound on the miss of the stage at a double root that rounding has moved.
     rounding: T,
 }
 
@@ -39,12 +39,13 @@ impl<T: Tolerances> Range<T> {
         self.ends.iter().copied().take(self.len)
     }
 
-    /// Whether the pole says something at x: the slide is not itself nearly free there.
+    /// Returns true if the pole at x is large enough to trust the bounds: the prismatic joint is not weak there.
     fn sound(&self, x: T) -> bool {
         self.square.at(x) > T::WEAK * T::WEAK * self.square.largest()
     }
 
-    /// By how much the stage has roots at x.
+    /// The lower of the two bounds at x, positive where the stage has roots. For an equation, minus the absolute value
+    /// of its bound.
     #[inline(never)]
     fn inside(&self, x: T) -> T {
         let [above, below] = self.bounds.map(|bound| bound.at(x));
@@ -118,7 +119,7 @@ impl<T: Tolerances> Range<T> {
         widest
     }
 
-    /// Whether the stage misses at x by no more than at a double root that rounding has moved.
+    /// Returns true if the stage misses at x by no more than at a double root that rounding has moved.
     #[inline(never)]
     fn meets(&self, x: T) -> bool {
         self.sound(x) && self.inside(x) >= -self.rounding

@@ -7,7 +7,7 @@ use super::level::{Behind, Level, LevelOf};
 use super::open::LEVELS;
 use super::passes::{Missed, Passes};
 use super::{ArmConstants, BranchState, DefaultValue, Goal, Measure, Stage, Tolerances};
-use crate::effort::MOST_EVALUATIONS;
+use crate::effort::{MOST_CASCADES, MOST_EVALUATIONS};
 use crate::limits::within;
 use crate::vector::norm;
 use crate::{Branch, Flags, JointMask, Residual, Solution, Solutions, Status};
@@ -28,7 +28,7 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize
     /// Where each joint stays if it is free, and where a virtual one does.
     pub(super) defaults: [T; N],
     pub(super) away: T,
-    /// The least gap of a stage at which a branch ended, or what a branch that went on misses by.
+    /// Least stage residual at which a branch ended, or least residual of a branch that went on.
     pub(super) least: Option<T>,
     /// The joints that already an amplitude near zero leaves free: those on open branches, on the way there.
     pub(super) nearly: JointMask,
@@ -42,9 +42,9 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize
     /// Every branch is verified. The arm misses its structure by more than rounding, or the target is so far away that
     /// its rounding alone can exceed what closes. A long slide may reach such a target.
     doubt: bool,
-    /// Whether there is a reference.
+    /// True if there is a reference.
     pub(super) has_reference: bool,
-    /// What is remembered at a pose that needs further passes.
+    /// Branches remembered at a pose that needs further passes.
     pub(super) passes: Option<Passes<T, N, M, P>>,
 }
 
@@ -76,8 +76,8 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         }
     }
 
-    /// The same search with every branch verified. The search is for an arm whose axes miss the structure of its
-    /// equations by more than rounding. The roots of the equations then miss by more than rounding, too.
+    /// Verifies every branch. An arm whose axes miss the structure of its equations by more than rounding needs this:
+    /// the roots of the equations then miss by more than rounding, too.
     #[inline(always)]
     #[must_use]
     pub fn in_doubt(mut self) -> Self {
@@ -85,10 +85,10 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         self
     }
 
-    /// Whether there is something to search. Otherwise the solutions get their status. The status is
+    /// Returns true if there is something to search. Otherwise the solutions get their status. The status is
     /// [`Status::BadTarget`] if the target or the reference is not finite, or the reference is wound too far. The
-    /// status is [`Status::Unreachable`] if the target is so far away, or the given value of a slide so large, that
-    /// squares overflow.
+    /// status is [`Status::Unreachable`] if squares overflow: the target is too far away, or the given value of a
+    /// prismatic joint too large.
     #[inline(always)]
     #[must_use]
     pub fn begins(&mut self, near: Option<&[T; N]>) -> bool {
@@ -115,20 +115,13 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         strokes.filter_map(|joint| placed.get(joint)).fold(T::ZERO, |sum, stroke| sum + stroke.abs())
     }
 
-    /// The start of every branch.
-    #[inline]
-    pub fn start(&self) -> BranchState {
-        crate::effort::cascade();
-        BranchState::start(self.doubt || self.passes.is_some())
-    }
-
     /// Where a joint stays if it is free: its reference value; without one 0, or the limit nearest to 0.
     #[inline]
     pub fn default(&self, joint: usize) -> DefaultValue<T> {
         self.default_at(joint, self.defaults.get(joint).copied().unwrap_or(T::ZERO))
     }
 
-    /// The same for a virtual joint: 0.
+    /// The default value of a virtual joint: 0, or in a further pass another one.
     #[inline]
     pub fn virtual_default(&self) -> DefaultValue<T> {
         self.default_at(VIRTUAL, self.away)
@@ -219,7 +212,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         self.with_doubts(state, next, ended)
     }
 
-    /// A branch misses by this.
+    /// Notes a branch that misses by `gap`, a length or an angle.
     #[cold]
     #[inline(never)]
     pub(super) fn misses(&mut self, gap: T) {
@@ -227,7 +220,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         self.least = Some(self.least.map_or(gap, |least| least.min(gap)));
     }
 
-    /// The same with a length and an angle.
+    /// Notes a branch that misses by a length and an angle.
     #[cold]
     #[inline(never)]
     pub(super) fn misses_by(&mut self, residual: &Residual<T>) {
@@ -273,19 +266,27 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         }
     }
 
-    /// The end of a pass. Returns whether this pass was the last one. If not, a joint is free or nearly so on some
-    /// branch, and the branches are to be followed once more with that joint elsewhere.
-    #[inline]
-    #[must_use]
-    pub fn complete(&mut self) -> bool {
-        self.passes.is_none() || !self.next_pass()
-    }
-
-    /// The end of the search: with a reference, solutions are unwound next to it and sorted; limits are marked, and the
-    /// status is set. `constants` are those of the search: the compiler sees their values here, and leaves out what they
-    /// exclude.
-    #[inline]
-    pub fn finish(&mut self, constants: &ArmConstants<'_, T, N>, near: Option<&[T; N]>) {
+    /// Runs the cascade: `nest` follows every branch once and pushes the solutions. At a singular target `nest` runs
+    /// again, with a free joint at another place, at most [`MOST_CASCADES`] times in all. Then, with a reference,
+    /// solutions are unwound next to it and sorted; limits are marked, and the status is set.
+    ///
+    /// `constants` are those of the search: the compiler sees their values here, and leaves out what they exclude.
+    #[inline(always)]
+    pub fn run(
+        &mut self,
+        constants: &ArmConstants<'_, T, N>,
+        near: Option<&[T; N]>,
+        mut nest: impl FnMut(&mut Self, BranchState),
+    ) {
+        // One place of the call: the nest is inlined into it.
+        for _ in 0..MOST_CASCADES {
+            crate::effort::cascade();
+            let start = BranchState::start(self.doubt || self.passes.is_some());
+            nest(self, start);
+            if self.passes.is_none() || !self.next_pass() {
+                break;
+            }
+        }
         if let Some(near) = near {
             self.next_to(near);
         }

@@ -5,7 +5,7 @@ use super::doubts::Doubt;
 use super::{DefaultValue, Measure, Stage, Tolerances, Turn, offset};
 
 impl<T: Tolerances> Stage<T, 2, 4> {
-    /// The same with the joints in the other order.
+    /// Swaps the two joints in every root.
     pub(super) fn swapped(mut self) -> Self {
         for [x, z] in &mut self.roots {
             core::mem::swap(x, z);

@@ -5,7 +5,7 @@ use super::level::LevelOf;
 use super::{BranchState, DefaultValue, Tolerances, Turn};
 use crate::JointMask;
 
-/// What the numbers of an equation measure: their typical size, and whether a gap is a length or an angle.
+/// The unit of an equation: the typical size of its numbers, and whether a stage residual is a length or an angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measure<T> {
     /// Reach of the arm for lengths, 1 for directions.
@@ -46,7 +46,7 @@ impl<T: Tolerances> Measure<T> {
 pub struct Stage<T, const K: usize, const R: usize> {
     pub(super) roots: [[Turn<T>; K]; R],
     pub(super) len: usize,
-    /// Whether there are roots.
+    /// Level of the stage: tells whether there are roots.
     pub(super) level: LevelOf<T>,
     pub(super) doubt: Option<Doubt<T>>,
 }
@@ -58,8 +58,8 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         Self { roots, len: R, level: LevelOf::Nothing, doubt: None }
     }
 
-    /// The same with its level, and the relative amplitude of the equation. A small amplitude makes the stage doubtful,
-    /// and an amplitude near zero leaves `weak` nearly free.
+    /// Roots of an equation with a level and a relative amplitude. A small amplitude puts the stage in doubt. An
+    /// amplitude below [`Tolerances::WEAK`] makes the joints of `weak` weak.
     #[inline(always)]
     pub(super) fn determined(
         roots: [[Turn<T>; K]; R],
@@ -72,7 +72,7 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         if amplitude < T::DOUBTFUL { stage.of_amplitude(measure, amplitude, weak) } else { stage }
     }
 
-    /// The same with a small relative amplitude, in doubt.
+    /// Puts the stage in doubt for its small relative amplitude.
     #[inline]
     pub(super) fn of_amplitude(mut self, measure: Measure<T>, amplitude: T, weak: JointMask) -> Self {
         let weak = if amplitude < T::WEAK { weak } else { JointMask::NONE };
@@ -80,7 +80,7 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         self
     }
 
-    /// The same; whether the roots close the equation although the stage is in doubt, see [`Doubt::closes`].
+    /// Sets whether the roots close the equation although the stage is in doubt, see [`Doubt::closes`].
     #[inline(always)]
     pub(super) fn closing(mut self, closes: bool) -> Self {
         if let Some(doubt) = &mut self.doubt {
@@ -89,26 +89,26 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         self
     }
 
-    /// The same with its level.
+    /// Sets the level of the stage.
     #[inline]
     pub(super) fn at_level(mut self, level: LevelOf<T>) -> Self {
         self.level = level;
         self
     }
 
-    /// Its doubt, from now on.
+    /// The doubt of the stage; a stage without one gets an empty doubt.
     pub(super) fn doubted(&mut self, measure: Measure<T>) -> &mut Doubt<T> {
         self.doubt.get_or_insert(Doubt { angular: measure.angular, ..Doubt::NOTHING })
     }
 
-    /// The joints that it leaves free.
+    /// The joints that the stage leaves free.
     #[inline]
     pub(super) fn free(&self) -> JointMask {
         self.doubt.map_or(JointMask::NONE, |doubt| doubt.free)
     }
 
-    /// The same roots where the joint moves its point or direction by a small share of the scale only: the joint is
-    /// nearly free.
+    /// Scales the amplitude by `share`, where the joint moves its point or direction by a small share of the scale
+    /// only. The joint is weak below [`Tolerances::WEAK`].
     #[cold]
     #[inline(never)]
     pub(super) fn narrowed(&mut self, default: DefaultValue<T>, measure: Measure<T>, share: T) {
@@ -119,7 +119,7 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         }
     }
 
-    /// A further joint that this amplitude leaves nearly free.
+    /// Adds a joint that is weak if `amplitude` is below [`Tolerances::WEAK`].
     #[inline]
     pub(super) fn nearly_free(mut self, default: DefaultValue<T>, measure: Measure<T>, amplitude: T) -> Self {
         let doubt = self.doubted(measure);
@@ -163,7 +163,7 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
         self.roots.get(first..end).unwrap_or(&[]).iter().enumerate().map(move |(index, root)| (name + index, root))
     }
 
-    /// The same for the roots of a wrist that differ by a flip.
+    /// The roots to go on with, as [`each`](Self::each), for a wrist whose two roots differ by a flip.
     #[inline]
     pub fn each_flip(
         &self,

@@ -82,7 +82,7 @@ pub fn swivel<T: Tolerances>(wrist: V<T>, moved: V<T>, axis: V<T>, elbow: V<T>, 
     })
 }
 
-/// What the arm angle of a joint vector is read from, all constant.
+/// Constants from which the arm angle of a joint vector is computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Swivel<T> {
     /// The frame whose origin is the shoulder and whose z axis is the first joint's, in the base frame.

@@ -10,7 +10,8 @@
 
 use crate::math::Scalar;
 
-/// What rounding leaves of an amplitude that vanishes, in units of `eps`, where the stages before are well conditioned.
+/// Bound on the rounding of an amplitude that vanishes, in units of `eps`, where the stages before are well
+/// conditioned.
 ///
 /// A component of the wrist's axis is a sum of three products, of a column of the target and a column of a rotation.
 /// Either column has length 1, so that by Cauchy and Schwarz relative errors of the entries add up. The entry of the

@@ -24,7 +24,7 @@ impl<T: Tolerances> Turn<T> {
     /// of its own.
     pub(super) const STRETCHED: Self = Self { sin: T::LEAST_SINE, ..Self::ZERO };
 
-    /// The same half a turn further.
+    /// Half a turn, where two roots coincide: the limit of the first root, as for [`Turn::STRETCHED`].
     pub(super) const FOLDED: Self = Self { value: T::PI, sin: T::LEAST_SINE, cos: T::MINUS_ONE };
 
     /// From a sine and cosine, `sin^2 + cos^2 = 1`.
@@ -130,8 +130,8 @@ impl<T: Tolerances> DefaultValue<T> {
         if self.nearly.meets(self.joint) { T::WEAK } else { T::VANISHING }
     }
 
-    /// Whether an equation of this amplitude, of quantities of this size, leaves the joint free; so does one that is
-    /// not a number.
+    /// Returns true if an equation of this amplitude, for quantities of size `scale`, leaves the joint free. An
+    /// amplitude that is not a number also leaves the joint free.
     #[inline(always)]
     pub(super) fn is_free(self, amplitude: T, scale: T) -> bool {
         // An ordinary amplitude is above either bound.

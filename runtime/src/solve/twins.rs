@@ -70,7 +70,7 @@ where
     sure && distinct::<T, X, Z>(stage)
 }
 
-/// Whether no two candidates have become the same root.
+/// Returns true if no two candidates have become one root.
 pub(super) fn distinct<T, X, Z>(stage: &Stage<T, 2, 4>) -> bool
 where
     T: Tolerances,

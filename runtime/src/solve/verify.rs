@@ -10,16 +10,17 @@ use super::{ArmConstants, BranchState, Search, Tolerances};
 use crate::math::wrap;
 use crate::{Branch, Flags, Solution};
 
-/// What a candidate has turned out to be.
+/// The result of a candidate's verification.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Found {
     /// No solution.
     Nothing,
-    /// The solution of its branch.
+    /// A solution of the candidate's branch.
     Branch,
-    /// The same, and no other solution is close to it.
+    /// A solution of the candidate's branch that no other solution is close to.
     Distinct,
-    /// A solution that the candidate was not close to: the one of another root, unless that has none of its own.
+    /// A solution that the candidate was not close to. It belongs to another root, unless that root has no solution of
+    /// its own.
     Guess,
 }
 
@@ -222,7 +223,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
     }
 }
 
-/// Whether two joint vectors are one solution.
+/// Returns true if two joint vectors are one solution.
 #[inline(never)]
 fn coincident<T: Tolerances, const N: usize>(constants: &ArmConstants<T, N>, a: &[T; N], b: &[T; N]) -> bool {
     a.iter()

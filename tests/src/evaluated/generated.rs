@@ -36,7 +36,7 @@ pub(super) trait Inverse {
 
 /// A target as a generated arm takes it.
 pub trait Typed: Clone + Debug {
-    /// The same target; `given`: the value beside it.
+    /// Converts a target; `given`: the value beside it.
     fn typed(target: &DynamicTarget, given: Option<f64>) -> Self;
     /// Its numbers.
     fn bits(&self) -> Vec<u64>;
@@ -137,7 +137,7 @@ impl Generated {
         }
     }
 
-    /// The same with the inverse, whose task is that of `arm`.
+    /// Kinematics and inverse of `A`, with the task of `arm`.
     pub fn with_inverse<A, const N: usize>(arm: &DynamicArm, margins: fn(&[f64; N]) -> Vec<Margin<f64>>) -> Self
     where
         A: InverseKinematics<f64, N, Target: task::Asked + Typed> + Default + Send + Sync + 'static,

@@ -1,4 +1,4 @@
-//! What an evaluated and a generated arm are both asked.
+//! Questions to both an evaluated and a generated arm.
 
 use denhart::{JointKind, Pose};
 use denhart_dynamic::{DynamicArm, DynamicTarget};

@@ -41,7 +41,7 @@ pub fn reach(arm: &DynamicArm) -> f64 {
     length(chain.rows(), [&base, &tool], arm.limits())
 }
 
-/// What the inverse of an arm is asked for; `None` without an inverse.
+/// Kind of the task of an arm's inverse; `None` without an inverse.
 pub fn kind(arm: &DynamicArm) -> Option<Kind> {
     Some(match &inverse(arm)?.goal {
         Goal::Pose => Kind::Pose,

@@ -24,7 +24,7 @@ pub struct Style<'r> {
     twists: Twists,
     /// The size of its lengths.
     scale: f64,
-    /// Whether lengths of one arm are of many sizes.
+    /// True if lengths of one arm are of many sizes.
     wide: bool,
     /// One length in so many is zero.
     zeros: usize,

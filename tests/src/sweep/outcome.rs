@@ -1,10 +1,10 @@
-//! What was found at one arm.
+//! Findings at one arm.
 
 use denhart::effort::Effort;
 
 use crate::report::Report;
 
-/// What an arm is examined for, and what was found.
+/// The arm under examination, and the findings.
 #[derive(Debug)]
 pub struct Outcome {
     pub name: String,
@@ -35,7 +35,7 @@ impl Failure {
         Self { family: family.to_owned(), rule: rule.to_owned(), count: 1, shown: vec![(q.to_vec(), detail)] }
     }
 
-    /// Those of a report.
+    /// Failures of a report.
     pub fn all(report: &Report) -> Vec<Self> {
         let shown = |failures: &crate::report::Failures| {
             failures.shown.iter().map(|shown| (shown.q.clone(), shown.detail.clone())).collect()

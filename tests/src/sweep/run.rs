@@ -34,7 +34,7 @@ pub fn one(seed: u64, index: usize) -> Outcome {
     examine::examine((&name, structure), text, Some(&table.chain()), &[])
 }
 
-/// What a sweep found, in the order of the arms whatever the threads did.
+/// Findings of a sweep, in the order of the arms whatever the threads did.
 #[derive(Debug, Default)]
 pub struct Found {
     /// By structure.

@@ -40,7 +40,7 @@ pub struct Table {
     pub tool: Option<Frame>,
     /// The symbol of the length unit.
     pub unit: &'static str,
-    /// Whether angles are written in radians.
+    /// True if angles are written in radians.
     pub radians: bool,
     /// The lines after the head, such as `inverse: {task: position}`.
     pub inverse: Option<String>,

@@ -1,4 +1,4 @@
-//! What not every arm has: linked motors, limits of sums, the arm angle; and what is refused.
+//! Features that few arms have: linked motors, limits of sums, the arm angle; and files that are refused.
 
 use denhart::Arm;
 use denhart_dynamic::{DynamicArm, DynamicError, DynamicTarget};

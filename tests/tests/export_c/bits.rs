@@ -1,4 +1,4 @@
-//! What the program in C prints, of values of Rust.
+//! Text that the program in C prints, made of values of Rust.
 
 use denhart::{Branch, Flags, Pose, Scalar, Solution, Solutions, Status};
 

@@ -10,14 +10,14 @@ use crate::bits::{Real, parts, pose, shown, solution, solutions, status};
 /// Cases of an arm.
 const CASES: usize = 120;
 
-/// What the test knows of an arm with targets `G` of `W` numbers.
+/// Functions of an arm with targets `G` of `W` numbers.
 pub struct Task<A, T, G, const N: usize, const W: usize> {
     pub arm: A,
     /// The numbers of a target.
     pub words: fn(&G) -> [T; W],
-    /// The target of its numbers and of what is given.
+    /// The target of its numbers and the given value.
     pub target: fn([T; W], T) -> G,
-    /// What is given at joint values.
+    /// The given value at joint values.
     pub given: fn(&A, &[T; N]) -> T,
     /// Motors and the arm angle.
     pub extra: fn(&A, &[T; N]) -> String,

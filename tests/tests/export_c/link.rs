@@ -1,4 +1,4 @@
-//! What compiles, what links, and what a library shows of itself.
+//! Compiling, linking, and the symbols that a library shows.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -10,7 +10,7 @@ use denhart::{Arm, Jacobian, Pose};
 use crate::bits::{Real, pose, shown};
 use crate::tools::{cc, command, export, library, prints, program, succeeds};
 
-/// What the program in C is asked, and what it prints of an arm without inverse: pose, Jacobian, both, and what `more` says.
+/// Input and output of the program in C for an arm without inverse: pose, Jacobian, both, and the text `more`.
 fn kinematics<const N: usize>(
     q: &[f64; N],
     alone: (Pose<f64>, Jacobian<f64, N>),
@@ -77,7 +77,7 @@ fn header_is_clean(folder: &Path, prefix: &str) {
     }
 }
 
-/// What the header declares is what the library defines, and nothing else of it can meet a name of another library.
+/// The header declares what the library defines, and no other symbol of the library can meet a name of another library.
 fn defines_what_it_declares(folder: &Path, prefix: &str, library: &Path) {
     let header = fs::read_to_string(folder.join(format!("include/{prefix}.h"))).unwrap();
     let declared = header.lines().filter_map(|line| line.strip_prefix("int32_t ")?.split('(').next());

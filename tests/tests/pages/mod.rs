@@ -1,9 +1,9 @@
-//! The pages of the documentation, taken apart: what stands between fences, and what it is.
+//! Pages of the documentation, split into their fences.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What stands between two fences.
+/// A fence of a page, and its content.
 #[derive(Debug, Clone)]
 pub struct Fence {
     /// The line of the page, from 1.
@@ -65,13 +65,13 @@ impl Fence {
         self.info.split(' ').next().unwrap_or_default()
     }
 
-    /// What follows ` from ` after the language.
+    /// Source of the content: the words after ` from `.
     pub fn origin(&self) -> Option<&str> {
         self.info.split_once(" from ").map(|(_, origin)| origin)
     }
 }
 
-/// Whether all lines of `part` follow each other in `whole`, whatever the indentation and the doc comments.
+/// Returns true if all lines of `part` follow each other in `whole`, whatever the indentation and the doc comments.
 pub fn is_excerpt(part: &str, whole: &str) -> bool {
     let lines = |text: &str| -> Vec<String> {
         let lines = text.lines().map(str::trim).filter(|line| !line.starts_with("///") && !line.is_empty());
@@ -81,13 +81,13 @@ pub fn is_excerpt(part: &str, whole: &str) -> bool {
     !part.is_empty() && whole.windows(part.len()).any(|window| window == part)
 }
 
-/// Whether the lines of `part` occur in `whole` in this order, others between them.
+/// Returns true if the lines of `part` occur in `whole` in this order, others between them.
 pub fn in_order(part: &str, whole: &str) -> bool {
     let mut printed = whole.lines();
     part.lines().all(|line| printed.any(|other| other == line))
 }
 
-/// The words of a command line: what is in double quotes is one word, `#` begins a comment.
+/// The words of a command line. A text in double quotes is one word, and `#` begins a comment.
 pub fn words(line: &str) -> Vec<String> {
     let mut words = Vec::new();
     for (index, part) in line.split('"').enumerate() {

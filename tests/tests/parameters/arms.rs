@@ -34,7 +34,7 @@ macro_rules! check {
     };
 }
 
-/// What the tests need of a struct of parameters.
+/// A struct of parameters, as the tests need it.
 pub trait Parametric<const N: usize>: Arm<f64, N> + Copy + Send + Sync {
     /// The arm whose lengths are constants.
     type Folded: Arm<f64, N> + Default + Send + Sync + 'static;
@@ -73,7 +73,7 @@ macro_rules! parametric {
             $(pub $field: f64),+
         }
 
-        /// The same with its lengths folded in.
+        /// The arm with its lengths folded in.
         #[derive(denhart::Arm, Debug, Clone, Copy, Default)]
         #[arm(spec = $file)]
         pub struct $folded;

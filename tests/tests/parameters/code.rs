@@ -15,7 +15,7 @@ joints:
 tool: {xyz: [0, Len2/2, 0]}
 ";
 
-/// The same with the numbers in their places.
+/// The file with numbers in place of the names.
 fn numbers() -> String {
     NAMED
         .replace("parameters: {l1: 0.5, Len2: 0.25}\n", "")

@@ -12,7 +12,7 @@ use denhart_tests::subject::{largest, wrap};
 use denhart_tests::task;
 use std::fmt::Debug;
 
-/// What a solution marked exact may miss by, positions in reaches and in rad: the promise of `Flags::EXACT`.
+/// Largest error of a solution marked exact, positions in reaches and in rad: the promise of `Flags::EXACT`.
 const EXACT: f64 = 1e-12;
 
 /// A target made from a joint vector and the pose the chain gives for it, and what others miss of it.
@@ -123,7 +123,7 @@ fn apart<A: Parametric<N>, const N: usize>(arm: &A, one: &[f64; N], other: &[f64
     }))
 }
 
-/// Whether some exact solution is `q`; double roots of a pose come out to about the root of a rounding.
+/// Returns true if some exact solution is `q`; double roots of a pose come out to about the root of a rounding.
 fn found<A: Parametric<N>, const N: usize>(arm: &A, solutions: &[Solution<f64, N>], q: &[f64; N]) -> bool {
     let near = |s: &&Solution<f64, N>| apart(arm, &s.q, q) < 1e-6;
     solutions.iter().filter(|s| s.is_exact()).any(|s| near(&s))

@@ -50,7 +50,7 @@ fn reach<A: Parametric<N>, const N: usize>(arm: &A) -> f64 {
     }
 }
 
-/// What a joint is measured in: 1 rad, or the reach of the arm.
+/// Unit of a joint: 1 rad, or the reach of the arm for a prismatic joint.
 fn unit<A: Parametric<N>, const N: usize>(arm: &A, joint: usize) -> f64 {
     if A::JOINT_KINDS[joint] == JointKind::Prismatic { reach(arm) } else { 1.0 }
 }

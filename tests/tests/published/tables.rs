@@ -23,14 +23,14 @@ pub fn radians<const N: usize>(degrees: [f64; N]) -> [f64; N] {
     degrees.map(f64::to_radians)
 }
 
-/// By how much two joint vectors differ at most, rad, whole turns not counted.
+/// Largest difference of two joint vectors, rad, whole turns not counted.
 pub fn apart<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     let turn = std::f64::consts::TAU;
     let difference = |(a, b): (&f64, &f64)| ((a - b) - turn * ((a - b) / turn).round()).abs();
     a.iter().zip(b).map(difference).fold(0.0, f64::max)
 }
 
-/// By how much two points differ at most, in any coordinate.
+/// Largest difference of two points in any coordinate.
 pub fn off<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }

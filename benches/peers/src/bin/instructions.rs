@@ -15,7 +15,7 @@ use ik_geo::inverse_kinematics::{spherical_two_parallel, three_parallel, three_p
 use ik_geo::nalgebra::{Matrix6, Vector6};
 use rs_opw_kinematics::kinematic_traits::Kinematics;
 
-/// The same set of inputs for every case; a multiple of it is called.
+/// Number of inputs, equal for every case; a multiple of it is called.
 const INPUTS: usize = 100;
 
 type Run = Box<dyn Fn(usize)>;

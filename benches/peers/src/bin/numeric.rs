@@ -23,7 +23,7 @@ const MULTIPLIER: f64 = 0.5;
 /// Poses that one side solves before the other one does, so that a drift of the machine meets both.
 const BLOCK: usize = 100;
 
-/// What one side did.
+/// Counts of one side.
 #[derive(Default)]
 struct Tally {
     converged: usize,

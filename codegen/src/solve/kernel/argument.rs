@@ -1,4 +1,4 @@
-//! What a kernel takes.
+//! Arguments of a kernel.
 
 use crate::symbolic::Expr;
 
@@ -7,7 +7,7 @@ use crate::symbolic::Expr;
 pub enum Argument {
     /// The default value of a joint of the stage, by its place there: what the joint takes where it is free.
     Default(usize),
-    /// What the numbers of the equation measure.
+    /// The unit of the equation's numbers, with their typical size.
     Measure,
     /// A number.
     Number(Expr),
@@ -59,7 +59,7 @@ pub struct Phase {
     pub x: Expr,
 }
 
-/// What the text of a stage names.
+/// A quantity that the text of a stage names.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Quantity {
     /// A value.

@@ -1,15 +1,15 @@
-//! What all equations have.
+//! Properties that all equations have.
 
 use super::argument::{Argument, Phase, Quantity};
 use super::pivot::{Pivot, Variables};
 use crate::symbolic::{Expr, Graph};
 
-/// What the planner, the report and the code see of an equation.
+/// Form of an equation, as the planner, the report and the code use it.
 #[derive(Debug, Clone)]
 pub struct Form {
     /// The runtime's function that solves it.
     pub function: &'static str,
-    /// What that takes, in order.
+    /// Arguments of the function, in order.
     pub arguments: Vec<Argument>,
     /// Where its angle is counted from, if that is only known at run time.
     pub about: Option<Phase>,
@@ -19,12 +19,12 @@ pub struct Form {
     pub extra_roots: usize,
     /// Its line in a report.
     pub description: &'static str,
-    /// What the text of a stage may name in braces.
+    /// Quantities that the text of a stage may name in braces.
     pub quantities: Vec<(&'static str, Quantity)>,
 }
 
 impl Form {
-    /// That of an equation with two roots.
+    /// Form of an equation with two roots.
     pub fn new(function: &'static str, description: &'static str, arguments: Vec<Argument>) -> Self {
         Form { function, arguments, about: None, roots: 2, extra_roots: 0, description, quantities: Vec::new() }
     }
@@ -38,7 +38,7 @@ impl Form {
 
 /// An equation.
 pub trait Equation {
-    /// What is seen of it.
+    /// Form of the equation.
     fn form(&self) -> Form;
 
     /// Its derivative by its joints' variables: the determinant for two of them.

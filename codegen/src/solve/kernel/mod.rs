@@ -94,7 +94,7 @@ kernels!(
 );
 
 impl Kernel {
-    /// What is seen of its equation.
+    /// Form of its equation.
     pub fn form(&self) -> Form {
         self.equation().form()
     }

@@ -19,7 +19,7 @@ pub struct PairSliding {
     /// The vector's components across the axis of the joint between the two, as the prismatic joint moves it: factor and
     /// constant.
     pub sliding: [[Expr; 2]; 2],
-    /// The same as the revolute joint moves it, as rows.
+    /// The vector's components across that axis, as the revolute joint moves it: rows.
     pub turning: [[Expr; 3]; 2],
 }
 

@@ -3,7 +3,7 @@
 use super::argument::Phase;
 use crate::symbolic::{Expr, Graph, Pair, Part, Unknown};
 
-/// What an equation's numbers measure.
+/// Unit of an equation's numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unit {
     /// Lengths.
@@ -31,7 +31,7 @@ impl Pivot {
 pub struct Variables<'a> {
     /// By the joint's place in the stage: value, sine, cosine.
     pub unknowns: &'a [[Unknown; 3]],
-    /// What the numbers of the equation measure.
+    /// Unit of the equation's numbers.
     pub unit: Unit,
 }
 

@@ -53,7 +53,9 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, U
     };
     let failed = spared(model, chain, geometry).unwrap_or(failed);
     // Another task would hide what is wrong with the table.
-    if let Some(hint) = other_convention(model, &joints) {
+    if failed.hint.is_none()
+        && let Some(hint) = other_convention(model, &joints)
+    {
         return Err(Unsupported { hint: Some(hint), ..failed });
     }
     let alternatives = alternatives(model, chain, geometry);
@@ -95,7 +97,7 @@ fn most_specific_first(joints: &LoopChain) -> Vec<Task> {
         6 => vec![Task::Pose],
         5 => vec![Task::Pose, Task::PositionAxis],
         4 => vec![Task::PositionAngle, Task::Pose],
-        3 if joints.is_planar() => vec![Task::PlanarPose],
+        3 if joints.is_planar() || joints.plane_normal().is_some() => vec![Task::PlanarPose],
         3 => vec![Task::Position],
         2 => vec![Task::PlanarPosition],
         _ => Vec::new(),
@@ -111,8 +113,8 @@ fn attempt(task: Task, model: &Model, geometry: &Geometry, joints: &LoopChain) -
         (Task::Position, 3) => position::plan(joints),
         (Task::PositionAxis, 5) => position_axis::plan(model.inverse.axis, joints),
         (Task::PositionAngle, 4) => position_angle::plan(joints),
-        (Task::PlanarPose, 3) => planar::plan(Goal::PlanarPose, joints),
-        (Task::PlanarPosition, 2) => planar::plan(Goal::PlanarPosition, joints),
+        (Task::PlanarPose, 3) => planar::plan(Goal::PlanarPose, model, joints),
+        (Task::PlanarPosition, 2) => planar::plan(Goal::PlanarPosition, model, joints),
         _ => Err(unsupported::not_covered(model, Some(task))),
     }
 }
@@ -145,15 +147,17 @@ fn alternatives(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<Altern
     let working = |given: Option<usize>, named: Option<Task>| {
         tasks.into_iter().find(|task| named.is_none_or(|named| named == *task) && works(*task, given))
     };
+    let other = |task: Task| Some(task).filter(|task| *task != request.task.unwrap_or(Task::Pose));
     // A joint's value that need not be given at all: no other one is proposed.
     let spares = request.redundant.and_then(|_| working(None, request.task));
     let others = (0..model.joints.len()).filter(|joint| Some(*joint) != request.redundant && spares.is_none());
     let others: Vec<(usize, &str)> = others.filter_map(|joint| Some((joint, name_of(joint)?))).collect();
     found.extend(others.iter().filter_map(|(joint, name)| {
         let task = working(Some(*joint), request.task)?;
-        Some(Alternative::new(format!("`redundant: {name}`"), Some(task), Some(name)))
+        Some(Alternative::new(format!("`redundant: {name}`"), Some(task), Some(name)).of(other(task)))
     }));
-    found.extend(spares.map(|task| Alternative::new("leaving out `redundant`".to_owned(), Some(task), None)));
+    let spared = |task| Alternative::new("leaving out `redundant`".to_owned(), Some(task), None).of(other(task));
+    found.extend(spares.map(spared));
     let swings =
         !request.arm_angle && model.parameters.is_empty() && request.task.is_none_or(|task| task == Task::Pose) && {
             let joints = LoopChain::new(model, chain, geometry.reach, None);

@@ -45,7 +45,7 @@ fn SysTick() {
 /// The list of solutions. The loop keeps one: a list that is returned would be copied in every tick.
 type Found = Solutions<f32, 3, { SalmanRrr::MAX_SOLUTIONS }>;
 
-/// What a tick did.
+/// Outcome of a tick.
 enum Outcome {
     /// Followed the path.
     Moved,

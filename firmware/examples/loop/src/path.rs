@@ -38,7 +38,7 @@ impl Part {
     pub const ALL: [Self; 7] =
         [Self::Up, Self::Down, Self::There, Self::Touching, Self::Outward, Self::Leaving, Self::Home];
 
-    /// What it is.
+    /// Description of the part.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Up => "straight line, to the singularity of joint 1",
@@ -51,7 +51,7 @@ impl Part {
         }
     }
 
-    /// How long it takes, ms.
+    /// Duration of the part, ms.
     pub const fn ticks(self) -> u32 {
         match self {
             Self::Outward => 100,
@@ -60,7 +60,7 @@ impl Part {
         }
     }
 
-    /// Whether targets on it are out of reach.
+    /// Returns true if targets on this part are out of reach.
     pub const fn leaves_the_workspace(self) -> bool {
         matches!(self, Self::Leaving)
     }

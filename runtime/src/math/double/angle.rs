@@ -8,7 +8,7 @@
 use super::SIGN;
 use core::f64::consts::FRAC_PI_2;
 
-/// What the nearest double to pi/2 lacks, over that double.
+/// Difference of pi/2 from the nearest double, divided by that double.
 const RATIO: f64 = 3.8981718325193755e-17;
 /// f(1 - u) = 1 + u (F0 + F1 u + ...) for 0 <= u <= 1 - sqrt(1/2), relative error 2^-56.7.
 const F: [f64; 11] = [

@@ -36,16 +36,16 @@ const C: [f64; 6] = [
 /// A magnitude less a multiple of pi/2.
 #[derive(Clone, Copy)]
 pub(in crate::math) struct Reduced {
-    /// What remains, in [-pi/4, pi/4] up to rounding.
+    /// Remainder, in [-pi/4, pi/4] up to rounding.
     pub(in crate::math) hi: f64,
-    /// What `hi` lacks.
+    /// Low part of the remainder, beyond the digits of `hi`.
     pub(super) lo: f64,
     /// The multiple of pi/2; only the two lowest bits count.
     pub(in crate::math) quarters: u64,
 }
 
 impl Reduced {
-    /// What `hi` lacks.
+    /// Low part of the remainder, beyond the digits of `hi`.
     pub(in crate::math) fn lo(&self) -> f64 {
         self.lo
     }
@@ -123,7 +123,7 @@ fn near(x: f64) -> (f64, f64) {
     evaluate(reduce_near(f64::from_bits(bits & MAGNITUDE)), bits)
 }
 
-/// The same for any angle, whatever its magnitude.
+/// Sine and cosine of any angle, whatever its magnitude.
 #[cold]
 #[inline(never)]
 fn distant(x: f64) -> (f64, f64) {

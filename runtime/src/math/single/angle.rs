@@ -4,7 +4,7 @@
 use super::{MAGNITUDE, SIGN};
 use core::f32::consts::{FRAC_PI_2, PI};
 
-/// What the nearest float to pi/2 lacks, over that float.
+/// Difference of pi/2 from the nearest float, divided by that float.
 const RATIO: f32 = -2.7827534e-08;
 /// f(1 - u) = 1 + u (F0 + F1 u + ...) for 0 <= u <= 1 - sqrt(1/2), relative error 2^-28.2.
 const F: [f32; 5] = [0.33333376, 0.13331243, 0.05746544, 0.02327359, 0.017612966];

@@ -18,16 +18,16 @@ const C: [f32; 3] = [0.041666646, -0.0013887311, 2.4432567e-05];
 /// An angle less a multiple of pi/2.
 #[derive(Clone, Copy)]
 pub(in crate::math) struct Reduced {
-    /// What remains, in [-pi/4, pi/4] up to rounding.
+    /// Remainder, in [-pi/4, pi/4] up to rounding.
     pub(in crate::math) hi: f32,
-    /// What `hi` is too large by.
+    /// Excess of `hi` over the remainder.
     pub(in crate::math) over: f32,
     /// The multiple of pi/2; only the two lowest bits count.
     pub(in crate::math) quarters: u32,
 }
 
 impl Reduced {
-    /// What `hi` lacks.
+    /// Low part of the remainder, beyond the digits of `hi`.
     pub(in crate::math) fn lo(&self) -> f32 {
         -self.over
     }
@@ -103,7 +103,7 @@ fn near(x: f32) -> (f32, f32) {
     evaluate(reduce_near(x))
 }
 
-/// The same for any angle, whatever its magnitude.
+/// Sine and cosine of any angle, whatever its magnitude.
 #[cold]
 #[inline(never)]
 fn distant(x: f32) -> (f32, f32) {

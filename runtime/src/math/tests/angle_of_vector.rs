@@ -3,7 +3,7 @@ use super::random::Random;
 use crate::math;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-/// What the documentation of [`math::atan2`] promises.
+/// Error bound in the documentation of [`math::atan2`], ulp.
 const BOUND: f64 = 1.5;
 
 fn error(y: f64, x: f64) -> f64 {

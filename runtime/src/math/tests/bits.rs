@@ -1,4 +1,4 @@
-//! The same bits on every platform and at every optimization level.
+//! Bits of results, equal on every platform and at every optimization level.
 
 use super::random::Random;
 use crate::math;

@@ -3,7 +3,7 @@ use super::hard_cases::HARD_CASES;
 use super::random::Random;
 use crate::math;
 
-/// What the documentation of [`math::sin_cos`] promises.
+/// Error bound in the documentation of [`math::sin_cos`], ulp.
 const BOUND: f64 = 1.1;
 
 fn error(x: f64) -> f64 {

@@ -1,0 +1,55 @@
+//! The command as it is run from a shell.
+#![allow(dead_code, clippy::unwrap_used)]
+
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use serde_json::Value;
+
+pub fn command(arguments: &[&str]) -> Command {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_denhart"));
+    command.args(arguments).current_dir(root);
+    command
+}
+
+pub fn denhart(arguments: &[&str]) -> Output {
+    command(arguments).output().unwrap()
+}
+
+pub fn said(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+pub fn shown(arguments: &[&str]) -> String {
+    let output = denhart(arguments);
+    assert!(output.status.success(), "{output:?}");
+    said(&output.stdout)
+}
+
+pub fn json(arguments: &[&str]) -> Value {
+    serde_json::from_str(&said(&denhart(arguments).stdout)).unwrap()
+}
+
+pub fn close(value: &Value, expected: &[f64]) {
+    let values: Vec<f64> = value.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+    assert_eq!(values.len(), expected.len());
+    assert!(values.iter().zip(expected).all(|(x, y)| (x - y).abs() < 1e-9), "{values:?}, not {expected:?}");
+}
+
+/// Runs with a text on the standard input.
+pub fn fed(arguments: &[&str], input: &str) -> Output {
+    let mut child = command(arguments);
+    child.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = child.spawn().unwrap();
+    child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
+    child.wait_with_output().unwrap()
+}
+
+/// A file with this text in the folder of the tests.
+pub fn file(name: &str, text: &str) -> String {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_owned()
+}

@@ -1,0 +1,65 @@
+//! The runtime's search without the numbers of joints and solutions in its type.
+
+use denhart::Branch;
+use denhart::solve::{BranchState, DefaultValue, Measure, Missed, Search};
+
+use crate::kernel::{MOST_DOUBTS, Roots, with_roots};
+
+/// The functions of [`Search`] that a [`Run`](crate::run::Run) calls. A run is compiled once, and not for each pair of
+/// numbers of joints and solutions.
+pub trait Branches {
+    /// The place of a free joint.
+    fn default(&self, joint: usize) -> DefaultValue<f64>;
+    /// The place of a virtual joint.
+    fn virtual_default(&self) -> DefaultValue<f64>;
+    /// The state after a stage.
+    fn follow(&mut self, before: &BranchState, roots: &Roots) -> BranchState;
+    /// The state after an equation without a joint to meet it.
+    fn agree(&self, state: &BranchState, measure: Measure<f64>, miss: f64) -> BranchState;
+    /// The state after a vector whose direction tells where two joints turn.
+    fn directed(
+        &mut self,
+        state: &BranchState,
+        measure: Measure<f64>,
+        vector: [f64; 3],
+        defaults: [DefaultValue<f64>; 2],
+    ) -> BranchState;
+    /// Adds a solution with the joint values of `q`, as many as the arm has joints.
+    fn push(&mut self, state: &BranchState, q: &mut dyn Iterator<Item = f64>, branch: Branch);
+}
+
+impl<const N: usize, const M: usize, P: Missed<f64, M>> Branches for Search<'_, f64, N, M, MOST_DOUBTS, P> {
+    fn default(&self, joint: usize) -> DefaultValue<f64> {
+        Search::default(self, joint)
+    }
+
+    fn virtual_default(&self) -> DefaultValue<f64> {
+        Search::virtual_default(self)
+    }
+
+    fn follow(&mut self, before: &BranchState, roots: &Roots) -> BranchState {
+        with_roots!(roots, stage => Search::follow(self, before, stage))
+    }
+
+    fn agree(&self, state: &BranchState, measure: Measure<f64>, miss: f64) -> BranchState {
+        Search::agree(self, state, measure, [miss])
+    }
+
+    fn directed(
+        &mut self,
+        state: &BranchState,
+        measure: Measure<f64>,
+        vector: [f64; 3],
+        defaults: [DefaultValue<f64>; 2],
+    ) -> BranchState {
+        Search::directed(self, state, measure, vector, defaults)
+    }
+
+    fn push(&mut self, state: &BranchState, q: &mut dyn Iterator<Item = f64>, branch: Branch) {
+        let mut values = [f64::NAN; N];
+        for (value, q) in values.iter_mut().zip(q) {
+            *value = q;
+        }
+        Search::push(self, state, values, branch);
+    }
+}
