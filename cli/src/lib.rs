@@ -167,7 +167,7 @@ fn act(action: Action, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), F
             false => Err(Failure::NoSolution),
         },
         Action::Import(options) => import::run(&options, out, err).map_err(Failure::Other),
-        Action::Export(options) => export::run(&options, out),
+        Action::Export(options) => export::run(&options, out, err),
         Action::New(options) => new::run(&options, out),
         Action::Schema => Ok(print(out, &schema::text())?),
         Action::Completions(options) => documents::completions(&options, <Command as CommandFactory>::command(), out),

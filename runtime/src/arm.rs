@@ -3,7 +3,7 @@
 use crate::branch::Branch;
 use crate::dh::JointKind;
 use crate::jacobian::Jacobian;
-use crate::math::Scalar;
+use crate::math::{Scalar, radians};
 use crate::motion::{Acceleration, Twist};
 use crate::pose::Pose;
 use crate::solution::{OneSolution, Residual, Solution, Status};
@@ -52,6 +52,7 @@ use crate::solution::{OneSolution, Residual, Solution, Status};
 /// assert_eq!(tool_velocity(&Lever, &[0.0], &[2.0]), [0.0, 1.0, 0.0]);
 /// let Pose { translation, .. } = Lever.forward(&[0.0]);
 /// assert_eq!(translation, [0.5, 0.0, 0.0]);
+/// assert_eq!(Lever::joints_from_degrees([90.0]), [core::f64::consts::FRAC_PI_2]);
 /// ```
 pub trait Arm<T, const N: usize> {
     /// Lowest and highest value of every joint, rad or length unit; infinite where the arm's file has none.
@@ -62,6 +63,22 @@ pub trait Arm<T, const N: usize> {
 
     /// Kinds of the joints in order, revolute or prismatic.
     const JOINT_KINDS: [JointKind; N];
+
+    /// Joint values from angles typed in degrees `[N]`: those of revolute joints in rad, strokes as they are.
+    ///
+    /// Every other function takes `q` in rad: `arm.to_pulses(&Robot::joints_from_degrees([90.0, 45.0, 0.0]))`.
+    #[must_use]
+    fn joints_from_degrees(mut q: [T; N]) -> [T; N]
+    where
+        T: Scalar,
+    {
+        for (value, kind) in q.iter_mut().zip(Self::JOINT_KINDS) {
+            if kind == JointKind::Revolute {
+                *value = radians(*value);
+            }
+        }
+        q
+    }
 
     /// Pose of the tool in the base frame, through base, all rows and tool.
     ///

@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::math::radians;
+
 /// Which frame the parameters of a row belong to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Convention {
@@ -76,22 +78,29 @@ pub struct DhRow {
 }
 
 impl DhRow {
-    /// A revolute joint; `theta` is the offset of its angle.
+    /// A revolute joint, `alpha` and `theta` in rad; `theta` is the offset of its angle. In degrees:
+    /// [`from_degrees`](Self::from_degrees).
     #[must_use]
     pub const fn revolute(a: f64, alpha: f64, d: f64, theta: f64) -> Self {
         Self { kind: JointKind::Revolute, a, alpha, d, theta }
     }
 
-    /// A prismatic joint; `d` is the offset of its position.
+    /// A prismatic joint, `alpha` and `theta` in rad; `d` is the offset of its position.
     #[must_use]
     pub const fn prismatic(a: f64, alpha: f64, d: f64, theta: f64) -> Self {
         Self { kind: JointKind::Prismatic, a, alpha, d, theta }
     }
 
-    /// A constant row.
+    /// A constant row, `alpha` and `theta` in rad.
     #[must_use]
     pub const fn fixed(a: f64, alpha: f64, d: f64, theta: f64) -> Self {
         Self { kind: JointKind::Fixed, a, alpha, d, theta }
+    }
+
+    /// A row of any kind, `alpha` and `theta` in degrees.
+    #[must_use]
+    pub fn from_degrees(kind: JointKind, a: f64, alpha: f64, d: f64, theta: f64) -> Self {
+        Self { kind, a, alpha: radians(alpha), d, theta: radians(theta) }
     }
 }
 
@@ -146,6 +155,13 @@ mod tests {
         let units = [LengthUnit::Meter, LengthUnit::Centimeter, LengthUnit::Millimeter, LengthUnit::Inch];
         assert_eq!(units.map(|unit| format!("{unit}")), ["m", "cm", "mm", "in"]);
         assert_eq!(units.map(LengthUnit::in_meters), [1.0, 0.01, 0.001, 0.0254]);
+    }
+
+    #[test]
+    fn rows_in_degrees() {
+        use core::f64::consts::{FRAC_PI_2, PI};
+        let row = DhRow::from_degrees(JointKind::Prismatic, 0.5, -90.0, 0.2, 180.0);
+        assert_eq!(row, DhRow::prismatic(0.5, -FRAC_PI_2, 0.2, PI));
     }
 
     #[test]

@@ -27,9 +27,10 @@ impl<T: Scalar> Pose<T> {
         Self { rotation: [[i, o, o], [o, i, o], [o, o, i]], translation: [o, o, o] }
     }
 
-    /// Pose from a position and fixed-axis angles: `R = Rz(yaw) Ry(pitch) Rx(roll)`.
+    /// Pose from a position and fixed-axis angles in rad: `R = Rz(yaw) Ry(pitch) Rx(roll)`.
     ///
-    /// `xyz` in the length unit; `rpy` = roll, pitch, yaw in rad.
+    /// `xyz` in the length unit; `rpy` = roll, pitch, yaw in rad. In degrees:
+    /// [`from_xyz_rpy_degrees`](Self::from_xyz_rpy_degrees).
     #[inline]
     #[must_use]
     pub fn from_xyz_rpy(xyz: [T; 3], rpy: [T; 3]) -> Self {
@@ -42,6 +43,20 @@ impl<T: Scalar> Pose<T> {
             ],
             translation: xyz,
         }
+    }
+
+    /// [`from_xyz_rpy`](Self::from_xyz_rpy) with roll, pitch, yaw in degrees.
+    ///
+    /// ```
+    /// use denhart::Pose;
+    ///
+    /// let down = Pose::from_xyz_rpy_degrees([0.3, 0.0, 0.2_f64], [180.0, 0.0, 90.0]);
+    /// assert!((down.rotation[2][2] + 1.0).abs() < 1e-15);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn from_xyz_rpy_degrees(xyz: [T; 3], rpy: [T; 3]) -> Self {
+        Self::from_xyz_rpy(xyz, rpy.map(math::radians))
     }
 
     /// The product `self * rhs`: the pose `rhs`, given in the frame `self`, seen from the reference frame of `self`.
@@ -214,6 +229,16 @@ mod tests {
                 assert!((value - expected).abs() < 4e-16, "{roll:?}");
             }
         }
+    }
+
+    #[test]
+    fn angles_in_degrees_are_converted_once() {
+        let (xyz, degrees) = ([0.1, -0.2, 0.3], [90.0, -45.0, 12.5]);
+        let rad = [core::f64::consts::FRAC_PI_2, -core::f64::consts::FRAC_PI_4, 12.5_f64.to_radians()];
+        assert_eq!(Pose::from_xyz_rpy_degrees(xyz, degrees), Pose::from_xyz_rpy(xyz, rad));
+        let single = Pose::from_xyz_rpy_degrees([0.0_f32; 3], [0.0, 0.0, -90.0]);
+        assert_eq!(single, Pose::from_xyz_rpy([0.0; 3], [0.0, 0.0, -core::f32::consts::FRAC_PI_2]));
+        assert!(!Pose::from_xyz_rpy_degrees(xyz, [f64::NAN, 0.0, 0.0]).is_finite());
     }
 
     #[test]

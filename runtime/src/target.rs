@@ -1,7 +1,7 @@
 //! Targets of arms with fewer freedoms than a whole pose.
 
 use crate::arm::{Arm, InverseKinematics};
-use crate::math::{Scalar, wrap};
+use crate::math::{Scalar, radians, wrap};
 use crate::pose::Pose;
 use crate::solution::Residual;
 use crate::solve::{Goal, Tolerances};
@@ -93,13 +93,28 @@ pub struct PointAngle<T> {
 }
 
 impl<T> PointAngle<T> {
-    /// A point and an angle.
+    /// A point and an angle in rad; in degrees: [`from_degrees`](Self::from_degrees).
     pub const fn new(point: [T; 3], angle: T) -> Self {
         PointAngle { point, angle }
     }
 }
 
 impl<T: Scalar> PointAngle<T> {
+    /// A point and an angle in degrees: the gripper points down at -90.
+    ///
+    /// ```
+    /// use core::f64::consts::FRAC_PI_2;
+    /// use denhart::PointAngle;
+    ///
+    /// let down = PointAngle::from_degrees([0.2, 0.0, 0.05], -90.0);
+    /// assert_eq!(down, PointAngle::new([0.2, 0.0, 0.05], -FRAC_PI_2));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn from_degrees(point: [T; 3], degrees: T) -> Self {
+        PointAngle { point, angle: radians(degrees) }
+    }
+
     /// Returns the target with its angle in (-pi, pi]: sums with the angle lose no digits to its turns.
     #[inline]
     #[must_use]
@@ -137,13 +152,20 @@ pub struct PlanarPose<T> {
 }
 
 impl<T> PlanarPose<T> {
-    /// Position and direction.
+    /// Position and direction, which is in rad; in degrees: [`from_degrees`](Self::from_degrees).
     pub const fn new(x: T, y: T, phi: T) -> Self {
         PlanarPose { x, y, phi }
     }
 }
 
 impl<T: Scalar> PlanarPose<T> {
+    /// Position and direction, which is in degrees.
+    #[inline]
+    #[must_use]
+    pub fn from_degrees(x: T, y: T, degrees: T) -> Self {
+        PlanarPose { x, y, phi: radians(degrees) }
+    }
+
     /// Returns the target with its direction in (-pi, pi]: sums with the angle lose no digits to its turns.
     #[inline]
     #[must_use]
@@ -153,8 +175,23 @@ impl<T: Scalar> PlanarPose<T> {
 }
 
 impl<T: Scalar> From<[T; 3]> for PlanarPose<T> {
-    /// From `[x, y, phi]`.
+    /// From `[x, y, phi]`, phi in rad.
     fn from([x, y, phi]: [T; 3]) -> Self {
         PlanarPose { x, y, phi }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn degrees_stand_in_the_call() {
+        use core::{f32, f64};
+        let arc = PointAngle::from_degrees([1.0, 2.0, 3.0], 135.0);
+        assert_eq!(arc, PointAngle::new([1.0, 2.0, 3.0], 3.0 * f64::consts::FRAC_PI_4));
+        let plane = PlanarPose::from_degrees(1.0, -2.0, -180.0_f32);
+        assert_eq!(plane, PlanarPose::new(1.0, -2.0, -f32::consts::PI));
+        assert!(PointAngle::from_degrees([0.0; 3], f64::INFINITY).angle.is_infinite());
     }
 }

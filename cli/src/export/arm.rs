@@ -1,4 +1,4 @@
-//! What header and library say of an arm.
+//! The arm as header and library see it.
 
 use denhart_codegen::lower::{Given, Goal};
 use denhart_codegen::model::{JointKind, Model};
@@ -7,14 +7,14 @@ use denhart_codegen::{Program, ScalarKind};
 /// The struct in the generated code.
 pub const TYPE: &str = "Robot";
 
-/// What the arm angle is called where it is given.
+/// Name of the arm angle where it is given.
 pub const ARM_ANGLE: &str = "arm_angle";
 
 /// An arm to export.
 pub struct Arm<'p> {
     /// The checked file.
     pub model: &'p Model,
-    /// What the names in C begin with.
+    /// Beginning of the names in C.
     pub prefix: String,
     /// Number type of the generated code.
     pub scalar: ScalarKind,
@@ -22,11 +22,11 @@ pub struct Arm<'p> {
     pub inverse: Option<Inverse>,
 }
 
-/// What of an inverse is seen from outside.
+/// The inverse as its callers see it.
 pub struct Inverse {
-    /// What is asked for.
+    /// The task, with its numbers.
     pub goal: Goal,
-    /// The name of what is given beside the target, and in words.
+    /// The name of the value given beside the target, and in words.
     pub given: Option<(String, String)>,
     /// The largest number of solutions.
     pub most: usize,
@@ -55,12 +55,12 @@ impl<'p> Arm<'p> {
         Ok(Self { model, prefix, scalar, inverse })
     }
 
-    /// Whether its numbers are `float` in C.
+    /// True if its numbers are `float` in C.
     pub fn is_single(&self) -> bool {
         self.scalar == ScalarKind::F32
     }
 
-    /// Whether a function has a result that may be null: `gap` of an inverse, `saturated` of pulses.
+    /// True if a function has a result that may be null: `gap` of an inverse, `saturated` of pulses.
     pub fn has_optional_results(&self) -> bool {
         self.inverse.is_some() || self.model.actuators.is_some()
     }

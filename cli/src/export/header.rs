@@ -1,6 +1,6 @@
 //! The C header.
 
-use denhart_codegen::lower::Goal;
+use denhart_codegen::lower::{AngleSum, Goal};
 use denhart_codegen::model::JointKind;
 
 use super::arm::{ARM_ANGLE, Arm, Inverse, unit};
@@ -79,7 +79,9 @@ fn inverse(inverse: &Inverse) -> String {
             "where the tool point is to be and where the tool's {} axis is to point",
             ["x", "y", "z"].get(*column).copied().unwrap_or_default()
         ),
-        Goal::PositionAngle { .. } => "where the tool point is to be and the tool's angle in the plane".to_owned(),
+        goal @ Goal::PositionAngle { .. } => {
+            format!("where the tool point is to be and the tool's angle in the plane, `{}`", angle_sum(goal))
+        }
         Goal::PlanarPose => "where the tool is to be in the base frame's xy plane".to_owned(),
     };
     let given = inverse.given.as_ref();
@@ -88,12 +90,23 @@ fn inverse(inverse: &Inverse) -> String {
         None => "; the arm angle is that of q_ref".to_owned(),
     });
     INVERSE
-        .replace("@target_type@", kind)
+        .replace("@target_type@", &kind.replace("@angle@", &angle_sum(&inverse.goal)))
         .replace("@target@", target)
+        .replace("@beside@", &given.map_or_else(String::new, |(name, _)| format!(", without the {name} of q")))
         .replace("@meaning@", &meaning)
         .replace("@taken@", &taken)
         .replace("@given@", &given.map_or_else(String::new, |(name, _)| format!(" @prefix@_real_t {name},")))
         .replace("@given_doc@", &given.map_or_else(String::new, |(name, words)| format!(" * {name}: {words}.\n")))
+}
+
+/// The angle of `position_angle` in C, rad: `q[1] - q[2] + q[3] + 1.5707963267948966`.
+fn angle_sum(goal: &Goal) -> String {
+    let Some(AngleSum { terms, constant }) = goal.angle_sum() else { return String::new() };
+    let sign = |negative: bool| if negative { '-' } else { '+' };
+    let terms = terms.iter().map(|(joint, negative)| format!("{} q[{joint}]", sign(*negative)));
+    let constant = (!constant.is_zero()).then(|| format!("{} {}", sign(constant.rad() < 0.0), constant.rad().abs()));
+    let sum = terms.chain(constant).collect::<Vec<_>>().join(" ");
+    sum.strip_prefix("+ ").unwrap_or(&sum).to_owned()
 }
 
 /// Checks that C and Rust lay the types out alike.
@@ -192,7 +205,7 @@ const TARGET_ANGLE: &str = r"
 typedef struct {
     /** Of the tool point, base frame, @unit@. */
     @prefix@_real_t point[3];
-    /** Of the tool in the plane of its links: the signed sum of the joints that `denhart check` prints, rad. */
+    /** Of the tool in the plane of its links, rad: `@angle@` of the joint values q. */
     @prefix@_real_t angle;
 } @prefix@_target_t;
 ";
@@ -296,6 +309,9 @@ int32_t @prefix@_inverse_near(const @target@, const @prefix@_real_t q_ref[@PREFI
  */
 int32_t @prefix@_inverse_branch(const @target@,@given@ const @prefix@_branch_t *branch,
     @prefix@_solution_t *solution, @prefix@_real_t *gap);
+
+/** The target of the tool at joint values q@beside@. */
+int32_t @prefix@_target_at(const @prefix@_real_t q[@PREFIX@_JOINTS], @target@);
 ";
 
 const ANGLE: &str = r"

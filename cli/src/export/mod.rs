@@ -6,15 +6,16 @@ mod library;
 mod project;
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 use denhart_codegen::{Options as Code, ScalarKind, generate};
 
 use crate::{Failure, Scalar, arm as arm_file, files};
 use arm::Arm;
+use project::Dependency;
 
-/// What the command takes.
+/// The arguments of `denhart export`.
 #[derive(Args)]
 pub struct Options {
     #[command(subcommand)]
@@ -31,7 +32,7 @@ enum Language {
     C(C),
 }
 
-/// What `export c` takes.
+/// The arguments of `denhart export c`.
 #[derive(Args)]
 struct C {
     /// The arm file, YAML; `-` reads the standard input
@@ -42,10 +43,10 @@ struct C {
     /// Number type of all values: float or double in C
     #[arg(long, value_name = "TYPE", default_value = "f64")]
     scalar: Scalar,
-    /// What the names in C begin with [default: the arm's name, in lower case]
+    /// Beginning of the names in C [default: the arm's name, in lower case]
     #[arg(long, value_name = "NAME")]
     prefix: Option<String>,
-    /// Take the crate denhart from this folder, not from crates.io
+    /// The folder of the crate denhart [default: where this command was built, if that is there, else crates.io]
     #[arg(long, value_name = "DIR")]
     crate_path: Option<PathBuf>,
     /// Overwrite files that are there
@@ -57,20 +58,25 @@ struct C {
 ///
 /// # Errors
 /// Mistakes in the arm file, a prefix that is none, files that are there or cannot be written.
-pub fn run(options: &Options, out: &mut dyn Write) -> Result<(), Failure> {
+pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), Failure> {
     let Language::C(options) = &options.language;
     let (text, name) = arm_file::text(&options.file).map_err(Failure::Other)?;
     let scalar = ScalarKind::from(options.scalar);
     let code = Code { scalar, ..Code::new(arm::TYPE) };
-    let code = generate(&text, &name, &code).and_then(|generated| generated.to_file());
-    let code = code.map_err(|mistakes| Failure::Other(crate::each(&mistakes)))?;
-    let program = denhart_codegen::program(&text, &name).map_err(|mistakes| Failure::Other(crate::each(&mistakes)))?;
+    let refused = |mistakes| Failure::Other(crate::each(&mistakes));
+    let generated = generate(&text, &name, &code).map_err(refused)?;
+    let code = generated.to_file().map_err(refused)?;
+    let program = denhart_codegen::program(&text, &name).map_err(refused)?;
     let arm = Arm::new(&program, scalar, options.prefix.as_deref()).map_err(Failure::Usage)?;
-    let denhart = match &options.crate_path {
-        Some(path) => project::Dependency::at(path, &options.output).map_err(Failure::Other)?,
-        None => project::Dependency::Published,
-    };
-    let folder = &options.output;
+    let (folder, beside) = (&options.output, Path::new(project::BUILT_BESIDE));
+    let denhart = Dependency::find(options.crate_path.as_deref(), beside, folder).map_err(Failure::Other)?;
+    match denhart {
+        Dependency::Folder(_) => writeln!(out, "{}", denhart.remark(folder))?,
+        Dependency::Published => writeln!(err, "{}", denhart.remark(folder))?,
+    }
+    if let Some(reason) = &generated.report.unsupported {
+        writeln!(err, "{}", without_inverse(&name, reason, generated.report.hint.as_deref()))?;
+    }
     let header = format!("include/{}.h", arm.prefix);
     let written = [
         ("Cargo.toml", project::manifest(&arm, &denhart)),
@@ -86,4 +92,10 @@ pub fn run(options: &Options, out: &mut dyn Write) -> Result<(), Failure> {
         writeln!(out, "wrote {}", path.display())?;
     }
     Ok(())
+}
+
+/// The warning of an arm whose library has no inverse.
+fn without_inverse(name: &str, reason: &str, hint: Option<&str>) -> String {
+    let help = hint.unwrap_or("`denhart::numeric`, in a program in Rust, solves any arm by iteration");
+    format!("warning: {name}: the library has no inverse kinematics: {reason}\nhelp: {help}")
 }

@@ -13,12 +13,41 @@ pub enum Dependency {
     Folder(PathBuf),
 }
 
+/// The crate denhart that this command was built beside. It is gone where a clone has been removed, and not there where
+/// the command came from crates.io.
+pub const BUILT_BESIDE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../runtime");
+
 impl Dependency {
+    /// The crate at `named`, else the one at `beside`, else that of crates.io.
+    ///
+    /// # Errors
+    /// The message: there is no such crate at `named`.
+    pub fn find(named: Option<&Path>, beside: &Path, folder: &Path) -> Result<Self, String> {
+        match named {
+            Some(path) => Self::at(path, folder),
+            None => Ok(Self::at(beside, folder).unwrap_or(Self::Published)),
+        }
+    }
+
+    /// The line that says where the crate comes from, before anything is written. crates.io may not have it.
+    pub fn remark(&self, folder: &Path) -> String {
+        let manifest = folder.join("Cargo.toml");
+        let manifest = manifest.display();
+        match self {
+            Self::Folder(path) => format!("{manifest}: `denhart` is that of `{}`", path.display()),
+            Self::Published => format!(
+                "warning: {manifest}: `denhart` {} is that of crates.io, which cargo finds only where it is published\n\
+                 help: --crate-path DIR, the folder `runtime` of a clone of denhart's repository",
+                env!("CARGO_PKG_VERSION")
+            ),
+        }
+    }
+
     /// The crate at `path`, for a library in `folder`, which need not be there yet.
     ///
     /// # Errors
     /// The message: there is no such crate.
-    pub fn at(path: &Path, folder: &Path) -> Result<Self, String> {
+    fn at(path: &Path, folder: &Path) -> Result<Self, String> {
         let shown = path.display();
         let manifest = fs::read_to_string(path.join("Cargo.toml"))
             .map_err(|error| format!("--crate-path: cannot read `{shown}/Cargo.toml`: {error}"))?;
@@ -152,7 +181,20 @@ set_target_properties(@prefix@ PROPERTIES
 mod tests {
     use std::path::Path;
 
-    use super::relative;
+    use super::{BUILT_BESIDE, Dependency, relative};
+
+    #[test]
+    fn a_crate_that_is_not_there_is_announced() {
+        let folder = Path::new("/no/such/place");
+        let published = Dependency::find(None, folder, folder);
+        let remark = published.map(|found| found.remark(folder)).unwrap_or_default();
+        assert!(
+            remark.starts_with("warning: /no/such/place/Cargo.toml: `denhart` ") && remark.contains("--crate-path DIR")
+        );
+        let beside = Dependency::find(None, Path::new(BUILT_BESIDE), folder);
+        assert!(matches!(beside, Ok(Dependency::Folder(path)) if path.join("src/lib.rs").is_file()));
+        assert!(Dependency::find(Some(folder), Path::new(BUILT_BESIDE), folder).is_err());
+    }
 
     #[test]
     fn a_folder_seen_from_another() {

@@ -21,7 +21,8 @@ pub fn methods(model: &Model, target: &Target) -> TokenStream {
     let q = docs::joints(model);
     let whose = if model.coupling.is_some() { " of the motors, `to_motor(q)`," } else { "" };
     let to_doc = docs::lines(&format!(
-        "Pulse counts{whose} at joint values `q`, from each home position, `[{n}]`.\n\n{q}\n\
+        "Pulse counts{whose} at joint values `q`, from each home position, `[{n}]`.\n\n{q} Typed in degrees: \
+         `joints_from_degrees` of the trait `Arm`.\n\
          Rounded to the nearest count, halves away from zero: `ROUND(pulses_per_unit (value - home))`. A count beyond \
          `i32` stops at its end, and a value that is not a number counts 0: `to_pulses_checked` tells."
     ));
@@ -44,7 +45,7 @@ pub fn methods(model: &Model, target: &Target) -> TokenStream {
             self.to_pulses_checked(q).0
         }
 
-        /// The same counts, and the motors (from 0) whose count is saturated or whose value is not a number.
+        /// `to_pulses` with the motors (from 0) whose count is saturated or whose value is not a number.
         #[inline]
         #[must_use]
         pub fn to_pulses_checked(&self, q: &[#scalar; #n]) -> ([i32; #n], #krate::JointMask) {
@@ -78,7 +79,7 @@ fn constants(model: &Model, actuators: &[Actuator], target: &Target) -> TokenStr
     let slides = model.joints.iter().any(|joint| joint.kind == JointKind::Prismatic);
     let unit = if slides { format!("rad (sliding joints: {})", model.length_unit.symbol()) } else { "rad".to_owned() };
     let of = if model.coupling.is_some() { "motor, of motor values" } else { "joint" };
-    let actuators_doc = docs::lines(&format!("What each motor counts: pulses per {unit}, and the home position."));
+    let actuators_doc = docs::lines(&format!("Scale of each motor: pulses per {unit}, and the home position."));
     let resolution_doc = docs::lines(&format!("One pulse of each {of}: {unit}."));
     quote! {
         #actuators_doc

@@ -12,7 +12,7 @@ use crate::solve::{Plan, Unsupported};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-/// What is known of the inverse.
+/// The plan of the inverse, or why there is none.
 pub type Inverse = Result<Plan, Unsupported>;
 
 /// Everything the code is made from.
@@ -31,7 +31,7 @@ pub fn item(arm: &Arm, target: &Target) -> TokenStream {
     parameters::item(arm.model, &docs::lines(&doc), target)
 }
 
-/// What the documentation of the type shows: the head comment of the file, and why there is no inverse if there is none.
+/// Docs of the type: the head comment of the file, and why there is no inverse if there is none.
 fn impl_doc(arm: &Arm) -> String {
     let comment = arm.model.source.iter().map(|source| docs::escaped(source));
     let unsupported =

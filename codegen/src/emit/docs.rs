@@ -79,7 +79,7 @@ fn escaped_line(line: &str) -> String {
     out
 }
 
-/// What the joint vector holds.
+/// The numbers that a joint vector holds.
 pub fn joints(model: &Model) -> String {
     let n = model.joints.len();
     let unit = model.length_unit.symbol();

@@ -1,4 +1,4 @@
-//! What surrounds the loops of an inverse: constants, the function's frame, and the two methods.
+//! The surroundings of the loops of an inverse: constants, the function's frame, and the methods.
 
 use super::task::TaskCode;
 use super::tokens::{array, ident, integer, number};
@@ -219,7 +219,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
         |q| format!("`{q}` and free joints stay at their value"),
     );
     let near = docs::lines(&format!(
-        "The same solutions next to `q_ref`, the nearest first; {held} in `q_ref`.\n\n\
+        "The solutions of `inverse` next to `q_ref`, the nearest first; {held} in `q_ref`.\n\n\
          Each revolute joint is on the turn nearest to `q_ref`, of those inside the limits if there are any (and `q_ref` \
          is inside). {} A `q_ref` that is not finite, or an angle in it beyond 2048 rad (f32: 64), is a \
          `BadTarget`.",
@@ -228,7 +228,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
     let branch = docs::lines(
         "The solution of `inverse` on one branch, without computing the others; or the status that says why there is none \
          (`Unreachable` with the gap at which the branch ends). Where branches meet, either gives the one solution, \
-         flagged `BOUNDARY`. Parts that `branch` does not name may be any.",
+         flagged `BOUNDARY`. Components unset in `branch` match any value.",
     );
     // Without a flip only the branch is followed.
     let one =
@@ -250,7 +250,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
             solutions
         }
 
-        /// `inverse` into a list that the caller keeps: the list is neither made anew nor copied. What it held is gone.
+        /// Like `inverse`, but overwrites `solutions`, which the caller keeps: no list is made or copied.
         #[inline(always)]
         pub fn inverse_into(&self, target: &#target_type #argument, solutions: &mut #solutions) {
             solutions.reset(#krate::Status::BadTarget);
@@ -279,7 +279,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
             solutions
         }
 
-        /// `inverse_near` into a list that the caller keeps.
+        /// Like `inverse_near`, but overwrites `solutions`, which the caller keeps.
         #[inline(always)]
         pub fn inverse_near_into(&self, target: &#target_type, q_ref: &[#scalar; #n], solutions: &mut #solutions) {
             #from_reference
@@ -287,7 +287,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
             branches(self, target, #pass ::core::option::Option::Some(q_ref), ALL, solutions);
         }
 
-        /// By how much `q` misses the target, from `forward`.
+        /// The miss of the target at `q`, from `forward`: position in the length unit, orientation in rad.
         #[must_use]
         pub fn residual(&self, q: &[#scalar; #n], target: &#target_type) -> #krate::Residual<#scalar> {
             #krate::solve::Goal::residual(#goal, q, &self.forward(q))

@@ -8,7 +8,7 @@ use crate::lower::{Call, Counted, DefaultValue, Kernel, RootRange, Statement, Un
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-/// What the numbers of an equation measure.
+/// The measure of the numbers in an equation: lengths or directions.
 pub fn measure(nest: &Nest, unit: Unit) -> TokenStream {
     let krate = &nest.target.krate;
     match unit {

@@ -1,4 +1,4 @@
-//! What the names in generated code stand for, as comments at the head of a written file.
+//! The legend at the head of a written file: comments that explain the names in generated code.
 
 use std::collections::BTreeSet;
 
@@ -56,7 +56,7 @@ pub fn legend(code: &str) -> String {
     format!("{head}{lines}\n")
 }
 
-/// Whether a name is of a pattern.
+/// True if a name is of a pattern.
 fn matches(pattern: &str, name: &str) -> bool {
     let Some(first) = pattern.chars().next() else { return name.is_empty() };
     let rest = pattern.get(first.len_utf8()..).unwrap_or_default();

@@ -69,7 +69,7 @@ fn scaled(writer: &Writer, factor: &Factor, reach: &Ident) -> TokenStream {
     }
 }
 
-/// What the pivots read of the tool's pose.
+/// Statements for the entries of the tool's pose that the pivots read.
 fn pose(margins: &Margins) -> TokenStream {
     let reads = |input: Input| margins.pose.iter().any(|(_, read)| *read == input);
     let pattern = |input: Input| bound(&input.name(), reads(input));
@@ -140,7 +140,7 @@ fn doc(plan: &Plan, writer: &Writer, factors: &[Factor], reach: &Ident) -> Strin
     text
 }
 
-/// What a kernel's variable is that is not the joint value itself: "; `t3 = q3 +87.3 deg`".
+/// The variable of a kernel that is not the joint value itself: "; `t3` is `q3 + 87.3 deg`".
 fn shifts(plan: &Plan, used: &HashSet<Symbol>) -> String {
     let shift = |joint: usize| {
         let (number, constant) = (joint + 1, lower::constant(plan, joint));
@@ -153,8 +153,9 @@ fn shifts(plan: &Plan, used: &HashSet<Symbol>) -> String {
             (_, true) => format!("`s{number}` and `c{number}` are of"),
             _ => return None,
         };
-        let degrees = -constant.rad().to_degrees();
-        (!constant.is_zero()).then(|| format!("; {variable} `q{number}` {degrees:+.6} deg"))
+        let degrees = (-constant.rad().to_degrees() * 1e6).round() / 1e6;
+        let sign = if degrees < 0.0 { '-' } else { '+' };
+        (!constant.is_zero()).then(|| format!("; {variable} `q{number} {sign} {} deg`", degrees.abs()))
     };
     (0..plan.joints()).filter_map(shift).collect()
 }

@@ -79,7 +79,7 @@ impl TryFrom<&str> for Scalar {
     }
 }
 
-/// What every generated function needs to know.
+/// The settings that every generated function reads.
 #[derive(Clone)]
 pub struct Target {
     /// The scalar type.

@@ -1,4 +1,4 @@
-//! What follows from pose and Jacobian: thin methods on the runtime's functions.
+//! Methods that follow from pose and Jacobian, thin ones on the runtime's functions.
 
 use super::tokens::{integer, number};
 use super::{Target, docs};
@@ -7,7 +7,7 @@ use crate::solve::{Goal, Plan};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// What the arm's task counts of the tool's motion.
+/// The part of the tool's motion that the arm's task counts.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Counted {
     /// All six rows of the Jacobian.
@@ -20,7 +20,7 @@ pub enum Counted {
     Angle(Vec<f64>),
 }
 
-/// What is counted by the task that the arm is for: the one of its inverse, else the one its file names.
+/// The part counted by the task of the arm's inverse, else by the task that its file names.
 pub fn counted(model: &Model, plan: Option<&Plan>) -> Counted {
     match (plan.map(|plan| &plan.task.goal), plan.map(|plan| plan.task.goal.task()).or(model.inverse.task)) {
         (_, Some(Task::Position)) => {
@@ -86,7 +86,7 @@ fn manipulability(model: &Model, counted: &Counted, target: &Target) -> TokenStr
     }
 }
 
-/// What the trait's defaults do not give.
+/// The methods of the trait whose defaults do not fit.
 pub fn trait_methods(model: &Model, counted: &Counted, target: &Target) -> TokenStream {
     let (name, t, n) = (&target.type_name, target.scalar.tokens(), integer(model.joints.len()));
     if *counted == Counted::All {

@@ -7,7 +7,7 @@ use crate::solve::Plan;
 use crate::symbolic::Label;
 use proc_macro2::Ident;
 
-/// What the statements are written with.
+/// The settings that the statements are written with.
 pub struct Nest<'a> {
     /// The plan.
     pub plan: &'a Plan,
@@ -15,7 +15,7 @@ pub struct Nest<'a> {
     pub target: &'a Target,
     /// The plan as a program.
     pub program: &'a lower::Inverse,
-    /// Whether lengths are compared to a reach that is known at run time only.
+    /// True if lengths are compared to a reach that is known at run time only.
     pub bound: bool,
 }
 
@@ -30,13 +30,13 @@ impl Nest<'_> {
         ident(&self.program.graph.leaf_name(slot).unwrap_or_default())
     }
 
-    /// What a stage is called: its joints.
+    /// The number of a stage in names: its joints.
     pub fn number(&self, stage: usize) -> String {
         let labels = self.plan.stages().nth(stage).map(|stage| self.plan.labels(stage));
         labels.unwrap_or_default().iter().map(Label::to_string).collect()
     }
 
-    /// What is known of a branch after a step, by its name.
+    /// The name of the state of a branch after a step.
     pub fn state(&self, state: BranchState) -> Ident {
         match state {
             BranchState::Start => ident("start"),

@@ -1,6 +1,6 @@
 //! Absolute paths as names: `::denhart::solve::Turn` becomes `Turn`, imported at the head of the block that holds the code.
 //!
-//! What emits code writes absolute paths, which mean the same wherever they stand. This pass shortens them afterwards:
+//! Emitted code has absolute paths, which mean the same wherever they stand. This pass shortens them afterwards:
 //! a type or trait to its name, a function or constant to its module and its name. A name that the user's type has, or
 //! that a shorter path has, is left to it.
 
@@ -27,7 +27,7 @@ struct Absolute {
     segments: Vec<Ident>,
     /// How many tokens it takes.
     tokens: usize,
-    /// Whether it is that of a macro.
+    /// True for the path of a macro.
     is_macro: bool,
 }
 
@@ -37,7 +37,7 @@ impl Absolute {
     }
 }
 
-/// What a path becomes: the segments that stay, and the path that is imported for them.
+/// A shortened path: the segments that stay, and the path that is imported for them.
 struct Short {
     keeps: usize,
     import: Vec<String>,
@@ -174,7 +174,7 @@ fn absolute(tokens: &[TokenTree], index: usize) -> Option<Absolute> {
     (!segments.is_empty()).then_some(Absolute { segments, tokens: at - index, is_macro })
 }
 
-/// Whether `::` after this token continues a path, as in `Self::DH` or `<T>::X`.
+/// True if `::` after this token continues a path, as in `Self::DH` or `<T>::X`.
 fn continues(tokens: &[TokenTree], before: usize) -> bool {
     let is = |token: Option<&TokenTree>, sign: char| matches!(token, Some(TokenTree::Punct(p)) if p.as_char() == sign);
     match tokens.get(before) {

@@ -1,4 +1,4 @@
-//! What the inverse of a task looks like from outside: its target, and how the search sees it.
+//! The inverse of a task from outside: its target, and how the search sees that.
 
 use super::tokens::{array, bound, ident, integer, number};
 use super::{Target, angle};
@@ -14,7 +14,7 @@ pub struct TaskCode {
     pub target: TokenStream,
     /// One sentence about it.
     pub doc: String,
-    /// What makes a target a bad one, after "if the target".
+    /// The conditions of a bad target, as they follow "if the target".
     pub bad: &'static str,
     /// A reference to the runtime's `Goal` of the target.
     pub goal: TokenStream,

@@ -19,7 +19,7 @@ fn written(value: f64, sum: f64, tokens: TokenStream, target: &Target) -> TokenS
     if better { tokens } else { number(value) }
 }
 
-/// Whether a number may have been written by somebody.
+/// True for a number that somebody may have written.
 fn is_short(value: f64) -> bool {
     format!("{value:e}").chars().take_while(|c| *c != 'e').filter(char::is_ascii_digit).count() <= WRITTEN
 }

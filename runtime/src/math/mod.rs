@@ -91,6 +91,16 @@ pub fn angle_array<T: Scalar, const N: usize>(sines: [T; N], cosines: [T; N]) ->
     T::angle_array(sines, cosines)
 }
 
+/// An angle typed in degrees, in rad: `degrees / 180 * pi`, within 2.5 ulp.
+///
+/// Quarters and eighths of a turn have the bits of the constants in `core`: `radians(90.0)` is `FRAC_PI_2`. Not finite
+/// where the argument is not.
+#[inline]
+#[must_use]
+pub fn radians<T: Scalar>(degrees: T) -> T {
+    degrees / T::from_f64(180.0) * T::PI
+}
+
 /// Square root, correctly rounded; not a number below zero.
 #[inline]
 pub fn sqrt<T: Scalar>(x: T) -> T {

@@ -15,7 +15,8 @@ pub struct AxisAngle<T> {
 }
 
 impl<T: Scalar> Pose<T> {
-    /// Pose from a position, in the length unit, and a turn by `angle` (rad) about `axis` (of any length).
+    /// Pose from a position, in the length unit, and a turn by `angle` (rad) about `axis` (of any length); in degrees:
+    /// [`from_xyz_axis_angle_degrees`](Self::from_xyz_axis_angle_degrees).
     ///
     /// Rodrigues's formula. `None` if the axis is zero or not finite, or the angle is not finite.
     ///
@@ -37,6 +38,12 @@ impl<T: Scalar> Pose<T> {
         let (sin, cos) = math::sin_cos(angle * T::HALF);
         let [x, y, z] = axis.map(|part| part / length * sin);
         Self::from_xyz_quaternion(xyz, [cos, x, y, z])
+    }
+
+    /// [`from_xyz_axis_angle`](Self::from_xyz_axis_angle) with the angle in degrees.
+    #[must_use]
+    pub fn from_xyz_axis_angle_degrees(xyz: [T; 3], axis: [T; 3], angle: T) -> Option<Self> {
+        Self::from_xyz_axis_angle(xyz, axis, math::radians(angle))
     }
 
     /// Pose from a position, in the length unit, and a rotation vector: a turn about its direction by its length, rad.

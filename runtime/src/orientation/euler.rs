@@ -101,7 +101,8 @@ pub struct Euler<T> {
 }
 
 impl<T: Scalar> Pose<T> {
-    /// Pose from a position, in the length unit, and three intrinsic Euler angles, rad.
+    /// Pose from a position, in the length unit, and three intrinsic Euler angles, rad; in degrees:
+    /// [`from_xyz_euler_degrees`](Self::from_xyz_euler_degrees).
     ///
     /// ```
     /// use denhart::{EulerOrder, Pose};
@@ -129,6 +130,12 @@ impl<T: Scalar> Pose<T> {
             ]
         };
         Self { rotation: order.restore(renamed.map(|row| order.restore(row))), translation: xyz }
+    }
+
+    /// [`from_xyz_euler`](Self::from_xyz_euler) with the angles in degrees.
+    #[must_use]
+    pub fn from_xyz_euler_degrees(xyz: [T; 3], order: EulerOrder, angles: [T; 3]) -> Self {
+        Self::from_xyz_euler(xyz, order, angles.map(math::radians))
     }
 
     /// Intrinsic Euler angles of the orientation, rad.

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::tools::{denhart, folder, root};
+use crate::tools::{denhart, folder, root, said, succeeds};
 
 /// The files as they are: one with a redundant joint in single precision, one with pulses in double precision.
 #[test]
@@ -23,6 +23,9 @@ fn the_files() {
             [("header", header.as_str()), ("lib", "src/lib.rs"), ("cargo", "Cargo.toml"), ("cmake", "CMakeLists.txt")]
         {
             let text = fs::read_to_string(folder.join(file)).unwrap();
+            // The folder is where this repository is, seen from that of the test.
+            let runtime = text.split('"').find(|path| path.ends_with("/runtime")).unwrap_or("/runtime");
+            let text = text.replace(runtime, "[denhart]/runtime");
             settings.bind(|| insta::assert_snapshot!(format!("{arm}_{kind}"), text));
         }
         // The code is what `expand` prints.
@@ -61,4 +64,59 @@ fn wrong_arguments_are_named() {
     with(&["--crate-path", wrong.to_str().unwrap()], "is not the crate denhart");
     with(&["--scalar", "f16"], "invalid value 'f16'");
     assert!(!folder.exists());
+}
+
+/// Exports an arm anew; the folder, the output, the errors.
+fn exported(spec: &str, name: &str) -> (std::path::PathBuf, String, String) {
+    let (spec, folder) = (root().join(spec), folder(name));
+    let _ = fs::remove_dir_all(&folder);
+    let (status, out, err) = said(&["export", "c", spec.to_str().unwrap(), "-o", folder.to_str().unwrap()]);
+    assert_eq!(status, 0, "{err}");
+    (folder, out, err)
+}
+
+/// Without `--crate-path` the crate is one that cargo finds, and the command says where.
+#[test]
+fn the_crate_is_found_without_being_named() {
+    let (folder, out, err) = exported("specs/planar2r.yaml", "unnamed");
+    assert_eq!(err, "");
+    let first = out.lines().next().unwrap();
+    assert!(first.contains("Cargo.toml: `denhart` is that of `") && first.ends_with("runtime`"), "{out}");
+    fs::copy(root().join("Cargo.lock"), folder.join("Cargo.lock")).unwrap();
+    let target = self::folder("target");
+    let mut cargo = std::process::Command::new(env!("CARGO"));
+    succeeds(cargo.args(["check", "--quiet", "--offline"]).current_dir(&folder).env("CARGO_TARGET_DIR", target));
+}
+
+/// A library without inverse is one that was not expected: the terminal says why.
+#[test]
+fn an_arm_without_inverse_is_announced() {
+    let (folder, _, err) = exported("specs/kinova_jaco.yaml", "announced");
+    let first =
+        "kinova_jaco.yaml: the library has no inverse kinematics: no three consecutive axes meet or are parallel";
+    assert!(err.starts_with("warning: ") && err.contains(first) && err.contains("\nhelp: "), "{err}");
+    let header = fs::read_to_string(folder.join("include/kinova_jaco.h")).unwrap();
+    assert!(!header.contains("kinova_jaco_inverse") && !header.contains("kinova_jaco_target_at"));
+}
+
+/// The angle of `position_angle` is written out: joints, signs and the angles of the table.
+#[test]
+fn the_header_says_the_sum_of_the_angle() {
+    for (spec, name, sum) in [
+        ("specs/jupiter.yaml", "jupiter", "q[1] + q[2] + q[3]"),
+        ("specs/al5d.yaml", "al5d", "q[1] - q[2] + q[3] + 1.5707963267948966"),
+        (
+            "tests/arms/position_angle/yaw_pitch_turned.yaml",
+            "yaw_pitch_turned",
+            "q[1] - q[2] + q[3] + 1.5707963267948966",
+        ),
+        ("tests/arms/position_angle/crane_rrpr.yaml", "crane_rrpr", "q[1] + q[3] + 0.5235987755982989"),
+    ] {
+        let (folder, _, _) = exported(spec, &format!("angle_{name}"));
+        let header = fs::read_to_string(folder.join(format!("include/{name}.h"))).unwrap();
+        let said = format!("/** Of the tool in the plane of its links, rad: `{sum}` of the joint values q. */");
+        assert!(header.contains(&said), "{sum}: {header}");
+        assert!(header.contains(&format!("the tool's angle in the plane, `{sum}`.")), "{sum}: {header}");
+        assert!(!header.contains("denhart check"), "{header}");
+    }
 }

@@ -132,6 +132,7 @@ static void arguments(void)
         static const real words[WORDS], given;
         const void *target = words;
         exported_solutions_t all;
+        void *place = &all;
         exported_solution_t one;
         real gap[2];
         real *askew_gap = (real *)(void *)((char *)gap + 1);
@@ -146,6 +147,7 @@ static void arguments(void)
         printf(" %d %d %d %d", exported_inverse_branch(target, GIVEN NULL, &one, gap),
             exported_inverse_branch(target, GIVEN &branch, NULL, gap), exported_inverse_branch(target, GIVEN &wrong, &one, gap),
             exported_inverse_branch(target, GIVEN &branch, &one, askew_gap));
+        printf(" %d %d", exported_target_at(NULL, place), exported_target_at(q, NULL));
         printf(" %d", untouched(&all, sizeof all) && untouched(&one, sizeof one) && untouched(gap, sizeof gap) ? 3 : 0);
     }
 #endif
@@ -194,6 +196,7 @@ int main(void)
         {
             real words[WORDS], given, q_ref[EXPORTED_JOINTS], gap;
             const void *target = words;
+            void *target_at = words;
             unsigned parts[4];
             exported_solutions_t all;
             exported_solution_t one;
@@ -211,6 +214,8 @@ int main(void)
             printf(" | %d", (int)exported_inverse_branch(target, GIVEN &branch, &one, &gap));
             show(&gap, 1);
             solution(&one);
+            printf(" | %d", (int)exported_target_at(q, target_at));
+            show(words, WORDS);
         }
 #endif
         motors(q);

@@ -8,7 +8,7 @@ mod files;
 mod link;
 mod tools;
 
-use denhart::{Arm, PlanarPose, PointAngle, PointAxis, Pose, Scalar};
+use denhart::{Arm, InverseKinematics, PlanarPose, PointAngle, PointAxis, Pose, Scalar};
 
 use bits::shown;
 use cases::{Task, cases};
@@ -17,7 +17,7 @@ use tools::{cc, export, library, prints, program};
 macro_rules! exported {
     ($(
         $name:ident: $spec:literal $type:ident $scalar:literal $prefix:literal [$($definition:literal)*]
-        $words:literal |$arm:ident, $q:ident| $aim:expr, |$w:ident, $g:ident| $target:expr, $given:expr, $extra:expr;
+        $words:literal |$at:ident| $of:expr, |$w:ident, $g:ident| $target:expr, $given:expr, $extra:expr;
     )*) => {$(
         #[test]
         fn $name() {
@@ -27,7 +27,7 @@ macro_rules! exported {
             let Some(mut cc) = cc() else { return };
             let task: Task<Robot, $type, _, { Robot::DOF }, $words> = Task {
                 arm: Robot,
-                aim: |$arm, $q| $aim,
+                words: |$at: &<Robot as InverseKinematics<$type, { Robot::DOF }>>::Target| $of,
                 target: |$w, $g| $target,
                 given: $given,
                 extra: $extra,
@@ -83,38 +83,32 @@ macro_rules! pulses {
 
 exported! {
     pose_f64: "../specs/puma560.yaml" f64 "f64" "puma560" ["-DGIVEN="]
-        12 |arm, q| words(arm.forward(q)), |w, _given| of_words(w), zero, nothing;
+        12 |at| words(*at), |w, _given| of_words(w), zero, nothing;
     pose_f32_with_linked_motors: "../specs/fanuc_lrmate200id.yaml" f32 "f32" "fanuc_lrmate200id" ["-DGIVEN=" "-DHAS_MOTOR"]
-        12 |arm, q| words(arm.forward(q)), |w, _given| of_words(w), zero, motor!();
+        12 |at| words(*at), |w, _given| of_words(w), zero, motor!();
     pose_with_a_joint_given: "../specs/kuka_iiwa7_r800.yaml" f32 "f32" "kuka_iiwa7_r800" ["-DGIVEN=given,"]
-        12 |arm, q| words(arm.forward(q)), |w, given| (of_words(w), given), |_, q| q[2], nothing;
+        12 |at| words(at.0), |w, given| (of_words(w), given), |arm, q| InverseKinematics::target_at(arm, q).1, nothing;
     pose_with_the_arm_angle_given: "tests/export_c/iiwa.yaml" f64 "f64" "arm_7_iiwa" ["-DGIVEN=given," "-DHAS_ARM_ANGLE"]
-        12 |arm, q| words(arm.forward(q)), |w, given| (of_words(w), given), |arm, q| arm.arm_angle(q),
+        12 |at| words(at.0), |w, given| (of_words(w), given), |arm, q| InverseKinematics::target_at(arm, q).1,
         |arm, q| format!(" | 0{}", shown(&[arm.arm_angle(q)]));
     position_f32_with_pulses: "../specs/salman_rrr.yaml" f32 "f32" "salman_rrr" ["-DGIVEN=" "-DHAS_PULSES"]
-        3 |arm, q| arm.forward(q).translation, |w, _given| w, zero, pulses!();
+        3 |at| *at, |w, _given| w, zero, pulses!();
     position_axis: "arms/position_axis/scorbot_x.yaml" f64 "f64" "scorbot_x" ["-DGIVEN="]
-        6 |arm, q| {
-            let Pose { rotation: [[u, ..], [v, ..], [w, ..]], translation: [x, y, z] } = arm.forward(q);
+        6 |at| {
+            let PointAxis { point: [x, y, z], axis: [u, v, w] } = *at;
             [x, y, z, u, v, w]
         },
         |w, _given| PointAxis { point: [w[0], w[1], w[2]], axis: [w[3], w[4], w[5]] }, zero, nothing;
     position_angle: "../specs/jupiter.yaml" f32 "f32" "jupiter" ["-DGIVEN="]
-        4 |arm, q| {
-            let [x, y, z] = arm.forward(q).translation;
-            [x, y, z, q[1] + q[2] + q[3]]
+        4 |at| {
+            let PointAngle { point: [x, y, z], angle } = *at;
+            [x, y, z, angle]
         },
         |w, _given| PointAngle { point: [w[0], w[1], w[2]], angle: w[3] }, zero, nothing;
     planar_pose_with_a_joint_given: "../specs/planar4r_redundant.yaml" f32 "f32" "planar4r_redundant" ["-DGIVEN=given,"]
-        3 |arm, q| {
-            let [x, y, _] = arm.forward(q).translation;
-            [x, y, q.iter().sum()]
-        },
-        |w, given| (PlanarPose { x: w[0], y: w[1], phi: w[2] }, given), |_, q| q[0], nothing;
+        3 |at| [at.0.x, at.0.y, at.0.phi],
+        |w, given| (PlanarPose { x: w[0], y: w[1], phi: w[2] }, given),
+        |arm, q| InverseKinematics::target_at(arm, q).1, nothing;
     planar_position: "../specs/planar2r.yaml" f64 "f64" "planar2r" ["-DGIVEN="]
-        2 |arm, q| {
-            let [x, y, _] = arm.forward(q).translation;
-            [x, y]
-        },
-        |w, _given| w, zero, nothing;
+        2 |at| *at, |w, _given| w, zero, nothing;
 }

@@ -10,13 +10,18 @@ pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// The command, which has to succeed unless `refused` is what it says.
-pub fn denhart(arguments: &[&str], refused: Option<&str>) {
+/// The command: its status, its output, its errors.
+pub fn said(arguments: &[&str]) -> (u8, String, String) {
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let status = denhart_cli::run([&["denhart"], arguments].concat(), &mut out, &mut err);
-    let err = String::from_utf8(err).unwrap();
+    (status, String::from_utf8(out).unwrap(), String::from_utf8(err).unwrap())
+}
+
+/// The command, which has to succeed unless `refused` is in its errors. It warns of an arm without inverse alone.
+pub fn denhart(arguments: &[&str], refused: Option<&str>) {
+    let (status, _, err) = said(arguments);
     match refused {
-        None => assert_eq!((status, err.as_str()), (0, "")),
+        None => assert!(status == 0 && (err.is_empty() || err.contains("no inverse kinematics")), "{status}: {err}"),
         Some(says) => assert!(status != 0 && err.contains(says), "{status}: {err}"),
     }
 }

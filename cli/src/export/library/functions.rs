@@ -19,13 +19,13 @@ const JACOBIAN: Argument = ("jacobian", "Jacobian");
 struct Function {
     /// Its name behind the prefix.
     name: &'static str,
-    /// What is read.
+    /// Arguments that are read.
     inputs: Vec<Argument>,
     /// The name of a number behind the first input.
     given: Option<String>,
-    /// What is written.
+    /// Arguments that are written.
     outputs: Vec<Argument>,
-    /// What is written unless the pointer is null.
+    /// An argument that is written unless its pointer is null.
     optional: Option<Argument>,
     /// Lines over the arguments by their names. The last one is the status.
     body: String,
@@ -111,15 +111,21 @@ fn kinematics() -> Vec<Function> {
     ]
 }
 
-fn inverse(inverse: &Inverse) -> [Function; 3] {
-    let (kind, meant) = match inverse.goal {
-        Goal::Pose => ("Pose", "denhart::Pose { rotation: target.rotation, translation: target.translation }"),
-        Goal::Position => ("[Real; 3]", "target"),
-        Goal::PlanarPosition => ("[Real; 2]", "target"),
-        Goal::PositionAxis { .. } => ("Target", "denhart::PointAxis { point: target.point, axis: target.axis }"),
-        Goal::PositionAngle { .. } => ("Target", "denhart::PointAngle { point: target.point, angle: target.angle }"),
-        Goal::PlanarPose => ("Target", "denhart::PlanarPose { x: target.x, y: target.y, phi: target.phi }"),
+fn inverse(inverse: &Inverse) -> [Function; 4] {
+    // The types of a target in C and in Rust; both structs have the same fields.
+    let (kind, rust, fields) = match inverse.goal {
+        Goal::Pose => ("Pose", "denhart::Pose", &["rotation", "translation"][..]),
+        Goal::Position => ("[Real; 3]", "", &[][..]),
+        Goal::PlanarPosition => ("[Real; 2]", "", &[][..]),
+        Goal::PositionAxis { .. } => ("Target", "denhart::PointAxis", &["point", "axis"][..]),
+        Goal::PositionAngle { .. } => ("Target", "denhart::PointAngle", &["point", "angle"][..]),
+        Goal::PlanarPose => ("Target", "denhart::PlanarPose", &["x", "y", "phi"][..]),
     };
+    let made = |of: &str, from: &str| {
+        let fields: Vec<String> = fields.iter().map(|field| format!("{field}: {from}.{field}")).collect();
+        if fields.is_empty() { from.to_owned() } else { format!("{of} {{ {} }}", fields.join(", ")) }
+    };
+    let meant = &made(rust, "target");
     let target = ("target", kind);
     let given = inverse.given.as_ref().map(|(name, _)| name.clone());
     let beside = given.as_ref().map_or_else(String::new, |name| format!(", {name}"));
@@ -132,7 +138,9 @@ fn inverse(inverse: &Inverse) -> [Function; 3] {
     let near = Function::new("inverse_near", &[target, ("q_ref", Q.1)], &solutions, &near);
     let one = BRANCH.replace("@meant@", meant).replace("@beside@", &beside);
     let one = Function::new("inverse_branch", &[target, ("branch", "Branch")], &[("solution", "Solution")], &one);
-    [Function { given: given.clone(), ..all }, near, Function { given, optional: Some(("gap", "Real")), ..one }]
+    let at = format!("let at = Robot.target_at(&q);\ntarget.write({});\nOK", made(kind, "at"));
+    let at = Function::new("target_at", &[Q], &[target], &at);
+    [Function { given: given.clone(), ..all }, near, Function { given, optional: Some(("gap", "Real")), ..one }, at]
 }
 
 const BRANCH: &str = "let Some(branch) = branch.named() else { return BAD_ARGUMENT };

@@ -2,14 +2,14 @@
 
 use crate::export::arm::Arm;
 
-/// What reads and writes the arguments of an arm's functions.
+/// The code that reads and writes the arguments of an arm's functions.
 pub fn text(arm: &Arm<'_>) -> String {
     let optional = if arm.has_optional_results() { OPTIONAL } else { "" };
     [MEMORY, optional, PANIC].concat()
 }
 
 const MEMORY: &str = r#"
-/// What is at `from`; `None` for a pointer that is null or not aligned.
+/// The value at `from`; `None` for a pointer that is null or not aligned.
 ///
 /// # Safety
 /// Any other pointer is to a `T` that nobody writes during the call.
@@ -45,7 +45,7 @@ impl<T: Copy> Output<T> {
 
 const OPTIONAL: &str = r#"
 impl<T: Copy> Output<T> {
-    /// The same of a pointer that may be null: `Some(None)`.
+    /// The place at `to` as of `at`; `Some(None)` for a pointer that is null.
     ///
     /// # Safety
     /// As of `at`.

@@ -176,3 +176,22 @@ fn rounding() {
     assert_eq!(Scalar::round_ties_even(-3.5_f32), -4.0);
     assert!(Scalar::round_ties_even(f64::NAN).is_nan());
 }
+
+/// Eighths of a turn are exact; other angles are within 2.5 ulp of the standard library's, which rounds in another order.
+#[test]
+fn degrees() {
+    use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+    for (degrees, rad) in [(0.0, 0.0), (45.0, FRAC_PI_4), (-90.0, -FRAC_PI_2), (180.0, PI), (360.0, 2.0 * PI)] {
+        assert_eq!(math::radians(degrees).to_bits(), f64::to_bits(rad), "{degrees}");
+        // Each is a power of two times pi.
+        assert_eq!(math::radians(degrees as f32).to_bits(), (rad as f32).to_bits(), "{degrees}");
+    }
+    for tenth in -7200..=7200 {
+        let degrees = f64::from(tenth) / 10.0;
+        let (double, single) = (math::radians(degrees), f64::from(math::radians(degrees as f32)));
+        assert!((double - degrees.to_radians()).abs() <= 2.5 * f64::EPSILON * double.abs(), "{degrees}");
+        let exact = f64::from(degrees as f32).to_radians();
+        assert!((single - exact).abs() <= 2.5 * f64::from(f32::EPSILON) * exact.abs(), "{degrees}");
+    }
+    assert!(math::radians(f64::NAN).is_nan() && math::radians(f32::INFINITY).is_infinite());
+}
