@@ -172,7 +172,7 @@ fn coupling() -> Value {
     let factor = json!({"type": ["number", "string"], "description": "A number, or a length for a turn: 20 per rev."});
     let matrix = json!({"type": "array", "items": {"type": "array", "items": factor}});
     json!({
-        "description": "Linked motors: motor = A q + b. What is not listed is its joint.",
+        "description": "Linked motors: motor = A q + b. A joint that is not listed is driven one to one by its own motor.",
         "anyOf": [
             matrix,
             {

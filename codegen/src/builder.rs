@@ -24,7 +24,7 @@ use crate::{Bound, Options, ScalarKind, generate};
 #[derive(Debug, Clone)]
 #[must_use = "a Builder does nothing until one of its write functions, or `generate`, is called"]
 pub struct Builder {
-    /// Of the arm file; where its text is given, what messages call it.
+    /// Path of the arm file; for an arm given as text, its name in messages.
     path: PathBuf,
     text: Option<String>,
     type_name: Option<String>,
@@ -88,7 +88,7 @@ impl Builder {
     /// The generated code, formatted. Writes nothing and prints nothing.
     ///
     /// # Errors
-    /// [`BuildError`]: the file cannot be read, its mistakes, or an option that is no Rust.
+    /// [`BuildError`]: the file cannot be read, its mistakes, or an option that is not valid Rust.
     pub fn generate(&self) -> Result<String, BuildError> {
         self.code().map(|(code, _)| code)
     }
@@ -154,14 +154,14 @@ impl Builder {
     }
 }
 
-/// Why a [`Builder`] wrote nothing. `Debug` shows the same text as `Display`, so that a build script whose `main`
+/// Reason for which a [`Builder`] wrote nothing. `Debug` shows the same text as `Display`, so that a build script whose `main`
 /// returns it fails readably.
 pub enum BuildError {
     /// The arm file is missing or unreadable.
     Read(ReadError),
     /// The mistakes in the arm file, all of them.
     Arm(Errors),
-    /// `scalar` was given a name that is none.
+    /// The name given to `scalar` is not `f64` or `f32`.
     Scalar(String),
     /// `type_name` is not an identifier.
     TypeName {

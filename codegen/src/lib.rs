@@ -6,7 +6,9 @@
 //! spec (YAML text) -> model (checked chain) -> symbolic (expressions) -> kinematics, solve -> lower (programs) -> emit (Rust tokens)
 //! ```
 //!
-//! [`generate`] is what the derive macro, the [`Builder`] of a build script and the command `denhart expand` all call.
+//! The derive macro, the [`Builder`] of a build script and the command `denhart expand` all call [`generate`].
+
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod arm_file;
 #[cfg(feature = "file")]

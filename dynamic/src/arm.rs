@@ -148,7 +148,7 @@ impl DynamicArm {
     /// Pose of the tool in the base frame.
     ///
     /// # Errors
-    /// Another number of joint values than joints; the same for all functions of `q`.
+    /// If the length of `q` is not the number of joints. So for all functions of `q`.
     pub fn forward(&self, q: &[f64]) -> Result<Pose<f64>, DynamicError> {
         self.counted(q)?;
         Ok(self.pose(q))

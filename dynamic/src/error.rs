@@ -15,7 +15,7 @@ pub enum DynamicError {
     /// The arm has no inverse in closed form: why.
     #[error("no inverse kinematics: {0}; denhart::numeric solves any arm by iteration")]
     NoInverse(String),
-    /// A joint vector of another length.
+    /// A joint vector whose length is not the number of joints.
     #[error("{found} joint values, but the arm has {expected} joints")]
     Joints {
         /// The arm's joints.

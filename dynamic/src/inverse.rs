@@ -74,7 +74,7 @@ impl DynamicArm {
     /// and the value that the inverse takes beside the target, stay at their values in `q_ref`.
     ///
     /// # Errors
-    /// An arm without inverse; a target of another task; another number of joint values than joints.
+    /// An arm without inverse; a target of another task; a joint vector whose length is not the number of joints.
     pub fn inverse_near(&self, target: &DynamicTarget, q_ref: &[f64]) -> Result<DynamicSolutions, DynamicError> {
         self.counted(q_ref)?;
         let solver = self.solver(target)?;
@@ -112,7 +112,7 @@ impl DynamicArm {
     /// Value that the inverse takes beside the target, at a joint vector; `None` if it takes no such value.
     ///
     /// # Errors
-    /// An arm without inverse; another number of joint values than joints.
+    /// An arm without inverse; a joint vector whose length is not the number of joints.
     pub fn held(&self, q: &[f64]) -> Result<Option<f64>, DynamicError> {
         match self.inverse_program()?.given {
             None => Ok(None),
@@ -128,7 +128,7 @@ impl DynamicArm {
     /// wrist.
     ///
     /// # Errors
-    /// An arm whose inverse does not take an arm angle; another number of joint values than joints.
+    /// An arm whose inverse does not take an arm angle; a joint vector whose length is not the number of joints.
     pub fn arm_angle(&self, q: &[f64]) -> Result<f64, DynamicError> {
         let constants = self.inverse_program()?.swivel.as_ref().ok_or(DynamicError::NothingGiven)?;
         let shoulder = Pose { rotation: constants.shoulder.r, translation: constants.shoulder.p };
@@ -149,7 +149,7 @@ impl DynamicArm {
     /// The target of the arm's task that a joint vector reaches.
     ///
     /// # Errors
-    /// An arm without inverse; another number of joint values than joints.
+    /// An arm without inverse; a joint vector whose length is not the number of joints.
     pub fn target_at(&self, q: &[f64]) -> Result<DynamicTarget, DynamicError> {
         self.counted(q)?;
         let goal = &self.inverse_program()?.goal;

@@ -6,7 +6,7 @@
 use denhart::Arm;
 
 #[derive(Arm)]
-#[arm(spec = "../specs/denso_vs6556.yaml")]
+#[arm(spec = "examples/arms/denso_vs6556.yaml")]
 struct Denso;
 
 /// Table 2, recomputed with 50 digits and rounded to its seven decimals. The paper differs by up to 4 in the last one.

@@ -6,7 +6,7 @@
 use denhart::{Arm, PointAngle};
 
 #[derive(Arm)]
-#[arm(spec = "../specs/jupiter.yaml")]
+#[arm(spec = "examples/arms/jupiter.yaml")]
 struct Jupiter;
 
 /// The paper's angles count upward: base, shoulder, elbow. In the table pitch joints count downward.

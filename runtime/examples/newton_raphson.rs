@@ -7,7 +7,7 @@ use denhart::numeric::{Method, NumericInverse, Task};
 use denhart::{Arm, PlanarPose, Pose};
 
 #[derive(Arm)]
-#[arm(spec = "../specs/planar3r.yaml")]
+#[arm(spec = "examples/arms/planar3r.yaml")]
 struct Planar3r;
 
 fn main() {

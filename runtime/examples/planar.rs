@@ -6,14 +6,14 @@
 use denhart::{Arm, PlanarPose};
 
 #[derive(Arm)]
-#[arm(spec = "../specs/planar2r.yaml")]
+#[arm(spec = "examples/arms/planar2r.yaml")]
 struct Planar2r {
     l1: f64,
     l2: f64,
 }
 
 #[derive(Arm)]
-#[arm(spec = "../specs/planar3r.yaml")]
+#[arm(spec = "examples/arms/planar3r.yaml")]
 struct Planar3r {
     l1: f64,
     l2: f64,

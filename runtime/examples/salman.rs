@@ -6,7 +6,7 @@
 use denhart::Arm;
 
 #[derive(Arm)]
-#[arm(spec = "../specs/salman_rrr.yaml")]
+#[arm(spec = "examples/arms/salman_rrr.yaml")]
 struct Salman;
 
 /// Table 4, case 2: degrees; position by theory and by the steppers, mm.

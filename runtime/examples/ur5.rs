@@ -6,7 +6,7 @@
 use denhart::{Arm, Pose};
 
 #[derive(Arm)]
-#[arm(spec = "../specs/ur5.yaml")]
+#[arm(spec = "examples/arms/ur5.yaml")]
 struct Ur5;
 
 fn main() {

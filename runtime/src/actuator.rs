@@ -1,7 +1,7 @@
 //! Motors that count pulses: steppers and encoders.
 //!
 //! An [`Actuator`] counts `pulses = round(pulses_per_unit (value - home))`, halves away from zero. Counts are `i32`,
-//! as controllers keep them; beyond their range they stop at its end and are marked.
+//! as in most controllers. A count beyond that range saturates at its end and is flagged.
 
 use crate::flags::JointMask;
 use crate::math::Scalar;
@@ -18,10 +18,10 @@ pub struct Actuator<T> {
 }
 
 impl<T: Scalar> Actuator<T> {
-    /// The count at a motor value (rad or length unit), and whether it had to be saturated.
+    /// The count at a motor value (rad or length unit), and a flag: true for a count that is not the value's.
     ///
-    /// The nearest whole number of pulses from `home`; exactly between two, the one further from zero. Beyond `i32` it
-    /// is `i32::MIN` or `i32::MAX`, for a value that is not a number 0, and both are marked by `true`. In single
+    /// The count is the nearest whole number of pulses from `home`, halves away from zero. Beyond `i32` it saturates
+    /// at `i32::MIN` or `i32::MAX`, and a value that is not a number counts 0; the flag is set in both cases. In single
     /// precision counts beyond 2^22 are off by up to one in 2^23.
     #[inline]
     #[must_use]
@@ -41,7 +41,7 @@ impl<T: Scalar> Actuator<T> {
     }
 }
 
-/// Nearest integer; halves to the one further from zero.
+/// Nearest integer, halves away from zero.
 #[inline]
 fn half_away_from_zero<T: Scalar>(x: T) -> T {
     let magnitude = x.abs();
@@ -80,7 +80,7 @@ pub fn from_pulses<T: Scalar, const N: usize>(actuators: &[Actuator<T>; N], puls
     motors
 }
 
-/// Where an arm ends up when its motors can only stand at whole pulses.
+/// Configuration of an arm whose motors stand at whole pulses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quantized<T, const N: usize> {
     /// The counts next to the wanted joint values.

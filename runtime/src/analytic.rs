@@ -92,8 +92,8 @@ impl<T: Scalar, const N: usize> Jacobian<T, N> {
     /// Rates of a quaternion, rows `w x y z`, at the unit quaternion `[w, x, y, z]`, scalar part first.
     ///
     /// Half the product of the angular velocity and the quaternion: `dw/dt = -(w . v) / 2`, `dv/dt = (s w + w x v) / 2`
-    /// for the angular velocity `w`, scalar part `s` and vector part `v`. Never singular; the length of the quaternion
-    /// stays. Of its negative the rates are the negative.
+    /// for the angular velocity `w`, scalar part `s` and vector part `v`. Never singular; the rates keep the
+    /// length of the quaternion. The negative quaternion has the negative rates.
     #[must_use]
     pub fn analytic_quaternion(&self, [s, i, j, k]: [T; 4]) -> AnalyticJacobian<T, 4, N> {
         let [x, y, z, wx, wy, wz] = &self.rows;

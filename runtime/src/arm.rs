@@ -120,7 +120,7 @@ pub trait Arm<T, const N: usize> {
         self.jacobian(q).acceleration(qd, qdd)
     }
 
-    /// Derivative by time of [`jacobian`](Self::jacobian), for joint rates `qd` `[N]`.
+    /// Time derivative of [`jacobian`](Self::jacobian), for joint rates `qd` `[N]`.
     #[must_use]
     fn jacobian_dot(&self, q: &[T; N], qd: &[T; N]) -> Jacobian<T, N>
     where
@@ -219,9 +219,9 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
     #[must_use]
     fn inverse(&self, target: &Self::Target) -> Self::Solutions;
 
-    /// [`inverse`](Self::inverse) into a list that the caller keeps. What the list held is gone.
+    /// Like [`inverse`](Self::inverse), but overwrites `solutions` and saves a copy.
     ///
-    /// A list that is returned is new in each call, and may be copied. On a Cortex-M4F this takes about 450 instructions
+    /// A returned list is filled anew in each call, and may be copied. On a Cortex-M4F that takes about 450 instructions
     /// and 700 bytes of stack for six joints in `f32`.
     fn inverse_into(&self, target: &Self::Target, solutions: &mut Self::Solutions) {
         *solutions = self.inverse(target);
@@ -238,7 +238,7 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
     #[must_use]
     fn inverse_near(&self, target: &Self::Target, q_ref: &[T; N]) -> Self::Solutions;
 
-    /// [`inverse_near`](Self::inverse_near) into a list that the caller keeps, see [`inverse_into`](Self::inverse_into).
+    /// Like [`inverse_near`](Self::inverse_near), but overwrites `solutions`, see [`inverse_into`](Self::inverse_into).
     fn inverse_near_into(&self, target: &Self::Target, q_ref: &[T; N], solutions: &mut Self::Solutions) {
         *solutions = self.inverse_near(target, q_ref);
     }
@@ -248,8 +248,8 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
     /// next to where the arm is.
     ///
     /// Where two branches meet they are one solution, flagged [`BOUNDARY`](crate::Flags::BOUNDARY): the answer to
-    /// either. Parts that `branch` does not name may be any. The first such solution is returned, an exact one if there
-    /// is one. Parts that the arm does not have are ignored. The number of a root
+    /// either. Components unset in `branch` match any value. The first such solution is returned, an exact one if there
+    /// is one. Components that the arm does not have are ignored. The number of a root
     /// ([`Branch::root`](crate::Branch::root)) means a branch at one target only: roots are numbered anew at the next.
     ///
     /// # Errors

@@ -27,18 +27,18 @@ pub enum JointKind {
 /// Unit of every length of an arm.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum LengthUnit {
-    /// Metre.
+    /// Meter.
     Meter,
-    /// Centimetre.
+    /// Centimeter.
     Centimeter,
-    /// Millimetre.
+    /// Millimeter.
     Millimeter,
     /// Inch, 25.4 mm.
     Inch,
 }
 
 impl LengthUnit {
-    /// Length of the unit in metres.
+    /// Length of the unit in meters.
     #[must_use]
     pub const fn in_meters(self) -> f64 {
         match self {

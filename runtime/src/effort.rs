@@ -2,8 +2,8 @@
 //!
 //! A *cascade* is one run of an arm's nest of stages; an *evaluation* is one `forward_and_jacobian` that verifies a
 //! solution. Every call of `inverse`, `inverse_near` and `inverse_branch` takes at most [`MOST_CASCADES`] and
-//! [`MOST_EVALUATIONS`], whatever the bits of its arguments are. The feature `count` counts them for each thread;
-//! without that feature nothing is counted and nothing is spent on it.
+//! [`MOST_EVALUATIONS`], for any arguments. The feature `count` counts them for each thread; without it counting
+//! costs nothing.
 
 /// The most runs of the nest in one call.
 pub const MOST_CASCADES: usize = 12;
@@ -34,7 +34,7 @@ mod counted {
         EFFORT.with(|effort| effort.set(Effort { cascades: effort.get().cascades + 1, ..effort.get() }));
     }
 
-    /// Counts an evaluation: for what implements `Evaluate` by itself.
+    /// Counts an evaluation, for types that implement `Evaluate` themselves.
     pub fn evaluation() {
         EFFORT.with(|effort| effort.set(Effort { evaluations: effort.get().evaluations + 1, ..effort.get() }));
     }

@@ -17,12 +17,13 @@
 //! |---|---|---|
 //! | `std` | yes | the square root of the standard library, faster than the one here |
 //! | `derive` | yes | `#[derive(Arm)]` |
-//! | `nalgebra` | yes | conversions to and from nalgebra; with `std` also `Chain`, an arm from its table at run time |
+//! | `nalgebra` | no | conversions to and from nalgebra; with `std` also `Chain`, an arm from its table at run time |
 //! | `libm` | no | the square root of the `libm` crate, for targets without `std` |
 //! | `fpu` | no | the square root instruction of the processor, for targets without `std` that have one |
 //!
 //! Only `Chain` allocates.
 
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![no_std]
 
 #[cfg(any(feature = "std", test))]

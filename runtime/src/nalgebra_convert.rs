@@ -38,7 +38,7 @@ impl<T: Scalar + RealField> From<Pose<T>> for UnitQuaternion<T> {
     }
 }
 
-/// The orientation, with its origin in the origin.
+/// The orientation, at the origin.
 impl<T: Scalar + RealField> From<UnitQuaternion<T>> for Pose<T> {
     fn from(quaternion: UnitQuaternion<T>) -> Self {
         quaternion.to_rotation_matrix().into()
@@ -53,7 +53,7 @@ impl<T: Scalar + nalgebra::Scalar> From<Pose<T>> for Rotation3<T> {
     }
 }
 
-/// The orientation, entry for entry, with its origin in the origin.
+/// The orientation, entry for entry, at the origin.
 impl<T: Scalar + nalgebra::Scalar> From<Rotation3<T>> for Pose<T> {
     fn from(rotation: Rotation3<T>) -> Self {
         let columns: [[T; 3]; 3] = rotation.into_inner().into();

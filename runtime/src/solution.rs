@@ -196,8 +196,8 @@ pub enum Status<T> {
         /// [`numeric`](crate::numeric#targets-out-of-reach) finds that distance.
         residual: T,
     },
-    /// The target, or the reference joint vector, is not finite, or the rotation is none. Such a rotation is off by
-    /// more than 1e-3, or its determinant is -1. A rotation that is off by less stands for the nearest rotation, see
+    /// The target, or the reference joint vector, is not finite, or the matrix is no rotation: off by more
+    /// than 1e-3, or of determinant -1. A rotation that is off by less stands for the nearest rotation, see
     /// [`Solutions::deviation`](crate::Solutions::deviation).
     BadTarget,
 }

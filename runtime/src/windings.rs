@@ -66,10 +66,10 @@ fn whole_below<T: Scalar>(x: T) -> T {
 ///
 /// The first is the nearest to the given one: itself if it is within limits. The last joint changes fastest, and each
 /// joint takes its nearest turn first. A joint without a limit on either side stays as it is, and so does a prismatic
-/// joint. A revolute joint with a limit on one side takes its nearest value inside. There is none if some joint has no
-/// value inside.
+/// joint. A revolute joint with a limit on one side takes its nearest value inside. The iterator is
+/// empty if a joint has no value inside.
 ///
-/// Made by [`Solution::windings`](crate::Solution::windings), or from the joint vector. No allocation; a number of
+/// Returned by [`Solution::windings`](crate::Solution::windings), or from the joint vector. No allocation; a number of
 /// turns beyond 2^31 is cut off there.
 ///
 /// ```

@@ -246,7 +246,7 @@ const INVERSE: &str = r"
 /** Flag: a joint value is outside its limits. */
 #define @PREFIX@_OUT_OF_LIMITS 16u
 
-/** The name of a branch; 0 for a part that means nothing for the arm, or that may be any. */
+/** The name of a branch. A part is 0 where the arm has no such part, or to match any value. */
 typedef struct {
     /** 1 left, 2 right. */
     uint8_t shoulder;
@@ -304,7 +304,7 @@ int32_t @prefix@_inverse_near(const @target@, const @prefix@_real_t q_ref[@PREFI
  * The solution on one branch, without computing the others. Where two branches meet, either name gives the one solution,
  * flagged @PREFIX@_BOUNDARY.
  *
- * branch: parts that are 0 may be any.
+ * branch: a part that is 0 matches any value.
  * gap: as in @prefix@_solutions_t; may be null.
  */
 int32_t @prefix@_inverse_branch(const @target@,@given@ const @prefix@_branch_t *branch,

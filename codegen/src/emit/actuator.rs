@@ -24,15 +24,15 @@ pub fn methods(model: &Model, target: &Target) -> TokenStream {
         "Pulse counts{whose} at joint values `q`, from each home position, `[{n}]`.\n\n{q} Typed in degrees: \
          `joints_from_degrees` of the trait `Arm`.\n\
          Rounded to the nearest count, halves away from zero: `ROUND(pulses_per_unit (value - home))`. A count beyond \
-         `i32` stops at its end, and a value that is not a number counts 0: `to_pulses_checked` tells."
+         `i32` saturates, and a value that is not a number counts 0; `to_pulses_checked` reports both."
     ));
     let from_doc = docs::lines(&format!(
-        "Joint values `[{n}]` at pulse counts `[{n}]`: where the arm stands.{}",
+        "Joint values `[{n}]` at pulse counts `[{n}]`.{}",
         if model.coupling.is_some() { " The counts are those of the motors." } else { "" }
     ));
     let error_doc = docs::lines(&format!(
-        "Where the tool ends up when `q` is rounded to pulses: the counts, the joint values `[{n}]` and the pose there, \
-         and how far that pose is from `forward(q)`.\n\n{q} Positions in {}, angles in rad.",
+        "The arm with `q` rounded to pulses: counts, joint values `[{n}]`, the pose of the tool there, and how far that \
+         pose is from `forward(q)`.\n\n{q} Positions in {}, angles in rad.",
         model.length_unit.symbol()
     ));
     quote! {
@@ -45,7 +45,7 @@ pub fn methods(model: &Model, target: &Target) -> TokenStream {
             self.to_pulses_checked(q).0
         }
 
-        /// `to_pulses` with the motors (from 0) whose count is saturated or whose value is not a number.
+        /// Pulse counts as of `to_pulses`, and the motors (from 0) whose count is saturated or whose value is not a number.
         #[inline]
         #[must_use]
         pub fn to_pulses_checked(&self, q: &[#scalar; #n]) -> ([i32; #n], #krate::JointMask) {
@@ -79,7 +79,7 @@ fn constants(model: &Model, actuators: &[Actuator], target: &Target) -> TokenStr
     let slides = model.joints.iter().any(|joint| joint.kind == JointKind::Prismatic);
     let unit = if slides { format!("rad (sliding joints: {})", model.length_unit.symbol()) } else { "rad".to_owned() };
     let of = if model.coupling.is_some() { "motor, of motor values" } else { "joint" };
-    let actuators_doc = docs::lines(&format!("Scale of each motor: pulses per {unit}, and the home position."));
+    let actuators_doc = docs::lines(&format!("Pulse scale of each motor, pulses per {unit}, and its home position."));
     let resolution_doc = docs::lines(&format!("One pulse of each {of}: {unit}."));
     quote! {
         #actuators_doc

@@ -3,6 +3,7 @@
 use super::Target;
 use super::tokens::{ident, number};
 use crate::model::Angle;
+use crate::settings::short;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -23,6 +24,13 @@ pub fn tokens(angle: Angle, target: &Target) -> TokenStream {
         _ => number(angle.rad().abs()),
     };
     if angle.rad() < 0.0 { quote!(-#positive) } else { positive }
+}
+
+/// A constant angle added to another one, in the text of a doc comment: `+ 90 deg`, `- 2.5 deg`.
+pub fn addend(angle: Angle) -> String {
+    let degrees = angle.rad().to_degrees();
+    let sign = if degrees < 0.0 { '-' } else { '+' };
+    format!("{sign} {} deg", short(degrees.abs()))
 }
 
 /// A sum of `(name, negative)` and a constant.
@@ -50,5 +58,18 @@ pub fn sines(sines: &[TokenStream], cosines: &[TokenStream], of: &[TokenStream],
         [] => TokenStream::new(),
         [one] => quote!(let (#(#sines),*, #(#cosines),*) = #krate::math::sin_cos(#one);),
         _ => quote!(let ([#(#sines),*], [#(#cosines),*]) = #krate::math::sin_cos_array([#(#of),*]);),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Angle, addend};
+
+    #[test]
+    fn an_addend_has_the_digits_it_needs() {
+        let cases = [(90.0, "+ 90 deg"), (-90.0, "- 90 deg"), (-2.446_529_785, "- 2.44653 deg"), (0.1, "+ 0.1 deg")];
+        for (degrees, text) in cases {
+            assert_eq!(addend(Angle::degrees(degrees)), text);
+        }
     }
 }

@@ -23,8 +23,8 @@ pub fn constant(model: &Model, target: &Target) -> TokenStream {
     let unit = model.length_unit.symbol();
     let doc = docs::lines(&format!(
         "Limits of sums of joint values, rad (of sliding joints {unit}). A solution outside one of them is out of \
-         limits.\n\nThe sums are those of the joint values as they are returned: of `inverse` in (-pi, pi], of \
-         `inverse_near` unwound."
+         limits.\n\nThe sums are of the joint values as returned: in (-pi, pi] by `inverse`, unwound by \
+         `inverse_near`."
     ));
     quote! {
         #doc

@@ -232,9 +232,8 @@ impl Nest<'_> {
         out = out.replace(" cos + -", " cos - ");
         let shift = stage.joints.first().and_then(|joint| {
             let value = self.plan.values.get(*joint)?;
-            let degrees = (value.constant.rad().to_degrees() * 1e6).round() / 1e6;
-            let (label, sign) = (self.plan.label(*joint), if degrees < 0.0 { '-' } else { '+' });
-            (!value.constant.is_zero()).then(|| format!("; `q{label} = t{label} {sign} {} deg`", degrees.abs()))
+            let label = self.plan.label(*joint);
+            (!value.constant.is_zero()).then(|| format!("; `q{label} = t{label} {}`", angle::addend(value.constant)))
         });
         fill(&mut out, "shift", shift.unwrap_or_default());
         out

@@ -44,10 +44,10 @@ pub(super) fn items(model: &Model, program: &Inverse, target: &Target, ranges: T
             /// Lengths are compared relative to the reach.
             const LENGTH: #krate::solve::Measure<#scalar> = #krate::solve::Measure::length(REACH);
         };
-        (measure, " What the search needs to know about the arm.")
+        (measure, " Constants of the arm for the search.")
     } else {
         let reach = parameters::reach(model, target);
-        (reach, " What the search needs to know about the arm; the reach is that of the file's lengths.")
+        (reach, " Constants of the arm for the search; the reach is that of the file's lengths.")
     };
     quote! {
         #[doc = #reach_doc]
@@ -182,7 +182,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
             "`arm_angle`: how far the elbow is swung about the line from shoulder to wrist, rad; see `arm_angle()`.\n"
                 .to_string()
         }
-        None => format!("`{q}`: value of that joint, which the target leaves to choose.\n"),
+        None => format!("`{q}`: value of the redundant joint.\n"),
     });
     let doc = docs::lines(&format!(
         "Every joint vector that reaches `target`: up to {m} branches, in a fixed order.\n\n\
@@ -190,7 +190,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
          A joint that a singular target leaves free stays at 0 (or its limit nearest to 0) and is named in `free`.\n\
          Status: `Reachable`, `Unreachable` with the least gap of an equation without a root, or `BadTarget` if the \
          target {}{}. The gap is not the distance to the workspace; `numeric` finds that.\n\
-         The call takes at most 12 cascades and 200 evaluations of `forward_and_jacobian`, whatever the target is.\n\
+         The call takes at most 12 cascades and 200 evaluations of `forward_and_jacobian`, for any target.\n\
          Limits only set a flag; filter with `within_limits()`.\n\n\
          Method: Pieper (1968) and cyclic closure around three axes that meet or are parallel; the stages are\n\
          documented where they are solved.",
@@ -219,9 +219,9 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
         |q| format!("`{q}` and free joints stay at their value"),
     );
     let near = docs::lines(&format!(
-        "The solutions of `inverse` next to `q_ref`, the nearest first; {held} in `q_ref`.\n\n\
-         Each revolute joint is on the turn nearest to `q_ref`, of those inside the limits if there are any (and `q_ref` \
-         is inside). {} A `q_ref` that is not finite, or an angle in it beyond 2048 rad (f32: 64), is a \
+        "The solutions of `inverse` with each joint next to `q_ref`, the nearest first; {held} in `q_ref`.\n\n\
+         Each revolute joint is on the turn nearest to `q_ref`: inside the limits, if `q_ref` is inside and such a turn \
+         exists. {} A `q_ref` that is not finite, or an angle in it beyond 2048 rad (f32: 64), is a \
          `BadTarget`.",
         distance(model)
     ));
@@ -250,7 +250,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
             solutions
         }
 
-        /// Like `inverse`, but overwrites `solutions`, which the caller keeps: no list is made or copied.
+        /// Like `inverse`, but overwrites `solutions` and saves a copy.
         #[inline(always)]
         pub fn inverse_into(&self, target: &#target_type #argument, solutions: &mut #solutions) {
             solutions.reset(#krate::Status::BadTarget);
@@ -279,7 +279,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
             solutions
         }
 
-        /// Like `inverse_near`, but overwrites `solutions`, which the caller keeps.
+        /// Like `inverse_near`, but overwrites `solutions` and saves a copy.
         #[inline(always)]
         pub fn inverse_near_into(&self, target: &#target_type, q_ref: &[#scalar; #n], solutions: &mut #solutions) {
             #from_reference
@@ -287,7 +287,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
             branches(self, target, #pass ::core::option::Option::Some(q_ref), ALL, solutions);
         }
 
-        /// The miss of the target at `q`, from `forward`: position in the length unit, orientation in rad.
+        /// Residual of `q` for the target, by `forward`.
         #[must_use]
         pub fn residual(&self, q: &[#scalar; #n], target: &#target_type) -> #krate::Residual<#scalar> {
             #krate::solve::Goal::residual(#goal, q, &self.forward(q))
@@ -349,7 +349,7 @@ fn sample_redundancy(model: &Model, plan: &Plan, target: &Target, task: &TaskCod
         false => quote!(reach(self)),
     };
     let doc = docs::lines(&format!(
-        "Walks the redundant joint `q{}` through its limits (without limits: {}) in `n` equal steps and solves for each\n\
+        "Walks the redundant joint `q{}` through its limits (without limits: {}) in `n` equal steps and solves for each \
          value, the middle of its step. Yields the value and its solutions; allocates nothing.",
         joint + 1,
         if revolute { "a whole turn" } else { "plus and minus the reach" }

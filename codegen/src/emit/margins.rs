@@ -140,7 +140,7 @@ fn doc(plan: &Plan, writer: &Writer, factors: &[Factor], reach: &Ident) -> Strin
     text
 }
 
-/// The variable of a kernel that is not the joint value itself: "; `t3` is `q3 + 87.3 deg`".
+/// The variable of a kernel where it is not the joint value itself: "; `t3` is `q3 + 87.3 deg`".
 fn shifts(plan: &Plan, used: &HashSet<Symbol>) -> String {
     let shift = |joint: usize| {
         let (number, constant) = (joint + 1, lower::constant(plan, joint));
@@ -153,9 +153,7 @@ fn shifts(plan: &Plan, used: &HashSet<Symbol>) -> String {
             (_, true) => format!("`s{number}` and `c{number}` are of"),
             _ => return None,
         };
-        let degrees = (-constant.rad().to_degrees() * 1e6).round() / 1e6;
-        let sign = if degrees < 0.0 { '-' } else { '+' };
-        (!constant.is_zero()).then(|| format!("; {variable} `q{number} {sign} {} deg`", degrees.abs()))
+        (!constant.is_zero()).then(|| format!("; {variable} `q{number} {}`", angle::addend(constant.neg())))
     };
     (0..plan.joints()).filter_map(shift).collect()
 }

@@ -38,7 +38,7 @@ pub fn associated(model: &Model, target: &Target) -> TokenStream {
         pub const DOF: usize = #n;
         /// Names of the joints.
         pub const JOINT_NAMES: [&'static str; #n] = [#(#names),*];
-        /// Kinds of the joints: they turn or slide.
+        /// Kinds of the joints in order: revolute or prismatic.
         pub const JOINT_KINDS: [#krate::JointKind; #n] = #kinds;
         #limits_doc
         pub const LIMITS: [[#scalar; 2]; #n] = #limits;

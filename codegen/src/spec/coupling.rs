@@ -8,7 +8,7 @@ use super::value::{JointRef, Named, WrittenValue};
 use super::yaml::Node;
 use std::f64::consts::TAU;
 
-/// The motors that are not those of their joints alone. What is not listed is its joint.
+/// The motors that are not those of their joints alone. A joint that is not listed is driven one to one by its own motor.
 #[derive(Debug, Clone)]
 pub struct CouplingSpec {
     /// The motors listed.

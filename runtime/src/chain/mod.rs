@@ -14,8 +14,8 @@ use crate::dh::{Convention, DhFrame, DhRow, DhTable, JointKind};
 
 /// A serial arm given by its Denavit-Hartenberg table, with nothing generated and nothing simplified.
 ///
-/// Its forward kinematics and Jacobian have the meaning of the generated ones, by another way: one homogeneous
-/// transform per row, multiplied from left to right. It is meant for checking, and for tables that are known only at
+/// Its forward kinematics and Jacobian have the meaning of the generated ones, computed independently: one
+/// homogeneous transform per row, multiplied from left to right. It is meant for checking, and for tables that are known only at
 /// run time.
 ///
 /// ```
@@ -106,7 +106,7 @@ impl Chain {
     /// `q`: one value per joint, rad or length unit.
     ///
     /// # Errors
-    /// When `q` has not one value per joint.
+    /// If the length of `q` is not the number of joints.
     pub fn forward(&self, q: &[f64]) -> Result<Isometry3<f64>, ChainError> {
         Ok(quaternion_form(&self.walk(q, |_, _| {})?))
     }
@@ -117,7 +117,7 @@ impl Chain {
     /// next joint. The last link is without the tool.
     ///
     /// # Errors
-    /// When `q` has not one value per joint.
+    /// If the length of `q` is not the number of joints.
     pub fn link_poses(&self, q: &[f64]) -> Result<Vec<Isometry3<f64>>, ChainError> {
         Ok(self.links(q)?.0.iter().map(quaternion_form).collect())
     }
@@ -128,7 +128,7 @@ impl Chain {
     /// `(z, 0)` (Whitney 1972).
     ///
     /// # Errors
-    /// When `q` has not one value per joint.
+    /// If the length of `q` is not the number of joints.
     pub fn jacobian(&self, q: &[f64]) -> Result<Matrix6xX<f64>, ChainError> {
         let mut axes = Vec::with_capacity(q.len());
         let tool = self.walk(q, |place, frame| {
@@ -215,7 +215,7 @@ impl Chain {
     }
 }
 
-/// Of equal tables.
+/// Chains of equal tables are equal.
 impl PartialEq for Chain {
     fn eq(&self, other: &Self) -> bool {
         self.parts() == other.parts()
@@ -249,7 +249,7 @@ impl From<DhTable> for Chain {
 /// Why a [`Chain`] could not compute.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ChainError {
-    /// The joint vector has not one value per joint.
+    /// The length of the joint vector is not the number of joints.
     JointCount {
         /// Number of joints of the chain.
         expected: usize,

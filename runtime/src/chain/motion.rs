@@ -11,7 +11,7 @@ impl Chain {
     /// `q`, `qd`: one value and one rate per joint, rad or length unit, and those / s.
     ///
     /// # Errors
-    /// When `q` or `qd` has not one value per joint.
+    /// If the length of `q` or `qd` is not the number of joints.
     pub fn velocity(&self, q: &[f64], qd: &[f64]) -> Result<Twist<f64>, ChainError> {
         self.count(qd)?;
         Ok(motion::velocity(joints(&self.jacobian(q)?, qd, qd)))
@@ -21,7 +21,7 @@ impl Chain {
     /// position of the tool's origin and the derivative of the tool's angular velocity, see [`Acceleration`].
     ///
     /// # Errors
-    /// When `q`, `qd` or `qdd` has not one value per joint.
+    /// If the length of `q`, `qd` or `qdd` is not the number of joints.
     pub fn acceleration(&self, q: &[f64], qd: &[f64], qdd: &[f64]) -> Result<Acceleration<f64>, ChainError> {
         self.count(qd)?;
         self.count(qdd)?;
@@ -32,7 +32,7 @@ impl Chain {
     /// [`Jacobian::derivative`](crate::Jacobian::derivative).
     ///
     /// # Errors
-    /// When `q` or `qd` has not one value per joint.
+    /// If the length of `q` or `qd` is not the number of joints.
     pub fn jacobian_dot(&self, q: &[f64], qd: &[f64]) -> Result<Matrix6xX<f64>, ChainError> {
         self.count(qd)?;
         let jacobian = self.jacobian(q)?;

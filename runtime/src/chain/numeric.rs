@@ -16,7 +16,7 @@ impl NumericInverse<f64> {
     /// where there is none; `None` for an arm without limits.
     ///
     /// # Errors
-    /// When `start` or `limits` has not one entry per joint.
+    /// If the length of `start` or `limits` is not the number of joints.
     ///
     /// ```
     /// use denhart::numeric::NumericInverse;
@@ -44,7 +44,7 @@ impl NumericInverse<f64> {
     /// [`solve_towards`](Self::solve_towards).
     ///
     /// # Errors
-    /// When `start`, `posture` or `limits` has not one entry per joint.
+    /// If the length of `start`, `posture` or `limits` is not the number of joints.
     pub fn solve_chain_towards(
         &self,
         chain: &Chain,

@@ -11,17 +11,17 @@
 //! squares (Nakamura and Hanafusa 1986, "Inverse kinematic solutions with singularity robustness", J. Dyn. Syst. Meas.
 //! Control 108; Wampler 1986, IEEE Trans. SMC 16). `lambda` is in proportion to the squared error (Chan and Lawrence
 //! 1988, "General inverse kinematics with the error damped pseudoinverse", ICRA; Sugihara 2011,
-//! "Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt method", IEEE Trans. Robotics 27(5)). So far
-//! off the steps are bounded also for targets out of reach, and at the end they converge as Newton's. As in those
-//! papers a step is taken also where it makes the error greater for a while. That leads out of more local minima than a
-//! descent in every step.
+//! "Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt method", IEEE Trans. Robotics 27(5)). Far
+//! from the target the steps are then bounded, also for targets out of reach; close to it they converge like Newton's.
+//! As in those papers a step is taken even if it increases the error for a while. That escapes more local minima than a descent in
+//! every step does.
 //!
 //! Where the error stays above the least one seen, damping fades by a factor of ten a step. It fades until Newton's
 //! steps, of which the cap bounds the length, leave the local minimum (the Jacobian is singular there). Then it starts
 //! anew. If in the end nothing converged, the iterations that are left descend from the closest iterate (Marquardt
 //! 1963, J. SIAM 11(2)).
 //!
-//! [`Method::NewtonRaphson`] has no damping but what rounding asks for: the pseudoinverse (Whitney 1969; for six joints
+//! [`Method::NewtonRaphson`] has only the damping that rounding requires: the pseudoinverse (Whitney 1969; for six joints
 //! the inverse), with capped steps.
 //!
 //! For up to six joints the step solves the normal equations `(J^T J + lambda I) dq = J^T e`. For more joints it solves
@@ -44,9 +44,9 @@
 //! }
 //! ```
 //!
-//! Closest is where lengths over the [`length`](NumericInverse::length) and angles together miss least, next to the start
-//! and within the limits. There the iteration ends as [`Stop::Stalled`]. After [`Stop::IterationBound`] more iterations
-//! may come closer. Other starts may lead to other such places. With [`NumericInverse::task`] only a position, or a
+//! The closest configuration is a local minimum of the error, lengths over the [`length`](NumericInverse::length), within
+//! the limits. There the iteration ends as [`Stop::Stalled`]. After [`Stop::IterationBound`] more iterations may come
+//! closer. Other starts may lead to other minima. With [`NumericInverse::task`] only a position, or a
 //! position and one axis, counts.
 //!
 //! # Limits

@@ -16,10 +16,11 @@ pub enum Stop {
     Stalled,
     /// The arm's forward kinematics or the solver's settings gave something that is not finite.
     NotFinite,
-    /// The target is not finite, or its rotation is none (off by more than 1e-3), or the task's axis has no direction.
-    /// Nothing was tried; `q` is the start.
+    /// The target is not finite, its matrix is no rotation (off by more than 1e-3), or the task's axis has no direction.
+    /// No step was taken; `q` is the start.
     BadTarget,
-    /// The start, or the posture, is not finite, or has not one value per joint. Nothing was tried; `q` is the start.
+    /// The start or the posture is not finite, or its length is not the number of joints. No step was taken; `q` is the
+    /// start.
     BadStart,
 }
 

@@ -113,7 +113,8 @@ impl<T: Tolerances> NumericInverse<T> {
         Self { max_iterations, ..self }
     }
 
-    /// So many steps without a lesser error end the iteration from a start, as [`Stop::Stalled`](super::Stop::Stalled).
+    /// Number of steps without a smaller error that ends the iteration from a start, as
+    /// [`Stop::Stalled`](super::Stop::Stalled).
     /// Default: 60. Fewer save time where a target is out of reach, or where random starts follow.
     #[must_use]
     pub fn patience(self, patience: usize) -> Self {
@@ -128,8 +129,8 @@ impl<T: Tolerances> NumericInverse<T> {
     }
 
     /// Greatest change of a joint in one step, rad; of a prismatic joint in [`length`](Self::length)s. A longer step is
-    /// shortened in all joints alike. Default: 3, almost half a turn; near 0.2 the way is close to continuous, which few
-    /// local minima let pass.
+    /// shortened in all joints alike. Default: 3, almost half a turn; near 0.2 the path is close to continuous, and more
+    /// starts end in a local minimum.
     #[must_use]
     pub fn max_step(self, max_step: T) -> Self {
         Self { max_step, ..self }
@@ -167,8 +168,8 @@ impl<T: Tolerances> NumericInverse<T> {
         Self { seed, ..self }
     }
 
-    /// By which part of its distance a joint moves in a step towards the preferred posture, 0 to 1. Default: 0.2;
-    /// far from the posture a greater gain may swing about the nearest place.
+    /// Fraction of its distance to the preferred posture that a joint moves in a step, 0 to 1. Default: 0.2. Far from
+    /// the posture a greater gain may oscillate about the nearest point.
     #[must_use]
     pub fn posture_gain(self, posture_gain: T) -> Self {
         Self { posture_gain, ..self }
@@ -192,7 +193,7 @@ impl<T: Tolerances> NumericInverse<T> {
     /// An arm with more joints than the task needs goes on along the null space of its Jacobian. That motion lasts
     /// until a step is shorter than 1e-3 rad (or as much of the [`length`](Self::length)), or to the last ten
     /// iterations. Then the arm closes in on the target. The distance to the posture is then close to a local minimum,
-    /// up to limits. Where the target leaves nothing free, the posture only bends the way.
+    /// up to limits. Where the target determines every joint, the posture only changes the path.
     pub fn solve_towards<A: Arm<T, N>, const N: usize>(
         &self,
         arm: &A,

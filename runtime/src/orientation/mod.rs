@@ -13,7 +13,7 @@
 //! [`Pose::orthonormalized`] gives the rotation nearest to a matrix that is one only roughly.
 //!
 //! Nothing uses `asin` or `acos`: every angle comes from two components of which one is not stationary. So accuracy
-//! does not fade near a singular orientation. Back in a matrix, an entry is off by a few roundings anywhere.
+//! does not fade near a singular orientation. Converted back to a matrix, every entry is off by a few roundings at most.
 
 mod axis_angle;
 mod euler;

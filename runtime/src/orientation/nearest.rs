@@ -12,7 +12,7 @@ impl<T: Scalar> Pose<T> {
     ///
     /// Nearest is the rotation `U` with the least sum of squared differences over all entries (the orthogonal
     /// Procrustes problem). That is the polar factor of `R = U H`, with `H` symmetric and positive definite. Newton's
-    /// iteration `X <- (X + X^-T) / 2` from `X = R` gives it, in four steps always. Source: Higham 1986, "Computing the
+    /// iteration `X <- (X + X^-T) / 2` from `X = R` gives it, always in four steps. Source: Higham 1986, "Computing the
     /// polar decomposition - with applications", SIAM J. Sci. Stat. Comput. 7(4).
     ///
     /// The result is orthonormal to a few units of rounding if the singular values of `R` are within 0.85 and 1.2.

@@ -279,7 +279,7 @@ mod tests {
     use super::super::level::LevelOf;
     use super::*;
 
-    /// An equation that holds where `cos x = 0.3`, on either side of home.
+    /// An equation that holds where `cos x = 0.3`, on either side of the default value.
     #[test]
     fn an_equation_is_met_at_every_root() {
         let mut samples = Samples::<f64>::NONE;
