@@ -2,6 +2,7 @@
 
 mod answer;
 mod arm;
+mod arms;
 mod batch;
 mod check;
 mod closest;
@@ -18,9 +19,12 @@ mod new;
 mod numbers;
 mod progress;
 mod schema;
+mod style;
+mod suggest;
 mod sweep;
 mod table;
 mod target;
+mod templates;
 mod trace;
 mod typed;
 
@@ -30,6 +34,8 @@ use std::path::PathBuf;
 
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use denhart_codegen::{BuildError, Builder, Errors, ScalarKind};
+
+use crate::style::{Labels, Plain};
 
 /// Done.
 const SUCCESS: u8 = 0;
@@ -89,8 +95,12 @@ enum Action {
     Import(import::Options),
     /// Write the arm as a library for C
     Export(export::Options),
-    /// Write an arm file to start from, with comments
+    /// Write an arm file to start from: one with comments, or that of an arm that `denhart arms` lists
     New(new::Options),
+    /// List the arms whose files `denhart new --like` writes
+    ///
+    /// Of each its name, its joints (R turns, P slides), the task of its inverse, and the source of its numbers.
+    Arms(arms::Options),
     /// Print the JSON schema of arm files, for editors
     Schema,
     /// Print the completions of this command for a shell
@@ -134,20 +144,37 @@ impl From<Scalar> for ScalarKind {
 /// A reader of `out` that goes away, as in `denhart expand ur5.yaml | head`, ends the command quietly.
 pub fn run<I>(arguments: I, out: &mut dyn Write, err: &mut dyn Write) -> u8
 where
-    I: IntoIterator<Item: Into<OsString> + Clone>,
+    I: IntoIterator<Item: Into<OsString>>,
 {
-    let result = match Command::try_parse_from(arguments) {
+    run_styled(arguments, &mut Plain::new(out), &mut Plain::new(err))
+}
+
+/// The same with colors, as escape sequences for a terminal. `out` and `err` take them out where there is none.
+pub fn run_styled<I>(arguments: I, out: &mut dyn Write, err: &mut dyn Write) -> u8
+where
+    I: IntoIterator<Item: Into<OsString>>,
+{
+    let arguments: Vec<OsString> = arguments.into_iter().map(Into::into).collect();
+    let err = &mut Labels::new(err);
+    let result = match Command::try_parse_from(&arguments) {
         Ok(Command { action }) => act(action, out, err),
-        Err(shown) if shown.use_stderr() => return say(err, &shown.render().to_string(), USAGE),
-        Err(help) => Ok(help.render().to_string()).and_then(|text| print(out, &text).map_err(Failure::from)),
+        Err(shown) if shown.use_stderr() => return say(err, &refused(&shown, &arguments), USAGE),
+        Err(help) => print(out, &help.render().ansi().to_string()).map_err(Failure::from),
     };
     match result {
-        Ok(()) | Err(Failure::NoReader) => SUCCESS,
-        Err(Failure::Said) => FAILURE,
-        Err(Failure::NoSolution) => NO_SOLUTION,
+        Ok(()) | Err(Failure::NoReader) => said(err, SUCCESS),
+        Err(Failure::Said) => said(err, FAILURE),
+        Err(Failure::NoSolution) => said(err, NO_SOLUTION),
         Err(Failure::Usage(mistake)) => say(err, &format!("error: {mistake}"), USAGE),
         Err(Failure::Other(mistake)) => say(err, &format!("error: {mistake}"), FAILURE),
     }
+}
+
+/// The message for arguments that make no sense.
+fn refused(shown: &clap::Error, arguments: &[OsString]) -> String {
+    let words = arguments.iter().skip(1).map(|word| word.to_str().map(str::to_owned)).collect::<Option<Vec<_>>>();
+    let suggested = words.and_then(|words| suggest::suggestion(shown, &words, &<Command as CommandFactory>::command()));
+    suggested.map_or_else(|| shown.render().ansi().to_string(), |message| format!("error: {message}"))
 }
 
 fn act(action: Action, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), Failure> {
@@ -156,19 +183,20 @@ fn act(action: Action, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), F
             let code = expand(options).map_err(Failure::Other)?;
             Ok(print(out, &code)?)
         }
-        Action::Check(options) => match check::run(&options, out, err)? {
+        Action::Check(options) => match check::run(&options, &mut Labels::new(out), err)? {
             true => Ok(()),
             false => Err(Failure::Said),
         },
         Action::Trace(options) => trace::run(&options, out),
-        Action::Forward(options) => forward::run(&options, out),
-        Action::Inverse(options) => match inverse::run(&options, out, err)? {
+        Action::Forward(options) => forward::run(&options, &mut Labels::new(out)),
+        Action::Inverse(options) => match inverse::run(&options, &mut Labels::new(out), err)? {
             true => Ok(()),
             false => Err(Failure::NoSolution),
         },
         Action::Import(options) => import::run(&options, out, err).map_err(Failure::Other),
         Action::Export(options) => export::run(&options, out, err),
         Action::New(options) => new::run(&options, out),
+        Action::Arms(options) => arms::run(&options, out),
         Action::Schema => Ok(print(out, &schema::text())?),
         Action::Completions(options) => documents::completions(&options, <Command as CommandFactory>::command(), out),
         Action::Man(options) => documents::man(&options, <Command as CommandFactory>::command(), out),
@@ -226,5 +254,11 @@ fn print(out: &mut dyn Write, text: &str) -> io::Result<()> {
 /// Prints to the standard error. Where that fails too, the exit status is all that is left to say.
 fn say(err: &mut dyn Write, text: &str, status: u8) -> u8 {
     let _ = print(err, text);
+    status
+}
+
+/// The exit status, with all messages written.
+fn said(err: &mut dyn Write, status: u8) -> u8 {
+    let _ = err.flush();
     status
 }

@@ -4,15 +4,27 @@ use std::fs::File;
 use std::io::{ErrorKind, Write};
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 
 use crate::Failure;
+use crate::arms;
+use crate::templates::{self, Convention, SCARA};
 
-/// What the command takes.
+/// The arguments of the command.
 #[derive(Args)]
 pub struct Options {
-    /// Name of the arm; the file is NAME.yaml
-    name: String,
+    /// Name of the arm; the file is NAME.yaml [default: with --like that of the arm]
+    #[arg(required_unless_present = "like")]
+    name: Option<String>,
+    /// Start with so many joints, 3 to 7
+    #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u8).range(3..=7))]
+    joints: u8,
+    /// Start with a SCARA: two links that turn, a quill that slides and turns
+    #[arg(long, conflicts_with = "joints")]
+    scara: bool,
+    /// Start with the file of a known arm; `denhart arms` lists them
+    #[arg(long, value_name = "ARM", conflicts_with_all = ["joints", "scara", "convention"])]
+    like: Option<String>,
     /// Which frame the rows of the table belong to
     #[arg(long, value_name = "CONVENTION", default_value = "standard")]
     convention: Convention,
@@ -21,18 +33,10 @@ pub struct Options {
     output: Option<PathBuf>,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Convention {
-    /// Row i: Rz(theta) Tz(d) Tx(a) Rx(alpha)
-    Standard,
-    /// Craig, row i: Rx(alpha) Tx(a) Rz(theta) Tz(d), with a and alpha of the link before
-    Modified,
-}
-
 /// Writes the file, unless there is one.
 pub fn run(options: &Options, out: &mut dyn Write) -> Result<(), Failure> {
-    let text = text(&options.name, options.convention).map_err(Failure::Usage)?;
-    let path = options.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}.yaml", options.name)));
+    let (name, text) = named(options).map_err(Failure::Usage)?;
+    let path = options.output.clone().unwrap_or_else(|| PathBuf::from(format!("{name}.yaml")));
     if path.as_os_str() == "-" {
         return Ok(out.write_all(text.as_bytes())?);
     }
@@ -47,84 +51,65 @@ pub fn run(options: &Options, out: &mut dyn Write) -> Result<(), Failure> {
     Ok(writeln!(out, "wrote {shown}; now: denhart check {shown}")?)
 }
 
-fn text(name: &str, convention: Convention) -> Result<String, String> {
+/// The name of the arm, and the text of its file.
+fn named(options: &Options) -> Result<(&str, String), String> {
+    let Options { name, like, joints, scara, convention, .. } = options;
+    let name = name.as_deref().or(like.as_deref()).unwrap_or_default();
     let plain = |c: char| c.is_alphanumeric() || c == '_' || c == '-';
     if !name.starts_with(char::is_alphabetic) || !name.chars().all(plain) {
         return Err(format!(
             "`{name}` is no name for an arm\nhelp: write letters, digits, `_` and `-`, a letter first; -o names the file"
         ));
     }
-    let (word, frame, rows) = match convention {
-        Convention::Standard => ("standard", STANDARD, STANDARD_ROWS),
-        Convention::Modified => ("modified", MODIFIED, MODIFIED_ROWS),
-    };
-    Ok(TEMPLATE.replace("NAME", name).replace("CONVENTION", word).replace("FRAME", frame).replace("ROWS\n", rows))
+    if let Some(like) = like {
+        return Ok((name, renamed(arms::file(like)?, name)));
+    }
+    let template = if *scara { Some(&SCARA) } else { templates::of_joints(*joints) };
+    let text = template.map(|template| template.text(name, *convention));
+    Ok((name, text.ok_or_else(|| format!("no template for {joints} joints\nhelp: --joints takes 3 to 7"))?))
 }
 
-const STANDARD: &str = "row i is Rz(theta) Tz(d) Tx(a) Rx(alpha), from joint i's axis to the next one's";
-const MODIFIED: &str = "Craig: row i is Rx(alpha) Tx(a) Rz(theta) Tz(d), a and alpha from the axis before to joint i's";
-
-const STANDARD_ROWS: &str = "  - {a: 0,   alpha: 90,  d: 0.4, theta: 0,  limits: [-170, 170]}
-  - {a: 0.5, alpha: 0,   d: 0,   theta: 0,  limits: [-60, 200]}
-  - {a: 0,   alpha: 90,  d: 0,   theta: 90, limits: [-150, 150]}
-  - {a: 0,   alpha: -90, d: 0.5, theta: 0}
-  - {a: 0,   alpha: 90,  d: 0,   theta: 0,  limits: [-120, 120]}
-  - {a: 0,   alpha: 0,   d: 0.1, theta: 0}
-";
-const MODIFIED_ROWS: &str = "  - {a: 0,   alpha: 0,   d: 0.4, theta: 0,  limits: [-170, 170]}
-  - {a: 0,   alpha: 90,  d: 0,   theta: 0,  limits: [-60, 200]}
-  - {a: 0.5, alpha: 0,   d: 0,   theta: 90, limits: [-150, 150]}
-  - {a: 0,   alpha: 90,  d: 0.5, theta: 0}
-  - {a: 0,   alpha: -90, d: 0,   theta: 0,  limits: [-120, 120]}
-  - {a: 0,   alpha: 90,  d: 0.1, theta: 0}
-";
-
-const TEMPLATE: &str = "\
-# NAME. Write here where the numbers come from: drawing, data sheet, page.
-name: NAME
-# CONVENTION: FRAME.
-convention: CONVENTION
-units: {length: m, angle: deg}   # m, cm, mm or in; deg or rad
-
-# One row a joint, from the base to the tool. The joint's value is added to theta, or to d of a sliding joint.
-# Angles are exact where people mean exact: 90, pi/2, 45 deg. Limits are optional, null is none on that side.
-# Also for a row: `type: prismatic` (slides) or `type: fixed` (a constant row), `name: shoulder`.
-joints:
-ROWS
-# Constant frames before the first row and after the last one; rotation Rz(yaw) Ry(pitch) Rx(roll).
-# base: {xyz: [0, 0, 0], rpy: [0, 0, 0]}
-tool: {xyz: [0, 0, 0.15], rpy: [0, 0, 0]}
-
-# What the inverse is asked for; without it the most specific task the arm can do. `denhart check` says which.
-# inverse: {task: pose, require: true}
-";
+/// An arm file with another name of the arm.
+fn renamed(file: &str, name: &str) -> String {
+    let line = |line: &str| if line.starts_with("name: ") { format!("name: {name}\n") } else { format!("{line}\n") };
+    file.lines().map(line).collect()
+}
 
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
 
-    use super::*;
-    use crate::arm;
+    use clap::Parser;
 
-    #[test]
-    fn both_conventions_start_from_the_same_arm_and_nothing_is_wrong_with_it() {
-        let [standard, modified] = [Convention::Standard, Convention::Modified].map(|convention| {
-            let text = text("first", convention).unwrap();
-            let report = denhart_codegen::check(&text, "first.yaml").unwrap();
-            assert!(report.warnings.is_empty(), "{:?}", report.warnings);
-            assert_eq!(report.max_solutions, Some(8), "{report}");
-            arm::of_text(&text, "first.yaml").unwrap().chain
-        });
-        for q in [[0.0; 6], [0.3, 0.8, -1.1, 0.5, 0.9, -0.4]] {
-            let (a, b) = (standard.forward(&q).unwrap(), modified.forward(&q).unwrap());
-            assert!((a.to_homogeneous() - b.to_homogeneous()).amax() < 1e-15, "{a} {b}");
-        }
+    use super::*;
+
+    #[derive(Parser)]
+    struct Whole {
+        #[command(flatten)]
+        options: Options,
+    }
+
+    fn text(arguments: &[&str]) -> Result<String, String> {
+        let Whole { options } = Whole::try_parse_from([&["new"], arguments].concat()).unwrap();
+        named(&options).map(|(_, text)| text)
     }
 
     #[test]
     fn a_name_that_is_none_is_refused() {
         for name in ["", "7dof", "my arm", "a/b", "x:"] {
-            assert!(text(name, Convention::Standard).is_err(), "{name}");
+            assert!(text(&[name]).is_err(), "{name}");
+            assert!(text(&[name, "--like", "ur5"]).is_err(), "{name}");
         }
+    }
+
+    #[test]
+    fn a_known_arm_keeps_everything_but_its_name() {
+        let own = text(&["--like", "ur5"]).unwrap();
+        assert_eq!(own, arms::file("ur5").unwrap());
+        let crane = text(&["crane", "--like", "ur5"]).unwrap();
+        assert_eq!(crane.replace("name: crane\n", "name: ur5\n"), own);
+        assert!(crane.contains("name: crane\n"));
+        let said = text(&["--like", "ur55"]).unwrap_err();
+        assert!(said.contains("no arm `ur55`") && said.contains("help: did you mean `ur5`?"), "{said}");
     }
 }

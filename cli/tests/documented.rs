@@ -94,6 +94,7 @@ fn every_key_of_the_json_is_documented() {
             &[],
             &["check --json specs/ur5.yaml --target cortex-m4f", "check --json README.md"],
         ),
+        ("`arms --json`", &[], &["arms --json"]),
         ("`--json` prints an object", &[], &["import cli/tests/urdf/ur5.urdf --json"]),
     ] {
         let rows = table(start);

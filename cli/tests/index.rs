@@ -1,6 +1,6 @@
-//! `docs/arms.md` lists the arms of `specs/` as the generator finds them.
+//! `docs/arms.md` lists the arms of `specs/` as the generator finds them, and the command has their files.
 //!
-//! `DENHART_ACCEPT=1 cargo test -p denhart-cli --test index` writes the page.
+//! `DENHART_ACCEPT=1 cargo test -p denhart-cli --test index` writes the page and the files of the command.
 #![allow(clippy::unwrap_used)]
 
 use std::fs;
@@ -45,17 +45,39 @@ fn row(path: &Path) -> String {
     format!("| [{}](../specs/{file}) | {kinds} | {axes} | {task} | {most} |\n", report.name)
 }
 
-#[test]
-fn the_page_is_current() {
+/// The files of `specs/`, by name.
+fn files() -> Vec<PathBuf> {
     let files = fs::read_dir(root().join("specs")).unwrap().map(|entry| entry.unwrap().path());
     let mut files: Vec<PathBuf> = files.filter(|path| path.extension().is_some_and(|end| end == "yaml")).collect();
     files.sort();
     assert!(files.len() > 50);
-    let page: String = [HEAD.to_owned()].into_iter().chain(files.iter().map(|path| row(path))).collect();
-    let path = root().join("docs/arms.md");
+    files
+}
+
+/// A committed file has this text; it is written if that is asked for.
+fn is_current(file: &str, text: &str) {
+    let path = root().join(file);
     if std::env::var_os("DENHART_ACCEPT").is_some() {
-        fs::write(&path, &page).unwrap();
+        fs::write(&path, text).unwrap();
     }
     let present = fs::read_to_string(&path).unwrap_or_default();
-    assert!(present == page, "docs/arms.md is not current: DENHART_ACCEPT=1 cargo test -p denhart-cli --test index");
+    assert!(present == text, "{file} is not current: DENHART_ACCEPT=1 cargo test -p denhart-cli --test index");
+}
+
+#[test]
+fn the_page_is_current() {
+    let page: String = [HEAD.to_owned()].into_iter().chain(files().iter().map(|path| row(path))).collect();
+    is_current("docs/arms.md", &page);
+}
+
+/// The package of the command ends at its folder, so that it has the files of the arms once more.
+#[test]
+fn the_command_has_the_files() {
+    let file = |path: &PathBuf| {
+        let (name, text) = (path.file_stem().unwrap().to_str().unwrap(), fs::read_to_string(path).unwrap());
+        assert!(text.starts_with("# ") && text.contains(&format!("\nname: {name}\n")), "{name}");
+        assert!(text.ends_with('\n') && !text.contains("=== "), "{name}");
+        format!("=== {name}\n{text}")
+    };
+    is_current("cli/src/arms.txt", &files().iter().map(file).collect::<String>());
 }

@@ -5,6 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
+mod colors;
+mod start;
+mod suggest;
 mod trace;
 
 fn denhart(arguments: &[&str]) -> Output {
@@ -14,7 +17,7 @@ fn denhart(arguments: &[&str]) -> Output {
 fn command(arguments: &[&str]) -> Command {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut command = Command::new(env!("CARGO_BIN_EXE_denhart"));
-    command.args(arguments).current_dir(root);
+    command.args(arguments).current_dir(root).env_remove("CLICOLOR_FORCE");
     command
 }
 
