@@ -179,7 +179,7 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
         }
     }
 
-    /// The same without the goal's type, so that it is compiled once for all goals.
+    /// Searches without the goal's type, so that the code is compiled once for all goals.
     fn search_for(
         &self,
         goal: &dyn Goal<f64, N>,

@@ -7,7 +7,7 @@ use std::fmt;
 pub struct LawError {
     /// Where, a byte offset into the text.
     pub at: usize,
-    /// What was found and what was expected.
+    /// The text that was found, and the one that was expected.
     pub message: String,
 }
 

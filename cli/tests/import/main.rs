@@ -33,7 +33,7 @@ fn import(name: &str, arguments: &[&str]) -> (String, String) {
     (text(&output.stdout), text(&output.stderr))
 }
 
-/// What becomes of the text of a URDF.
+/// Returns the output of `import` for the text of a URDF.
 fn written(urdf: &str, arguments: &[&str]) -> Output {
     let mut hasher = DefaultHasher::new();
     (urdf, arguments).hash(&mut hasher);
