@@ -182,7 +182,7 @@ fn rounding() {
 fn degrees() {
     use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
     for (degrees, rad) in [(0.0, 0.0), (45.0, FRAC_PI_4), (-90.0, -FRAC_PI_2), (180.0, PI), (360.0, 2.0 * PI)] {
-        assert_eq!(math::radians(degrees).to_bits(), f64::to_bits(rad), "{degrees}");
+        assert_eq!(math::radians::<f64>(degrees).to_bits(), f64::to_bits(rad), "{degrees}");
         // Each is a power of two times pi.
         assert_eq!(math::radians(degrees as f32).to_bits(), (rad as f32).to_bits(), "{degrees}");
     }
