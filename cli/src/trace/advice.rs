@@ -1,4 +1,4 @@
-//! What to type for laws that are typed in another way.
+//! Advice for laws that are typed in another way.
 
 use super::law::parse;
 use crate::typed::{inside, with_points};

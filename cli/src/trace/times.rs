@@ -11,7 +11,7 @@ pub struct Times {
     step: f64,
     /// The last index.
     last: u64,
-    /// Whether the last time is `to`.
+    /// True if the last time is `to`.
     whole: bool,
 }
 
@@ -20,7 +20,7 @@ impl Times {
     /// them.
     ///
     /// # Errors
-    /// What is wrong with the three.
+    /// A time that is not finite, a step that is not positive, a first time later than the last.
     pub fn new(from: f64, to: f64, step: f64) -> Result<Self, String> {
         for (name, value) in [("from", from), ("to", to), ("step", step)] {
             if !value.is_finite() {
