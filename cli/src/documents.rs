@@ -9,14 +9,14 @@ use clap_complete::Shell;
 
 use crate::Failure;
 
-/// Options of `completions`.
+/// The arguments of `completions`.
 #[derive(Args)]
 pub struct Completions {
     /// The shell
     shell: Shell,
 }
 
-/// Options of `man`.
+/// The arguments of `man`.
 #[derive(Args)]
 pub struct Man {
     /// Write a page for the command and one for each subcommand to this directory

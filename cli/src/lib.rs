@@ -149,8 +149,7 @@ where
     run_styled(arguments, &mut Plain::new(out), &mut Plain::new(err))
 }
 
-/// Runs the command as [`run`] does, with colors as escape sequences. Writers that are no terminal have to take these
-/// out.
+/// [`run`] with colors, as escape sequences for a terminal. `out` and `err` take them out where there is none.
 pub fn run_styled<I>(arguments: I, out: &mut dyn Write, err: &mut dyn Write) -> u8
 where
     I: IntoIterator<Item: Into<OsString>>,

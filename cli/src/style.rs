@@ -36,7 +36,7 @@ fn labeled(line: &str) -> String {
     labels.into_iter().find_map(styled).unwrap_or_else(|| line.to_owned())
 }
 
-/// Returns true if a text is `file:line:column: `.
+/// True for `file:line:column: `.
 fn is_place(text: &str) -> bool {
     let mut parts = text.strip_suffix(": ").unwrap_or_default().rsplit(':');
     let mut number = || parts.next().is_some_and(|part| part.parse::<usize>().is_ok());

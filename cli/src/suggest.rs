@@ -31,7 +31,7 @@ const LISTS: [&str; 3] = ["VALUES", "NUMBERS", "LAWS"];
 struct Corrected {
     subcommand: String,
     words: Vec<String>,
-    /// The mistakes, in the order of the arguments.
+    /// Each thing that was wrong, in the order of the arguments.
     mistakes: Vec<String>,
     /// The first list that was without quotes, with its option.
     list: Option<String>,
@@ -105,7 +105,7 @@ fn corrected(words: &[String], command: &Command) -> Option<Corrected> {
     Some(Corrected { subcommand, words: fixed, mistakes, list })
 }
 
-/// Returns true if a word is a further entry of a list: a number, or anything behind a comma but an option.
+/// True for a further entry of a list: a number, or anything behind a comma but an option.
 fn goes_on(before: Option<&String>, word: &str) -> bool {
     let after_comma = before.is_some_and(|before| before.ends_with([',', ';']));
     let entry = word.trim_matches(['[', ']', '(', ')', '{', '}', ',', ';']).replace('\u{2212}', "-");

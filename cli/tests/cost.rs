@@ -46,13 +46,13 @@ fn read(file: &str) -> String {
     fs::read_to_string(root().join(file)).unwrap()
 }
 
-/// A measured function.
+/// A measured value.
 struct Point {
     arm: String,
     function: String,
     quantity: &'static str,
     value: f64,
-    /// True if it is of measured.txt.
+    /// True for a value of measured.txt.
     accepted: bool,
 }
 
@@ -86,7 +86,7 @@ fn measured() -> Vec<Point> {
     points
 }
 
-/// The estimates of `denhart check` for each function of an arm.
+/// The functions of an arm as `denhart check` prints them.
 fn checked(arm: &str) -> Value {
     let file = root().join("specs").join(format!("{arm}.yaml"));
     let output = Command::new(env!("CARGO_BIN_EXE_denhart"))
@@ -150,7 +150,7 @@ fn coefficients(points: &[Point], arms: &BTreeMap<String, Value>) -> String {
     text
 }
 
-/// The figures of the page for the function without an estimate.
+/// The page's claim on the function without an estimate.
 #[test]
 fn a_list_that_is_kept_takes_less() {
     let measured = measured();

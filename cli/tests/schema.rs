@@ -18,7 +18,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// Returns the first part of `rule` that `value` breaks.
+/// Holds `value` to `rule`; an error names the first part of the rule that is broken.
 fn broken(schema: &Value, rule: &Value, value: &Value, at: &str) -> Result<(), String> {
     for (keyword, argument) in rule.as_object().unwrap() {
         match keyword.as_str() {

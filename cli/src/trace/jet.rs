@@ -24,7 +24,7 @@ impl Jet {
         Self { value: t, first: 1.0, second: 0.0 }
     }
 
-    /// Returns true if value and both derivatives are finite.
+    /// True if value and both derivatives are finite.
     pub fn is_finite(&self) -> bool {
         self.value.is_finite() && self.first.is_finite() && self.second.is_finite()
     }

@@ -23,7 +23,7 @@ struct Range {
 }
 
 impl Limits {
-    /// The limits of the arm: one for each joint, then those of sums. In words, angles are in `units`.
+    /// The limits of the arm: one for each joint, then one for each sum. In words, angles are in `units`.
     pub fn of(model: &Model, units: Units) -> Self {
         let count = model.joints.len();
         let joint = |(index, joint): (usize, &denhart_codegen::model::Joint)| Range {
@@ -49,7 +49,7 @@ impl Limits {
         bits.map(|(index, _)| 2_f64.powi(i32::try_from(index).unwrap_or(0))).sum()
     }
 
-    /// The first broken limit, in words.
+    /// The first limit that is broken, in words.
     pub fn first(&self, q: &[f64]) -> Option<String> {
         let range = self.ranges.iter().find(|range| range.is_broken(q))?;
         let (size, unit) =

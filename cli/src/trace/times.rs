@@ -20,7 +20,7 @@ impl Times {
     /// them.
     ///
     /// # Errors
-    /// The mistake in `from`, `to` and `step`.
+    /// A time that is not finite, a step that is not positive, a first time later than the last.
     pub fn new(from: f64, to: f64, step: f64) -> Result<Self, String> {
         for (name, value) in [("from", from), ("to", to), ("step", step)] {
             if !value.is_finite() {

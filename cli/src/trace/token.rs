@@ -7,7 +7,7 @@ use std::fmt;
 pub struct LawError {
     /// Where, a byte offset into the text.
     pub at: usize,
-    /// The text that was found, and the one that was expected.
+    /// The token that was found, and those that were expected.
     pub message: String,
 }
 

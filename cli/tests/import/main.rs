@@ -33,7 +33,7 @@ fn import(name: &str, arguments: &[&str]) -> (String, String) {
     (text(&output.stdout), text(&output.stderr))
 }
 
-/// Returns the output of `import` for the text of a URDF.
+/// Imports the text of a URDF, from a file of its own.
 fn written(urdf: &str, arguments: &[&str]) -> Output {
     let mut hasher = DefaultHasher::new();
     (urdf, arguments).hash(&mut hasher);
