@@ -5,8 +5,8 @@
 
 use denhart::numeric::NumericSolution;
 use denhart::{
-    Acceleration, AnalyticJacobian, AxisAngle, Branch, Euler, Flags, Jacobian, JointMask, Margin, PlanarPose, PointAngle,
-    PointAxis, Pose, Quantized, Residual, Solution, Solutions, Status, Twist,
+    Acceleration, AnalyticJacobian, AxisAngle, Branch, Euler, Flags, Jacobian, JointMask, Margin, PlanarPose,
+    PointAngle, PointAxis, Pose, Quantized, Residual, Solution, Solutions, Status, Twist,
 };
 
 /// FNV-1a over words of 32 bits (Fowler, Noll, Vo), with a shift, since that hash leaves low bits to low bits.
