@@ -83,7 +83,6 @@ fn the_tool_that_is_advised_is_no_finger() {
             [&plain, &hand, &flange, &left, &right].map(String::as_str).concat(),
             "--tool arm_tool0, or --tool hand (the",
         ),
-        ("one", [&plain, &hand, &finger, &rigid].map(String::as_str).concat(), "--tool hand (the last link before it)"),
         ("floats", [&plain, &object].map(String::as_str).concat(), "end the chain before it: --tool l3 (the last link"),
         ("held", [&plain, &flange, &object].map(String::as_str).concat(), ""),
         ("rolls", [&world, &plain].map(String::as_str).concat(), "begin the chain after it: --base base"),
@@ -96,6 +95,11 @@ fn the_tool_that_is_advised_is_no_finger() {
         let said = refused(name, &joints);
         assert!(said.contains(&format!("\nhelp: {help}")), "{name}: {said}");
     }
+    // One finger moves, and the chain is plain: it ends before the hand's joint, and says so.
+    let [file, said] = import("one", &[&plain, &hand, &finger, &rigid].map(String::as_str).concat(), &[]);
+    assert!(said.starts_with("chain: `base` to `hand`") && !file.contains("finger_joint,"), "{said}{file}");
+    let told = "the chain ends before joint `left_finger_joint`, which moves a gripper or a hand\nhelp: --tool left takes it in";
+    assert!(said.contains(told), "{said}");
     let joints = [&plain, &hand, &left, &right].map(String::as_str).concat();
     let [file, _] = import("asked", &joints, &["--tool", "left"]);
     assert!(file.contains("name: close, type: prismatic"), "{file}");

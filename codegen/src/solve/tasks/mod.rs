@@ -156,7 +156,8 @@ fn alternatives(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<Altern
         let task = working(Some(*joint), request.task)?;
         Some(Alternative::new(format!("`redundant: {name}`"), Some(task), Some(name)).of(other(task)))
     }));
-    let spared = |task| Alternative::new("leaving out `redundant`".to_owned(), Some(task), None).of(other(task));
+    // The reason names the task of an arm that needs all of its joints.
+    let spared = |task| Alternative::new("leaving out `redundant`".to_owned(), Some(task), None);
     found.extend(spares.map(spared));
     let swings =
         !request.arm_angle && model.parameters.is_empty() && request.task.is_none_or(|task| task == Task::Pose) && {
