@@ -135,6 +135,15 @@ pub fn pi_times(numerator: f64, denominator: f64) -> f64 {
     quotient + remainder / denominator
 }
 
+/// `010` as `10`, `-007` as `-7`; none of a text that is no number, or has no zero in front of another digit.
+pub fn without_leading_zeros(text: &str) -> Option<String> {
+    let text = text.trim();
+    let (sign, digits) = text.split_at(usize::from(text.starts_with(['-', '+'])));
+    let zeros = digits.bytes().zip(digits.bytes().skip(1)).take_while(|(c, next)| *c == b'0' && next.is_ascii_digit());
+    let plain = digits.get(zeros.count()..)?;
+    (plain.len() < digits.len() && text.parse::<f64>().is_ok()).then(|| format!("{sign}{plain}"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

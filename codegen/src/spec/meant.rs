@@ -1,6 +1,6 @@
 //! Advice on texts that people write for a number or an angle where the file takes only the number.
 
-use super::angle::WrittenAngle;
+use super::angle::{WrittenAngle, without_leading_zeros};
 use super::yaml::Node;
 
 /// Advice on a text in the place of a number.
@@ -158,15 +158,6 @@ fn sum(text: &str) -> Option<String> {
 fn typed(text: &str) -> Option<String> {
     let plain = || without_leading_zeros(text).map(|plain| format!("write {plain}"));
     with_ascii_minus(text).or_else(|| with_point(text)).or_else(plain)
-}
-
-/// `010` as `10`, `-007` as `-7`; none of a text that is no number, or has no zero in front of another digit.
-pub fn without_leading_zeros(text: &str) -> Option<String> {
-    let text = text.trim();
-    let (sign, digits) = text.split_at(usize::from(text.starts_with(['-', '+'])));
-    let zeros = digits.bytes().zip(digits.bytes().skip(1)).take_while(|(c, next)| *c == b'0' && next.is_ascii_digit());
-    let plain = digits.get(zeros.count()..)?;
-    (plain.len() < digits.len() && text.parse::<f64>().is_ok()).then(|| format!("{sign}{plain}"))
 }
 
 /// A length with its unit.

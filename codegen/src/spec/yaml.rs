@@ -4,8 +4,7 @@
 //! mistakes. The library gives a place only with an error, so a node is located when a mistake needs it.
 //! The text is read again up to that node, where the reader fails on purpose: the error has the place.
 
-use super::angle::decimal;
-use super::meant::without_leading_zeros;
+use super::angle::{decimal, without_leading_zeros};
 use super::place::{Place, Step};
 use serde::Deserialize;
 use serde::de::{self, Deserializer, EnumAccess, IgnoredAny, MapAccess, SeqAccess, VariantAccess, Visitor};
