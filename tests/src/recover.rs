@@ -16,7 +16,7 @@ use crate::task::Goal;
 pub const CLOSES: f64 = 1e-12;
 
 /// Joint vectors closer than this, in rad and in reaches, are the same.
-const SAME: f64 = 1e-6;
+pub const SAME: f64 = 1e-6;
 
 /// Which function an answer came from.
 #[derive(Debug, Clone, Copy)]
