@@ -9,7 +9,7 @@
 //! - A `text` fence is what the crate before it prints, or what the command prints that it is `from`.
 //!   Of `text lines from`, the command prints these lines in this order, and others too.
 //! - Every line of an `sh` fence meets one of three rules. The line is run (`denhart`), or has the options of its help
-//!   (`denhart` where it writes files). Otherwise the line names an existing thing (`cargo`, a script of this
+//!   (`denhart` where it writes files or reads a pipe). Otherwise the line names an existing thing (`cargo`, a script of this
 //!   repository).
 //! - A `json` fence is JSON; a `toml` fence without a name has features that the crate has.
 //! - There is no other fence.
@@ -227,6 +227,11 @@ fn run(pages: &[Page], page: &Page, words: &[String], place: &str) {
     // Variables of the environment come first.
     if program.contains('=') {
         return run(pages, page, &words[1..], place);
+    }
+    // A pipe: the first command is run, the others have the options of their help.
+    if let Some(pipe) = words.iter().position(|word| word == "|") {
+        has_its_options(&words[pipe + 1..], place);
+        return run(pages, page, &words[..pipe], place);
     }
     match program.as_str() {
         "denhart" if words.iter().any(|word| word == "new" || word == "-o" || word == ">" || word.contains('*')) => {
