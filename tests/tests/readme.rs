@@ -220,10 +220,6 @@ fn has_its_options(words: &[String], place: &str) {
 /// A line of a shell: `denhart` is run, what `cargo` is told to run exists.
 fn run(pages: &[Page], page: &Page, words: &[String], place: &str) {
     let Some(program) = words.first() else { return };
-    // Commands in a pipe read what the one before prints: each has its options.
-    if words.iter().any(|word| word == "|") {
-        return words.split(|word| word == "|").for_each(|command| has_its_options(command, place));
-    }
     // Variables of the environment come first.
     if program.contains('=') {
         return run(pages, page, &words[1..], place);
