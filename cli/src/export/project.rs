@@ -191,7 +191,9 @@ mod tests {
         assert!(
             remark.starts_with("warning: /no/such/place/Cargo.toml: `denhart` ") && remark.contains("--crate-path DIR")
         );
-        let beside = Dependency::find(None, Path::new(BUILT_BESIDE), folder);
+        // Seen from here, which is where the test runs.
+        let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let beside = Dependency::find(None, Path::new(BUILT_BESIDE), here);
         assert!(matches!(beside, Ok(Dependency::Folder(path)) if path.join("src/lib.rs").is_file()));
         assert!(Dependency::find(Some(folder), Path::new(BUILT_BESIDE), folder).is_err());
     }
