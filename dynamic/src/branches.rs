@@ -4,6 +4,7 @@ use denhart::Branch;
 use denhart::solve::{BranchState, DefaultValue, Measure, Missed, Search};
 
 use crate::kernel::{MOST_DOUBTS, Roots, with_roots};
+use denhart_codegen::model::MOST_JOINTS;
 
 /// The functions of [`Search`] that a [`Run`](crate::run::Run) calls. A run is compiled once, and not for each pair of
 /// numbers of joints and solutions.
@@ -24,8 +25,8 @@ pub trait Branches {
         vector: [f64; 3],
         defaults: [DefaultValue<f64>; 2],
     ) -> BranchState;
-    /// Adds a solution with the joint values of `q`, as many as the arm has joints.
-    fn push(&mut self, state: &BranchState, q: &mut dyn Iterator<Item = f64>, branch: Branch);
+    /// Adds a solution. The first entries of `q`, as many as the arm has joints, are its joint values.
+    fn push(&mut self, state: &BranchState, q: &[f64; MOST_JOINTS], branch: Branch);
 }
 
 impl<const N: usize, const M: usize, P: Missed<f64, M>> Branches for Search<'_, f64, N, M, MOST_DOUBTS, P> {
@@ -55,10 +56,11 @@ impl<const N: usize, const M: usize, P: Missed<f64, M>> Branches for Search<'_, 
         Search::directed(self, state, measure, vector, defaults)
     }
 
-    fn push(&mut self, state: &BranchState, q: &mut dyn Iterator<Item = f64>, branch: Branch) {
+    #[inline]
+    fn push(&mut self, state: &BranchState, q: &[f64; MOST_JOINTS], branch: Branch) {
         let mut values = [f64::NAN; N];
         for (value, q) in values.iter_mut().zip(q) {
-            *value = q;
+            *value = *q;
         }
         Search::push(self, state, values, branch);
     }

@@ -9,6 +9,7 @@ use crate::branches::Branches;
 use crate::kernel::{Known, Values, measure, solve, with_roots};
 use crate::nest::{Nest, part};
 use crate::tape::Registers;
+use denhart_codegen::model::MOST_JOINTS;
 
 /// The state of a run.
 pub struct Run<'a> {
@@ -91,9 +92,9 @@ impl<'a> Run<'a> {
             Statement::Solve(call) => self.solve(call, search),
             Statement::Follow { stage, before } => {
                 let Some(before) = self.state(*before) else { return };
-                let roots = self.known.get(*stage).and_then(|known| known.roots);
+                let roots = self.known.get(*stage).and_then(|known| known.roots.as_ref());
                 // Without roots yet, the state stays.
-                let after = roots.map_or(before, |roots| search.follow(&before, &roots));
+                let after = roots.map_or(before, |roots| search.follow(&before, roots));
                 self.set_state(lower::BranchState::Stage(*stage), after);
             }
             Statement::Only { stage, roots } => {
@@ -142,7 +143,11 @@ impl<'a> Run<'a> {
             }
             Statement::Push { state, q } => {
                 let Some(state) = self.state(*state) else { return };
-                search.push(&state, &mut q.iter().map(|slot| self.value(*slot)), branch);
+                let mut values = [f64::NAN; MOST_JOINTS];
+                for (value, slot) in values.iter_mut().zip(q) {
+                    *value = self.value(*slot);
+                }
+                search.push(&state, &values, branch);
             }
         }
     }
