@@ -2,9 +2,9 @@
 
 use denhart::Branch;
 use denhart::solve::{BranchState, DefaultValue, Measure, Missed, Search};
+use denhart_codegen::model::MOST_JOINTS;
 
 use crate::kernel::{MOST_DOUBTS, Roots, with_roots};
-use denhart_codegen::model::MOST_JOINTS;
 
 /// The functions of [`Search`] that a [`Run`](crate::run::Run) calls. A run is compiled once, and not for each pair of
 /// numbers of joints and solutions.

@@ -4,12 +4,12 @@ use denhart::math;
 use denhart::solve::{self, BranchState, Cone, DefaultValue, Elbow, Select, Turn};
 use denhart::{Branch, Elbow as ElbowSide, Shoulder, Wrist};
 use denhart_codegen::lower::{self, Branching, Call, Each, Given, Input, Root, Slot, Statement, Unit};
+use denhart_codegen::model::MOST_JOINTS;
 
 use crate::branches::Branches;
 use crate::kernel::{Known, Values, measure, solve, with_roots};
 use crate::nest::{Nest, part};
 use crate::tape::Registers;
-use denhart_codegen::model::MOST_JOINTS;
 
 /// The state of a run.
 pub struct Run<'a> {
