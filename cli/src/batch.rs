@@ -45,9 +45,16 @@ impl Lines {
         if first.starts_with('{') {
             return Self::Json;
         }
-        let names: Vec<String> = words(first).map(|word| word.trim_matches('"').to_owned()).collect();
+        let mut names: Vec<String> = words(first).map(|word| word.trim_matches('"').to_owned()).collect();
         let is_name = |name: &String| name.starts_with(|c: char| c.is_alphabetic()) && name.parse::<f64>().is_err();
-        if names.iter().all(is_name) { Self::Named(names) } else { Self::Numbers }
+        if !names.iter().any(is_name) || !names.iter().all(|name| name.is_empty() || is_name(name)) {
+            return Self::Numbers;
+        }
+        // Tables end their lines with a comma.
+        while names.last().is_some_and(String::is_empty) {
+            names.pop();
+        }
+        Self::Named(names)
     }
 }
 
@@ -136,7 +143,10 @@ impl Batch<'_> {
             Lines::Json => of_json_text(arm, line, units),
             Lines::Numbers => of_task(arm, "", &numbers(line), units),
             Lines::Named(names) => {
-                let entries: Vec<&str> = words(line).map(|word| word.trim_matches('"')).collect();
+                let mut entries: Vec<&str> = words(line).map(|word| word.trim_matches('"')).collect();
+                while entries.len() > names.len() && entries.last().is_some_and(|entry| entry.is_empty()) {
+                    entries.pop();
+                }
                 if entries.len() != names.len() {
                     let (found, wanted) = (count(entries.len(), "number"), names.len());
                     let text = numbers(line);

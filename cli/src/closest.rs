@@ -59,7 +59,9 @@ fn approach(arm: &DynamicArm, target: &DynamicTarget, pose: &Pose<f64>, start: &
         |numeric: NumericInverse<f64>, start: &[f64]| numeric.solve_chain(&chain, &(*pose).into(), start, None).ok();
     let at_point = solve(numeric(point), start)?;
     if !at_point.converged() {
-        return Some((Missed::Distance(at_point.residual.position), at_point.q));
+        // So far away that the distance overflows.
+        let distance = at_point.residual.position;
+        return distance.is_finite().then_some((Missed::Distance(distance), at_point.q));
     }
     let whole = match target {
         DynamicTarget::Pose(_) => Task::Pose,

@@ -47,7 +47,7 @@ fn in_degrees(value: f64) -> Option<i64> {
     let exact = twelfths * (PI / 12.0);
     let rounded = (value * 100.0).round() / 100.0 == value;
     let near = twelfths != 0.0 && twelfths.abs() <= 24.0 && (value - exact).abs() <= NEAR * exact.abs();
-    (near && !rounded).then_some(15 * twelfths as i64)
+    (near && !rounded).then(|| 15 * twelfths as i64)
 }
 
 /// A hint as of [`of_angles`] for joint values in rad and lengths: those of turning joints count.
@@ -106,6 +106,7 @@ mod tests {
             &[1.5708, 90.0, 0.0],
             &[1.6, 3.1, 6.3, 0.1],
             &[180.0, 0.0, 15.0],
+            &[1e308, -1e300, f64::MAX],
         ] {
             assert_eq!(of_angles("--pose", angles, Units::Deg), None, "{angles:?}");
         }

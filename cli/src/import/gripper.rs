@@ -45,9 +45,13 @@ impl<'r> Grippers<'r> {
     pub fn on(&self, way: &[Passed<'r>]) -> Option<&'r Joint> {
         let moving: Vec<&'r Joint> = way.iter().filter(|passed| moves(passed)).map(|passed| passed.joint).collect();
         let begins = |(index, joint): &(usize, &&'r Joint)| {
-            let later = moving.iter().skip(index + 1);
-            let is_last = later.into_iter().all(|joint| joint.mimic.is_some() || is_named(joint));
-            is_named(joint) || self.in_palms.contains(joint.name.as_str()) || is_last && self.shares_motor(joint, way)
+            let later = moving.get(index + 1..).unwrap_or(&[]);
+            let is_last = later.iter().all(|joint| joint.mimic.is_some() || is_named(joint));
+            // A gripper has fewer joints than the arm that carries it.
+            let is_small = later.len() < *index || is_last;
+            is_named(joint) && is_small
+                || self.in_palms.contains(joint.name.as_str())
+                || is_last && self.shares_motor(joint, way)
         };
         moving.iter().enumerate().find(begins).map(|(_, joint)| *joint)
     }

@@ -25,16 +25,17 @@ pub fn of(text: &str, path: &Path, drive: &Drive) -> Option<Inverse> {
         let report = denhart_codegen::check(&format!("{text}{request}\n"), "the imported arm");
         report.is_ok_and(|report| report.max_solutions.is_some())
     };
+    requests.retain(|request| works(request));
     requests.sort_by_key(|request| rank(request, &names));
-    let Some(index) = requests.iter().position(|request| works(request)) else {
+    if requests.is_empty() {
         let first = spare.checked_sub(1).filter(|_| drive.is_plain());
         let help = match first.and_then(|first| path.joints.iter().filter(|passed| moves(passed)).nth(first)) {
             Some(passed) => format!("--base {} leaves the last {} joints", end(passed), POSE + 1),
             None => report.hint.unwrap_or_else(|| "`denhart::numeric` solves any arm by iteration".to_owned()),
         };
         return Some(Inverse { lines: String::new(), remark: format!("no inverse: {reason}\nhelp: {help}") });
-    };
-    let chosen = requests.remove(index);
+    }
+    let chosen = requests.remove(0);
     let mut lines = "# A pose takes six joints, so one value is given with it.".to_owned();
     let mut remark = format!("a pose takes six joints, so one value is given with it: `{chosen}`");
     if !requests.is_empty() {

@@ -24,6 +24,10 @@ pub use json::of_text as of_json_text;
 pub use named::{check_columns, of_columns};
 pub use spelled::{listed, of_task};
 
+/// The change of the cosine between the tool's z axis and that of the base, beyond which a pose tilts the tool. Printed
+/// digits stay below.
+const TILTED: f64 = 1e-6;
+
 /// The spellings of one target.
 #[derive(Args)]
 pub struct Spelling {
@@ -73,7 +77,10 @@ impl Target {
     /// A pose in which the tool does not stand in the plane of a `position_angle` arm.
     pub fn of_pose(arm: &DynamicArm, pose: Pose<f64>, units: Units) -> Result<Self, Failure> {
         match arm.target_of(&pose)? {
-            Some(target) => Ok(Self { target, pose, q: None, hints: Vec::new() }),
+            Some(target) => {
+                let hint = tilt(arm, &target, &pose)?;
+                Ok(Self { target, pose, q: None, hints: hint.into_iter().collect() })
+            }
             None => plane::target(arm, pose, units),
         }
     }
@@ -123,6 +130,16 @@ impl Spelling {
         }
         spelled::of_task(arm, "--pose", self.pose.as_deref().unwrap_or_default(), units)
     }
+}
+
+/// A hint where a pose tilts the tool of a `planar_pose` arm, which turns about z alone.
+fn tilt(arm: &DynamicArm, target: &DynamicTarget, pose: &Pose<f64>) -> Result<Option<String>, Failure> {
+    let DynamicTarget::PlanarPose(_) = target else { return Ok(None) };
+    let along = |pose: &Pose<f64>| pose.rotation[2][2];
+    let own = along(&arm.forward(&vec![0.0; arm.joints()])?);
+    let tilted = (along(pose) - own).abs() > TILTED;
+    Ok(tilted
+        .then(|| "the arm turns its tool about z alone: the pose tilts the tool, and the tilt is left out".to_owned()))
 }
 
 /// Tells if a path stands for the standard input.

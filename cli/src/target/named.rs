@@ -37,7 +37,8 @@ impl Parts {
             ("position", Some(&[x, y, z])) => return Ok(position([x, y, z])),
             ("position_axis", Some(&[x, y, z])) => {
                 if let Some(&[u, v, w]) = self.axis.as_deref() {
-                    return Ok(position_axis(arm, [x, y, z], [u, v, w]));
+                    let found = |found| Failure::Usage(format!("{found}\nhelp: write the direction as a unit vector"));
+                    return position_axis(arm, [x, y, z], [u, v, w]).map_err(found);
                 }
             }
             ("position_angle", Some(&[x, y, z])) => {
@@ -160,11 +161,17 @@ pub fn of_columns(names: &[String], entries: &[&str]) -> Result<Parts, Failure> 
     })
 }
 
-/// Refuses names of columns that are no target of the task.
+/// Refuses names of columns that are no target of the task, or that occur twice.
 ///
 /// # Errors
 /// The names that the task needs.
 pub fn check_columns(names: &[String], task: &str) -> Result<(), Failure> {
+    let read = POSITION.iter().chain(&MATRIX).chain(&QUATERNION).chain(&RPY).chain(&AXIS).chain(&["angle", "phi"]);
+    for name in read {
+        if names.iter().filter(|found| found.eq_ignore_ascii_case(name)).count() > 1 {
+            return Err(Failure::Usage(format!("the column {name} is there twice\nhelp: leave one of them out")));
+        }
+    }
     let zeros = vec!["0"; names.len()];
     if of_columns(names, &zeros)?.are_enough(task) {
         return Ok(());

@@ -44,21 +44,15 @@ pub fn of_task(arm: &DynamicArm, option: &str, text: &str, units: Units) -> Resu
     let values = &typed.numbers()?[..];
     match (task, values) {
         ("position", &[x, y, z]) => Ok(position([x, y, z])),
-        ("position_axis", &[x, y, z, u, v, w]) => {
-            let norm = length_of(&[u, v, w]);
-            if (norm - 1.0).abs() > NOT_UNIT {
-                let axis = listed(&[u, v, w]);
-                let found = format!("the axis {axis} has length {}, expected 1", short(norm));
-                let whole = if option.is_empty() { "the columns x, y, z, roll, pitch, yaw" } else { "--whole-pose" };
-                let help = format!(
-                    "the task `position_axis` reads \"{wanted}\", a point and a unit vector: write {}\"{wanted}\"; \
-                     a pose is {whole} \"{WHOLE}\"",
-                    typed.start()
-                );
-                return Err(typed.wrong(&found, &help));
-            }
-            Ok(position_axis(arm, [x, y, z], [u, v, w]))
-        }
+        ("position_axis", &[x, y, z, u, v, w]) => position_axis(arm, [x, y, z], [u, v, w]).map_err(|found| {
+            let whole = if option.is_empty() { "the columns x, y, z, roll, pitch, yaw" } else { "--whole-pose" };
+            let help = format!(
+                "the task `position_axis` reads \"{wanted}\", a point and a unit vector: write {}\"{wanted}\"; \
+                 a pose is {whole} \"{WHOLE}\"",
+                typed.start()
+            );
+            typed.wrong(&found, &help)
+        }),
         ("position_angle", &[x, y, z, angle]) => {
             Ok(position_angle([x, y, z], units.rad(angle)).with(hints::of_angles(option, &[angle], units)))
         }
@@ -72,6 +66,8 @@ pub fn of_task(arm: &DynamicArm, option: &str, text: &str, units: Units) -> Resu
             let what = format!("{found}, but the task `{task}` needs {needed}: \"{wanted}\"");
             let whole = match task {
                 "pose" => String::new(),
+                // A line of a file has no options.
+                "position_axis" if option.is_empty() => String::new(),
                 "position_axis" => format!(", or --whole-pose \"{WHOLE}\""),
                 _ => format!(", or a whole pose, \"{WHOLE}\""),
             };
@@ -194,8 +190,13 @@ pub fn position(point: [f64; 3]) -> Target {
     at(DynamicTarget::Position(point), point, 0.0)
 }
 
-/// A point and a direction of any length, with a pose that has the tool's axis along it.
-pub fn position_axis(arm: &DynamicArm, point: [f64; 3], axis: [f64; 3]) -> Target {
+/// A point and a direction, with a pose that has the tool's axis along it; or the length of an axis that is no unit
+/// vector.
+pub fn position_axis(arm: &DynamicArm, point: [f64; 3], axis: [f64; 3]) -> Result<Target, String> {
+    let norm = length_of(&axis);
+    if (norm - 1.0).abs() > NOT_UNIT {
+        return Err(format!("the axis {} has length {}, expected 1", listed(&axis), short(norm)));
+    }
     let asked = PointAxis::new(point, axis);
     let column = axis_column(arm);
     // The frame has its z axis along the direction. A cyclic change of its columns brings that one to its place.
@@ -206,7 +207,7 @@ pub fn position_axis(arm: &DynamicArm, point: [f64; 3], axis: [f64; 3]) -> Targe
         _ => [u, v, w],
     });
     let pose = Pose { rotation, translation: point };
-    Target { target: DynamicTarget::PositionAxis(asked), pose, q: None, hints: Vec::new() }
+    Ok(Target { target: DynamicTarget::PositionAxis(asked), pose, q: None, hints: Vec::new() })
 }
 
 /// A point and an angle, rad. The pose has the point alone, which is all that the closest approach reads.

@@ -58,6 +58,14 @@ fn a_gripper_is_no_joint_of_the_arm() {
 }
 
 #[test]
+fn a_gripper_has_fewer_joints_than_the_arm_before_it() {
+    let base = one("gripper_base_joint", "revolute", "joint_2_link", "turret");
+    let robot = tree(&[row("base", "joint", 2), vec![base], row("turret", "upper", 3)].concat());
+    let (file, said) = imported(&robot, &[]);
+    assert!(model(&file).joints.len() == 6 && !said.contains("ends before"), "{said}");
+}
+
+#[test]
 fn a_joint_that_only_sounds_like_a_gripper_is_kept() {
     for (name, child) in
         [("gripper_roll", "gripper_link"), ("link5_to_gripper", "gripper"), ("wrist_rotate", "gripper_link")]

@@ -104,6 +104,35 @@ fn columns_have_names() {
     assert!(told.contains(":2: `roll`: `a` is not a number") && told.contains(":3: 2 numbers, but 6 names"), "{told}");
 }
 
+/// Tables end their lines with commas; the columns stay those of their names.
+#[test]
+fn a_comma_at_the_end_of_the_names_is_no_column() {
+    let arm = "specs/puma560.yaml";
+    let plain = "yaw,pitch,roll,z,y,x\n0,10,170,0.3,0.1,0.4\n";
+    let rows = |text: &str| {
+        let output = fed(&["inverse", arm, "--batch", "-"], text);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        said(&output.stdout)
+    };
+    assert_eq!(rows(&plain.replace('\n', ",,\n")), rows(plain));
+    assert_eq!(rows(&plain.replacen('\n', ",\n", 1)), rows(plain));
+    let twice = fed(&["inverse", arm, "--batch", "-"], "x,X,y,z,roll,pitch,yaw\n1,1,0,0,0,0,0\n");
+    assert_eq!(twice.status.code(), Some(2));
+    assert!(said(&twice.stderr).contains(":1: the column x is there twice\nhelp: "), "{twice:?}");
+}
+
+/// Numbers beyond all that an arm has are answered, and the lines behind them too.
+#[test]
+fn absurd_numbers_do_not_end_the_run() {
+    let text = "0.3 0.1 0.4 1e300 10 20\n1e300 0 0 0 0 0\n0.3 0.1 0.4 180 0 0\n";
+    let output = fed(&["inverse", UR5, "--batch", "-", "--json"], text);
+    let found = objects(&output.stdout);
+    assert_eq!(found.len(), 3, "{output:?}");
+    assert_eq!(found[2]["status"], "reachable");
+    // Nothing is closest to a point whose distance overflows.
+    assert!(found[1]["closest"].is_null() && found[1]["missed"].is_null(), "{}", found[1]);
+}
+
 /// The samples of a motion are targets: the axis of `position_axis` is not their acceleration `ax`.
 #[test]
 fn a_trace_is_a_list_of_targets() {

@@ -31,6 +31,34 @@ fn six_numbers_of_a_point_and_an_axis_are_no_pose() {
     assert!(help.contains("position_axis takes \"x y z u v w\"") && help.contains("--whole-pose <NUMBERS>"), "{help}");
 }
 
+/// A direction is a unit vector in every spelling.
+#[test]
+fn an_axis_of_another_length_is_refused_in_json_and_in_columns() {
+    let welder = welder();
+    for (arguments, text) in [
+        (["--json-target", "-"], "{\"position\": [300, 50, 200], \"axis\": [0, 0, -5]}"),
+        (["--json-target", "-"], "{\"position\": [300, 50, 200], \"axis\": [0, 0, 0]}"),
+        (["--batch", "-"], "x,y,z,u,v,w\n300,50,200,0,0,-3\n"),
+    ] {
+        let output = fed(&[&["inverse", &welder], &arguments[..]].concat(), text);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        assert!(
+            said(&output.stderr).contains(", expected 1\nhelp: write the direction as a unit vector"),
+            "{output:?}"
+        );
+    }
+}
+
+/// A planar arm turns its tool about z alone.
+#[test]
+fn a_tilt_that_a_planar_arm_cannot_have_is_told() {
+    let tilt = "hint: the arm turns its tool about z alone";
+    for (pose, told) in [("1 1 0 0 0 30", false), ("1 1 5 90 0 0", true), ("1 1 0 0 180 30", true)] {
+        let output = denhart(&["inverse", "specs/planar3r.yaml", "--whole-pose", pose]);
+        assert_eq!(said(&output.stdout).contains(tilt), told, "{output:?}");
+    }
+}
+
 /// The axis x of a tool: its pose for the closest approach has that axis along the direction.
 #[test]
 fn a_direction_that_is_missed_is_that_of_the_arms_own_axis() {

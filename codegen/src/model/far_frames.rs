@@ -29,19 +29,15 @@ struct Slid<'s> {
     alpha: WrittenAngle,
     d: f64,
     theta: WrittenAngle,
+    /// True if its frame has slid, or the one before. The numbers of such a row may be those of the file all the same:
+    /// a shift that goes on to the next row leaves none.
+    moved: bool,
 }
 
 impl<'s> Slid<'s> {
     fn of(row: &'s RowSpec) -> Self {
         let (a, d) = (row.a.default_value(), row.d.default_value());
-        Slid { of: Some(row), a, alpha: row.alpha, d, theta: row.theta }
-    }
-
-    fn is_changed(&self) -> bool {
-        self.of.is_none_or(|row| {
-            let Slid { a, d, theta, .. } = Slid::of(row);
-            (a, d, theta) != (self.a, self.d, self.theta)
-        })
+        Slid { of: Some(row), a, alpha: row.alpha, d, theta: row.theta, moved: false }
     }
 
     /// The row as a file has it, with the name and all that belongs to its joint.
@@ -74,7 +70,7 @@ pub fn far_frames(spec: &Spec, model: &Model) -> Vec<Diagnostic> {
     let near = slid(spec, &typed, 0.0, 0.0);
     let arm = reach(model, &HashMap::new()) - long(&typed) + long(&near);
     let rows = slid(spec, &typed, FAR * arm, ROUNDING * arm);
-    let groups = rows.chunk_by(|a, b| a.is_changed() == b.is_changed());
+    let groups = rows.chunk_by(|a, b| a.moved == b.moved);
     groups.filter_map(|group| warning(spec, group, arm)).collect()
 }
 
@@ -98,6 +94,7 @@ fn slid<'s>(spec: &Spec, typed: &[Slid<'s>], far: f64, rounding: f64) -> Vec<Sli
         }
         let shift = row.d / alpha.cos();
         row.d = 0.0;
+        (row.moved, after.moved) = (true, true);
         after.d = rounded(after.d + shift, rounding);
         if alpha.sin() == 0.0 {
             rows.push(row);
@@ -105,8 +102,8 @@ fn slid<'s>(spec: &Spec, typed: &[Slid<'s>], far: f64, rounding: f64) -> Vec<Sli
         }
         let (rho, phi) = polar(twist.a, shift * alpha.sin());
         let rho = rounded(rho, rounding);
-        let added =
-            Slid { of: None, a: 0.0, alpha: WrittenAngle::ZERO, d: 0.0, theta: turned(spec, WrittenAngle::ZERO, -phi) };
+        let theta = turned(spec, WrittenAngle::ZERO, -phi);
+        let added = Slid { of: None, a: 0.0, alpha: WrittenAngle::ZERO, d: 0.0, theta, moved: true };
         row.theta = turned(spec, row.theta, phi);
         match spec.convention {
             Convention::Standard => {
@@ -145,11 +142,12 @@ fn digits(value: f64, unit: f64) -> f64 {
     format!("{value:.places$}").parse().unwrap_or(value) + 0.0
 }
 
-/// The warning of one run of changed rows, if one of its twists is far.
+/// The warning of one run of rows with slid frames, if one of its twists is far. The run ends with the row that takes up
+/// the last shift.
 fn warning(spec: &Spec, group: &[Slid], arm: f64) -> Option<Diagnostic> {
     let of: Vec<&RowSpec> = group.iter().filter_map(|row| row.of).collect();
     let has_parameter = of.iter().any(|row| row.a.parameter().or(row.d.parameter()).is_some());
-    if of.len() == group.len() || has_parameter || !group.iter().all(Slid::is_changed) {
+    if of.len() == group.len() || has_parameter {
         return None;
     }
     let number = |row: &RowSpec| spec.rows.iter().position(|other| other.place == row.place).map(|index| index + 1);
@@ -288,6 +286,28 @@ mod tests {
         // The shift goes on through a row without a tilt.
         let standard = standard.replace("{a: 0, alpha: 90, d: 90,", "{a: 0, alpha: 90, d: 90000,");
         replaced(&standard, 6, 8, 3000.0);
+    }
+
+    /// A row without a tilt takes a shift and hands it on whole: its own numbers are those of the file.
+    #[test]
+    fn a_row_that_hands_a_shift_on_is_among_the_rows() {
+        let text = "convention: standard\nunits: {length: m, angle: rad}\njoints:
+  - {a: 0, alpha: pi/2, d: 0.1, theta: 0}
+  - {a: 1e-5, alpha: 0.0017, d: 113, theta: 0.2}
+  - {a: 0.3, alpha: 0, d: 0, theta: -0.2}
+  - {a: 0.2, alpha: 0, d: -112.9, theta: -0.9}
+";
+        let said = replaced(text, 5, 7, 3.0);
+        assert!(said.contains("rows 2 to 4 are nearly parallel"), "{said}");
+        // The twist of a modified row stands in the row behind.
+        let modified = "convention: modified\nunits: {length: m, angle: rad}\njoints:
+  - {a: 0, alpha: 0, d: 0.3, theta: 0}
+  - {a: 0, alpha: pi/2, d: 300.1, theta: 0.2}
+  - {a: 0.4, alpha: 0.001, d: 0, theta: -0.2}
+  - {a: 0.3, alpha: 0, d: 0, theta: 0.5}
+  - {a: 0.1, alpha: 0, d: -300, theta: -0.9}
+";
+        replaced(modified, 5, 8, 3.0);
     }
 
     #[test]
