@@ -116,9 +116,19 @@ impl<'a> Answer<'a> {
         closest(self.arm, target, pose, &start)
     }
 
-    /// Hints on the numbers of the target.
-    fn hints(&self) -> Vec<String> {
+    /// Hints on the numbers of the target, and on free joints where no solution is within limits.
+    pub fn hints(&self) -> Vec<String> {
         let mut hints = self.asked.target.hints.clone();
+        let chosen = self.asked.near.is_none() && self.within_limits() == 0;
+        if let Some(free) =
+            self.solutions.iter().find(|solution| chosen && solution.is_exact() && !solution.free.is_empty())
+        {
+            hints.push(format!(
+                "a free joint stands at its default value here ({}); --near puts it next to joint values of yours, which \
+                 may be within limits",
+                self.free(free)
+            ));
+        }
         if !self.solutions.status().is_reachable()
             && let Ok(inverse) = &self.arm.program().inverse
         {

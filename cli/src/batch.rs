@@ -113,7 +113,7 @@ impl Batch<'_> {
             match self.target(lines, line).and_then(|target| self.answer(target)) {
                 Ok(answer) => {
                     exact &= answer.is_exact();
-                    for hint in answer.asked.target.hints.iter().filter(|_| !self.json) {
+                    for hint in answer.hints().iter().filter(|_| !self.json) {
                         progress.aside(|| writeln!(err, "hint: {name}:{number}: {hint}"))?;
                     }
                     self.print(number, &answer, out)?;

@@ -12,8 +12,10 @@ use crate::numbers::{Units, short};
 const LIKE_DEGREES: std::ops::RangeInclusive<f64> = 4.0 * PI..=720.0;
 /// How near, in proportion, a number with three decimals or more is to a multiple of pi/12 that looks like radians.
 const NEAR: f64 = 1e-4;
-/// A typed point this many times beyond the reach, or as many times nearer to the base, may be in another unit.
-const FAR: f64 = 10.0;
+/// A typed point this many times beyond the reach may be in a smaller unit.
+const FAR: f64 = 3.0;
+/// A point out of reach this many times nearer to the base than the arm is long may be in a larger unit.
+const NEARBY: f64 = 10.0;
 
 /// A hint where angles, in the unit that is read, look like the other one. `option` is where they were typed.
 ///
@@ -61,14 +63,14 @@ pub fn of_joints(option: &str, arm: &DynamicArm, q: &[f64], units: Units) -> Opt
 /// links together.
 pub fn of_point(point: &[f64], own: LengthUnit, reach: f64) -> Option<String> {
     let distance = point.iter().fold(0.0, |length: f64, value| length.hypot(*value));
-    if !(distance > FAR * reach || (distance > 0.0 && distance < reach / FAR)) {
+    if !(distance > FAR * reach || (distance > 0.0 && distance < reach / NEARBY)) {
         return None;
     }
     let all = [LengthUnit::Millimeter, LengthUnit::Meter, LengthUnit::Centimeter, LengthUnit::Inch];
     let unit = all.into_iter().find(|unit| {
         let factor = unit.in_meters() / own.in_meters();
-        let far = factor <= 1.0 / FAR && distance > FAR * reach;
-        let near = factor >= FAR && distance < reach / FAR;
+        let far = factor < 1.0 && distance > FAR * reach;
+        let near = factor >= NEARBY && distance < reach / NEARBY;
         (far || near) && (0.05..=1.05).contains(&(distance * factor / reach))
     })?;
     let list = |factor: f64| point.iter().map(|value| short(value * factor)).collect::<Vec<_>>().join(", ");
@@ -130,6 +132,7 @@ mod tests {
             ([30.0, 5.0, 20.0], Meter, 0.9, "if it is in cm, write 0.3, 0.05, 0.2"),
             ([300.0, 50.0, 200.0], Centimeter, 20.0, "nothing"),
             ([300.0, 50.0, 200.0], Centimeter, 36.0, "if it is in mm, write 30, 5, 20"),
+            ([180.0, 50.0, 100.0], Centimeter, 36.5, "if it is in mm, write 18, 5, 10"),
             ([2.0, 0.0, 0.0], Meter, 0.9, "nothing"),
             ([0.0, 0.0, 0.0], Meter, 0.9, "nothing"),
             ([1e9, 0.0, 0.0], Meter, 0.9, "nothing"),

@@ -42,7 +42,29 @@ impl Typed<'_> {
                 Err(self.wrong(&format!("`{word}` is not a number"), &help))
             }
         };
-        words(inside(self.text)).map(number).collect()
+        let values: Vec<f64> = words(inside(self.text)).map(number).collect::<Result<_, _>>()?;
+        match self.with_two_readings(values.len()) {
+            Some(pointed) => Err(self.wrong(
+                "commas stand in numbers or between them",
+                &format!(
+                    "write {}\"{}\", with decimal points, or the numbers with spaces alone",
+                    self.start(),
+                    pointed
+                ),
+            )),
+            None => Ok(values),
+        }
+    }
+
+    /// The list with decimal points, where its commas may be decimal ones: it has spaces too, and its counts with and
+    /// without them are both wanted. `count` is the one without.
+    fn with_two_readings(&self, count: usize) -> Option<String> {
+        let entries: Vec<&str> = inside(self.text).split_whitespace().collect();
+        let one_number = |entry: &&str| entry.replacen(',', ".", 1).parse::<f64>().is_ok_and(f64::is_finite);
+        let pointed: Vec<String> = entries.iter().map(|entry| entry.replacen(',', ".", 1)).collect();
+        let between = |entry: &&str| !entry.starts_with(',') && !entry.ends_with(',');
+        let fits = entries.len() != count && self.wanted.contains(&entries.len()) && self.wanted.contains(&count);
+        (fits && entries.iter().all(|entry| one_number(entry) && between(entry))).then(|| pointed.join(", "))
     }
 
     /// The failure of a list with another number of entries than wanted: `what` says how many. `help` follows where the

@@ -10,6 +10,9 @@ use crate::Failure;
 use crate::hints;
 use crate::numbers::{Units, count};
 
+/// Entries of two rotations that differ by more than this are those of two orientations: more than printed digits leave.
+const TWO_ORIENTATIONS: f64 = 1e-2;
+
 /// The named parts of a target, angles in the unit that is read.
 #[derive(Default)]
 pub struct Parts {
@@ -78,6 +81,7 @@ impl Parts {
             Some(&[x, y, z]) => Some([x, y, z]),
             _ => None,
         };
+        self.one_orientation(units).map_err(wrong)?;
         let pose = match (self.matrix.as_deref(), xyz, self.quaternion.as_deref(), self.rpy.as_deref()) {
             (Some(&[a, b, c, d, e, f, g, h, i]), Some(translation), ..) => {
                 rotation(Pose { rotation: [[a, b, c], [d, e, f], [g, h, i]], translation })
@@ -90,6 +94,35 @@ impl Parts {
             _ => return Ok(None),
         };
         Target::of_pose(arm, pose.map_err(wrong)?, units).map(Some)
+    }
+
+    /// Refuses orientations that differ. `forward --json` prints one in three forms.
+    fn one_orientation(&self, units: Units) -> Result<(), String> {
+        let matrix = match self.matrix.as_deref() {
+            Some(&[a, b, c, d, e, f, g, h, i]) => Some([[a, b, c], [d, e, f], [g, h, i]]),
+            Some(values) => of_matrix(values).ok().map(|pose| pose.rotation),
+            None => None,
+        };
+        let quaternion = match self.quaternion.as_deref() {
+            Some(&[w, x, y, z]) => of_quaternion([0.0; 3], [w, x, y, z]).ok().map(|pose| pose.rotation),
+            _ => None,
+        };
+        let rpy = match self.rpy.as_deref() {
+            Some(&[roll, pitch, yaw]) => {
+                Some(Pose::from_xyz_rpy([0.0; 3], [roll, pitch, yaw].map(|angle| units.rad(angle))).rotation)
+            }
+            _ => None,
+        };
+        let forms = [("matrix", matrix), ("quaternion", quaternion), ("rpy", rpy)];
+        let mut known = forms.into_iter().filter_map(|(name, rotation)| Some((name, rotation?)));
+        let Some((first, rotation)) = known.next() else { return Ok(()) };
+        let differs = |other: &[[f64; 3]; 3]| {
+            rotation.iter().flatten().zip(other.iter().flatten()).any(|(a, b)| (a - b).abs() > TWO_ORIENTATIONS)
+        };
+        match known.find(|(_, other)| differs(other)) {
+            Some((other, _)) => Err(format!("`{first}` and `{other}` are two orientations: one is needed")),
+            None => Ok(()),
+        }
     }
 
     /// The names that lack.

@@ -99,7 +99,11 @@ pub fn quaternion(arm: &DynamicArm, text: &str, units: Units) -> Result<Target, 
     match typed.numbers()?[..] {
         [x, y, z, qw, qx, qy, qz] => {
             let pose = of_quaternion([x, y, z], [qw, qx, qy, qz]).map_err(|found| {
-                typed.wrong(&found, &format!("write --quat \"{QUATERNION}\", the scalar part qw before the others"))
+                let norm = length_of(&[qw, qx, qy, qz]);
+                let unit = [qw, qx, qy, qz].map(|part| part / norm);
+                let own = if norm > 0.0 { format!("; of length 1 it is {}", listed(&unit)) } else { String::new() };
+                typed
+                    .wrong(&found, &format!("write --quat \"{QUATERNION}\", the scalar part qw before the others{own}"))
             })?;
             Target::of_pose(arm, pose, units)
         }

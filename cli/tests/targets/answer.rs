@@ -124,3 +124,22 @@ fn a_sweep_walks_the_arm_angle_too_and_needs_something_to_spare() {
     assert_eq!(far.status.code(), Some(3));
     assert!(said(&far.stdout).contains("\n3 of 3 values without solution"), "{far:?}");
 }
+
+/// The wrist is straight, and the free joint at 0 puts joint 6 out of its limits.
+#[test]
+fn a_free_joint_that_breaks_the_limits_is_told() {
+    let puma = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../specs/puma560.yaml")).unwrap();
+    let narrow = puma.replace("limits: [-266, 266]", "limits: [-90, 90]");
+    assert_ne!(puma, narrow);
+    let path = file("narrow.yaml", &narrow);
+    let q = "10 -20 30 60 0 60";
+    let output = denhart(&["inverse", &path, "--q", q, "--within-limits"]);
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    assert!(
+        said(&output.stdout).contains("hint: a free joint stands at its default value here (q4); --near puts it"),
+        "{output:?}"
+    );
+    let near = denhart(&["inverse", &path, "--q", q, "--near", q, "--within-limits"]);
+    assert_eq!(near.status.code(), Some(0), "{near:?}");
+    assert!(!said(&near.stdout).contains("hint:"), "{near:?}");
+}

@@ -49,6 +49,40 @@ fn an_axis_of_another_length_is_refused_in_json_and_in_columns() {
     }
 }
 
+/// `120,5 40,2 80,7` is three numbers to one who types decimal commas, and six to others: both counts are targets.
+#[test]
+fn commas_that_may_be_decimal_ones_are_refused() {
+    for (arm, numbers, pointed) in [
+        ("specs/anthro3r.yaml", "0,5 0,2 0,7", "0.5, 0.2, 0.7"),
+        ("specs/planar3r.yaml", "0,5 -0,2 30,5", "0.5, -0.2, 30.5"),
+        ("specs/al5d.yaml", "0,2 0,1 0.1 30", "0.2, 0.1, 0.1, 30"),
+    ] {
+        let output = denhart(&["inverse", arm, "--pose", numbers]);
+        let help = format!(
+            "--pose: commas stand in numbers or between them\nhelp: write --pose \"{pointed}\", with decimal points"
+        );
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{output:?}");
+        assert!(said(&output.stderr).contains(&help), "{output:?}");
+    }
+    for numbers in ["0.5, 0.2, 0.7", "0.5,0.2,0.7", "0.5,0.2,0.7,0,0,0", "0.5, 0.2, 0.7, 0, 0, 0", "0.5 0.2 0.7 0 0 0"]
+    {
+        let output = denhart(&["inverse", "specs/anthro3r.yaml", "--pose", numbers]);
+        assert!(said(&output.stdout).contains("target: point 0.5, 0.2, 0.7 "), "{output:?}");
+    }
+}
+
+/// A target has one orientation, in as many forms as there are.
+#[test]
+fn two_orientations_of_one_target_are_refused() {
+    let ur5 = ["inverse", "specs/ur5.yaml"];
+    let text = "{\"position\": [0.3, 0.1, 0.4], \"rpy\": [0, 90, 0], \"quaternion\": [1, 0, 0, 0]}";
+    let output = fed(&[&ur5[..], &["--json-target", "-"]].concat(), text);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(said(&output.stderr).contains("`quaternion` and `rpy` are two orientations"), "{output:?}");
+    let quaternion = denhart(&[&ur5[..], &["--quat", "0.3 0 0.3 0.7 0 0.7 0"]].concat());
+    assert!(said(&quaternion.stderr).contains("; of length 1 it is 0.707106781, 0, 0.707106781, 0"), "{quaternion:?}");
+}
+
 /// A planar arm turns its tool about z alone.
 #[test]
 fn a_tilt_that_a_planar_arm_cannot_have_is_told() {

@@ -83,9 +83,13 @@ impl<'s> Reader<'s> {
                 let found = describe(key, &self.source.written(&at_key));
                 let message = format!("expected a key of {what}, found {found}");
                 let mistake = self.source.mistake(&at_key, message);
-                // `{a: 80,5}` is a mapping with the key 5.
+                // `{a: 80,5}` is a mapping with the key 5, `{limits: -90, 90}` one with the key 90.
                 let before = index.checked_sub(1).and_then(|before| entries.get(before));
                 let help = match (key, before) {
+                    (Node::Number(_), Some((Node::Text(list), Node::Number(_)))) if list == "limits" => {
+                        let low = self.source.written(&field.place.to(Step::Value(index - 1)));
+                        format!("write limits: [{low}, {}]", self.source.written(&at_key))
+                    }
                     (Node::Number(part), Some((_, Node::Number(whole))))
                         if whole.fract() == 0.0 && part.fract() == 0.0 && *part >= 0.0 =>
                     {

@@ -217,6 +217,14 @@ fn wrong_types() {
 }
 
 #[test]
+fn limits_without_brackets_get_them() {
+    let told = mistakes(&arm("{a: 0, alpha: 0, d: 0, theta: 0, limits: -165, 165}", ""));
+    let helps: Vec<String> = told.iter().map(ToString::to_string).collect();
+    assert!(helps.iter().any(|told| told.contains("write limits: [-165, 165]")), "{helps:?}");
+    assert!(!helps.iter().any(|told| told.contains("decimal point")), "{helps:?}");
+}
+
+#[test]
 fn a_number_in_quotes_is_that_number() {
     let plain = "name: arm
 convention: standard
