@@ -4,7 +4,7 @@ use denhart::Branch;
 use denhart::solve::{BranchState, DefaultValue, Measure, Missed, Search};
 use denhart_codegen::model::MOST_JOINTS;
 
-use crate::kernel::{MOST_DOUBTS, Roots, with_roots};
+use crate::kernel::{AnyRoots, MOST_DOUBTS, with_roots};
 
 /// The functions of [`Search`] that a [`Run`](crate::run::Run) calls. A run is compiled once, and not for each pair of
 /// numbers of joints and solutions: the crate compiles in two thirds of the time.
@@ -14,7 +14,7 @@ pub trait Branches {
     /// The place of a virtual joint.
     fn virtual_default(&self) -> DefaultValue<f64>;
     /// The state after a stage.
-    fn follow(&mut self, before: &BranchState, roots: &Roots) -> BranchState;
+    fn follow(&mut self, before: &BranchState, roots: &AnyRoots) -> BranchState;
     /// The state after an equation without a joint to meet it.
     fn agree(&self, state: &BranchState, measure: Measure<f64>, miss: f64) -> BranchState;
     /// The state after a vector whose direction tells where two joints turn.
@@ -38,7 +38,7 @@ impl<const N: usize, const M: usize, P: Missed<f64, M>> Branches for Search<'_, 
         Search::virtual_default(self)
     }
 
-    fn follow(&mut self, before: &BranchState, roots: &Roots) -> BranchState {
+    fn follow(&mut self, before: &BranchState, roots: &AnyRoots) -> BranchState {
         with_roots!(roots, stage => Search::follow(self, before, stage))
     }
 

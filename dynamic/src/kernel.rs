@@ -1,6 +1,6 @@
 //! A call of a kernel of the runtime, with its numbers taken from registers.
 
-use denhart::solve::{self, Cone, DefaultValue, Elbow, Measure, Sight, Stage, Turn};
+use denhart::solve::{self, Cone, DefaultValue, Elbow, Measure, Roots, Sight, Turn};
 use denhart_codegen::lower::kernel::{
     Aim, Align, Flip, Offset, OffsetOfTwo, Pair, PairSliding, Quadratic, Slide, SlideTo, SlideTurning, Wrist,
 };
@@ -13,25 +13,25 @@ pub const MOST_DOUBTS: usize = 8;
 
 /// The roots of a stage: so many joints, at most so many roots.
 #[derive(Debug, Clone, Copy)]
-pub enum Roots {
-    OneOfOne(Stage<f64, 1, 1>),
-    TwoOfOne(Stage<f64, 1, 2>),
-    TwoOfTwo(Stage<f64, 2, 2>),
-    TwoOfThree(Stage<f64, 3, 2>),
-    ThreeOfTwo(Stage<f64, 2, 3>),
-    FourOfTwo(Stage<f64, 2, 4>),
+pub enum AnyRoots {
+    OneOfOne(Roots<f64, 1, 1>),
+    TwoOfOne(Roots<f64, 1, 2>),
+    TwoOfTwo(Roots<f64, 2, 2>),
+    TwoOfThree(Roots<f64, 3, 2>),
+    ThreeOfTwo(Roots<f64, 2, 3>),
+    FourOfTwo(Roots<f64, 2, 4>),
 }
 
 /// Does the same with the roots of every kind.
 macro_rules! with_roots {
     ($roots:expr, $stage:ident => $action:expr) => {
         match $roots {
-            $crate::kernel::Roots::OneOfOne($stage) => $action,
-            $crate::kernel::Roots::TwoOfOne($stage) => $action,
-            $crate::kernel::Roots::TwoOfTwo($stage) => $action,
-            $crate::kernel::Roots::TwoOfThree($stage) => $action,
-            $crate::kernel::Roots::ThreeOfTwo($stage) => $action,
-            $crate::kernel::Roots::FourOfTwo($stage) => $action,
+            $crate::kernel::AnyRoots::OneOfOne($stage) => $action,
+            $crate::kernel::AnyRoots::TwoOfOne($stage) => $action,
+            $crate::kernel::AnyRoots::TwoOfTwo($stage) => $action,
+            $crate::kernel::AnyRoots::TwoOfThree($stage) => $action,
+            $crate::kernel::AnyRoots::ThreeOfTwo($stage) => $action,
+            $crate::kernel::AnyRoots::FourOfTwo($stage) => $action,
         }
     };
 }
@@ -43,7 +43,7 @@ pub struct Known {
     pub phase: Turn<f64>,
     pub elbow: Elbow<f64>,
     pub cone: Cone<f64>,
-    pub roots: Option<Roots>,
+    pub roots: Option<AnyRoots>,
 }
 
 impl Known {
@@ -92,45 +92,45 @@ pub fn measure(unit: Unit, reach: f64) -> Measure<f64> {
 }
 
 /// Solves a stage.
-pub fn solve(call: &Call, defaults: [DefaultValue<f64>; 2], known: &Known, reach: f64, values: Values) -> Roots {
+pub fn solve(call: &Call, defaults: [DefaultValue<f64>; 2], known: &Known, reach: f64, values: Values) -> AnyRoots {
     let measure = measure(call.unit, reach);
     let [default, outer] = defaults;
     let v = |slot: &Slot| values.of(*slot);
     match &call.kernel {
-        Kernel::Offset(Offset { a, b, d }) => Roots::TwoOfOne(solve::offset(default, measure, v(a), v(b), v(d))),
+        Kernel::Offset(Offset { a, b, d }) => AnyRoots::TwoOfOne(solve::offset(default, measure, v(a), v(b), v(d))),
         Kernel::OffsetOfTwo(OffsetOfTwo { length, direction }) => {
             let (length, direction) = (values.all(length), values.all(direction));
-            Roots::TwoOfOne(solve::offset_of_two(default, measure, length, direction))
+            AnyRoots::TwoOfOne(solve::offset_of_two(default, measure, length, direction))
         }
         Kernel::Distance(kernel) => {
             let stage = solve::distance(default, measure, v(&kernel.rho), known.elbow);
-            Roots::TwoOfOne(counted(stage, call.counted, known, values))
+            AnyRoots::TwoOfOne(counted(stage, call.counted, known, values))
         }
         Kernel::Cone(kernel) => {
             let stage = solve::cone(default, measure, v(&kernel.d), v(&kernel.rho), known.cone);
-            Roots::TwoOfOne(counted(stage, call.counted, known, values))
+            AnyRoots::TwoOfOne(counted(stage, call.counted, known, values))
         }
         Kernel::Align(Align { from, to }) => {
-            Roots::OneOfOne(solve::align(default, measure, values.all(from), values.all(to)))
+            AnyRoots::OneOfOne(solve::align(default, measure, values.all(from), values.all(to)))
         }
-        Kernel::Flip(Flip { m }) => Roots::TwoOfTwo(solve::flip(outer, values.all(m))),
-        Kernel::Wrist(Wrist { m }) => Roots::TwoOfThree(solve::wrist(default, values.rows(m))),
+        Kernel::Flip(Flip { m }) => AnyRoots::TwoOfTwo(solve::flip(outer, values.all(m))),
+        Kernel::Wrist(Wrist { m }) => AnyRoots::TwoOfThree(solve::wrist(default, values.rows(m))),
         Kernel::Slide(Slide { rho, across, middle }) => {
-            Roots::TwoOfOne(solve::slide(measure, v(rho), v(across), v(middle)))
+            AnyRoots::TwoOfOne(solve::slide(measure, v(rho), v(across), v(middle)))
         }
         Kernel::SlideTo(SlideTo { denominator, numerator }) => {
-            Roots::OneOfOne(solve::slide_to(default, measure, v(denominator), v(numerator)))
+            AnyRoots::OneOfOne(solve::slide_to(default, measure, v(denominator), v(numerator)))
         }
         Kernel::SlideTurning(SlideTurning { direction, rows }) => {
-            Roots::TwoOfTwo(solve::slide_turning(defaults, measure, values.all(direction), values.rows(rows)))
+            AnyRoots::TwoOfTwo(solve::slide_turning(defaults, measure, values.all(direction), values.rows(rows)))
         }
         Kernel::Aim(Aim { moved: [x, z], frames: [frame_x, frame_z] }) => {
             let sight = |moved, frame| Sight { moved: values.all(moved), frame: values.rows(frame) };
-            Roots::ThreeOfTwo(solve::aim(defaults, sight(x, frame_x), sight(z, frame_z)))
+            AnyRoots::ThreeOfTwo(solve::aim(defaults, sight(x, frame_x), sight(z, frame_z)))
         }
         Kernel::Pair(Pair { p, q, across, .. }) => {
             let (p, q) = (values.rows(p), values.rows(q));
-            Roots::FourOfTwo(match across {
+            AnyRoots::FourOfTwo(match across {
                 None => solve::pair(defaults, measure, p, q),
                 Some([[a, b], [c, d]]) => solve::pair_turning(defaults, measure, p, q, values.rows(&[*a, *b, *c, *d])),
             })
@@ -138,16 +138,16 @@ pub fn solve(call: &Call, defaults: [DefaultValue<f64>; 2], known: &Known, reach
         Kernel::PairSliding(PairSliding { line, scale, square, q, sliding, turning }) => {
             let across = (values.rows(sliding), values.rows(turning));
             let (line, square, q) = (values.all(line), values.all(square), values.all(q));
-            Roots::FourOfTwo(solve::pair_sliding(measure, line, v(scale), square, q, across))
+            AnyRoots::FourOfTwo(solve::pair_sliding(measure, line, v(scale), square, q, across))
         }
         Kernel::Quadratic(Quadratic { coefficients }) => {
-            Roots::TwoOfOne(solve::quadratic(measure, values.all(coefficients)))
+            AnyRoots::TwoOfOne(solve::quadratic(measure, values.all(coefficients)))
         }
     }
 }
 
 /// The roots with the angle counted from where it is.
-fn counted(stage: Stage<f64, 1, 2>, from: Counted, known: &Known, values: Values) -> Stage<f64, 1, 2> {
+fn counted(stage: Roots<f64, 1, 2>, from: Counted, known: &Known, values: Values) -> Roots<f64, 1, 2> {
     match from {
         Counted::FromZero => stage,
         Counted::TurnedBack(slot) => stage.turned_back(values.of(slot) < 0.0),

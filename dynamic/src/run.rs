@@ -99,7 +99,7 @@ impl<'a> Run<'a> {
             }
             Statement::Only { stage, roots } => {
                 let Some(solved) = self.known.get(*stage).and_then(|known| known.roots) else { return };
-                if let crate::kernel::Roots::OneOfOne(solved) = &solved {
+                if let crate::kernel::AnyRoots::OneOfOne(solved) = &solved {
                     self.take(roots, &solved.only());
                 }
             }

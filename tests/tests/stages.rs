@@ -9,7 +9,7 @@ use std::path::Path;
 const STAGES: [&str; 7] = ["spec", "model", "symbolic", "kinematics", "solve", "lower", "emit"];
 
 /// Folders without a circle, and the module of the crate that each one is.
-const FOLDERS: [(&str, &[&str]); 9] = [
+const FOLDERS: [(&str, &[&str]); 10] = [
     ("codegen/src/spec", &["spec"]),
     ("codegen/src/model", &["model"]),
     ("codegen/src/symbolic", &["symbolic"]),
@@ -17,6 +17,7 @@ const FOLDERS: [(&str, &[&str]); 9] = [
     ("codegen/src/solve", &["solve"]),
     ("codegen/src/lower", &["lower"]),
     ("codegen/src/emit", &["emit"]),
+    ("runtime/src/solve/kernel", &["solve", "kernel"]),
     ("macros/src", &[]),
     ("cli/src/trace", &["trace"]),
 ];

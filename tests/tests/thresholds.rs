@@ -81,7 +81,7 @@ fn constant(name: &str) -> &'static Constant {
 
 #[test]
 fn the_table_of_thresholds_has_every_constant_and_its_values() {
-    let (document, source) = (text("ARCHITECTURE.md"), text("runtime/src/solve/tolerances.rs"));
+    let (document, source) = (text("ARCHITECTURE.md"), text("runtime/src/solve/kernel/tolerances.rs"));
     let rows = rows(&document, "### Thresholds");
     let declared = declared(&source);
     assert!(!declared.is_empty(), "no constant is found in the trait");

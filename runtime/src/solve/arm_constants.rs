@@ -1,6 +1,6 @@
 //! Constants of an arm, as the search needs them.
 
-use super::Tolerances;
+use super::kernel::tolerances::Tolerances;
 use crate::{Arm, CombinedLimit, Jacobian, JointMask, Pose, Residual};
 
 /// Constants of an arm that the search reads: limits, weights, reach and tolerances.

@@ -1,7 +1,7 @@
 //! The best part of a step.
 
-use super::Tolerances;
 use super::damped_step::dot_out_of_line;
+use super::kernel::tolerances::Tolerances;
 
 /// A step has so many parts. From the one of least error Newton steps lead to the minimum.
 const PARTS: i32 = 8;

@@ -1,6 +1,6 @@
 //! A damped least-squares step.
 
-use super::Tolerances;
+use super::kernel::tolerances::Tolerances;
 use crate::JointMask;
 
 /// A damped step.

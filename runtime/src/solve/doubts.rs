@@ -1,67 +1,9 @@
-//! State of a branch, and the doubts of its stages.
+//! The doubts of the stages of a branch, taken together.
 
-use super::Tolerances;
-use super::level::LevelOf;
+use super::kernel::doubt::Doubt;
+use super::kernel::level::LevelOf;
+use super::kernel::tolerances::Tolerances;
 use crate::{Flags, JointMask, Residual};
-
-/// State of a branch, which generated code hands from stage to stage. The search keeps the doubts of each stage on the
-/// way. A branch without doubts has none.
-///
-/// One number, 0 without doubts: the number of doubts that belong to the branch, and two marks. One mark says that the
-/// solution is to be verified whatever the doubts are, the other that the branch has ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct BranchState(u32);
-
-impl BranchState {
-    const VERIFY: u32 = 0x100;
-    const ENDED: u32 = 0x200;
-
-    /// The start of every branch.
-    #[inline]
-    pub(super) fn start(verify: bool) -> Self {
-        Self(if verify { Self::VERIFY } else { 0 })
-    }
-
-    /// Returns true if a stage is in doubt, or the solution is to be verified.
-    #[inline]
-    pub(super) fn doubt(self) -> bool {
-        self.0 != 0
-    }
-
-    /// Returns true if the solution is to be verified whatever the doubts are.
-    pub(super) fn verify(self) -> bool {
-        self.0 & Self::VERIFY != 0
-    }
-
-    /// Returns true if the branch leads nowhere: a stage has no root near it, and no joint before it may move.
-    #[inline]
-    pub(super) fn ended(self) -> bool {
-        self.0 & Self::ENDED != 0
-    }
-
-    /// The root of a wrist to follow, if one is wanted. In doubt both are followed: the solution of the second one follows
-    /// from that of the first.
-    #[inline]
-    pub fn flips(self, wanted: Option<usize>) -> Option<usize> {
-        wanted.filter(|_| !self.doubt())
-    }
-
-    /// The number of doubts that belong to the branch.
-    pub(super) fn depth(self) -> usize {
-        (self.0 & (Self::VERIFY - 1)) as usize
-    }
-
-    /// Marks the branch to be verified if `verify` is set.
-    #[inline]
-    pub(super) fn doubted(self, verify: bool) -> Self {
-        Self(self.0 | Self::start(verify).0)
-    }
-
-    /// Adds one more state to the branch.
-    pub(super) fn deeper(self, ended: bool) -> Self {
-        Self((self.0 + 1) | if ended { Self::ENDED } else { 0 })
-    }
-}
 
 /// Doubts of a branch, taken together over all stages so far.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -143,33 +85,4 @@ impl<T: Tolerances> Doubts<T> {
             self.free |= free;
         }
     }
-}
-
-/// Doubt of one stage.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Doubt<T> {
-    pub(super) gap: T,
-    pub(super) angular: bool,
-    pub(super) boundary: bool,
-    /// Conditioning of the stage; 1 where it is not in doubt.
-    pub(super) amplitude: T,
-    /// True if the roots close the equation of the stage to rounding, however small the amplitude. The vectors of the
-    /// later stages then have the lengths that they should have. Two roots of one joint close only where they are
-    /// farther apart than [`Tolerances::COINCIDENT`]: closer ones may be one solution.
-    pub(super) closes: bool,
-    pub(super) weak: JointMask,
-    pub(super) free: JointMask,
-}
-
-impl<T: Tolerances> Doubt<T> {
-    /// Nothing.
-    pub(super) const NOTHING: Self = Self {
-        gap: T::ZERO,
-        angular: false,
-        boundary: false,
-        amplitude: T::ONE,
-        closes: false,
-        weak: JointMask::NONE,
-        free: JointMask::NONE,
-    };
 }

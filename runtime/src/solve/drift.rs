@@ -1,6 +1,6 @@
 //! Targets whose rotation is slightly off: printed with few digits, drifted, or computed in single precision.
 
-use super::Tolerances;
+use super::kernel::tolerances::Tolerances;
 use crate::{Pose, Solutions};
 
 /// A rotation that is off by more than this is none.

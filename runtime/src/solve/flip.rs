@@ -2,7 +2,7 @@
 
 use core::slice;
 
-use super::Tolerances;
+use super::kernel::tolerances::Tolerances;
 use super::least_squares::wrap_angles;
 use crate::{JointMask, Residual};
 

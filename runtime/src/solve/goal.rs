@@ -1,6 +1,6 @@
 //! Targets as equations: the residual of a pose, and its derivative by the joints.
 
-use super::Tolerances;
+use super::kernel::tolerances::Tolerances;
 use crate::math::{atan2, wrap};
 use crate::vector::{column, cross, dot, norm, sub};
 use crate::{Jacobian, JointMask, PlanarPose, PointAngle, PointAxis, Pose, Residual};

@@ -1,9 +1,10 @@
 //! Damped least-squares steps towards a target.
 
-use super::arm_constants::Evaluate;
+use super::arm_constants::{ArmConstants, Evaluate};
 use super::best_part::best_part;
 use super::damped_step::{damped_step, dot_out_of_line};
-use super::{ArmConstants, Goal, Tolerances};
+use super::goal::Goal;
+use super::kernel::tolerances::Tolerances;
 use crate::math::wrap;
 use crate::{JointMask, Residual};
 

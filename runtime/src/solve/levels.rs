@@ -1,11 +1,13 @@
 //! Branches that are missed with a free joint at its default, and where that joint has to be for them.
 
+use super::arm_constants::ArmConstants;
 use super::doubts::Doubts;
-use super::level::Behind;
+use super::kernel::level::Behind;
+use super::kernel::tolerances::Tolerances;
 use super::open::{LEVELS, Open, same};
 use super::place::{Beside, PLACES, stroke, turn};
-use super::roots::{NODES, node};
-use super::{ArmConstants, Tolerances, two_joints};
+use super::second_level::{NODES, node};
+use super::two_joints;
 use crate::effort::MOST_CASCADES;
 use crate::math::wrap;
 use crate::{Branch, JointMask};

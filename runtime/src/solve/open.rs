@@ -1,9 +1,9 @@
 //! A branch that is missed with a free joint at its default.
 
-use super::Tolerances;
-use super::level::{Behind, Level};
+use super::kernel::level::{Behind, Level};
+use super::kernel::tolerances::Tolerances;
 use super::place::{Beside, PLACES, Place, Sample, Samples};
-use super::roots::Roots;
+use super::second_level::SecondLevel;
 use super::two_joints::{self, Rows};
 use crate::math::wrap;
 use crate::{Branch, JointMask};
@@ -28,7 +28,7 @@ pub(super) struct Open<T> {
     /// Samples of the level of `moved` with the second joint off its default.
     pub(super) rows: Rows<T>,
     /// Samples of the level of the stage after `moved`.
-    pub(super) roots: Roots<T>,
+    pub(super) roots: SecondLevel<T>,
     /// Other places at which the stage `moved` has roots.
     pub(super) beside: Beside<T>,
     /// A sample at which no stage was missed (of the second joint, place), with the steps of that pass.
@@ -57,7 +57,7 @@ impl<T: Tolerances> Open<T> {
         second: false,
         samples: Samples::NONE,
         rows: Rows::NONE,
-        roots: Roots::NONE,
+        roots: SecondLevel::NONE,
         beside: Beside::NOWHERE,
         sampled: None,
         aside: [T::ZERO; 2],

@@ -1,9 +1,11 @@
 //! Following the branches again with free joints elsewhere.
 
+use super::arm_constants::ArmConstants;
 use super::doubts::Doubts;
+use super::kernel::branch_state::BranchState;
+use super::kernel::tolerances::Tolerances;
 use super::levels::{self, Levels};
-use super::search::VIRTUAL;
-use super::{ArmConstants, BranchState, Search, Tolerances};
+use super::search::{Search, VIRTUAL};
 use crate::math::wrap;
 use crate::{Branch, JointMask, Solution};
 

@@ -1,8 +1,8 @@
 //! Where a free joint has to be for a later stage to have roots.
 
-use super::Tolerances;
-use super::circle::Circle;
-use super::level::{Behind, Level};
+use super::kernel::circle::Circle;
+use super::kernel::level::{Behind, Level};
+use super::kernel::tolerances::Tolerances;
 use super::range::Range;
 use crate::math::{sin_cos, wrap};
 
@@ -276,7 +276,7 @@ fn add<T: Tolerances>([a, b]: [T; 2], [c, d]: [T; 2]) -> [T; 2] {
 mod tests {
     #![allow(clippy::expect_used)]
 
-    use super::super::level::LevelOf;
+    use super::super::kernel::level::LevelOf;
     use super::*;
 
     /// An equation that holds where `cos x = 0.3`, on either side of the default value.

@@ -1,7 +1,7 @@
 //! Where a joint that turns leaves a stage roots.
 
-use super::Tolerances;
-use super::circle::{Circle, angles};
+use super::kernel::circle::{Circle, angles};
+use super::kernel::tolerances::Tolerances;
 use super::place::{INSIDE, OTHERS};
 use crate::math::wrap;
 use core::cmp::Ordering;

@@ -1,12 +1,17 @@
 //! Following the branches of the cascade and collecting the solutions.
 
-use super::arm_constants::Evaluate;
-use super::doubts::{Doubt, Doubts};
+use super::arm_constants::{ArmConstants, Evaluate};
+use super::doubts::Doubts;
 use super::flip::Verified;
-use super::level::{Behind, Level, LevelOf};
+use super::goal::Goal;
+use super::kernel::branch_state::BranchState;
+use super::kernel::doubt::Doubt;
+use super::kernel::level::{Behind, Level, LevelOf};
+use super::kernel::roots::{Measure, Roots};
+use super::kernel::tolerances::Tolerances;
+use super::kernel::turn::DefaultValue;
 use super::open::LEVELS;
 use super::passes::{Missed, Passes};
-use super::{ArmConstants, BranchState, DefaultValue, Goal, Measure, Stage, Tolerances};
 use crate::effort::{MOST_CASCADES, MOST_EVALUATIONS};
 use crate::limits::within;
 use crate::vector::norm;
@@ -177,7 +182,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
     pub fn follow<const K: usize, const R: usize>(
         &mut self,
         state: &BranchState,
-        stage: &Stage<T, K, R>,
+        stage: &Roots<T, K, R>,
     ) -> BranchState {
         if stage.doubt.is_some() | state.doubt() { self.doubtful(*state, stage.doubt, stage.level) } else { *state }
     }

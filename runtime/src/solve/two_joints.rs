@@ -1,10 +1,10 @@
 //! Where two free joints have to be, together, for a later stage to have roots.
 
-use super::Tolerances;
-use super::circle::Circle;
-use super::level::Level;
+use super::kernel::circle::Circle;
+use super::kernel::level::Level;
+use super::kernel::tolerances::Tolerances;
 use super::place::{Sample, Samples, series, turn};
-use super::roots::highest;
+use super::second_level::highest;
 use crate::math::sin_cos;
 
 /// Places of either joint.
@@ -96,7 +96,7 @@ fn nodes<T: Tolerances>() -> [T; PLACES] {
 mod tests {
     #![allow(clippy::expect_used)]
 
-    use super::super::level::{Behind, LevelOf};
+    use super::super::kernel::level::{Behind, LevelOf};
     use super::*;
 
     /// The cosine of an elbow of two links of length 1, from (-2, 0.5) to the end of two links of 3 and 2. With either

@@ -1,12 +1,14 @@
 //! Solutions with a stage in doubt: verified by forward kinematics, refined by a few damped steps, and merged where they
 //! coincide.
 
+use super::arm_constants::ArmConstants;
 use super::doubts::Doubts;
 use super::flip::Verified;
+use super::kernel::branch_state::BranchState;
+use super::kernel::tolerances::Tolerances;
 use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
 use super::passes::Missed;
-use super::search::VIRTUAL;
-use super::{ArmConstants, BranchState, Search, Tolerances};
+use super::search::{Search, VIRTUAL};
 use crate::math::wrap;
 use crate::{Branch, Flags, Solution};
 

@@ -1,8 +1,9 @@
 //! The elbow: two points a given distance apart, one of them turned about an axis.
 
 use super::level::LevelOf;
+use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
-use super::{DefaultValue, Measure, Stage, Turn};
+use super::turn::{DefaultValue, Turn};
 use crate::JointMask;
 
 /// The range of the distance between a point on one link and a point on the next.
@@ -48,10 +49,10 @@ pub fn distance<T: Tolerances>(
     measure: Measure<T>,
     rho: T,
     elbow: Elbow<T>,
-) -> Stage<T, 1, 2> {
+) -> Roots<T, 1, 2> {
     let range = elbow.max - elbow.min;
     if default.is_free(range, measure.scale) {
-        return Stage::left_free([Turn::ZERO], default, (elbow.max - rho).abs(), measure);
+        return Roots::left_free([Turn::ZERO], default, (elbow.max - rho).abs(), measure);
     }
     let mut stage = within(measure, rho, elbow);
     if range < T::DOUBTFUL * measure.scale {
@@ -61,7 +62,7 @@ pub fn distance<T: Tolerances>(
 }
 
 #[inline(always)]
-fn within<T: Tolerances>(measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<T, 1, 2> {
+fn within<T: Tolerances>(measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Roots<T, 1, 2> {
     let (outer, inner) = (elbow.max - rho, rho - elbow.min);
     // The rounding of the distance itself; roots farther apart are told apart.
     let close = T::EPSILON * T::TWO * elbow.max;
@@ -76,17 +77,17 @@ fn within<T: Tolerances>(measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Stage<
     let half_sine = (top * bottom).sqrt() * k;
     let turn = Turn::of((half_sine + half_sine) * elbow.side, (bottom - top) * (k * elbow.side));
     let level = LevelOf::Cosine((bottom - top) * k);
-    Stage::determined([[turn], [turn.reversed()]], measure, level, half_sine, JointMask::NONE)
+    Roots::determined([[turn], [turn.reversed()]], measure, level, half_sine, JointMask::NONE)
         .closing(half_sine + half_sine >= T::COINCIDENT)
 }
 
 /// At the ends of the range or outside it, by how much the distance is inside either end.
 #[cold]
 #[inline(never)]
-fn end<T: Tolerances>(measure: Measure<T>, outer: T, inner: T, side: T) -> Stage<T, 1, 2> {
+fn end<T: Tolerances>(measure: Measure<T>, outer: T, inner: T, side: T) -> Roots<T, 1, 2> {
     let (gap, stretched) = if inner < outer { (-inner, false) } else { (-outer, true) };
     let turn = if stretched == (side > T::ZERO) { Turn::STRETCHED } else { Turn::FOLDED };
-    Stage::edge([turn], gap.max(T::ZERO), measure)
+    Roots::edge([turn], gap.max(T::ZERO), measure)
 }
 
 #[cfg(test)]

@@ -1,7 +1,9 @@
 //! Two equations for one joint.
 
+use super::offset::offset;
+use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
-use super::{DefaultValue, Measure, Stage, offset};
+use super::turn::DefaultValue;
 
 /// Solves `a cos(t) + b sin(t) = d` given twice, for lengths and for directions, where one of the two equations may
 /// lose its amplitude. The equation of larger relative amplitude gives the roots, the other equation chooses among
@@ -14,7 +16,7 @@ pub fn offset_of_two<T: Tolerances>(
     lengths: Measure<T>,
     length: [T; 3],
     direction: [T; 3],
-) -> Stage<T, 1, 2> {
+) -> Roots<T, 1, 2> {
     let amplitude = |[a, b, _]: [T; 3], scale: T| (a * a + b * b).sqrt() / scale;
     let by_length = amplitude(length, lengths.scale) >= amplitude(direction, T::ONE);
     let ([a, b, d], measure, [e, f, g], other) = if by_length {
@@ -24,7 +26,7 @@ pub fn offset_of_two<T: Tolerances>(
     };
     // The uncertainty of the joint is what the other equation may be missed by.
     let mut stage = offset(default, measure, a, b, d).closing(false);
-    let missed = |stage: &Stage<T, 1, 2>, root: usize| {
+    let missed = |stage: &Roots<T, 1, 2>, root: usize| {
         stage.roots.get(root).map_or(T::INFINITY, |[t]| (e * t.cos + f * t.sin - g).abs() / other.scale)
     };
     let [first, second] = [missed(&stage, 0), missed(&stage, 1)];

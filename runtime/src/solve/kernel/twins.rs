@@ -1,7 +1,8 @@
 //! The roots of two equations in two joints made accurate, two that nearly meet included.
 
 use super::curve::{Across, Found, Moving, Place, beside, newton};
-use super::{Stage, Tolerances};
+use super::roots::Roots;
+use super::tolerances::Tolerances;
 
 /// Replaces every root of the rows by one that is accurate: two candidates for two close roots by one each. Returns
 /// whether all of them are roots beyond doubt.
@@ -9,7 +10,7 @@ use super::{Stage, Tolerances};
 /// The second row says that `across` is of equal length over either joint. Where that vector nearly vanishes, the
 /// second row knows two close roots to the root of rounding. Where two roots nearly meet elsewhere, Newton's method has
 /// no direction between them; there, too, both are taken from the lengths.
-pub(super) fn with_twins<T, X, Z>(stage: &mut Stage<T, 2, 4>, (p, q): (&[X; 2], &[Z; 2]), across: &Across<X, Z>) -> bool
+pub(super) fn with_twins<T, X, Z>(stage: &mut Roots<T, 2, 4>, (p, q): (&[X; 2], &[Z; 2]), across: &Across<X, Z>) -> bool
 where
     T: Tolerances,
     X: Moving<T>,
@@ -71,7 +72,7 @@ where
 }
 
 /// Returns true if no two candidates have become one root.
-pub(super) fn distinct<T, X, Z>(stage: &Stage<T, 2, 4>) -> bool
+pub(super) fn distinct<T, X, Z>(stage: &Roots<T, 2, 4>) -> bool
 where
     T: Tolerances,
     X: Moving<T>,

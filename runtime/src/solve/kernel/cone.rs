@@ -1,8 +1,9 @@
 //! A direction or point, turned about one axis, with a given component along another.
 
 use super::level::LevelOf;
+use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
-use super::{DefaultValue, Measure, Stage, Turn};
+use super::turn::{DefaultValue, Turn};
 use crate::JointMask;
 
 /// The range of that component. The vector's length is fixed, so each end also has a component across.
@@ -39,11 +40,11 @@ pub fn cone<T: Tolerances>(
     d: T,
     rho: T,
     cone: Cone<T>,
-) -> Stage<T, 1, 2> {
+) -> Roots<T, 1, 2> {
     let ([max, max_across], [min, _]) = (cone.max, cone.min);
     let range = max - min;
     if default.is_free(range, measure.scale) {
-        return Stage::left_free([Turn::ZERO], default, gap(d, rho, max, max_across), measure);
+        return Roots::left_free([Turn::ZERO], default, gap(d, rho, max, max_across), measure);
     }
     let mut stage = within(measure, d, rho, cone);
     if range < T::DOUBTFUL * measure.scale {
@@ -53,7 +54,7 @@ pub fn cone<T: Tolerances>(
 }
 
 #[inline]
-fn within<T: Tolerances>(measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> Stage<T, 1, 2> {
+fn within<T: Tolerances>(measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> Roots<T, 1, 2> {
     let ([max, max_across], [min, min_across]) = (cone.max, cone.min);
     let below = |end: T, across: T| {
         // end - d, by the form that cancels less: the components along, or (where both are the larger) those across.
@@ -69,16 +70,16 @@ fn within<T: Tolerances>(measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> St
     let level = LevelOf::Cosine((bottom - top) / (max - min));
     let touches = |end: T, across: T| (end - d).abs() <= close && (rho - across.abs()).abs() <= close;
     if !(top > T::ZERO) || touches(max, max_across) {
-        return Stage::edge([Turn::STRETCHED], gap(d, rho, max, max_across), measure).at_level(level);
+        return Roots::edge([Turn::STRETCHED], gap(d, rho, max, max_across), measure).at_level(level);
     }
     if !(bottom > T::ZERO) || touches(min, min_across) {
-        return Stage::edge([Turn::FOLDED], gap(d, rho, min, min_across), measure).at_level(level);
+        return Roots::edge([Turn::FOLDED], gap(d, rho, min, min_across), measure).at_level(level);
     }
     // |(2 sqrt(top bottom), bottom - top)| = top + bottom
     let k = T::ONE / (top + bottom);
     let half_sine = (top * bottom).sqrt() * k;
     let turn = Turn::of(half_sine + half_sine, (bottom - top) * k);
-    Stage::determined([[turn], [turn.reversed()]], measure, level, half_sine, JointMask::NONE)
+    Roots::determined([[turn], [turn.reversed()]], measure, level, half_sine, JointMask::NONE)
         .closing(half_sine + half_sine >= T::COINCIDENT)
 }
 

@@ -1,7 +1,7 @@
 //! Where a free joint has to be for a second stage to have roots, on either root of a first one.
 
-use super::Tolerances;
-use super::level::Level;
+use super::kernel::level::Level;
+use super::kernel::tolerances::Tolerances;
 use super::place::Samples;
 use crate::math::sin_cos;
 
@@ -13,14 +13,14 @@ const NARROW: usize = 24;
 
 /// The levels of the stage that follows on either root of a first one, at the nodes of the first one's interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Roots<T> {
+pub(super) struct SecondLevel<T> {
     /// On the first root and on the second.
     values: [[T; 2]; NODES],
     low: T,
     high: T,
 }
 
-impl<T: Tolerances> Roots<T> {
+impl<T: Tolerances> SecondLevel<T> {
     /// Nothing is known.
     pub(super) const NONE: Self = Self { values: [[T::NAN; 2]; NODES], low: T::NAN, high: T::NAN };
 

@@ -1,6 +1,6 @@
 //! A joint angle together with its sine and cosine.
 
-use super::Tolerances;
+use super::tolerances::Tolerances;
 use crate::JointMask;
 use crate::math::{angle, angle_array, sin_cos};
 
@@ -22,10 +22,10 @@ impl<T: Tolerances> Turn<T> {
     /// No turn, where two roots coincide: the limit of the first root, whose sine is positive. Far below rounding, the
     /// sine still tells a later stage the direction of a vector. That vector has become too short to have a direction
     /// of its own.
-    pub(super) const STRETCHED: Self = Self { sin: T::LEAST_SINE, ..Self::ZERO };
+    pub(in crate::solve) const STRETCHED: Self = Self { sin: T::LEAST_SINE, ..Self::ZERO };
 
     /// Half a turn, where two roots coincide: the limit of the first root, as for [`Turn::STRETCHED`].
-    pub(super) const FOLDED: Self = Self { value: T::PI, sin: T::LEAST_SINE, cos: T::MINUS_ONE };
+    pub(in crate::solve) const FOLDED: Self = Self { value: T::PI, sin: T::LEAST_SINE, cos: T::MINUS_ONE };
 
     /// From a sine and cosine, `sin^2 + cos^2 = 1`.
     #[inline]
@@ -115,7 +115,7 @@ pub struct DefaultValue<T> {
     /// The joint.
     pub joint: JointMask,
     /// The joints that already an amplitude near zero leaves free.
-    pub(super) nearly: JointMask,
+    pub(in crate::solve) nearly: JointMask,
 }
 
 impl<T: Tolerances> DefaultValue<T> {
@@ -126,14 +126,14 @@ impl<T: Tolerances> DefaultValue<T> {
     }
 
     /// An equation of less amplitude than this leaves the joint free.
-    pub(super) fn free_below(self) -> T {
+    pub(in crate::solve) fn free_below(self) -> T {
         if self.nearly.meets(self.joint) { T::WEAK } else { T::VANISHING }
     }
 
     /// Returns true if an equation of this amplitude, for quantities of size `scale`, leaves the joint free. An
     /// amplitude that is not a number also leaves the joint free.
     #[inline(always)]
-    pub(super) fn is_free(self, amplitude: T, scale: T) -> bool {
+    pub(in crate::solve) fn is_free(self, amplitude: T, scale: T) -> bool {
         // An ordinary amplitude is above either bound.
         !(amplitude > T::WEAK * scale) && self.is_free_below(amplitude, scale)
     }

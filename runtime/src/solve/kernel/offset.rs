@@ -1,8 +1,9 @@
 //! One trigonometric equation: a point turned about an axis keeps a given offset.
 
 use super::level::LevelOf;
+use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
-use super::{DefaultValue, Measure, Stage, Turn};
+use super::turn::{DefaultValue, Turn};
 use crate::JointMask;
 
 /// Solves `a cos(t) + b sin(t) = d` for `t`: `t = atan2(b, a) +- atan2(sqrt(r^2 - d^2), d)`, `r = |(a, b)|`.
@@ -10,17 +11,17 @@ use crate::JointMask;
 /// Two roots, in this order; one where they meet (`|d| = r`) or where the equation has no solution, then with the gap
 /// `|d| - r`. With `r` vanishing the joint is free.
 #[inline]
-pub fn offset<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, a: T, b: T, d: T) -> Stage<T, 1, 2> {
+pub fn offset<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, a: T, b: T, d: T) -> Roots<T, 1, 2> {
     let r2 = a * a + b * b;
     let r = r2.sqrt();
     if default.is_free(r, measure.scale) {
-        return Stage::left_free([Turn::ZERO], default, d.abs(), measure);
+        return Roots::left_free([Turn::ZERO], default, d.abs(), measure);
     }
     let h2 = (r - d) * (r + d);
     // The rounding of h2 itself; roots farther apart are told apart.
     if !(h2 > T::EPSILON * (T::TWO + T::TWO) * r2) {
         let side = if d < T::ZERO { -T::ONE / r } else { T::ONE / r };
-        return Stage::edge([Turn::of(b * side, a * side)], (d.abs() - r).max(T::ZERO), measure)
+        return Roots::edge([Turn::of(b * side, a * side)], (d.abs() - r).max(T::ZERO), measure)
             .at_level(LevelOf::Cosine(d / r));
     }
     let h = h2.sqrt();
@@ -28,7 +29,7 @@ pub fn offset<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, a: T
     let sines = [(b * d + a * h) * k, (b * d - a * h) * k];
     let cosines = [(a * d - b * h) * k, (a * d + b * h) * k];
     let roots = Turn::array(sines, cosines).map(|turn| [turn]);
-    let stage = Stage::solved(roots).at_level(LevelOf::Cosine(d / r));
+    let stage = Roots::solved(roots).at_level(LevelOf::Cosine(d / r));
     let (sine, share) = (h / r, r / measure.scale);
     let doubt = sine < T::DOUBTFUL || share < T::DOUBTFUL;
     let stage = if doubt { stage.of_amplitude(measure, sine.min(share), JointMask::NONE) } else { stage };

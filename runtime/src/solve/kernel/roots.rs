@@ -1,8 +1,10 @@
 //! Stages and their roots.
 
-use super::doubts::Doubt;
+use super::branch_state::BranchState;
+use super::doubt::Doubt;
 use super::level::LevelOf;
-use super::{BranchState, DefaultValue, Tolerances, Turn};
+use super::tolerances::Tolerances;
+use super::turn::{DefaultValue, Turn};
 use crate::JointMask;
 
 /// The unit of an equation: the typical size of its numbers, and whether a stage residual is a length or an angle.
@@ -23,19 +25,19 @@ impl<T: Tolerances> Measure<T> {
     }
 
     #[inline]
-    pub(super) fn is_angular(self) -> bool {
+    pub(in crate::solve) fn is_angular(self) -> bool {
         self.angular
     }
 
     /// Amplitudes below this leave a joint free.
     #[inline]
-    pub(super) fn vanishing(self) -> T {
+    pub(in crate::solve) fn vanishing(self) -> T {
         T::VANISHING * self.scale
     }
 
     /// Rounding of a few operations.
     #[inline]
-    pub(super) fn rounding(self) -> T {
+    pub(in crate::solve) fn rounding(self) -> T {
         T::ROUNDING * self.scale
     }
 }
@@ -43,25 +45,25 @@ impl<T: Tolerances> Measure<T> {
 /// The roots of one equation for `K` joints, at most `R`, and how well they are determined. A stage that is
 /// not in doubt has no `doubt`: every ordinary target passes there, and nothing is written for it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stage<T, const K: usize, const R: usize> {
-    pub(super) roots: [[Turn<T>; K]; R],
-    pub(super) len: usize,
+pub struct Roots<T, const K: usize, const R: usize> {
+    pub(in crate::solve) roots: [[Turn<T>; K]; R],
+    pub(in crate::solve) len: usize,
     /// Level of the stage: tells whether there are roots.
-    pub(super) level: LevelOf<T>,
-    pub(super) doubt: Option<Doubt<T>>,
+    pub(in crate::solve) level: LevelOf<T>,
+    pub(in crate::solve) doubt: Option<Doubt<T>>,
 }
 
-impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
+impl<T: Tolerances, const K: usize, const R: usize> Roots<T, K, R> {
     /// Roots that solve the equation.
     #[inline]
-    pub(super) fn solved(roots: [[Turn<T>; K]; R]) -> Self {
+    pub(in crate::solve) fn solved(roots: [[Turn<T>; K]; R]) -> Self {
         Self { roots, len: R, level: LevelOf::Nothing, doubt: None }
     }
 
     /// Roots of an equation with a level and a relative amplitude. A small amplitude puts the stage in doubt. An
     /// amplitude below [`Tolerances::WEAK`] makes the joints of `weak` weak.
     #[inline(always)]
-    pub(super) fn determined(
+    pub(in crate::solve) fn determined(
         roots: [[Turn<T>; K]; R],
         measure: Measure<T>,
         level: LevelOf<T>,
@@ -74,7 +76,7 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
 
     /// Puts the stage in doubt for its small relative amplitude.
     #[inline]
-    pub(super) fn of_amplitude(mut self, measure: Measure<T>, amplitude: T, weak: JointMask) -> Self {
+    pub(in crate::solve) fn of_amplitude(mut self, measure: Measure<T>, amplitude: T, weak: JointMask) -> Self {
         let weak = if amplitude < T::WEAK { weak } else { JointMask::NONE };
         self.doubt = Some(Doubt { angular: measure.angular, amplitude, weak, ..Doubt::NOTHING });
         self
@@ -82,7 +84,7 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
 
     /// Sets whether the roots close the equation although the stage is in doubt, see [`Doubt::closes`].
     #[inline(always)]
-    pub(super) fn closing(mut self, closes: bool) -> Self {
+    pub(in crate::solve) fn closing(mut self, closes: bool) -> Self {
         if let Some(doubt) = &mut self.doubt {
             doubt.closes = closes;
         }
@@ -91,19 +93,19 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
 
     /// Sets the level of the stage.
     #[inline]
-    pub(super) fn at_level(mut self, level: LevelOf<T>) -> Self {
+    pub(in crate::solve) fn at_level(mut self, level: LevelOf<T>) -> Self {
         self.level = level;
         self
     }
 
     /// The doubt of the stage; a stage without one gets an empty doubt.
-    pub(super) fn doubted(&mut self, measure: Measure<T>) -> &mut Doubt<T> {
+    pub(in crate::solve) fn doubted(&mut self, measure: Measure<T>) -> &mut Doubt<T> {
         self.doubt.get_or_insert(Doubt { angular: measure.angular, ..Doubt::NOTHING })
     }
 
     /// The joints that the stage leaves free.
     #[inline]
-    pub(super) fn free(&self) -> JointMask {
+    pub(in crate::solve) fn free(&self) -> JointMask {
         self.doubt.map_or(JointMask::NONE, |doubt| doubt.free)
     }
 
@@ -111,7 +113,7 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
     /// only. The joint is weak below [`Tolerances::WEAK`].
     #[cold]
     #[inline(never)]
-    pub(super) fn narrowed(&mut self, default: DefaultValue<T>, measure: Measure<T>, share: T) {
+    pub(in crate::solve) fn narrowed(&mut self, default: DefaultValue<T>, measure: Measure<T>, share: T) {
         let doubt = self.doubted(measure);
         doubt.amplitude *= share;
         if doubt.amplitude < T::WEAK {
@@ -121,7 +123,7 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
 
     /// Adds a joint that is weak if `amplitude` is below [`Tolerances::WEAK`].
     #[inline]
-    pub(super) fn nearly_free(mut self, default: DefaultValue<T>, measure: Measure<T>, amplitude: T) -> Self {
+    pub(in crate::solve) fn nearly_free(mut self, default: DefaultValue<T>, measure: Measure<T>, amplitude: T) -> Self {
         let doubt = self.doubted(measure);
         doubt.amplitude = doubt.amplitude.min(amplitude);
         if amplitude < T::WEAK {
@@ -132,7 +134,7 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
 
     /// The one place where two roots meet, or the nearest to a solution, missing it by `gap`.
     #[inline]
-    pub(super) fn edge(root: [Turn<T>; K], gap: T, measure: Measure<T>) -> Self {
+    pub(in crate::solve) fn edge(root: [Turn<T>; K], gap: T, measure: Measure<T>) -> Self {
         let doubt = Doubt { gap, angular: measure.angular, boundary: true, ..Doubt::NOTHING };
         Self { len: 1, doubt: Some(doubt), ..Self::solved([root; R]) }
     }
@@ -140,7 +142,12 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
     /// The equation leaves its first joint free: it stays at its reference value.
     #[cold]
     #[inline(never)]
-    pub(super) fn left_free(mut root: [Turn<T>; K], default: DefaultValue<T>, gap: T, measure: Measure<T>) -> Self {
+    pub(in crate::solve) fn left_free(
+        mut root: [Turn<T>; K],
+        default: DefaultValue<T>,
+        gap: T,
+        measure: Measure<T>,
+    ) -> Self {
         if let Some(first) = root.first_mut() {
             *first = Turn::at(default.value);
         }
@@ -201,7 +208,7 @@ impl<T: Tolerances, const K: usize, const R: usize> Stage<T, K, R> {
     }
 }
 
-impl<T: Tolerances, const K: usize> Stage<T, K, 1> {
+impl<T: Tolerances, const K: usize> Roots<T, K, 1> {
     /// The root of a stage that has just one.
     #[inline]
     pub fn only(&self) -> [Turn<T>; K] {

@@ -1,11 +1,12 @@
 //! Real roots of a trigonometric polynomial of degree two.
 
-use super::{Tolerances, Turn};
+use super::tolerances::Tolerances;
+use super::turn::Turn;
 use crate::math::sin_cos;
 
 /// `k0 + k1c cos t + k1s sin t + k2c cos 2t + k2s sin 2t`
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Circle<T> {
+pub(in crate::solve) struct Circle<T> {
     pub k0: T,
     pub k1: [T; 2],
     pub k2: [T; 2],
@@ -14,25 +15,25 @@ pub(super) struct Circle<T> {
 impl<T: Tolerances> Circle<T> {
     /// Value at the angle `t`.
     #[inline(never)]
-    pub(super) fn at(&self, t: T) -> T {
+    pub(in crate::solve) fn at(&self, t: T) -> T {
         self.toward(sin_cos(t))
     }
 
     /// Value at the angle with this sine and cosine.
     #[inline]
-    pub(super) fn toward(&self, (s, c): (T, T)) -> T {
+    pub(in crate::solve) fn toward(&self, (s, c): (T, T)) -> T {
         let Circle { k0, k1: [k1c, k1s], k2: [k2c, k2s] } = *self;
         k0 + k1c * c + k1s * s + k2c * (c * c - s * s) + T::TWO * k2s * s * c
     }
 
     /// The derivative by the angle.
-    pub(super) fn slope(&self) -> Self {
+    pub(in crate::solve) fn slope(&self) -> Self {
         let ([c1, s1], [c2, s2]) = (self.k1, self.k2);
         Self { k0: T::ZERO, k1: [s1, -c1], k2: [s2 * T::TWO, -c2 * T::TWO] }
     }
 
     /// The largest coefficient.
-    pub(super) fn largest(&self) -> T {
+    pub(in crate::solve) fn largest(&self) -> T {
         let Circle { k0, k1: [k1c, k1s], k2: [k2c, k2s] } = *self;
         k0.abs().max(k1c.abs()).max(k1s.abs()).max(k2c.abs()).max(k2s.abs())
     }
@@ -78,7 +79,7 @@ impl<T: Tolerances> Points<T> {
 ///
 /// With `x = cos t` and `y = sin t` the polynomial is a conic that the unit circle meets. The conics through the same
 /// points are `conic + l (x^2 + y^2 - 1)`. At least one with `|l| <= |k2|` is a pair of real lines ([`lines`]).
-pub(super) fn angles<T: Tolerances>(circle: &Circle<T>) -> ([Turn<T>; 4], usize) {
+pub(in crate::solve) fn angles<T: Tolerances>(circle: &Circle<T>) -> ([Turn<T>; 4], usize) {
     let largest = circle.largest();
     let mut points = Points::NONE;
     if largest > T::ZERO {

@@ -1,6 +1,6 @@
 //! The arm angle of a seven-joint arm: how far its elbow is swung about the line from shoulder to wrist.
 
-use super::Tolerances;
+use super::tolerances::Tolerances;
 use crate::Pose;
 use crate::math::atan2;
 use crate::vector::{cross, dot, norm};

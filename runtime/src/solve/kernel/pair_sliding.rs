@@ -3,8 +3,10 @@
 use super::circle::{Circle, angles};
 use super::curve::{Across, Moving, Place, Row, Stroke};
 use super::pair::square;
+use super::roots::{Measure, Roots};
+use super::tolerances::Tolerances;
+use super::turn::Turn;
 use super::twins::with_twins;
-use super::{Measure, Stage, Tolerances, Turn};
 
 /// Solves `scale x = line (cos z, sin z, 1)` and `x^2 + m x + n = q (cos z, sin z, 1)` for `(x, z)`, `x` sliding.
 ///
@@ -23,7 +25,7 @@ pub fn pair_sliding<T: Tolerances>(
     [m, n]: [T; 2],
     q: Row<T>,
     (sliding, turning): ([[T; 2]; 2], [Row<T>; 2]),
-) -> Stage<T, 2, 4> {
+) -> Roots<T, 2, 4> {
     // In units of the reach, and both rows of unit length.
     let k = T::ONE / measure.scale;
     let unit = |x: [T; 3], z: Row<T>| {
@@ -37,7 +39,7 @@ pub fn pair_sliding<T: Tolerances>(
     let across =
         Across { x: sliding.map(|[u, e]| Stroke([T::ZERO, u, e * k])), z: turning.map(|row| row.map(|e| e * k)) };
     let (roots, len) = candidates(&p, &q);
-    let mut stage = Stage { len, ..Stage::solved(roots) };
+    let mut stage = Roots { len, ..Roots::solved(roots) };
     let sure = with_twins(&mut stage, (&p, &q), &across);
     if !sure || len == 0 {
         stage.doubted(measure);

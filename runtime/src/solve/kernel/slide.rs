@@ -1,9 +1,10 @@
 //! Sliding joints.
 
-use super::doubts::Doubt;
+use super::doubt::Doubt;
 use super::level::LevelOf;
+use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
-use super::{DefaultValue, Measure, Stage, Turn};
+use super::turn::{DefaultValue, Turn};
 use crate::JointMask;
 
 /// Solves for the position `x` of a point on a line at which its distance from another point is `rho`. The line passes
@@ -11,15 +12,15 @@ use crate::JointMask;
 ///
 /// Two roots, the longer position first; one at the nearest approach, then with the gap `across - rho`.
 #[inline]
-pub fn slide<T: Tolerances>(measure: Measure<T>, rho: T, across: T, middle: T) -> Stage<T, 1, 2> {
+pub fn slide<T: Tolerances>(measure: Measure<T>, rho: T, across: T, middle: T) -> Roots<T, 1, 2> {
     let beyond = rho - across;
     let level = LevelOf::Square(beyond * (rho + across) / (measure.scale * measure.scale));
     if !(beyond > measure.rounding()) {
-        return Stage::edge([Turn::position(middle)], (-beyond).max(T::ZERO), measure).at_level(level);
+        return Roots::edge([Turn::position(middle)], (-beyond).max(T::ZERO), measure).at_level(level);
     }
     let half = (beyond * (rho + across)).sqrt();
     let roots = [[Turn::position(middle + half)], [Turn::position(middle - half)]];
-    Stage::determined(roots, measure, level, half / measure.scale, JointMask::NONE)
+    Roots::determined(roots, measure, level, half / measure.scale, JointMask::NONE)
 }
 
 /// Solves `denominator x = numerator`. One root. With the denominator (dimensionless) vanishing the joint is free.
@@ -29,24 +30,24 @@ pub fn slide_to<T: Tolerances>(
     measure: Measure<T>,
     denominator: T,
     numerator: T,
-) -> Stage<T, 1, 1> {
+) -> Roots<T, 1, 1> {
     if default.is_free(denominator.abs(), T::ONE) {
-        let mut stage = Stage::left_free([Turn::ZERO], default, numerator.abs(), measure);
+        let mut stage = Roots::left_free([Turn::ZERO], default, numerator.abs(), measure);
         stage.roots = [[Turn::position(default.value)]];
         return stage.at_level(LevelOf::Zero(numerator / measure.scale));
     }
     let root = [Turn::position(numerator / denominator)];
-    Stage::determined([root], measure, LevelOf::Slide(denominator), denominator.abs(), default.joint)
+    Roots::determined([root], measure, LevelOf::Slide(denominator), denominator.abs(), default.joint)
 }
 
 /// Solves `a x^2 + b x + c = 0` (`a` dimensionless, `b` a length, `c` its square) without cancellation. Two roots; one
 /// where they meet or where there is none, then with the gap; one if `a` vanishes.
 #[inline]
-pub fn quadratic<T: Tolerances>(measure: Measure<T>, [a, b, c]: [T; 3]) -> Stage<T, 1, 2> {
+pub fn quadratic<T: Tolerances>(measure: Measure<T>, [a, b, c]: [T; 3]) -> Roots<T, 1, 2> {
     let half = b * T::HALF;
     if !(a.abs() > T::VANISHING) {
         let root = if half == T::ZERO { T::ZERO } else { -c / b };
-        return Stage { len: 1, doubt: Some(Doubt::NOTHING), ..Stage::solved([[Turn::position(root)]; 2]) };
+        return Roots { len: 1, doubt: Some(Doubt::NOTHING), ..Roots::solved([[Turn::position(root)]; 2]) };
     }
     let discriminant = half * half - a * c;
     // Rounding of the discriminant itself; roots farther apart are told apart.
@@ -55,10 +56,10 @@ pub fn quadratic<T: Tolerances>(measure: Measure<T>, [a, b, c]: [T; 3]) -> Stage
     if !(discriminant > close) {
         // The equation is a difference of two squared distances, at its extremum off by `discriminant / a`.
         let gap = (-discriminant).max(T::ZERO) / (a.abs() * measure.scale);
-        return Stage::edge([Turn::position(-half / a)], gap, measure).at_level(level);
+        return Roots::edge([Turn::position(-half / a)], gap, measure).at_level(level);
     }
     let root = discriminant.sqrt();
     let larger = if half < T::ZERO { root - half } else { -half - root };
     let roots = [[Turn::position(larger / a)], [Turn::position(c / larger)]];
-    Stage::determined(roots, measure, level, root / measure.scale, JointMask::NONE)
+    Roots::determined(roots, measure, level, root / measure.scale, JointMask::NONE)
 }

@@ -1,10 +1,13 @@
 //! Two equations in two joints whose rows lose rank.
 
 use super::curve::Row;
-use super::doubts::Doubt;
-use super::{DefaultValue, Measure, Stage, Tolerances, Turn, offset};
+use super::doubt::Doubt;
+use super::offset::offset;
+use super::roots::{Measure, Roots};
+use super::tolerances::Tolerances;
+use super::turn::{DefaultValue, Turn};
 
-impl<T: Tolerances> Stage<T, 2, 4> {
+impl<T: Tolerances> Roots<T, 2, 4> {
     /// Swaps the two joints in every root.
     pub(super) fn swapped(mut self) -> Self {
         for [x, z] in &mut self.roots {
@@ -19,7 +22,7 @@ pub(super) fn separated<T: Tolerances>(
     [default_x, default_z]: [DefaultValue<T>; 2],
     p: &[Row<T>; 2],
     q: &[Row<T>; 2],
-) -> Stage<T, 2, 4> {
+) -> Roots<T, 2, 4> {
     let (n, m) = (null_row(p, q), null_row(q, p));
     let amplitude = |n: [T; 2], rows: &[Row<T>; 2]| {
         let [a, b, _] = combined(n, rows);
@@ -57,7 +60,7 @@ fn in_turn<T: Tolerances>(
     n: [T; 2],
     p: &[Row<T>; 2],
     q: &[Row<T>; 2],
-) -> Stage<T, 2, 4> {
+) -> Roots<T, 2, 4> {
     let ([.., p0], [qc, qs, q0]) = (combined(n, p), combined(n, q));
     let across = [-n[1], n[0]];
     let ([pc, ps, p1], [rc, rs, r0]) = (combined(across, p), combined(across, q));
@@ -85,5 +88,5 @@ fn in_turn<T: Tolerances>(
         }
     }
     let doubt = (!free.is_empty()).then_some(Doubt { free, ..Doubt::NOTHING });
-    Stage { len, doubt, ..Stage::solved(roots) }
+    Roots { len, doubt, ..Roots::solved(roots) }
 }

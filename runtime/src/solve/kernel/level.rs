@@ -1,6 +1,6 @@
 //! Levels: whether a stage has roots, as a number.
 
-use super::Tolerances;
+use super::tolerances::Tolerances;
 
 /// A number that says whether a stage has roots: it has them if and only if `low <= value <= high`.
 ///
@@ -10,36 +10,36 @@ use super::Tolerances;
 /// slide between that follows, the value moves as a polynomial of degree 2 over the square of the slide's coefficient,
 /// the pole.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Level<T> {
-    pub(super) value: T,
-    pub(super) low: T,
-    pub(super) high: T,
-    pub(super) pole: T,
+pub(in crate::solve) struct Level<T> {
+    pub(in crate::solve) value: T,
+    pub(in crate::solve) low: T,
+    pub(in crate::solve) high: T,
+    pub(in crate::solve) pole: T,
 }
 
 impl<T: Tolerances> Level<T> {
     /// Nothing is known.
-    pub(super) const NONE: Self = Self { value: T::NAN, low: T::NAN, high: T::NAN, pole: T::ONE };
+    pub(in crate::solve) const NONE: Self = Self { value: T::NAN, low: T::NAN, high: T::NAN, pole: T::ONE };
 
     /// Returns true if the value is known.
-    pub(super) fn is_known(&self) -> bool {
+    pub(in crate::solve) fn is_known(&self) -> bool {
         self.value.is_finite()
     }
 
     /// Returns true if only the pole, the coefficient of a prismatic joint, is known.
-    pub(super) fn is_slide(&self) -> bool {
+    pub(in crate::solve) fn is_slide(&self) -> bool {
         self.low.is_finite() && !self.is_known()
     }
 
     /// Returns true if the level is that of an equation without a joint of its own, and the equation holds.
-    pub(super) fn is_met(&self) -> bool {
+    pub(in crate::solve) fn is_met(&self) -> bool {
         self.low == self.high && self.value.abs() <= T::COINCIDENT
     }
 }
 
 /// Level of a stage as its kernel leaves it: one number and its kind.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum LevelOf<T> {
+pub(in crate::solve) enum LevelOf<T> {
     /// Nothing is known.
     Nothing,
     /// The cosine of half the difference of two angles.
@@ -66,12 +66,12 @@ impl<T: Tolerances> From<LevelOf<T>> for Level<T> {
 
 /// The level of a stage behind a free joint, and whether a slide stands between, whose coefficient is part of the pole.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Behind<T> {
-    pub(super) level: Level<T>,
-    pub(super) slides: bool,
+pub(in crate::solve) struct Behind<T> {
+    pub(in crate::solve) level: Level<T>,
+    pub(in crate::solve) slides: bool,
 }
 
 impl<T: Tolerances> Behind<T> {
     /// No stage.
-    pub(super) const NONE: Self = Self { level: Level::NONE, slides: false };
+    pub(in crate::solve) const NONE: Self = Self { level: Level::NONE, slides: false };
 }

@@ -1,6 +1,6 @@
 //! Values of a redundant joint.
 
-use super::Tolerances;
+use super::tolerances::Tolerances;
 
 /// The middles of `n` equal steps from `low` to `high`; an end that is infinite becomes minus or plus `whole`.
 ///

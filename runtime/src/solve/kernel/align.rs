@@ -1,12 +1,13 @@
 //! Turn one plane vector onto another.
 
+use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
-use super::{DefaultValue, Measure, Stage, Turn};
+use super::turn::{DefaultValue, Turn};
 
 /// The turn that takes the direction of `from` to that of `to`: `atan2(from x to, from . to)`. One root. With either
 /// vector vanishing the joint is free.
 #[inline]
-pub fn align<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, from: [T; 2], to: [T; 2]) -> Stage<T, 1, 1> {
+pub fn align<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, from: [T; 2], to: [T; 2]) -> Roots<T, 1, 1> {
     let ([ux, uy], [vx, vy]) = (from, to);
     let (u2, v2) = (ux * ux + uy * uy, vx * vx + vy * vy);
     let (cross, dot) = (ux * vy - uy * vx, ux * vx + uy * vy);
@@ -17,7 +18,7 @@ pub fn align<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, from:
     // |(cross, dot)| = |from| |to|. The root and the division, both slow, at the same time.
     let square = u2 * v2;
     let k = square.sqrt() * (T::ONE / square);
-    Stage::solved([[Turn::of(cross * k, dot * k)]])
+    Roots::solved([[Turn::of(cross * k, dot * k)]])
 }
 
 /// Solves [`align`] where one of the vectors is short. Both vectors have one length. Where a stage before is at the
@@ -25,13 +26,13 @@ pub fn align<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, from:
 /// direction of the limit on its branch.
 #[cold]
 #[inline(never)]
-fn short<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, from: [T; 2], to: [T; 2]) -> Stage<T, 1, 1> {
+fn short<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, from: [T; 2], to: [T; 2]) -> Roots<T, 1, 1> {
     let [u, v] = [from, to].map(|[x, y]| x.abs().max(y.abs()));
     let vanishing = default.free_below() * measure.scale;
     // What a later stage sees of an edge root's sine; rounding leaves more of a vector that vanishes by itself.
     let limit = u.min(v) > T::ZERO && u.min(v) <= T::LEAST_SINE * T::TWO * measure.scale;
     if !(u.min(v) > vanishing || limit && u.max(v) > vanishing) {
-        return Stage::left_free([Turn::ZERO], default, T::ZERO, measure);
+        return Roots::left_free([Turn::ZERO], default, T::ZERO, measure);
     }
     // Scaled first, so that no square vanishes.
     let ([ux, uy], [vx, vy]) = (from.map(|e| e / u), to.map(|e| e / v));
@@ -40,7 +41,7 @@ fn short<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, from: [T;
     let amplitude = (u.min(v) / measure.scale).max(T::VANISHING);
     // The stages before have given both vectors one length, or miss by the difference.
     let closes = (lengths[0] - lengths[1]).abs() <= measure.rounding();
-    Stage::solved([[turn]]).of_amplitude(measure, amplitude, default.joint).closing(closes)
+    Roots::solved([[turn]]).of_amplitude(measure, amplitude, default.joint).closing(closes)
 }
 
 #[cfg(test)]

@@ -2,10 +2,12 @@
 
 use super::circle::{Circle, angles};
 use super::curve::{Across, Found, Moving, Row, newton};
-use super::doubts::Doubt;
+use super::doubt::Doubt;
+use super::roots::{Measure, Roots};
 use super::separated::{combined, separated};
+use super::tolerances::Tolerances;
+use super::turn::{DefaultValue, Turn};
 use super::twins::{distinct, with_twins};
-use super::{DefaultValue, Measure, Stage, Tolerances, Turn};
 
 /// Solves the two rows `p (cos x, sin x, 1) = q (cos z, sin z, 1)` for `(x, z)`. One side is eliminated, which leaves a
 /// trigonometric polynomial of degree two (a quartic), so at most four pairs. Each pair is polished by Newton's method
@@ -20,7 +22,7 @@ pub fn pair<T: Tolerances>(
     measure: Measure<T>,
     p: [Row<T>; 2],
     q: [Row<T>; 2],
-) -> Stage<T, 2, 4> {
+) -> Roots<T, 2, 4> {
     let (p, q) = normalized(measure, p, q);
     let mut stage = candidates(defaults, &p, &q, None);
     let mut sure = true;
@@ -45,7 +47,7 @@ pub fn pair_turning<T: Tolerances>(
     p: [Row<T>; 2],
     q: [Row<T>; 2],
     [x1, x2, z1, z2]: [Row<T>; 4],
-) -> Stage<T, 2, 4> {
+) -> Roots<T, 2, 4> {
     let across = Across { x: [x1, x2], z: [z1, z2] };
     let (p, q) = normalized(measure, p, q);
     let mut stage = candidates(defaults, &p, &q, Some(&across));
@@ -59,14 +61,14 @@ fn amplitude<T: Tolerances>(rows: &[Row<T>; 2]) -> T {
 }
 
 fn finished<T: Tolerances>(
-    mut stage: Stage<T, 2, 4>,
+    mut stage: Roots<T, 2, 4>,
     sure: bool,
     defaults: [DefaultValue<T>; 2],
     measure: Measure<T>,
     sides: [&[Row<T>; 2]; 2],
-) -> Stage<T, 2, 4> {
+) -> Roots<T, 2, 4> {
     if sure && stage.len > 0 && stage.doubt.is_none_or(|doubt| doubt.free.is_empty() && doubt.weak.is_empty()) {
-        return Stage { doubt: None, ..stage };
+        return Roots { doubt: None, ..stage };
     }
     let doubt = stage.doubted(measure);
     (doubt.angular, doubt.gap) = (measure.is_angular(), T::ZERO);
@@ -99,7 +101,7 @@ fn candidates<T: Tolerances>(
     p: &[Row<T>; 2],
     q: &[Row<T>; 2],
     across: Option<&Across<Row<T>, Row<T>>>,
-) -> Stage<T, 2, 4> {
+) -> Roots<T, 2, 4> {
     let (det_p, det_q) = (determinant(p), determinant(q));
     if det_p.abs().max(det_q.abs()) < T::COINCIDENT {
         separated([default_x, default_z], p, q)
@@ -124,7 +126,7 @@ fn eliminated<T: Tolerances>(
     det: T,
     q: &[Row<T>; 2],
     across: Option<&[Row<T>; 2]>,
-) -> Stage<T, 2, 4> {
+) -> Roots<T, 2, 4> {
     let [[a, b, e], [c, d, f]] = *p;
     let shifted = [[q[0][0], q[0][1], q[0][2] - e], [q[1][0], q[1][1], q[1][2] - f]];
     let (w1, w2) = (combined([d, -b], &shifted), combined([-c, a], &shifted));
@@ -140,7 +142,7 @@ fn eliminated<T: Tolerances>(
         });
         let [x1, x2, x3, x4] = Turn::array(directions.map(|[_, sin]| sin), directions.map(|[cos, _]| cos));
         let [z1, z2, z3, z4] = z;
-        Stage::solved([[x1, z1], [x2, z2], [x3, z3], [x4, z4]])
+        Roots::solved([[x1, z1], [x2, z2], [x3, z3], [x4, z4]])
     };
     // With coefficients of no more than rounding, or without any of z in the rows, every angle is as good. The
     // polynomial is the difference of the squares of two lengths, one of them `det`; a coefficient has up to eight
@@ -154,19 +156,19 @@ fn eliminated<T: Tolerances>(
             *slot = z;
             len += 1;
         }
-        Stage { len, ..paired(places) }
+        Roots { len, ..paired(places) }
     };
     let vanishing = vanishing.max(default.free_below() * det.abs());
     if circle.largest() <= vanishing || amplitude(q) < default.free_below() {
-        return Stage { doubt: Some(Doubt { free: default.joint, ..Doubt::NOTHING }), ..anywhere() };
+        return Roots { doubt: Some(Doubt { free: default.joint, ..Doubt::NOTHING }), ..anywhere() };
     }
     let (roots, len) = angles(&circle);
     let amplitude = circle.largest() / det.abs();
     // Of small coefficients without a root: a target that is missed by little, wherever z is.
     if len == 0 && amplitude < T::WEAK {
-        return Stage { doubt: Some(Doubt { weak: default.joint, ..Doubt::NOTHING }), ..anywhere() };
+        return Roots { doubt: Some(Doubt { weak: default.joint, ..Doubt::NOTHING }), ..anywhere() };
     }
-    let mut stage = Stage { len, ..paired(roots) };
+    let mut stage = Roots { len, ..paired(roots) };
     // Of small coefficients with roots: these are known to the root of rounding over the coefficients.
     if amplitude < T::WEAK {
         stage.doubt = Some(Doubt { weak: default.joint, amplitude, ..Doubt::NOTHING });
@@ -237,7 +239,7 @@ mod tests {
         (p, q, [[0.0, 1.0, 0.0], [0.0; 3], [r1, -r2, 0.0], [0.0, 0.0, w]])
     }
 
-    fn roots(stage: &Stage<f64, 2, 4>) -> Vec<[f64; 2]> {
+    fn roots(stage: &Roots<f64, 2, 4>) -> Vec<[f64; 2]> {
         stage.roots.iter().take(stage.len).map(|root| root.map(|turn| turn.value)).collect()
     }
 

@@ -1,9 +1,11 @@
 //! One direction seen from two joints with a sliding joint between them.
 
-use super::doubts::Doubt;
+use super::doubt::Doubt;
 use super::level::LevelOf;
+use super::offset::offset;
+use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
-use super::{DefaultValue, Measure, Stage, Turn, offset};
+use super::turn::{DefaultValue, Turn};
 use crate::vector::{cross, dot, norm, scale};
 
 /// A vector that a joint turns about its z axis, and the frame in which the vector has to be seen. The rows of the
@@ -36,7 +38,7 @@ impl<T: Tolerances> Sight<T> {
 /// to two where `h` is at right angles to the slide. Those two are roots because the slide does nothing there for the
 /// distance along `h`.
 #[inline]
-pub fn aim<T: Tolerances>(defaults: [DefaultValue<T>; 2], x: Sight<T>, z: Sight<T>) -> Stage<T, 2, 3> {
+pub fn aim<T: Tolerances>(defaults: [DefaultValue<T>; 2], x: Sight<T>, z: Sight<T>) -> Roots<T, 2, 3> {
     let measure = Measure::DIRECTION;
     let [default_x, default_z] = defaults;
     let ([_, _, nx], [_, _, nz]) = (x.frame, z.frame);
@@ -64,10 +66,10 @@ pub fn aim<T: Tolerances>(defaults: [DefaultValue<T>; 2], x: Sight<T>, z: Sight<
         let c = height / square;
         let [first, second] = [c, -c].map(|c| angles(&x, &z, plus(middle, normal, c)));
         let roots = [first, second, second];
-        Stage { len: 2, ..Stage::determined(roots, measure, LevelOf::Nothing, height.min(square), default_x.joint) }
+        Roots { len: 2, ..Roots::determined(roots, measure, LevelOf::Nothing, height.min(square), default_x.joint) }
     } else {
         let gap = (-inner).max(-outer).max(T::ZERO);
-        Stage::edge(angles(&x, &z, unit(middle)), gap, measure)
+        Roots::edge(angles(&x, &z, unit(middle)), gap, measure)
     };
     if least < T::DOUBTFUL { nearly(stage, defaults, [sx, sz], square.sqrt()) } else { stage }
 }
@@ -76,11 +78,11 @@ pub fn aim<T: Tolerances>(defaults: [DefaultValue<T>; 2], x: Sight<T>, z: Sight<
 #[cold]
 #[inline(never)]
 fn nearly<T: Tolerances>(
-    mut stage: Stage<T, 2, 3>,
+    mut stage: Roots<T, 2, 3>,
     defaults: [DefaultValue<T>; 2],
     across: [T; 2],
     between: T,
-) -> Stage<T, 2, 3> {
+) -> Roots<T, 2, 3> {
     // About axes that are nearly parallel, z follows x.
     let ([default_x, default_z], [across_x, across_z]) = (defaults, across);
     stage = stage.nearly_free(default_x, Measure::DIRECTION, across_x.min(between));
@@ -90,7 +92,7 @@ fn nearly<T: Tolerances>(
 /// The cases in which a joint is free.
 #[cold]
 #[inline(never)]
-fn undetermined<T: Tolerances>(defaults: [DefaultValue<T>; 2], x: &Sight<T>, z: &Sight<T>) -> Stage<T, 2, 3> {
+fn undetermined<T: Tolerances>(defaults: [DefaultValue<T>; 2], x: &Sight<T>, z: &Sight<T>) -> Roots<T, 2, 3> {
     let [default_x, default_z] = defaults;
     let below = default_x.free_below().max(default_z.free_below());
     let lies_along = |sight: &Sight<T>| !(sight.across() > below);
@@ -106,7 +108,7 @@ fn known<T: Tolerances>(
     x: &Sight<T>,
     z: &Sight<T>,
     mut free: [bool; 2],
-) -> Stage<T, 2, 3> {
+) -> Roots<T, 2, 3> {
     let [(along, seen), (other, wanted)] = {
         let ([.., nx], [.., nz]) = (x.frame, z.frame);
         let ([.., kx], [.., kz]) = (x.moved, z.moved);
@@ -130,11 +132,11 @@ fn known<T: Tolerances>(
             doubt.free |= default.joint;
         }
     }
-    Stage { len: 1, doubt: Some(doubt), ..Stage::solved([root; 3]) }
+    Roots { len: 1, doubt: Some(doubt), ..Roots::solved([root; 3]) }
 }
 
 /// Both joints turn about the same direction: z follows x.
-fn in_line<T: Tolerances>([default, _]: [DefaultValue<T>; 2], x: &Sight<T>, z: &Sight<T>) -> Stage<T, 2, 3> {
+fn in_line<T: Tolerances>([default, _]: [DefaultValue<T>; 2], x: &Sight<T>, z: &Sight<T>) -> Roots<T, 2, 3> {
     let ([row1, row2, nx], [.., nz]) = (x.frame, z.frame);
     let ([ax, ay, kx], [.., kz]) = (x.moved, z.moved);
     let follow = |turn: Turn<T>| {
@@ -150,8 +152,8 @@ fn in_line<T: Tolerances>([default, _]: [DefaultValue<T>; 2], x: &Sight<T>, z: &
         if across.doubt.is_none_or(|doubt| doubt.free.is_empty() && doubt.gap <= T::ROUNDING) { across.len } else { 0 };
     let stay = follow(Turn::at(default.value));
     let gap = beyond_free((kx * dot(nx, nz) - kz).abs());
-    let stage = Stage::<T, 2, 3>::left_free(stay, default, gap, Measure::DIRECTION);
-    Stage { roots: [stay, follow(first), follow(second)], len: 1 + more, ..stage }
+    let stage = Roots::<T, 2, 3>::left_free(stay, default, gap, Measure::DIRECTION);
+    Roots { roots: [stay, follow(first), follow(second)], len: 1 + more, ..stage }
 }
 
 /// Zero for what a joint that is free may be off by.
@@ -207,7 +209,7 @@ mod tests {
         [Sight { moved: seen(frame_x, x), frame: frame_x }, Sight { moved: seen(frame_z, -z), frame: frame_z }]
     }
 
-    fn found(stage: &Stage<f64, 2, 3>, wanted: [f64; 2]) -> f64 {
+    fn found(stage: &Roots<f64, 2, 3>, wanted: [f64; 2]) -> f64 {
         let roots: Vec<_> = stage.roots.iter().take(stage.len).collect();
         let apart = |root: &[Turn<f64>; 2]| {
             root.iter().zip(wanted).map(|(turn, wanted)| wrap(turn.value - wanted).abs()).fold(0.0, f64::max)

@@ -1,6 +1,7 @@
 //! Roots of two equations in two joints, from a place nearby.
 
-use super::{Tolerances, Turn};
+use super::tolerances::Tolerances;
+use super::turn::Turn;
 use crate::math::wrap;
 
 /// `a cos + b sin + k` as `[a, b, k]`.

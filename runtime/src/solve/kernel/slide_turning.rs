@@ -1,8 +1,10 @@
 //! A turning and a sliding joint, seen along a third one that slides.
 
-use super::doubts::Doubt;
+use super::doubt::Doubt;
+use super::offset::offset;
+use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
-use super::{DefaultValue, Measure, Stage, Turn, offset};
+use super::turn::{DefaultValue, Turn};
 
 /// Solves `[a1, a2] cos + [b1, b2] sin + [k1, k2] = s stroke`, rows `[a, b, k]`, for the angle and the position `s`.
 /// The component at right angles to the stroke gives the angle, as in [`offset`]. The component along the stroke gives
@@ -16,7 +18,7 @@ pub fn slide_turning<T: Tolerances>(
     measure: Measure<T>,
     stroke: [T; 2],
     rows: [[T; 3]; 2],
-) -> Stage<T, 2, 2> {
+) -> Roots<T, 2, 2> {
     let ([default, default_s], [u, v]) = (defaults, stroke);
     let length = (u * u + v * v).sqrt();
     if default_s.is_free(length, T::ONE) {
@@ -28,8 +30,8 @@ pub fn slide_turning<T: Tolerances>(
     let angle = offset(default, measure, u * a2 - v * a1, u * b2 - v * b1, v * k1 - u * k2);
     let [a, b, c] = [u * a1 + v * a2, u * b1 + v * b2, u * k1 + v * k2].map(|e| e * k);
     let roots = angle.roots.map(|[turn]| [turn, Turn::position(a * turn.cos + b * turn.sin + c)]);
-    let Stage { len, level, doubt, .. } = angle;
-    let stage = Stage { roots, len, level, doubt };
+    let Roots { len, level, doubt, .. } = angle;
+    let stage = Roots { roots, len, level, doubt };
     if length < T::DOUBTFUL { stage.nearly_free(default_s, measure, length) } else { stage }
 }
 
@@ -40,7 +42,7 @@ fn standing<T: Tolerances>(
     [default, slide]: [DefaultValue<T>; 2],
     measure: Measure<T>,
     [[a1, b1, k1], [a2, b2, k2]]: [[T; 3]; 2],
-) -> Stage<T, 2, 2> {
+) -> Roots<T, 2, 2> {
     let there = Turn::position(slide.value);
     let determinant = a1 * b2 - a2 * b1;
     let (first, second) = (a1 * a1 + b1 * b1, a2 * a2 + b2 * b2);
@@ -52,7 +54,7 @@ fn standing<T: Tolerances>(
         let gap = (length - T::ONE).abs() * determinant.abs() / size.sqrt();
         let gap = if gap > measure.rounding() { gap } else { T::ZERO };
         let doubt = Doubt { gap, angular: measure.is_angular(), free: slide.joint, ..Doubt::NOTHING };
-        return Stage { len: 1, doubt: Some(doubt), ..Stage::solved([[Turn::direction(y, x), there]; 2]) };
+        return Roots { len: 1, doubt: Some(doubt), ..Roots::solved([[Turn::direction(y, x), there]; 2]) };
     }
     // Seen edge-on: along its longer axis it has both roots.
     let (p, q) = if first >= second { ([a1, b1, k1], [a2, b2, k2]) } else { ([a2, b2, k2], [a1, b1, k1]) };
@@ -64,7 +66,7 @@ fn standing<T: Tolerances>(
     let Doubt { gap, boundary, free, .. } = angle.doubt.unwrap_or(Doubt::NOTHING);
     let (gap, free, angular) = (gap + least, free | slide.joint, measure.is_angular());
     let doubt = Doubt { gap, angular, boundary, free, ..Doubt::NOTHING };
-    Stage { len: angle.len, doubt: Some(doubt), ..Stage::solved(roots) }
+    Roots { len: angle.len, doubt: Some(doubt), ..Roots::solved(roots) }
 }
 
 #[cfg(test)]
@@ -72,7 +74,7 @@ mod tests {
     use super::*;
     use crate::JointMask;
 
-    fn solve(stroke: [f64; 2], rows: [[f64; 2]; 2], [angle, s]: [f64; 2]) -> Stage<f64, 2, 2> {
+    fn solve(stroke: [f64; 2], rows: [[f64; 2]; 2], [angle, s]: [f64; 2]) -> Roots<f64, 2, 2> {
         let defaults = [(0, 0.0), (1, 0.25)].map(|(joint, value)| DefaultValue::at(value, JointMask::single(joint)));
         let (sin, cos) = angle.sin_cos();
         let [first, second] = [0, 1].map(|i| {
@@ -82,7 +84,7 @@ mod tests {
         slide_turning(defaults, Measure::length(1.0), stroke, [first, second])
     }
 
-    fn found(stage: &Stage<f64, 2, 2>, [angle, s]: [f64; 2], accuracy: f64) -> bool {
+    fn found(stage: &Roots<f64, 2, 2>, [angle, s]: [f64; 2], accuracy: f64) -> bool {
         let is = |root: &[Turn<f64>; 2]| (root[0].value - angle).abs() + (root[1].value - s).abs() < accuracy;
         stage.roots.iter().take(stage.len).any(is)
     }
