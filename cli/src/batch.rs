@@ -9,10 +9,10 @@ use serde_json::{Value, json};
 
 use crate::Failure;
 use crate::answer::{Answer, Asked, Form, merged};
+use crate::number_arguments::NumberList;
 use crate::numbers::{count, printed};
 use crate::progress::Progress;
 use crate::target::{Target, check_columns, is_standard_input, of_columns, of_json_text, of_task, open, shown};
-use crate::typed::Typed;
 
 /// The progress bar, of the bytes read.
 const BAR: &str = "{wide_bar} {percent} %, {eta} left";
@@ -151,9 +151,9 @@ impl Batch<'_> {
                     let (found, wanted) = (count(entries.len(), "number"), names.len());
                     let text = numbers(line);
                     let length = arm.length_unit();
-                    let typed = Typed { option: "", text: &text, angle: units, length, wanted: &[wanted] };
+                    let list = NumberList { option: "", text: &text, angle: units, length, wanted: &[wanted] };
                     let help = format!("write {}", names.join(", "));
-                    return Err(typed.miscounted(&format!("{found}, but {wanted} names"), &help));
+                    return Err(list.wrong_count(&format!("{found}, but {wanted} names"), &help));
                 }
                 of_columns(names, &entries)?.target(arm, units)
             }

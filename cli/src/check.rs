@@ -12,8 +12,8 @@ use serde_json::{Value, json};
 
 use crate::arm::{self, Arm};
 use crate::cost::{Cost, Target};
-use crate::home::{Home, home};
 use crate::numbers::Units;
+use crate::zero_configuration::{ZeroConfiguration, zero_configuration};
 
 /// Arguments of the command.
 #[derive(Args)]
@@ -49,7 +49,7 @@ struct Checked {
 struct Found {
     report: Report,
     arm: Arm,
-    home: Option<Home>,
+    zero: Option<ZeroConfiguration>,
     cost: Option<Cost>,
 }
 
@@ -131,11 +131,11 @@ fn check(file: &Path, target: Option<Target>) -> Checked {
         Ok(report) => {
             let messages = report.warnings.iter().chain(&report.lacking).cloned().collect();
             let found = arm::of_text(&text, &name).ok().map(|arm| {
-                let home = home(&arm);
+                let zero = zero_configuration(&arm);
                 // An arm that lacks a required inverse has no programs; the report says so.
                 let program = target.and_then(|target| Some((denhart_codegen::program(&text, &name).ok()?, target)));
                 let cost = program.map(|(program, target)| Cost::new(&program, target));
-                Box::new(Found { report, arm, home, cost })
+                Box::new(Found { report, arm, zero, cost })
             });
             Checked { file: name, found, messages, unread: None }
         }
@@ -146,7 +146,7 @@ impl Checked {
     fn text(&self, units: Units) -> String {
         let found = self.found.iter().map(|found| {
             let cost = found.cost.as_ref().map_or_else(String::new, |cost| format!("\n{}", cost.text()));
-            format!("{}\n{}{cost}", found.report.to_string().trim_end(), found.home(units))
+            format!("{}\n{}{cost}", found.report.to_string().trim_end(), found.zero_text(units))
         });
         let messages = self.messages.iter().map(|message| match message.severity {
             Severity::Error => format!("error: {message}"),
@@ -197,32 +197,32 @@ fn list(values: &[f64]) -> String {
 
 impl Found {
     /// The lines on the arm at zero.
-    fn home(&self, units: Units) -> String {
-        let Some(home) = &self.home else { return String::new() };
+    fn zero_text(&self, units: Units) -> String {
+        let Some(zero) = &self.zero else { return String::new() };
         let unit = self.arm.model.length_unit.symbol();
         let mut lines = vec![format!("at q = 0, in the base frame ({unit}, {}):", units.symbol())];
         let joints = || self.arm.model.joints.iter();
-        for (joint, axis) in joints().zip(&home.axes) {
+        for (joint, axis) in joints().zip(&zero.axes) {
             let (point, direction) = (list(&axis.point), list(&axis.direction));
             lines.push(format!("  axis of {}: through {point}, along {direction}", joint.name));
         }
         lines.push(format!("  frame origins ({}):", self.frames()));
-        for (joint, origin) in joints().zip(&home.frame_origins) {
+        for (joint, origin) in joints().zip(&zero.frame_origins) {
             lines.push(format!("    {}: {}", joint.name, list(origin)));
         }
         lines.push(format!(
             "  tool: position {}, roll pitch yaw {}",
-            list(&home.tool.translation),
-            list(&rpy(&home.tool, units))
+            list(&zero.tool.translation),
+            list(&rpy(&zero.tool, units))
         ));
-        if !home.outside.is_empty() {
-            lines.push(format!("  the limits leave 0 out of {}", home.outside.join(", ")));
+        if !zero.outside_limits.is_empty() {
+            lines.push(format!("  the limits leave 0 out of {}", zero.outside_limits.join(", ")));
         }
         let sums = !self.arm.model.combined_limits.is_empty();
         let sums = if sums { ", without regard to `combined_limits`" } else { "" };
-        match home.farthest {
-            Some(farthest) => {
-                lines.push(format!("reach: the tool gets {} {unit} away from the base's origin{sums}", shown(farthest)))
+        match zero.max_reach {
+            Some(reach) => {
+                lines.push(format!("reach: the tool gets {} {unit} away from the base's origin{sums}", shown(reach)))
             }
             None => lines.push("reach: without end, a sliding joint has no limit".to_owned()),
         }
@@ -241,7 +241,7 @@ impl Found {
     }
 
     fn json(&self, units: Units) -> serde_json::Map<String, Value> {
-        let Self { report, arm, home, cost } = self;
+        let Self { report, arm, zero, cost } = self;
         let model = &arm.model;
         let kind = |kind: &JointKind| if *kind == JointKind::Revolute { "revolute" } else { "prismatic" };
         let end = |value: f64| if value.is_finite() { json!(value) } else { Value::Null };
@@ -275,13 +275,13 @@ impl Found {
         if let Some(cost) = cost {
             put("cortex_m4f", cost.json());
         }
-        if let Some(home) = home {
-            let tool = json!({"position": home.tool.translation, "rpy": rpy(&home.tool, units), "rotation": home.tool.rotation});
+        if let Some(zero) = zero {
+            let tool = json!({"position": zero.tool.translation, "rpy": rpy(&zero.tool, units), "rotation": zero.tool.rotation});
             let axis = |axis: &Line| json!({"point": axis.point, "direction": axis.direction});
-            let axes: Vec<Value> = home.axes.iter().map(axis).collect();
-            let (origins, outside) = (&home.frame_origins, &home.outside);
+            let axes: Vec<Value> = zero.axes.iter().map(axis).collect();
+            let (origins, outside) = (&zero.frame_origins, &zero.outside_limits);
             put("home", json!({"tool": tool, "axes": axes, "frame_origins": origins, "outside_limits": outside}));
-            put("reach", json!(home.farthest));
+            put("reach", json!(zero.max_reach));
         }
         object
     }

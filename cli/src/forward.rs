@@ -10,8 +10,8 @@ use serde_json::{Value, json};
 
 use crate::Failure;
 use crate::hints;
+use crate::number_arguments::joint_vector;
 use crate::numbers::{Units, arm, outside, short};
-use crate::typed::joints;
 
 /// The arguments of the command.
 #[derive(Args)]
@@ -38,7 +38,7 @@ pub struct Options {
 /// Wrong arguments, mistakes in the file, no way to print.
 pub fn run(options: &Options, out: &mut dyn Write) -> Result<(), Failure> {
     let arm = arm(&options.file)?;
-    let q = joints("--q", &options.q, &arm, options.units)?;
+    let q = joint_vector("--q", &options.q, &arm, options.units)?;
     let pose = arm.forward(&q)?;
     let links = if options.links { arm.link_poses(&q)? } else { Vec::new() };
     if options.json {

@@ -12,10 +12,10 @@ use crate::Failure;
 use crate::answer::{Answer, Asked, Form};
 use crate::batch::Batch;
 use crate::hints;
+use crate::number_arguments::{NumberList, joint_vector};
 use crate::numbers::{Units, count};
 use crate::sweep::sweep;
 use crate::target::{SPELLINGS, Spelling, Target, is_standard_input};
-use crate::typed::{Typed, joints};
 
 /// The arguments of the command.
 #[derive(Args)]
@@ -134,7 +134,7 @@ struct Beside {
 /// Reads them; a target at joint values gives the redundant joint its value.
 fn beside(arm: &DynamicArm, options: &Options, target: Option<&Target>) -> Result<Beside, Failure> {
     let units = options.units;
-    let near = options.near.as_ref().map(|text| joints("--near", text, arm, units)).transpose()?;
+    let near = options.near.as_ref().map(|text| joint_vector("--near", text, arm, units)).transpose()?;
     let mut hints: Vec<String> = Vec::new();
     hints.extend(near.as_deref().and_then(|near| hints::of_joints("--near", arm, near, units)));
     let q = target.and_then(|target| target.q.as_deref());
@@ -165,12 +165,12 @@ fn beside(arm: &DynamicArm, options: &Options, target: Option<&Target>) -> Resul
 
 /// One number.
 fn one(option: &str, text: &str, arm: &DynamicArm, units: Units) -> Result<f64, Failure> {
-    let typed = Typed { option, text, angle: units, length: arm.length_unit(), wanted: &[1] };
-    match typed.numbers()?[..] {
+    let list = NumberList { option, text, angle: units, length: arm.length_unit(), wanted: &[1] };
+    match list.parse()?[..] {
         [value] => Ok(value),
         ref values => {
             let found = count(values.len(), "number");
-            Err(typed.miscounted(&format!("{found}, but one is needed"), &format!("write one, such as {option} 0.5")))
+            Err(list.wrong_count(&format!("{found}, but one is needed"), &format!("write one, such as {option} 0.5")))
         }
     }
 }

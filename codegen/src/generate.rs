@@ -82,7 +82,7 @@ struct Analyzed {
 fn analyze(text: &str, file: &str, bound: &Bound, scalar: ScalarKind) -> Result<Analyzed, Errors> {
     let (spec, mut warnings) = spec::read(text, file)?;
     let model = model::check(&spec)?;
-    warnings.extend(model::advice(&spec, &model));
+    warnings.extend(model::plausibility_warnings(&spec, &model));
     if scalar == ScalarKind::F32
         && let Some(mistake) = Sizes::SINGLE.missed(&spec, &model)
     {

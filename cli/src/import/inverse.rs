@@ -1,6 +1,6 @@
 //! The `inverse` of an arm with a joint to spare: the request that works, with the others in a comment.
 
-use super::couple::Drive;
+use super::mimic_coupling::MimicCoupling;
 use super::path::Path;
 use super::walk::{end, moves};
 use super::write::quoted;
@@ -15,11 +15,11 @@ pub struct Inverse {
 }
 
 /// The request for the arm file `text` of seven joints or more, of which one is given; none where fewer joints move.
-pub fn of(text: &str, path: &Path, drive: &Drive) -> Option<Inverse> {
-    let spare = drive.motors.len().checked_sub(POSE + 1)?;
+pub fn of(text: &str, path: &Path, coupling: &MimicCoupling) -> Option<Inverse> {
+    let spare = coupling.motors.len().checked_sub(POSE + 1)?;
     let report = denhart_codegen::check(text, "the imported arm").ok()?;
     let reason = report.unsupported.as_ref()?;
-    let names: Vec<&str> = drive.motors.iter().map(|motor| motor.file_name.as_str()).collect();
+    let names: Vec<&str> = coupling.motors.iter().map(|motor| motor.file_name.as_str()).collect();
     let mut requests: Vec<String> = report.instead.iter().map(|request| with_quotes(request, &names)).collect();
     let works = |request: &str| {
         let report = denhart_codegen::check(&format!("{text}{request}\n"), "the imported arm");
@@ -28,7 +28,7 @@ pub fn of(text: &str, path: &Path, drive: &Drive) -> Option<Inverse> {
     requests.retain(|request| works(request));
     requests.sort_by_key(|request| rank(request, &names));
     if requests.is_empty() {
-        let first = spare.checked_sub(1).filter(|_| drive.is_plain());
+        let first = spare.checked_sub(1).filter(|_| coupling.is_identity());
         let help = match first.and_then(|first| path.joints.iter().filter(|passed| moves(passed)).nth(first)) {
             Some(passed) => format!("--base {} leaves the last {} joints", end(passed), POSE + 1),
             None => report.hint.unwrap_or_else(|| "`denhart::numeric` solves any arm by iteration".to_owned()),

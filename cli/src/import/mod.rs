@@ -1,21 +1,22 @@
 //! `denhart import`: an arm file from a serial chain of a URDF, which proves itself against the URDF.
 //!
 //! The URDF at its zero gives a line for each joint (`axes`), these give the table (`table`), the mimic joints the
-//! coupling (`couple`). Nothing of this is in the proof (`proof`), which multiplies the joints' origins and motions.
+//! coupling (`mimic_coupling`). Nothing of this is in the proof (`proof`), which multiplies the joints' origins and
+//! motions.
 
 mod axes;
-mod claim;
-mod couple;
+mod candidate;
 mod gripper;
 mod inverse;
 mod lengths;
 mod likely;
+mod mimic_coupling;
 mod number;
 mod path;
 mod prefixes;
 mod proof;
+mod report;
 mod rigid;
-mod said;
 mod table;
 mod urdf;
 mod walk;
@@ -29,10 +30,10 @@ use clap::Args;
 
 use crate::files;
 use axes::{Change, exact, exact_origin};
-use claim::{Claim, MOST, Proved};
+use candidate::{CandidateTable, MAX_DIFFERENCE, ProvedTable};
 use proof::{Difference, compare};
+use report::Report;
 use rigid::{Rigid, V};
-use said::Said;
 use serde_json::{Value, json};
 use table::{Row, Table, table};
 use urdf::Robot;
@@ -53,7 +54,7 @@ pub struct Options {
     #[arg(long, value_name = "LINK")]
     tool: Option<String>,
     /// Angles that are this near to a multiple of 15 degrees, rad, are taken as that multiple
-    #[arg(long, value_name = "RAD", default_value_t = 1e-6, value_parser = crate::typed::plain)]
+    #[arg(long, value_name = "RAD", default_value_t = 1e-6, value_parser = crate::number_arguments::single_number)]
     exact_within: f64,
     /// Print JSON: the proof and the angles made exact, with the arm file as text unless -o names where it goes
     #[arg(long)]
@@ -137,56 +138,56 @@ fn import(text: &str, from: &str, options: &Options) -> Result<Imported, String>
     });
     let exact_robot = Robot { joints: joints.collect(), ..written.clone() };
     let exact_path = path::find(&exact_robot, Some(&path.base), Some(&path.tool))?;
-    let drive = couple::drive(&exact_robot, &exact_path)?;
-    let plain = table(&drive.axes);
+    let coupling = mimic_coupling::mimic_coupling(&exact_robot, &exact_path)?;
+    let plain = table(&coupling.axes);
     let mut in_table = Vec::new();
     let made_exact = exact_table(&plain, within, &mut in_table);
 
     // The table against the URDF with the angles that were made exact.
-    let turns: Vec<bool> = drive.motors.iter().map(|motor| motor.turns).collect();
-    let same = compare(&exact_robot, &exact_path, &drive, &|q| plain.pose(q, &turns));
+    let turns: Vec<bool> = coupling.motors.iter().map(|motor| motor.turns).collect();
+    let exact_angles = compare(&exact_robot, &exact_path, &coupling, &|q| plain.pose(q, &turns));
     let turned = |changes: &[Change]| changes.iter().map(Change::size).sum::<f64>();
     let (of_origins, of_table) = (turned(&in_origins), turned(&in_table));
-    let reach = lengths::of_table(&plain, &drive);
-    let moved = of_origins * lengths::of_links(&written, &path, &drive) + of_table * reach;
-    let allowed = Difference { position: MOST + moved, angle: MOST + of_origins + of_table };
-    let claim = Claim {
+    let reach = lengths::of_table(&plain, &coupling);
+    let moved = of_origins * lengths::of_links(&written, &path, &coupling) + of_table * reach;
+    let allowed = Difference { position: MAX_DIFFERENCE + moved, angle: MAX_DIFFERENCE + of_origins + of_table };
+    let candidate = CandidateTable {
         written: (&written, &path),
         exact: (&exact_robot, &exact_path),
-        drive: &drive,
+        coupling: &coupling,
         table: &made_exact,
         changed: !in_table.is_empty(),
-        same,
+        exact_angles,
         allowed,
     };
     // Lengths are rounded as far as the proof holds.
     let widths = if within > 0.0 { &ROUNDED[..] } else { &[0.0] };
     let mut proved = Err("nothing was compared".to_owned());
     for width in widths {
-        proved = claim.prove(*width);
+        proved = candidate.prove(*width);
         if proved.is_ok() {
             break;
         }
     }
-    let Proved { table, lengths, same, all } = proved?;
+    let ProvedTable { table, lengths, exact_angles, as_written } = proved?;
     let changes = [in_origins, in_table].concat();
-    let mut said = Said {
+    let mut report = Report {
         from,
         path: &path,
         changes: &changes,
         lengths: &lengths,
-        drive: &drive,
+        coupling: &coupling,
         reach,
-        same,
-        all,
+        exact_angles,
+        as_written,
         inverse: None,
     };
-    let mut text = write::file(&written.name, &said.head(), &table, &drive)?;
-    if let Some(inverse) = inverse::of(&text, &path, &drive) {
+    let mut text = write::file(&written.name, &report.head(), &table, &coupling)?;
+    if let Some(inverse) = inverse::of(&text, &path, &coupling) {
         text += &inverse.lines;
-        said.inverse = Some(inverse.remark);
+        report.inverse = Some(inverse.remark);
     }
-    Ok(Imported { text, remarks: said.remarks(within), facts: said.json(within) })
+    Ok(Imported { text, remarks: report.remarks(within), facts: report.json(within) })
 }
 
 /// The table with its angles made exact; a fixed row that then is none is part of the next row.

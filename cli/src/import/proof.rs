@@ -2,7 +2,7 @@
 
 use denhart::Chain;
 
-use super::couple::{Drive, value};
+use super::mimic_coupling::{MimicCoupling, joint_value};
 use super::path::Path;
 use super::rigid::Rigid;
 use super::urdf::Robot;
@@ -32,23 +32,23 @@ impl Difference {
 
 /// The largest difference between `pose`, of the table's joint values, and the URDF's own, over random values of the
 /// motors within their limits.
-pub fn compare(robot: &Robot, path: &Path, drive: &Drive, pose: &dyn Fn(&[f64]) -> Rigid) -> Difference {
+pub fn compare(robot: &Robot, path: &Path, coupling: &MimicCoupling, pose: &dyn Fn(&[f64]) -> Rigid) -> Difference {
     let mut random = Random(0x5eed);
     (0..CONFIGURATIONS).fold(Difference::default(), |worst, _| {
-        let motors: Vec<f64> = drive
+        let motors: Vec<f64> = coupling
             .motors
             .iter()
             .map(|motor| {
-                let [low, high] = motor.tried();
+                let [low, high] = motor.sampled_range();
                 low + (high - low) * random.next()
             })
             .collect();
         let by_name = |name: &str| {
-            let index = drive.motors.iter().position(|motor| motor.name == name);
+            let index = coupling.motors.iter().position(|motor| motor.name == name);
             index.and_then(|index| motors.get(index)).copied().unwrap_or(0.0)
         };
-        let own = super::axes::pose(path, &|joint| value(robot, joint, &by_name));
-        let (position, angle) = pose(&drive.joints(&motors)).difference(&own);
+        let own = super::axes::pose(path, &|joint| joint_value(robot, joint, &by_name));
+        let (position, angle) = pose(&coupling.joint_values(&motors)).difference(&own);
         worst.max(Difference { position, angle })
     })
 }

@@ -1,6 +1,6 @@
 //! The arm file of an import.
 
-use super::couple::Drive;
+use super::mimic_coupling::MimicCoupling;
 use super::number::{angle, shortest};
 use super::rigid::{Rigid, V};
 use super::table::{Row, Table};
@@ -12,7 +12,7 @@ const DIGITS: f64 = 1e-13;
 ///
 /// # Errors
 /// Motors that the joints do not determine.
-pub fn file(name: &str, head: &[String], table: &Table, drive: &Drive) -> Result<String, String> {
+pub fn file(name: &str, head: &[String], table: &Table, coupling: &MimicCoupling) -> Result<String, String> {
     let mut lines: Vec<String> = head.iter().map(|line| comment(line)).collect();
     lines.push(format!("name: {}", arm_name(name)));
     lines.push("convention: standard".to_owned());
@@ -20,17 +20,17 @@ pub fn file(name: &str, head: &[String], table: &Table, drive: &Drive) -> Result
     let length = |value: f64| shortest(value, DIGITS * table.size);
     lines.extend(frame("base", &table.base, table.size));
     lines.push("joints:".to_owned());
-    lines.extend(table.rows.iter().map(|row| row_text(row, drive, &length)));
+    lines.extend(table.rows.iter().map(|row| row_text(row, coupling, &length)));
     lines.extend(frame("tool", &table.tool, table.size));
-    if !drive.is_plain() {
-        lines.extend(coupling(drive, &length)?);
+    if !coupling.is_identity() {
+        lines.extend(coupling_lines(coupling, &length)?);
     }
     Ok(lines.join("\n") + "\n")
 }
 
-fn row_text(row: &Row, drive: &Drive, length: &dyn Fn(f64) -> String) -> String {
+fn row_text(row: &Row, coupling: &MimicCoupling, length: &dyn Fn(f64) -> String) -> String {
     let mut entries = Vec::new();
-    let motor = row.axis.and_then(|axis| drive.motors.get(axis));
+    let motor = row.axis.and_then(|axis| coupling.motors.get(axis));
     let turns = motor.is_none_or(|motor| motor.turns);
     match motor {
         Some(motor) => entries.push(format!("name: {}", quoted(&motor.file_name))),
@@ -41,7 +41,7 @@ fn row_text(row: &Row, drive: &Drive, length: &dyn Fn(f64) -> String) -> String 
     }
     let Row { a, alpha, d, theta, .. } = row;
     entries.push(format!("a: {}, alpha: {}, d: {}, theta: {}", length(*a), turn(*alpha), length(*d), turn(*theta)));
-    if let Some([low, high]) = row.axis.and_then(|axis| drive.limits.get(axis).copied().flatten()) {
+    if let Some([low, high]) = row.axis.and_then(|axis| coupling.limits.get(axis).copied().flatten()) {
         let end = |value: f64| if turns { turn(value) } else { length(value) };
         let end = |value: f64| if value.is_infinite() { "null".to_owned() } else { end(value) };
         entries.push(format!("limits: [{}, {}]", end(low), end(high)));
@@ -62,11 +62,11 @@ fn frame(key: &str, frame: &Rigid, size: f64) -> Option<String> {
 }
 
 /// The motors that are not their joints, and the ranges of those.
-fn coupling(drive: &Drive, length: &dyn Fn(f64) -> String) -> Result<Vec<String>, String> {
-    let (matrix, offset) = drive.coupling()?;
-    let names: Vec<String> = drive.motors.iter().map(|motor| quoted(&motor.file_name)).collect();
+fn coupling_lines(coupling: &MimicCoupling, length: &dyn Fn(f64) -> String) -> Result<Vec<String>, String> {
+    let (matrix, offset) = coupling.inverted()?;
+    let names: Vec<String> = coupling.motors.iter().map(|motor| quoted(&motor.file_name)).collect();
     let (mut motors, mut ranges) = (Vec::new(), Vec::new());
-    for (index, ((row, offset), motor)) in matrix.iter().zip(&offset).zip(&drive.motors).enumerate() {
+    for (index, ((row, offset), motor)) in matrix.iter().zip(&offset).zip(&coupling.motors).enumerate() {
         let value = |value: f64| if motor.turns { turn(value) } else { length(value) };
         let terms: Vec<String> = row
             .iter()
@@ -82,7 +82,7 @@ fn coupling(drive: &Drive, length: &dyn Fn(f64) -> String) -> Result<Vec<String>
         let name = quoted(&motor.file_name);
         motors.push(format!("  {name}: {{{}{constant}}}", terms.join(", ")));
         // A row that several motors drive has no range of its own.
-        if let (Some([low, high]), Some(None)) = (motor.limits, drive.limits.get(index)) {
+        if let (Some([low, high]), Some(None)) = (motor.limits, coupling.limits.get(index)) {
             let end = |end: f64| if end.is_infinite() { "null".to_owned() } else { value(end - offset) };
             let ends = [low, high].map(end).join(", ");
             ranges.push(format!("  - {{sum: {{{}}}, limits: [{ends}]}}", terms.join(", ")));

@@ -17,8 +17,8 @@ use denhart_dynamic::{DynamicArm, DynamicTarget};
 
 use crate::Failure;
 use crate::hints;
+use crate::number_arguments::joint_vector;
 use crate::numbers::Units;
-use crate::typed::joints;
 
 pub use json::of_text as of_json_text;
 pub use named::{check_columns, of_columns};
@@ -123,7 +123,7 @@ impl Spelling {
             return json::of_text(arm, &text, units).map_err(|failure| failure.at(&shown(file)));
         }
         if let Some(text) = &self.q {
-            let q = joints("--q", text, arm, units)?;
+            let q = joint_vector("--q", text, arm, units)?;
             let hint = hints::of_joints("--q", arm, &q, units);
             let (target, pose) = (arm.target_at(&q)?, arm.forward(&q)?);
             return Ok(Target { target, pose, q: Some(q), hints: hint.into_iter().collect() });

@@ -7,8 +7,8 @@ use denhart_dynamic::{DynamicArm, DynamicTarget};
 use super::{Target, axis_column};
 use crate::Failure;
 use crate::hints;
+use crate::number_arguments::NumberList;
 use crate::numbers::{Units, count, short};
-use crate::typed::Typed;
 
 /// The numbers of a whole pose.
 const WHOLE: &str = "x y z roll pitch yaw";
@@ -40,8 +40,8 @@ pub fn of_task(arm: &DynamicArm, option: &str, text: &str, units: Units) -> Resu
     let (task, length) = (arm.task()?, arm.length_unit());
     let wanted = numbers_of(task);
     let needed = wanted.split(' ').count();
-    let typed = Typed { option, text, angle: units, length, wanted: &[needed, 6] };
-    let values = &typed.numbers()?[..];
+    let list = NumberList { option, text, angle: units, length, wanted: &[needed, 6] };
+    let values = &list.parse()?[..];
     match (task, values) {
         ("position", &[x, y, z]) => Ok(position([x, y, z])),
         ("position_axis", &[x, y, z, u, v, w]) => position_axis(arm, [x, y, z], [u, v, w]).map_err(|found| {
@@ -49,9 +49,9 @@ pub fn of_task(arm: &DynamicArm, option: &str, text: &str, units: Units) -> Resu
             let help = format!(
                 "the task `position_axis` reads \"{wanted}\", a point and a unit vector: write {}\"{wanted}\"; \
                  a pose is {whole} \"{WHOLE}\"",
-                typed.start()
+                list.option_prefix()
             );
-            typed.wrong(&found, &help)
+            list.failure(&found, &help)
         }),
         ("position_angle", &[x, y, z, angle]) => {
             Ok(position_angle([x, y, z], units.rad(angle)).with(hints::of_angles(option, &[angle], units)))
@@ -72,8 +72,9 @@ pub fn of_task(arm: &DynamicArm, option: &str, text: &str, units: Units) -> Resu
                 _ => format!(", or a whole pose, \"{WHOLE}\""),
             };
             let angle = units.symbol();
-            let help = format!("write {}\"{wanted}\"{whole}; lengths in {length}, angles in {angle}", typed.start());
-            Err(typed.miscounted(&what, &help))
+            let help =
+                format!("write {}\"{wanted}\"{whole}; lengths in {length}, angles in {angle}", list.option_prefix());
+            Err(list.wrong_count(&what, &help))
         }
     }
 }
@@ -83,10 +84,10 @@ pub fn of_task(arm: &DynamicArm, option: &str, text: &str, units: Units) -> Resu
 /// # Errors
 /// Text that is no list of six numbers; a pose that is no target of the arm.
 pub fn whole(arm: &DynamicArm, option: &str, text: &str, units: Units) -> Result<Target, Failure> {
-    let typed = Typed { option, text, angle: units, length: arm.length_unit(), wanted: &[6] };
-    match typed.numbers()?[..] {
+    let list = NumberList { option, text, angle: units, length: arm.length_unit(), wanted: &[6] };
+    match list.parse()?[..] {
         [x, y, z, roll, pitch, yaw] => of_rpy(arm, option, [x, y, z], [roll, pitch, yaw], units),
-        ref values => Err(miscounted(&typed, values, WHOLE, 6)),
+        ref values => Err(wrong_count(&list, values, WHOLE, 6)),
     }
 }
 
@@ -95,19 +96,21 @@ pub fn whole(arm: &DynamicArm, option: &str, text: &str, units: Units) -> Result
 /// # Errors
 /// Text that is no list of seven numbers; a quaternion that is no unit quaternion.
 pub fn quaternion(arm: &DynamicArm, text: &str, units: Units) -> Result<Target, Failure> {
-    let typed = Typed { option: "--quat", text, angle: units, length: arm.length_unit(), wanted: &[7] };
-    match typed.numbers()?[..] {
+    let list = NumberList { option: "--quat", text, angle: units, length: arm.length_unit(), wanted: &[7] };
+    match list.parse()?[..] {
         [x, y, z, qw, qx, qy, qz] => {
             let pose = of_quaternion([x, y, z], [qw, qx, qy, qz]).map_err(|found| {
                 let norm = length_of(&[qw, qx, qy, qz]);
                 let unit = [qw, qx, qy, qz].map(|part| part / norm);
                 let own = if norm > 0.0 { format!("; of length 1 it is {}", listed(&unit)) } else { String::new() };
-                typed
-                    .wrong(&found, &format!("write --quat \"{QUATERNION}\", the scalar part qw before the others{own}"))
+                list.failure(
+                    &found,
+                    &format!("write --quat \"{QUATERNION}\", the scalar part qw before the others{own}"),
+                )
             })?;
             Target::of_pose(arm, pose, units)
         }
-        ref values => Err(miscounted(&typed, values, QUATERNION, 7)),
+        ref values => Err(wrong_count(&list, values, QUATERNION, 7)),
     }
 }
 
@@ -117,23 +120,25 @@ pub fn quaternion(arm: &DynamicArm, text: &str, units: Units) -> Result<Target, 
 /// Text that is no list of 12 or 16 numbers; a matrix that is no pose.
 pub fn matrix(arm: &DynamicArm, text: &str, units: Units) -> Result<Target, Failure> {
     let bare = text.replace(['[', ']', '(', ')', '{', '}', ';'], " ");
-    let typed = Typed { option: "--matrix", text: &bare, angle: units, length: arm.length_unit(), wanted: &[12, 16] };
-    let values = typed.numbers()?;
+    let list =
+        NumberList { option: "--matrix", text: &bare, angle: units, length: arm.length_unit(), wanted: &[12, 16] };
+    let values = list.parse()?;
     if !matches!(values.len(), 12 | 16) {
         let found = count(values.len(), "number");
         let help = format!("write 3 rows of 4, --matrix \"{MATRIX}\", or 4 rows of 4");
-        return Err(typed.miscounted(&format!("{found}, but a matrix has 12 or 16"), &help));
+        return Err(list.wrong_count(&format!("{found}, but a matrix has 12 or 16"), &help));
     }
-    let pose = of_matrix(&values)
-        .map_err(|found| typed.wrong(&found, &format!("write --matrix \"{MATRIX}\": row by row, the position last")))?;
+    let pose = of_matrix(&values).map_err(|found| {
+        list.failure(&found, &format!("write --matrix \"{MATRIX}\": row by row, the position last"))
+    })?;
     Target::of_pose(arm, pose, units)
 }
 
-fn miscounted(typed: &Typed, values: &[f64], wanted: &str, needed: usize) -> Failure {
+fn wrong_count(list: &NumberList, values: &[f64], wanted: &str, needed: usize) -> Failure {
     let found = count(values.len(), "number");
-    let (length, angle) = (typed.length, typed.angle.symbol());
-    let help = format!("write {}\"{wanted}\"; lengths in {length}, angles in {angle}", typed.start());
-    typed.miscounted(&format!("{found}, but {needed} are needed: \"{wanted}\""), &help)
+    let (length, angle) = (list.length, list.angle.symbol());
+    let help = format!("write {}\"{wanted}\"; lengths in {length}, angles in {angle}", list.option_prefix());
+    list.wrong_count(&format!("{found}, but {needed} are needed: \"{wanted}\""), &help)
 }
 
 /// The target of a pose given by roll, pitch, yaw in the unit of angles.

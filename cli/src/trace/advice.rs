@@ -1,15 +1,15 @@
 //! Advice for laws that are typed in another way.
 
 use super::law::parse;
-use crate::typed::{inside, with_points};
+use crate::number_arguments::{with_decimal_points, without_brackets};
 
 /// The laws as they are to be typed, where only signs and units differ and they then are laws; `wanted` of them if that
 /// is known.
 pub fn advice(text: &str, wanted: Option<usize>) -> Option<String> {
     let is_list = |text: &str| parse(text).is_ok_and(|laws| wanted.is_none_or(|wanted| wanted == laws.len()));
-    let plain = without_units(&inside(text).replace(['\u{2212}', '\u{2013}'], "-"));
+    let plain = without_units(&without_brackets(text).replace(['\u{2212}', '\u{2013}'], "-"));
     // Laws between semicolons have commas for points.
-    let semicolons = with_points(&plain).replace(';', ",");
+    let semicolons = with_decimal_points(&plain).replace(';', ",");
     let found = [plain, semicolons].into_iter().find(|other| other != text && is_list(other))?;
     let separated: Vec<&str> = found.split(',').map(str::trim).collect();
     let units = if has_unit(text) { "; numbers have no unit, angles are as --units says" } else { "" };

@@ -15,9 +15,9 @@ use std::path::PathBuf;
 
 use crate::Failure;
 use crate::arm;
+use crate::number_arguments::single_number;
 use crate::numbers::{Units, count};
 use crate::progress::Progress;
-use crate::typed::plain;
 use clap::{Args, ValueEnum};
 use denhart::{Chain, JointKind, Pose};
 use jet::Jet;
@@ -44,13 +44,13 @@ pub struct Options {
     #[arg(long, value_name = "LAWS", allow_hyphen_values = true)]
     law: String,
     /// First time, s
-    #[arg(long, value_name = "T", default_value_t = 0.0, allow_hyphen_values = true, value_parser = plain)]
+    #[arg(long, value_name = "T", default_value_t = 0.0, allow_hyphen_values = true, value_parser = single_number)]
     from: f64,
     /// Last time, s; a sample if the range is a whole number of steps
-    #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = plain)]
+    #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = single_number)]
     to: f64,
     /// Time between two samples, s
-    #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = plain)]
+    #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = single_number)]
     step: f64,
     /// Unit of angles, in the laws of turning joints and in the output
     #[arg(long, value_name = "UNIT", default_value = "deg")]

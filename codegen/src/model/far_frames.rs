@@ -177,14 +177,14 @@ mod tests {
 
     use super::super::chain::{Chain, Elementary};
     use super::super::numeric::{Transform, distance};
-    use super::super::{Model, advice, check};
+    use super::super::{Model, check, plausibility_warnings};
     use crate::error::Diagnostic;
     use crate::spec;
 
     fn read(text: &str) -> (Model, Vec<Diagnostic>) {
         let (spec, _) = spec::read(text, "a.yaml").unwrap();
         let model = check(&spec).unwrap();
-        let found = advice(&spec, &model);
+        let found = plausibility_warnings(&spec, &model);
         (model, found)
     }
 

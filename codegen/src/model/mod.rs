@@ -11,9 +11,9 @@ mod far_frames;
 pub mod geometry;
 mod joint;
 mod joint_names;
-mod looks;
 pub mod numeric;
 mod parameter;
+mod plausibility;
 mod rational;
 mod reach;
 #[cfg(test)]
@@ -27,8 +27,8 @@ pub use check::check;
 pub use combined_limits::CombinedLimit;
 pub use coupling::Coupling;
 pub use joint::{Joint, JointKind, joint_sum};
-pub use looks::advice;
 pub use parameter::Bound;
+pub use plausibility::plausibility_warnings;
 pub use reach::{ReachTerm, Sizes, reach_terms};
 
 pub use crate::spec::{Axis, Convention, Length, LengthUnit, RowKind, Task};

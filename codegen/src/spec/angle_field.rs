@@ -1,9 +1,9 @@
 //! Reads a field that is an angle, and notices when it is written in the wrong unit or only nearly exact.
 
 use super::angle::{AngleUnit, WrittenAngle, pi_times};
-use super::meant;
 use super::range;
 use super::reader::{Field, NOTHING, Reader};
+use super::suggestions;
 use super::yaml::Node;
 use std::f64::consts::{FRAC_PI_4, PI};
 
@@ -68,7 +68,7 @@ impl Reader<'_> {
                     angle
                 }
                 None => {
-                    self.unexpected(field, expected, meant::angle(text));
+                    self.unexpected(field, expected, suggestions::angle(text));
                     return None;
                 }
             },

@@ -11,7 +11,6 @@ mod coupling;
 mod frame;
 mod inverse;
 mod length;
-mod meant;
 mod nearest;
 mod parameter;
 mod place;
@@ -20,6 +19,7 @@ mod reader;
 mod row;
 mod row_kind;
 mod source;
+mod suggestions;
 #[cfg(test)]
 mod tests;
 mod units;

@@ -2,11 +2,11 @@
 
 use super::angle::AngleUnit;
 use super::length::{Length, factored};
-use super::meant;
 use super::nearest::nearest;
 use super::place::{Place, Step};
 use super::range;
 use super::reader::{Field, Fields, Reader};
+use super::suggestions;
 use super::yaml::Node;
 
 /// A parameter as written.
@@ -98,7 +98,7 @@ impl Reader<'_> {
             },
             // A number that is not finite or has leading zeros has a message of its own.
             Err(expected) if !parameters.is_empty() && text.trim().parse::<f64>().is_err() => {
-                let help = if expected.starts_with("a factor") { None } else { meant::expression(text) };
+                let help = if expected.starts_with("a factor") { None } else { suggestions::expression(text) };
                 self.unexpected(field, &format!("a number, or {expected}"), help);
             }
             Err(_) => {

@@ -1,10 +1,10 @@
 //! Reads nodes as what they should be and collects what is wrong instead of stopping at the first mistake.
 
-use super::meant;
 use super::nearest::nearest;
 use super::place::{Place, Step};
 use super::range::{self, Range};
 use super::source::Source;
+use super::suggestions;
 use super::yaml::Node;
 use crate::error::Diagnostic;
 
@@ -72,7 +72,7 @@ impl<'s> Reader<'s> {
     /// A mapping whose keys are all among `known`. `what` names it in messages ("a joint row").
     pub fn mapping<'n>(&mut self, field: &Field<'n>, what: &str, known: &[&'static str]) -> Option<Fields<'n>> {
         let Node::Mapping(entries) = field.node else {
-            let help = meant::mapping(&field.key, &self.source.written(&field.place), field.node, known);
+            let help = suggestions::mapping(&field.key, &self.source.written(&field.place), field.node, known);
             self.unexpected(field, &format!("a mapping with {}", known.join(", ")), help);
             return None;
         };
@@ -113,8 +113,8 @@ impl<'s> Reader<'s> {
             } else {
                 let (word, rest) =
                     name.split_once(':').map_or((name.as_str(), None), |(word, rest)| (word, Some(rest)));
-                let meant = meant::other_name(word, known).or_else(|| nearest(word, known.iter().copied()));
-                let hint = if meant.is_none() { meant::key(name, known) } else { None };
+                let meant = suggestions::synonym(word, known).or_else(|| nearest(word, known.iter().copied()));
+                let hint = if meant.is_none() { suggestions::foreign_key(name, known) } else { None };
                 if let Some(hint) = hint {
                     let mistake = self.source.mistake(&at_key, format!("unknown key `{name}` in {what}"));
                     self.mistakes.push(mistake.help(hint));
@@ -210,7 +210,7 @@ impl<'s> Reader<'s> {
             Node::Number(_) => self.unexpected(field, "a finite number", None),
             Node::Text(text) => match text.trim().parse::<f64>() {
                 Ok(value) if !value.is_finite() => self.unexpected(field, "a finite number", None),
-                _ => self.unexpected(field, "a number in the file's length unit", meant::number(text)),
+                _ => self.unexpected(field, "a number in the file's length unit", suggestions::number(text)),
             },
             Node::Null => self.unexpected(field, "a number in the file's length unit", Some(NOTHING.to_owned())),
             _ => self.unexpected(field, "a number in the file's length unit", None),
@@ -246,7 +246,7 @@ impl<'s> Reader<'s> {
         if entries.is_none() {
             let entries = if found == 1 { "entry" } else { "entries" };
             let message = format!("`{}`: expected {expected}, found a list of {found} {entries}", field.key);
-            let pointed = meant::list(&self.source.written(&field.place), found, N);
+            let pointed = suggestions::decimal_commas(&self.source.written(&field.place), found, N);
             let help = pointed.unwrap_or_else(|| help.to_owned());
             self.mistakes.push(self.source.mistake(&field.place, message).help(help));
         }

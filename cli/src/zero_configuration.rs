@@ -1,4 +1,4 @@
-//! The arm at its zero, to hold against a drawing: axes of the joints, origins of the frames, pose of the tool, and reach.
+//! The arm at its zero configuration, to hold against a drawing: joint axes, frame origins, pose of the tool, and reach.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -9,7 +9,7 @@ use denhart_codegen::model::{self, JointKind, Model};
 use crate::arm::Arm;
 
 /// The arm with all joints at 0, lengths in the file's unit.
-pub struct Home {
+pub struct ZeroConfiguration {
     pub tool: Pose<f64>,
     /// The axis of each joint, in the direction of its positive motion. Each goes through its point nearest to the point
     /// before, the first through that nearest to the base's origin.
@@ -18,28 +18,28 @@ pub struct Home {
     pub frame_origins: Vec<[f64; 3]>,
     /// The farthest that the tool gets from the origin of the base within the limits of the joints; none where a slide
     /// has no limit. Limits of sums are not looked at.
-    pub farthest: Option<f64>,
+    pub max_reach: Option<f64>,
     /// The joints whose limits leave 0 out.
-    pub outside: Vec<String>,
+    pub outside_limits: Vec<String>,
 }
 
 /// Computes it. None where the chain cannot: that is said elsewhere.
-pub fn home(arm: &Arm) -> Option<Home> {
+pub fn zero_configuration(arm: &Arm) -> Option<ZeroConfiguration> {
     let Arm { chain, model } = arm;
     let zero = vec![0.0; model.joints.len()];
     let tool = Pose::from(chain.forward(&zero).ok()?);
     let frame_origins = chain.link_poses(&zero).ok()?.iter().map(|pose| Pose::from(*pose).translation).collect();
     let leaves_out = |limits: [f64; 2]| limits[0] > 0.0 || limits[1] < 0.0;
-    let outside = model.joints.iter().filter(|joint| joint.limits.is_some_and(leaves_out));
-    let outside = outside.map(|joint| joint.name.clone()).collect();
+    let outside_limits = model.joints.iter().filter(|joint| joint.limits.is_some_and(leaves_out));
+    let outside_limits = outside_limits.map(|joint| joint.name.clone()).collect();
     let axes = axes_at_zero(&model::chain::Chain::of(model));
-    Some(Home { tool, axes, frame_origins, farthest: farthest(chain, model), outside })
+    Some(ZeroConfiguration { tool, axes, frame_origins, max_reach: max_reach(chain, model), outside_limits })
 }
 
 /// The largest distance of the tool from the origin. While one joint turns, the square of the distance is
 /// `c + 2 m (u cos q + v sin q)`, with m the middle of the tool's circle and u, v its radii. While a joint slides, the
 /// distance is largest at an end. Joint after joint goes to its best value, from several starts, until nothing grows.
-fn farthest(chain: &Chain, model: &Model) -> Option<f64> {
+fn max_reach(chain: &Chain, model: &Model) -> Option<f64> {
     const STARTS: usize = 8;
     const SWEEPS: usize = 40;
     let ends: Option<Vec<[f64; 2]>> = model.joints.iter().map(range).collect();
@@ -105,29 +105,29 @@ mod tests {
     use super::*;
     use crate::arm;
 
-    fn of(rows: &str) -> Home {
+    fn of(rows: &str) -> ZeroConfiguration {
         let text = format!("name: a\nconvention: standard\nunits: {{length: m, angle: deg}}\njoints:\n{rows}");
-        home(&arm::of_text(&text, "a.yaml").unwrap()).unwrap()
+        zero_configuration(&arm::of_text(&text, "a.yaml").unwrap()).unwrap()
     }
 
     #[test]
     fn the_farthest_of_a_planar_arm_is_its_length_unless_limits_bend_it() {
         let straight = of("  - {a: 0.5, alpha: 0, d: 0, theta: 0}\n  - {a: 0.3, alpha: 0, d: 0, theta: 0}\n");
-        assert!((straight.farthest.unwrap() - 0.8).abs() < 1e-12);
+        assert!((straight.max_reach.unwrap() - 0.8).abs() < 1e-12);
         assert_eq!(straight.tool.translation, [0.8, 0.0, 0.0]);
         assert_eq!(straight.frame_origins, [[0.5, 0.0, 0.0], [0.8, 0.0, 0.0]]);
         let bent =
             of("  - {a: 0.5, alpha: 0, d: 0, theta: 0}\n  - {a: 0.3, alpha: 0, d: 0, theta: 0, limits: [60, 90]}\n");
         let expected = (0.25 + 0.09 + 2.0 * 0.15 * 0.5_f64).sqrt();
-        assert!((bent.farthest.unwrap() - expected).abs() < 1e-12);
-        assert_eq!(bent.outside, ["q2"]);
+        assert!((bent.max_reach.unwrap() - expected).abs() < 1e-12);
+        assert_eq!(bent.outside_limits, ["q2"]);
     }
 
     #[test]
     fn a_slide_without_an_end_has_no_farthest_point() {
         let rows = "  - {type: prismatic, a: 0, alpha: 0, d: 0, theta: 0, limits: [0, null]}\n";
-        assert_eq!(of(rows).farthest, None);
+        assert_eq!(of(rows).max_reach, None);
         let rows = "  - {type: prismatic, a: 0.3, alpha: 0, d: 0, theta: 0, limits: [-0.4, 0.2]}\n";
-        assert!((of(rows).farthest.unwrap() - 0.5).abs() < 1e-15);
+        assert!((of(rows).max_reach.unwrap() - 0.5).abs() < 1e-15);
     }
 }

@@ -1,28 +1,29 @@
-//! Advice on texts that people write for a number or an angle where the file takes only the number.
+//! Suggestions of the text to write instead: for a number, an angle, a list, a key or a mapping that the file does not
+//! take.
 
 use super::angle::{WrittenAngle, without_leading_zeros};
 use super::yaml::Node;
 
-/// Advice on a text in the place of a number.
+/// Suggestion for a text in the place of a number.
 pub fn number(text: &str) -> Option<String> {
     let text = text.trim();
-    typed(text).or_else(|| with_unit(text)).or_else(|| sum(text)).or_else(|| expression(text))
+    plain_spelling(text).or_else(|| with_unit(text)).or_else(|| arithmetic(text)).or_else(|| expression(text))
 }
 
-/// Advice on a text in the place of an angle.
+/// Suggestion for a text in the place of an angle.
 pub fn angle(text: &str) -> Option<String> {
     let text = text.trim();
     let computed = || {
         has_operator(text).then(|| "write its value: an angle is not computed, but for pi/2 and the like".to_owned())
     };
-    typed(text).or_else(|| with_variable(text)).or_else(|| sum(text)).or_else(computed)
+    plain_spelling(text).or_else(|| with_variable(text)).or_else(|| arithmetic(text)).or_else(computed)
 }
 
-/// Advice on a length that is to be computed.
+/// Suggestion for a length that is to be computed.
 pub fn expression(text: &str) -> Option<String> {
     let help = "write its value, or give it a name: `parameters: {l5: 0.35}`. A name takes a sign or a factor, and \
                 nothing is added to it: `-l5`, `2*l5`, `l5/2`";
-    sum(text).or_else(|| has_operator(text).then(|| help.to_owned()))
+    arithmetic(text).or_else(|| has_operator(text).then(|| help.to_owned()))
 }
 
 /// Returns true if a text has an operator between numbers or names.
@@ -41,7 +42,7 @@ fn has_operator(text: &str) -> bool {
 }
 
 /// The key that another name stands for: a Greek letter, the tool's frame.
-pub fn other_name(name: &str, known: &[&'static str]) -> Option<&'static str> {
+pub fn synonym(name: &str, known: &[&'static str]) -> Option<&'static str> {
     let key = match name.to_lowercase().as_str() {
         "\u{3b1}" => "alpha",
         "\u{3b8}" | "\u{3d1}" => "theta",
@@ -52,8 +53,8 @@ pub fn other_name(name: &str, known: &[&'static str]) -> Option<&'static str> {
     known.iter().copied().find(|word| *word == key)
 }
 
-/// Advice on a list of `found` entries in the place of a list of `wanted`: `[-60, 0,5]` as `[-60, 0.5]`.
-pub fn list(written: &str, found: usize, wanted: usize) -> Option<String> {
+/// Suggestion for a list of `found` entries in the place of a list of `wanted`: `[-60, 0,5]` as `[-60, 0.5]`.
+pub fn decimal_commas(written: &str, found: usize, wanted: usize) -> Option<String> {
     let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
     let chars: Vec<char> = written.chars().collect();
     // A comma between two digits, without a space.
@@ -68,8 +69,8 @@ pub fn list(written: &str, found: usize, wanted: usize) -> Option<String> {
     Some(format!("write {pointed}, with a decimal point"))
 }
 
-/// Advice on a key that other tools have.
-pub fn key(name: &str, known: &[&str]) -> Option<String> {
+/// Suggestion for a key that other tools have.
+pub fn foreign_key(name: &str, known: &[&str]) -> Option<String> {
     let row = known.contains(&"theta") && known.contains(&"alpha");
     let lower = name.to_lowercase();
     let help = match lower.as_str() {
@@ -93,8 +94,8 @@ pub fn key(name: &str, known: &[&str]) -> Option<String> {
     Some(help.to_owned())
 }
 
-/// Advice on the place of a mapping with `known` keys: for a row of a table, a matrix, a number, a unit. The mapping
-/// belongs to `key`.
+/// Suggestion for the place of a mapping with `known` keys: for a row of a table, a matrix, a number, a unit. The
+/// mapping belongs to `key`.
 pub fn mapping(key: &str, written: &str, node: &Node, known: &[&str]) -> Option<String> {
     if known.contains(&"rpy") {
         return Some(
@@ -134,7 +135,7 @@ pub fn mapping(key: &str, written: &str, node: &Node, known: &[&str]) -> Option<
 }
 
 /// A sum, difference, product or quotient of two numbers: its value.
-fn sum(text: &str) -> Option<String> {
+fn arithmetic(text: &str) -> Option<String> {
     let at = text.char_indices().skip(1).find(|(at, c)| {
         let before = text.get(..*at).and_then(|before| before.chars().next_back());
         matches!(c, '+' | '-' | '*' | '/') && !matches!(before, Some('e' | 'E'))
@@ -155,7 +156,7 @@ fn sum(text: &str) -> Option<String> {
 }
 
 /// A number in other characters than the keyboard's.
-fn typed(text: &str) -> Option<String> {
+fn plain_spelling(text: &str) -> Option<String> {
     let plain = || without_leading_zeros(text).map(|plain| format!("write {plain}"));
     with_ascii_minus(text).or_else(|| with_point(text)).or_else(plain)
 }
@@ -201,7 +202,7 @@ fn with_point(text: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::super::yaml::Node;
-    use super::{angle, key, list, mapping, number, other_name};
+    use super::{angle, decimal_commas, foreign_key, mapping, number, synonym};
 
     #[test]
     fn the_number_that_is_meant() {
@@ -237,26 +238,26 @@ mod tests {
     #[test]
     fn decimal_commas_in_lists_are_points() {
         let point = |text: &str| Some(format!("write {text}, with a decimal point"));
-        assert_eq!(list("[-60, 0,5]", 3, 2), point("[-60, 0.5]"));
-        assert_eq!(list("[-1,5, 0,5]", 4, 2), point("[-1.5, 0.5]"));
-        assert_eq!(list("[1,2]", 2, 2), None);
-        assert_eq!(list("[1, 2, 3]", 3, 2), None);
+        assert_eq!(decimal_commas("[-60, 0,5]", 3, 2), point("[-60, 0.5]"));
+        assert_eq!(decimal_commas("[-1,5, 0,5]", 4, 2), point("[-1.5, 0.5]"));
+        assert_eq!(decimal_commas("[1,2]", 2, 2), None);
+        assert_eq!(decimal_commas("[1, 2, 3]", 3, 2), None);
     }
 
     #[test]
     fn keys_and_forms_of_other_tools() {
         let row = ["type", "name", "a", "alpha", "d", "theta", "limits", "actuator"];
-        assert!(key("offset", &row).is_some_and(|help| help.contains("`theta`")));
-        assert!(key("offset", &["matrix"]).is_none());
-        assert!(key("matrix", &["xyz", "rpy"]).is_some_and(|help| help.contains("rpy: [roll")));
+        assert!(foreign_key("offset", &row).is_some_and(|help| help.contains("`theta`")));
+        assert!(foreign_key("offset", &["matrix"]).is_none());
+        assert!(foreign_key("matrix", &["xyz", "rpy"]).is_some_and(|help| help.contains("rpy: [roll")));
         let list = |n: usize| Node::List(vec![Node::Number(0.0); n]);
         let help = mapping("row 1", "[0, 90, 0.4, 0]", &list(4), &row);
         assert!(help.is_some_and(|help| help.contains("`{a: 0, alpha: 90, d: 0.4, theta: 0}`")));
         assert!(mapping("row 1", "[0, 1]", &list(2), &row).is_some_and(|help| help.starts_with("name each value")));
         let units = mapping("units", "mm", &Node::Text("mm".into()), &["length", "angle"]);
         assert_eq!(units.as_deref(), Some("write `units: {length: mm, angle: deg}`"));
-        assert_eq!(other_name("\u{3b1}", &["a", "alpha"]), Some("alpha"));
-        assert_eq!(other_name("tcp", &["xyz", "rpy"]), None);
+        assert_eq!(synonym("\u{3b1}", &["a", "alpha"]), Some("alpha"));
+        assert_eq!(synonym("tcp", &["xyz", "rpy"]), None);
         assert!(
             mapping("tool", "[[1]]", &list(4), &["xyz", "rpy"]).is_some_and(|help| help.contains("xyz: [x, y, z]"))
         );

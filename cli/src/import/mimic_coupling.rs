@@ -1,4 +1,4 @@
-//! Which joint drives which: the mimic joints of a URDF as the `coupling` of an arm file.
+//! The mimic joints of a URDF as the `coupling` of an arm file: which motor moves which joint.
 //!
 //! A motor is a joint that mimics none. The values of the table's joints are `w = M u + c` of the motors' values u.
 //! Joints on one line of which one mimics are one row of the table, whose value is their sum. An arm file says
@@ -23,8 +23,8 @@ pub struct Motor {
 }
 
 impl Motor {
-    /// The values that are tried: the limits, else one turn or 2 m; from the only end of a range as far.
-    pub fn tried(&self) -> [f64; 2] {
+    /// The values that samples are taken from: the limits, else one turn or 2 m; from the only end of a range as far.
+    pub fn sampled_range(&self) -> [f64; 2] {
         let free = if self.turns { PI } else { 1.0 };
         match self.limits.unwrap_or([-free, free]) {
             [low, high] if high.is_infinite() => [low, low + 2.0 * free],
@@ -36,7 +36,7 @@ impl Motor {
 
 /// The axes of the table and what moves them; axis i is named after motor i.
 #[derive(Debug, Clone)]
-pub struct Drive {
+pub struct MimicCoupling {
     pub axes: Axes,
     pub motors: Vec<Motor>,
     /// `w = matrix u + constant`
@@ -50,7 +50,7 @@ pub struct Drive {
 
 /// A joint's value as `multiplier * motor + offset`.
 #[derive(Debug, Clone)]
-struct Law {
+struct MimicLaw {
     motor: String,
     multiplier: f64,
     offset: f64,
@@ -59,22 +59,22 @@ struct Law {
 /// One axis, or several on one line: the values of its joints with their signs.
 struct Group {
     axis: Axis,
-    terms: Vec<(String, f64, Law)>,
+    terms: Vec<(String, f64, MimicLaw)>,
 }
 
 /// The value of a joint under values of the motors.
-pub fn value(robot: &Robot, joint: &Joint, motor: &dyn Fn(&str) -> f64) -> f64 {
-    match law(robot, joint) {
-        Ok(Law { motor: name, multiplier, offset }) => multiplier * motor(&name) + offset,
+pub fn joint_value(robot: &Robot, joint: &Joint, motor: &dyn Fn(&str) -> f64) -> f64 {
+    match mimic_law(robot, joint) {
+        Ok(MimicLaw { motor: name, multiplier, offset }) => multiplier * motor(&name) + offset,
         Err(_) => f64::NAN,
     }
 }
 
 /// The law of a joint's motor. A mimic of a mimic follows the last one.
-fn law(robot: &Robot, joint: &Joint) -> Result<Law, String> {
+fn mimic_law(robot: &Robot, joint: &Joint) -> Result<MimicLaw, String> {
     let (mut at, mut multiplier, mut offset) = (joint, 1.0, 0.0);
     for _ in 0..=robot.joints.len() {
-        let Some(mimic) = &at.mimic else { return Ok(Law { motor: at.name.clone(), multiplier, offset }) };
+        let Some(mimic) = &at.mimic else { return Ok(MimicLaw { motor: at.name.clone(), multiplier, offset }) };
         offset += multiplier * mimic.offset;
         multiplier *= mimic.multiplier;
         at = robot
@@ -86,23 +86,23 @@ fn law(robot: &Robot, joint: &Joint) -> Result<Law, String> {
     Err(format!("joint `{}` mimics itself by way of others", joint.name))
 }
 
-/// The drive of a path.
+/// The coupling of a path's joints.
 ///
 /// # Errors
 /// Joints whose motion no `coupling` can say.
-pub fn drive(robot: &Robot, path: &Path) -> Result<Drive, String> {
+pub fn mimic_coupling(robot: &Robot, path: &Path) -> Result<MimicCoupling, String> {
     for passed in &path.joints {
-        law(robot, passed.joint)?;
+        mimic_law(robot, passed.joint)?;
     }
     // A multiplier of 0: the joint stands still.
-    let held = |joint: &Joint| law(robot, joint).ok().filter(|law| law.multiplier == 0.0).map(|law| law.offset);
+    let held = |joint: &Joint| mimic_law(robot, joint).ok().filter(|law| law.multiplier == 0.0).map(|law| law.offset);
     let Axes { axes: lines, tool } = axes(path, &held);
     let joint_of = |name: &str| robot.joints.iter().find(|joint| joint.name == name);
     let mut groups: Vec<Group> = Vec::new();
     let size = lines.iter().map(|axis| length(axis.point)).fold(length(tool.p), f64::max);
     for axis in lines {
         let Some(joint) = joint_of(&axis.name) else { continue };
-        let law = law(robot, joint)?;
+        let law = mimic_law(robot, joint)?;
         let mimics = |name: &str| joint_of(name).is_some_and(|joint| joint.mimic.is_some());
         match groups.last_mut() {
             Some(group)
@@ -132,7 +132,7 @@ pub fn drive(robot: &Robot, path: &Path) -> Result<Drive, String> {
     let axes = Axes { axes: axes.collect(), tool };
     let mut motors = motors;
     rename(&mut motors);
-    Ok(Drive { axes, motors, matrix, constant, sums, limits })
+    Ok(MimicCoupling { axes, motors, matrix, constant, sums, limits })
 }
 
 /// The values of a motor at which every joint that follows it keeps its limits; `multiplier * motor + offset` each.
@@ -156,10 +156,10 @@ fn motor_range(robot: &Robot, groups: &[Group], motor: &str) -> Result<Option<[f
 
 /// The range of an axis that one motor drives.
 fn range(motors: &[Motor], group: &Group) -> Option<[f64; 2]> {
-    let (_, _, Law { motor: name, .. }) = group.terms.first()?;
+    let (_, _, MimicLaw { motor: name, .. }) = group.terms.first()?;
     let alone = group.terms.iter().all(|(_, _, law)| law.motor == *name);
     let limits = motors.iter().find(|motor| motor.name == *name).filter(|_| alone)?.limits?;
-    let sum = |of: fn(&Law) -> f64| group.terms.iter().map(|(_, sign, law)| sign * of(law)).sum::<f64>();
+    let sum = |of: fn(&MimicLaw) -> f64| group.terms.iter().map(|(_, sign, law)| sign * of(law)).sum::<f64>();
     let (factor, constant) = (sum(|law| law.multiplier), sum(|law| law.offset));
     Some(sorted(limits.map(|end| factor * end + constant)))
 }
@@ -243,7 +243,7 @@ fn rename(motors: &mut [Motor]) {
     }
 }
 
-impl Drive {
+impl MimicCoupling {
     /// The joints that have another name in the file: that of the URDF, and the new one.
     pub fn renamed(&self) -> Vec<(&str, &str)> {
         let pairs = self.motors.iter().map(|motor| (motor.name.as_str(), motor.file_name.as_str()));
@@ -251,14 +251,14 @@ impl Drive {
     }
 
     /// True where every joint is its own motor.
-    pub fn is_plain(&self) -> bool {
+    pub fn is_identity(&self) -> bool {
         let unit =
             |(i, row): (usize, &Vec<f64>)| row.iter().enumerate().all(|(j, x)| *x == f64::from(u8::from(i == j)));
         self.matrix.iter().enumerate().all(unit) && self.constant.iter().all(|x| *x == 0.0)
     }
 
     /// The table's joint values at values of the motors.
-    pub fn joints(&self, motors: &[f64]) -> Vec<f64> {
+    pub fn joint_values(&self, motors: &[f64]) -> Vec<f64> {
         let of =
             |(row, constant): (&Vec<f64>, &f64)| constant + row.iter().zip(motors).map(|(a, u)| a * u).sum::<f64>();
         self.matrix.iter().zip(&self.constant).map(of).collect()
@@ -268,7 +268,7 @@ impl Drive {
     ///
     /// # Errors
     /// Motors that the joints' values do not determine.
-    pub fn coupling(&self) -> Result<(Vec<Vec<f64>>, Vec<f64>), String> {
+    pub fn inverted(&self) -> Result<(Vec<Vec<f64>>, Vec<f64>), String> {
         let names = || self.motors.iter().map(|motor| motor.name.as_str()).collect::<Vec<_>>().join(", ");
         let inverse = invert(&self.matrix).ok_or_else(|| {
             format!("the joints do not determine their motors {}: some move together\nhelp: name other links with --base and --tool", names())

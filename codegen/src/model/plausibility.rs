@@ -1,4 +1,5 @@
-//! Numbers that are in range and still look wrong: in another unit than the file's, or leaving a joint nothing to do.
+//! Plausibility of the numbers in a file: warnings of values that are in range and still look wrong, as in another unit
+//! than the file's.
 
 use std::f64::consts::TAU;
 
@@ -9,15 +10,15 @@ use crate::error::Diagnostic;
 use crate::spec::{LengthUnit, LimitsSpec, Place, RowSpec, Spec, Task, WrittenAngle, looks_like_radians};
 
 /// No link of an arm is as long as this, m.
-const LONG: f64 = 30.0;
+const LONGEST_LINK: f64 = 30.0;
 
-/// Advice on entries to look at again. The file is used as it stands.
-pub fn advice(spec: &Spec, model: &Model) -> Vec<Diagnostic> {
+/// Warnings of entries to look at again. The file is used as it stands.
+pub fn plausibility_warnings(spec: &Spec, model: &Model) -> Vec<Diagnostic> {
     let mut found = far_frames(spec, model);
     if found.is_empty() {
-        found.extend(long(spec));
+        found.extend(too_long(spec));
     }
-    found.extend(radians(spec));
+    found.extend(limits_in_radians(spec));
     found.extend(model.joints.iter().filter_map(|joint| {
         let [low, high] = joint.limits?;
         let row = spec.rows.get(joint.row)?;
@@ -31,7 +32,7 @@ pub fn advice(spec: &Spec, model: &Model) -> Vec<Diagnostic> {
 }
 
 /// A length of a house: millimeters in a file of meters.
-fn long(spec: &Spec) -> Option<Diagnostic> {
+fn too_long(spec: &Spec) -> Option<Diagnostic> {
     let (meter, symbol) = match spec.length_unit {
         LengthUnit::Meter => (1.0, "m"),
         LengthUnit::Centimeter => (0.01, "cm"),
@@ -39,7 +40,7 @@ fn long(spec: &Spec) -> Option<Diagnostic> {
         LengthUnit::Inch => (0.0254, "in"),
     };
     let (value, place) = spec.lengths.iter().max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))?;
-    if value.abs() * meter <= LONG {
+    if value.abs() * meter <= LONGEST_LINK {
         return None;
     }
     let message = format!("{value} {symbol} is long for an arm");
@@ -51,7 +52,7 @@ fn long(spec: &Spec) -> Option<Diagnostic> {
 }
 
 /// Limits of less than a turn in rad, in a file of degrees: both within 2 pi, at least 0.5 apart, and no whole number.
-fn radians(spec: &Spec) -> Option<Diagnostic> {
+fn limits_in_radians(spec: &Spec) -> Option<Diagnostic> {
     let small = |row: &RowSpec| -> Option<(Place, String)> {
         let (LimitsSpec::Angles(ends), place) = row.limits.as_ref()? else { return None };
         let degrees: Option<Vec<f64>> = ends
@@ -108,7 +109,7 @@ mod tests {
         let text = format!("name: a\nconvention: standard\nunits: {{length: {unit}, angle: deg}}\njoints:\n{rows}");
         let (spec, _) = spec::read(&text, "a.yaml").unwrap();
         let model = check(&spec).unwrap();
-        super::advice(&spec, &model)
+        super::plausibility_warnings(&spec, &model)
     }
 
     fn row(a: &str, limits: &str) -> String {

@@ -1,6 +1,6 @@
-//! The claim of an import and its proof: the file as it will be read, against the URDF.
+//! A candidate for the arm file's table, and its proof: the file as it will be read, against the URDF.
 
-use super::couple::Drive;
+use super::mimic_coupling::MimicCoupling;
 use super::number::short_lengths;
 use super::path::Path;
 use super::proof::{Difference, compare, of_chain};
@@ -10,57 +10,58 @@ use super::write;
 use crate::arm;
 
 /// The most by which the poses of file and URDF may differ, m and rad, apart from angles made exact.
-pub const MOST: f64 = 1e-9;
+pub const MAX_DIFFERENCE: f64 = 1e-9;
 
-/// A table, and the chains that it stands for.
-pub struct Claim<'r> {
+/// A table that may go into the arm file, and the chains that it stands for.
+pub struct CandidateTable<'r> {
     /// The URDF as written.
     pub written: (&'r Robot, &'r Path<'r>),
     /// The URDF with its origins' angles made exact.
     pub exact: (&'r Robot, &'r Path<'r>),
-    pub drive: &'r Drive,
+    pub coupling: &'r MimicCoupling,
     /// With angles of its own made exact.
     pub table: &'r Table,
     /// True where there are such angles. The table then is that of neither chain.
     pub changed: bool,
     /// The miss of the table before these changes against the exact chain.
-    pub same: Difference,
-    /// The most by which the file may miss the URDF as written: [`MOST`] and the motion that changed angles make.
+    pub exact_angles: Difference,
+    /// The most by which the file may miss the URDF as written: [`MAX_DIFFERENCE`] and the motion that changed angles
+    /// make.
     pub allowed: Difference,
 }
 
 /// A table that is proved.
-pub struct Proved {
+pub struct ProvedTable {
     pub table: Table,
     /// The change of each rounded length, m.
     pub lengths: Vec<f64>,
     /// The miss of the file against the URDF with the angles that were made exact.
-    pub same: Difference,
+    pub exact_angles: Difference,
     /// The miss of the file against the URDF as written.
-    pub all: Difference,
+    pub as_written: Difference,
 }
 
-impl Claim<'_> {
+impl CandidateTable<'_> {
     /// The table with lengths rounded by at most `width`, m or relative to the size of a smaller arm.
     ///
     /// # Errors
     /// The message: no arm file can say the chain, or the file misses the URDF.
-    pub fn prove(&self, width: f64) -> Result<Proved, String> {
+    pub fn prove(&self, width: f64) -> Result<ProvedTable, String> {
         let (table, lengths) = short_lengths(self.table, width * self.table.size.min(1.0));
         let (robot, path) = self.written;
-        let draft = write::file(&robot.name, &[], &table, self.drive)?;
+        let draft = write::file(&robot.name, &[], &table, self.coupling)?;
         let arm::Arm { chain, .. } = arm::of_text(&draft, "the imported arm")
             .map_err(|errors| format!("no arm file can say this chain:\n{errors}"))?;
-        let misses = |(robot, path)| compare(robot, path, self.drive, &|q| of_chain(&chain, q));
-        let same = if self.changed { self.same } else { self.same.max(misses(self.exact)) };
-        let all = misses((robot, path));
-        let most = Difference { position: MOST, angle: MOST };
-        let (missed, of, most) = if !same.is_within(most) {
-            (same, "", most)
-        } else if !all.is_within(self.allowed) {
-            (all, " as written", self.allowed)
+        let misses = |(robot, path)| compare(robot, path, self.coupling, &|q| of_chain(&chain, q));
+        let exact_angles = if self.changed { self.exact_angles } else { self.exact_angles.max(misses(self.exact)) };
+        let as_written = misses((robot, path));
+        let most = Difference { position: MAX_DIFFERENCE, angle: MAX_DIFFERENCE };
+        let (missed, of, most) = if !exact_angles.is_within(most) {
+            (exact_angles, "", most)
+        } else if !as_written.is_within(self.allowed) {
+            (as_written, " as written", self.allowed)
         } else {
-            return Ok(Proved { table, lengths, same, all });
+            return Ok(ProvedTable { table, lengths, exact_angles, as_written });
         };
         Err(format!(
             "the table misses the URDF{of} by {:.1e} m and {:.1e} rad: expected at most {:.1e} m and {:.1e} rad",

@@ -1,11 +1,11 @@
-//! The words about an import: in the head comment of the file, beside it, and as JSON.
+//! The report on an import: as the head comment of the arm file, as remarks, and as JSON.
 
 use std::f64::consts::PI;
 
 use serde_json::{Value, json};
 
 use super::axes::Change;
-use super::couple::Drive;
+use super::mimic_coupling::MimicCoupling;
 use super::path::{Gripper, Path};
 use super::proof::{CONFIGURATIONS, Difference};
 use super::rigid::exact_degrees;
@@ -27,29 +27,29 @@ struct Nearly<'s> {
     off: f64,
 }
 
-/// The findings of an import, to be put in words.
-pub struct Said<'s> {
+/// The findings of an import.
+pub struct Report<'s> {
     /// The name of the URDF.
     pub from: &'s str,
     pub path: &'s Path<'s>,
     pub changes: &'s [Change],
     /// The change of each rounded length, m.
     pub lengths: &'s [f64],
-    pub drive: &'s Drive,
+    pub coupling: &'s MimicCoupling,
     /// The longest the chain can be, m.
     pub reach: f64,
-    /// The URDF with the angles that were made exact.
-    pub same: Difference,
-    /// The URDF as written.
-    pub all: Difference,
+    /// The miss of the file against the URDF with the angles that were made exact.
+    pub exact_angles: Difference,
+    /// The miss of the file against the URDF as written.
+    pub as_written: Difference,
     /// The remark about the inverse.
     pub inverse: Option<String>,
 }
 
-impl Said<'_> {
+impl Report<'_> {
     /// The head comment of the file.
     pub fn head(&self) -> Vec<String> {
-        let Self { from, path, drive, .. } = self;
+        let Self { from, path, coupling, .. } = self;
         let version = env!("CARGO_PKG_VERSION");
         let mut lines = vec![
             format!("Imported from {from}, `{}` to `{}`, by denhart {version}.", path.base, path.tool),
@@ -58,7 +58,7 @@ impl Said<'_> {
         lines.extend(self.proof());
         lines.extend(self.renamed());
         lines.extend(self.endless());
-        for (motor, sum) in drive.motors.iter().zip(&drive.sums) {
+        for (motor, sum) in coupling.motors.iter().zip(&coupling.sums) {
             let name = &motor.file_name;
             if let [_, _, ..] = sum[..] {
                 lines.push(format!("Joint `{name}` of this file is the sum of the URDF's {}.", sum.join(", ")));
@@ -68,12 +68,12 @@ impl Said<'_> {
     }
 
     fn proof(&self) -> Vec<String> {
-        let Difference { position, angle } = self.same;
+        let Difference { position, angle } = self.exact_angles;
         let mut lines = vec![format!(
             "At {CONFIGURATIONS} random configurations the pose differs from the URDF's by at most {position:.1e} m and {angle:.1e} rad."
         )];
         if let Some(largest) = self.changes.iter().map(Change::size).max_by(f64::total_cmp) {
-            let (count, Difference { position, angle }) = (self.changes.len(), self.all);
+            let (count, Difference { position, angle }) = (self.changes.len(), self.as_written);
             let were = if count == 1 { "angle was" } else { "angles were" };
             lines.push(format!(
                 "{count} {were} made exact before that, by at most {largest:.1e} rad. From the URDF as written the pose differs by"
@@ -89,7 +89,7 @@ impl Said<'_> {
 
     /// The joints with another name in the file.
     fn renamed(&self) -> Vec<String> {
-        let pairs = self.drive.renamed();
+        let pairs = self.coupling.renamed();
         let pairs: Vec<String> = pairs.into_iter().map(|(name, new)| format!("`{name}` is `{new}`")).collect();
         let line = || format!("In an arm file `q1` means joint 1. So the URDF's joint {} here.", pairs.join(", "));
         (!pairs.is_empty()).then(line).into_iter().collect()
@@ -168,8 +168,8 @@ impl Said<'_> {
             "remarks": remarks.collect::<Vec<_>>(),
             "proof": {
                 "configurations": CONFIGURATIONS,
-                "exact_angles": difference(self.same),
-                "as_written": difference(self.all),
+                "exact_angles": difference(self.exact_angles),
+                "as_written": difference(self.as_written),
             },
         })
     }
