@@ -5,7 +5,7 @@ use super::kernel_arms::*;
 use denhart_codegen::{Bound, Options, generate, stages_text};
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 macro_rules! texts {
     (() $($Arm:ident $joints:literal $name:literal;)*) => {
@@ -17,10 +17,17 @@ fn source(file: &str) -> String {
     fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(file)).unwrap()
 }
 
-/// All files of a folder, one after the other.
+/// All files of a folder and of those in it, one after the other.
 fn sources(folder: &str) -> String {
     let files = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(folder)).unwrap();
-    files.map(|file| fs::read_to_string(file.unwrap().path()).unwrap()).collect()
+    let text = |path: PathBuf| {
+        if path.is_dir() {
+            sources(&format!("{folder}/{}", path.file_name().unwrap().display()))
+        } else {
+            fs::read_to_string(path).unwrap()
+        }
+    };
+    files.map(|file| text(file.unwrap().path())).collect()
 }
 
 /// The words that follow `before`, up to anything that is no part of a name.
