@@ -1,5 +1,11 @@
 //! A small seeded generator: the same numbers at every run and on every platform.
 
+/// The FNV-1a hash of a text (Fowler, Noll, Vo).
+pub fn digest(text: &str) -> u64 {
+    let hash = |h: u64, byte: u8| (h ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, hash)
+}
+
 /// xoshiro256++ (Blackman and Vigna 2019), seeded by splitmix64.
 #[derive(Debug, Clone)]
 pub struct Random([u64; 4]);
@@ -16,10 +22,9 @@ impl Random {
         }))
     }
 
-    /// A generator whose seed is the FNV-1a hash of a text, such as the name of an arm and of a family.
+    /// A generator whose seed is the [`digest`] of a text, such as the name of an arm and of a family.
     pub fn named(text: &str) -> Self {
-        let hash = |h: u64, byte: u8| (h ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        Self::new(text.bytes().fold(0xcbf2_9ce4_8422_2325, hash))
+        Self::new(digest(text))
     }
 
     /// 64 random bits.

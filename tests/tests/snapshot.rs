@@ -1,13 +1,42 @@
-//! The generated code of every arm of `specs/`, the report of `denhart check`, and the output of the stages before
-//! code. Each is compared with its form when last reviewed. The rules that hold for the code of every arm are also
-//! checked.
+//! For every arm of `specs/` the report of `denhart check` with a digest of the generated code, and the output of the
+//! stages before code; for some arms the code in full (`IN_FULL`). Each is compared with its form when last reviewed.
+//! The rules that hold for the code of every arm are also checked.
 //!
 //! `INSTA_UPDATE=always cargo test -p denhart-tests --test snapshot` accepts what changed: read the difference first.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use denhart_codegen::lower::{Given, Statement};
 use denhart_codegen::{Errors, Options, Report};
+use denhart_tests::random::digest;
+
+/// Arms whose code is kept in full, each with the part of a plan that it is kept for. Together with `OTHER_TASKS` they
+/// have every convention, task, kernel and kind of step that occurs in `specs/`: a test compares them.
+const IN_FULL: [&str; 11] = [
+    // A spherical wrist: separate equations, the search without levels.
+    "puma560",
+    // A spherical wrist behind two equations that do not separate.
+    "gen3r_sphwrist",
+    // Parallel axes.
+    "ur5",
+    // A given joint, cones, modified rows.
+    "kuka_iiwa7_r800",
+    // Pose of four joints, one of them prismatic: equations without a joint.
+    "scara_rrrp_325_275",
+    // Pose of five joints: the better conditioned of two equations.
+    "kuka_youbot",
+    // `position_angle`.
+    "jupiter",
+    // `position`, with a prismatic joint.
+    "polar_rrp",
+    // `planar_pose`, with a given joint.
+    "planar4r_redundant",
+    // `planar_position`.
+    "planar2r",
+    // No inverse.
+    "kinova_gen3_lite",
+];
 
 /// Bounds on the source of one arm: it is meant to be read.
 const MOST_LINES: usize = 1000;
@@ -34,6 +63,12 @@ fn code(name: &str, type_name: &str) -> String {
     made(name, |text, file| denhart_codegen::generate(text, file, &Options::new(type_name))?.to_file())
 }
 
+/// The text with another request for an inverse.
+fn asking(inverse: &str, text: &str) -> String {
+    let lines = text.lines().map(|line| if line.starts_with("inverse:") { inverse } else { line });
+    lines.collect::<Vec<_>>().join("\n")
+}
+
 /// Keeps `text` in `snapshots/<folder>/<name>.snap`.
 fn keep(folder: &str, name: &str, text: &str) {
     let mut settings = insta::Settings::clone_current();
@@ -41,6 +76,32 @@ fn keep(folder: &str, name: &str, text: &str) {
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.bind(|| insta::assert_snapshot!(name, text));
+}
+
+/// Parts that make up the plan of an arm, with another request for an inverse if there is one.
+fn parts(name: &str, inverse: Option<&str>) -> BTreeSet<String> {
+    let program = made(name, |text, file| {
+        denhart_codegen::program(&inverse.map_or_else(|| text.to_owned(), |inverse| asking(inverse, text)), file)
+    });
+    let mut parts = BTreeSet::from([format!("{:?}", program.model.convention)]);
+    let Ok(inverse) = &program.inverse else {
+        parts.insert("no inverse".to_owned());
+        return parts;
+    };
+    parts.insert(inverse.goal.task().name().to_owned());
+    parts.extend(inverse.levels.iter().flat_map(|level| &level.body).filter_map(|statement| match statement {
+        Statement::Solve(call) => Some(call.kernel.name().to_owned()),
+        Statement::Angle { .. } => Some("a sum of joints".to_owned()),
+        Statement::Agree { .. } => Some("an equation without a joint".to_owned()),
+        _ => None,
+    }));
+    parts.extend(inverse.given.map(|given| match given {
+        Given::Joint { .. } => "a given joint".to_owned(),
+        Given::ArmAngle => "the arm angle".to_owned(),
+    }));
+    let conditions = [(inverse.decoupled, "decoupled"), (inverse.in_doubt, "structure missed")];
+    parts.extend(conditions.into_iter().filter_map(|(holds, part)| holds.then(|| part.to_owned())));
+    parts
 }
 
 /// Short enough to read, the same at every run, and without arithmetic that does nothing.
@@ -114,7 +175,9 @@ macro_rules! snapshot_tests {
             fn $name() {
                 let [first, again] = [(); 2].map(|()| super::code(stringify!($name), stringify!($Type)));
                 super::check_code(stringify!($name), &first, &again);
-                super::keep("code", stringify!($name), &first);
+                if super::IN_FULL.contains(&stringify!($name)) {
+                    super::keep("code", stringify!($name), &first);
+                }
             })*
         }
 
@@ -123,7 +186,10 @@ macro_rules! snapshot_tests {
             fn $name() {
                 let report = super::made(stringify!($name), denhart_codegen::check);
                 super::check_report(stringify!($name), &report, stringify!($kind) != "forward");
-                super::keep("report", stringify!($name), &report.to_string());
+                let code = super::code(stringify!($name), stringify!($Type));
+                let (lines, digest) = (code.lines().count(), super::digest(&code));
+                let text = format!("{report}code: {lines} lines, digest {digest:016x}");
+                super::keep("report", stringify!($name), &text);
             })*
         }
 
@@ -135,6 +201,17 @@ macro_rules! snapshot_tests {
                 let stages = |text: &str, file: &str| denhart_codegen::stages_text(text, file, &Bound::None);
                 super::keep("stages", stringify!($name), &super::made(stringify!($name), stages));
             })*
+        }
+
+        /// Code in full shows all that there is: see `IN_FULL`.
+        #[test]
+        fn code_in_full_has_every_part_of_a_plan() {
+            let all = BTreeSet::from_iter([$(stringify!($name)),*].into_iter().flat_map(|name| parts(name, None)));
+            let kept = IN_FULL.into_iter().flat_map(|name| parts(name, None));
+            let kept = kept.chain(OTHER_TASKS.into_iter().flat_map(|(_, arm, inverse)| parts(arm, Some(inverse))));
+            let kept = BTreeSet::from_iter(kept);
+            let missing: Vec<&String> = all.difference(&kept).collect();
+            assert!(missing.is_empty(), "in no code in full: {missing:?}");
         }
 
         /// The list of arms is the folder `specs/`.
@@ -164,8 +241,7 @@ const OTHER_TASKS: [(&str, &str, &str); 2] = [
 fn other_tasks() {
     for (name, arm, inverse) in OTHER_TASKS {
         let generate = |text: &str, file: &str| {
-            let lines = text.lines().map(|line| if line.starts_with("inverse:") { inverse } else { line });
-            let text = lines.collect::<Vec<_>>().join("\n");
+            let text = asking(inverse, text);
             let report = denhart_codegen::check(&text, file)?;
             assert!(report.unsupported.is_none(), "{name}: {report}");
             denhart_codegen::generate(&text, file, &Options::new("Robot"))?.to_file()
