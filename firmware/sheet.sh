@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Measures more arms of specs/ than check.sh, in f32 at opt-level 3, and writes sheet.txt: what the estimates of
-# `denhart check --target cortex-m4f` are fitted to beside measured.txt, and arms that they are not fitted to.
+# Measures more arms of specs/ than check.sh, in f32 at opt-level 3, and writes sheet.txt: the arms beside
+# those of measured.txt that `denhart check --target cortex-m4f` compares an arm with.
 #   firmware/sheet.sh [ARM ...]    without arms those of sheet.txt; with arms the others stay
-# After firmware/check.sh, whose toolchain and programs it uses. Then the fit:
-#   DENHART_FIT=1 cargo test -p denhart-cli --test cost
+# After firmware/check.sh, whose toolchain and programs it uses. Then the table:
+#   DENHART_ACCEPT=1 cargo test -p denhart-cli --test cost
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 if (($# == 0)); then

@@ -100,7 +100,7 @@ fn parts(name: &str, inverse: Option<&str>) -> BTreeSet<String> {
         Given::ArmAngle => "the arm angle".to_owned(),
     }));
     let conditions = [(inverse.decoupled, "decoupled"), (inverse.in_doubt, "structure missed")];
-    parts.extend(conditions.into_iter().filter_map(|(holds, part)| holds.then(|| part.to_owned())));
+    parts.extend(conditions.into_iter().filter(|(holds, _)| *holds).map(|(_, part)| part.to_owned()));
     parts
 }
 

@@ -1,17 +1,15 @@
-//! `denhart check --target cortex-m4f`: what the generator knows of the code of an arm before it is flashed, and what it
-//! will take there.
-//!
-//! An estimate is a sum of counts times coefficients, which are fitted to measurements on the emulated chip. The file of
-//! the coefficients says how; `cli/tests/cost.rs` holds them beside the measurements and makes the fit.
+//! `denhart check --target cortex-m4f`: what the generator knows of the code of an arm before it is flashed, and what the
+//! code of the most similar arm takes that was measured.
 
-mod counts;
+use std::collections::{BTreeMap, HashMap};
 
 use clap::ValueEnum;
 use denhart::effort::{MOST_CASCADES, MOST_EVALUATIONS};
 use denhart_codegen::Program;
+use denhart_codegen::lower::{Inverse, Statement};
 use serde_json::{Map, Value, json};
 
-use counts::{Counts, TOGETHER, counts};
+use crate::arms;
 
 /// A processor.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -21,109 +19,143 @@ pub enum Target {
     CortexM4f,
 }
 
-/// A line for each function and quantity: `forward.instructions sin_cos 40 arithmetic 2`.
+/// Measurements, a line for each arm and function: `ur5 forward 2700 260 448`.
 const CORTEX_M4F: &str = include_str!("cortex-m4f.txt");
 
-/// Estimated quantities of a function, as the table of coefficients names them.
-const QUANTITIES: [&str; 3] = ["instructions", "flash", "stack"];
+/// Measured quantities of a function, in the order of their columns, and their names for people.
+const QUANTITIES: [[&str; 2]; 3] =
+    [["flash", "bytes of flash"], ["stack", "bytes of stack"], ["instructions", "instructions"]];
 
-/// Instructions, flash and stack of an arm on a processor.
+/// Stands for one program of several functions.
+const TOGETHER: &str = "together";
+
+/// Kernels, branches and bound of an arm's inverse, and a measured arm to compare the arm with.
 pub struct Cost {
-    sheet: counts::Sheet,
-    coefficients: &'static str,
+    table: &'static str,
+    kind: Kind,
+    /// The largest number of solutions, 0 without an inverse.
+    branches: usize,
+    /// The measured arm, and true if the plans are of the same kind.
+    measured: Option<(&'static str, bool)>,
+}
+
+/// Kind of a plan: its task, and how often each kernel is called for an ordinary target. Without an inverse both are
+/// empty.
+#[derive(PartialEq)]
+struct Kind {
+    task: &'static str,
+    kernels: BTreeMap<&'static str, usize>,
+}
+
+impl Kind {
+    fn of(program: &Program) -> Self {
+        let inverse = program.inverse.as_ref().ok();
+        let task = inverse.map_or("", |inverse| inverse.goal.task().name());
+        Self { task, kernels: inverse.map(kernels).unwrap_or_default() }
+    }
 }
 
 impl Cost {
-    /// Of an arm.
+    /// Of an arm. The measured arm is the one of the same kind whose pose and Jacobian take the most similar number of
+    /// operations. If none is of that kind, all arms are compared.
     pub fn new(program: &Program, target: Target) -> Self {
-        let coefficients = match target {
+        let table = match target {
             Target::CortexM4f => CORTEX_M4F,
         };
-        Self { sheet: counts(program), coefficients }
+        let kind = Kind::of(program);
+        let nearest = rows(table).filter(|[_, function, ..]| *function == "forward").filter_map(|[arm, ..]| {
+            let other = denhart_codegen::program(arms::file(arm).ok()?, arm).ok()?;
+            let differs = Kind::of(&other) != kind;
+            Some(((differs, operations(&other).abs_diff(operations(program))), arm))
+        });
+        let measured = nearest.min().map(|((differs, _), arm)| (arm, !differs));
+        let branches = program.inverse.as_ref().map_or(0, |inverse| inverse.capacity);
+        Self { table, kind, branches, measured }
+    }
+
+    /// The functions that the measured arm stands for. Pose and Jacobian depend on the kind of no plan.
+    fn functions(&self) -> impl Iterator<Item = (&'static str, [&'static str; 3])> {
+        let (arm, alike) = self.measured.unwrap_or_default();
+        let inverse = alike && self.branches > 0;
+        let rows = rows(self.table).filter(move |[row, function, ..]| {
+            *row == arm && (inverse || matches!(*function, "forward" | "forward_and_jacobian"))
+        });
+        rows.map(|[_, function, values @ ..]| (function, values))
     }
 
     /// The lines for people.
     pub fn text(&self) -> String {
-        let Self { sheet, .. } = self;
         let mut lines = vec!["on a Cortex-M4F, in f32, opt-level 3, feature `fpu`:".to_owned()];
-        if sheet.branches > 0 {
-            let plural = if sheet.branches == 1 { "" } else { "es" };
-            lines.push(format!("  inverse: at most {} branch{plural}", sheet.branches));
-            let kernels: Vec<String> = sheet.kernels.iter().map(|(name, calls)| format!("{name} {calls}")).collect();
+        if self.branches > 0 {
+            let plural = if self.branches == 1 { "" } else { "es" };
+            lines.push(format!("  inverse: at most {} branch{plural}", self.branches));
+            let kernels: Vec<String> =
+                self.kind.kernels.iter().map(|(name, calls)| format!("{name} {calls}")).collect();
             lines.push(format!("  calls of kernels for an ordinary target: {}", kernels.join(", ")));
             lines.push(format!(
                 "  bound of any call: {MOST_CASCADES} cascades, {MOST_EVALUATIONS} evaluations of forward_and_jacobian"
             ));
         }
-        lines.push(
-            "  estimated: instructions of an ordinary call, bytes of flash of the function alone, bytes of stack"
-                .into(),
-        );
-        for (function, counts) in &sheet.functions {
-            let said = QUANTITIES.map(|quantity| {
-                self.estimate(function, quantity, counts).map(|value| format!("{} {quantity}", round(value)))
-            });
-            let said: Vec<String> = said.into_iter().flatten().collect();
-            // A program of all but `inverse_branch`: what they share is in it once.
-            let name = if *function == TOGETHER { "one program without inverse_branch" } else { function };
-            lines.push(format!("    {name}: {}", said.join(", ")));
+        if let Some((arm, alike)) = self.measured {
+            let why = match (self.branches, alike) {
+                (0, _) => "the nearest arm by operations",
+                (_, true) => "the nearest arm with the same task and kernels",
+                (_, false) => "the nearest arm by operations; no arm with this task and these kernels is measured",
+            };
+            lines.push(format!("  measured for {arm}, {why}:"));
+        }
+        for (function, values) in self.functions() {
+            let values = values.into_iter().zip(QUANTITIES).rev().filter(|(value, _)| *value != "-");
+            let values: Vec<String> = values.map(|(value, [_, quantity])| format!("{value} {quantity}")).collect();
+            let name = if function == TOGETHER { "one program without inverse_branch" } else { function };
+            lines.push(format!("    {name}: {}", values.join(", ")));
         }
         lines.join("\n")
     }
 
-    /// The estimates as JSON, with the counts that they are made from.
+    /// Branches, kernels, bound and measured arm as JSON.
     pub fn json(&self) -> Value {
-        let functions: Map<String, Value> = self
-            .sheet
-            .functions
-            .iter()
-            .map(|(function, counts)| {
-                let mut object = Map::new();
-                for quantity in QUANTITIES {
-                    if let Some(value) = self.estimate(function, quantity, counts) {
-                        object.insert(quantity.to_owned(), json!(value.round()));
-                    }
-                }
-                let counts: Map<String, Value> =
-                    counts.iter().map(|(name, count)| ((*name).to_owned(), json!(count))).collect();
-                object.insert("counts".to_owned(), Value::Object(counts));
-                ((*function).to_owned(), Value::Object(object))
-            })
-            .collect();
+        let functions = self.functions().map(|(function, values)| {
+            let values = values.into_iter().zip(QUANTITIES);
+            let values =
+                values.filter_map(|(value, [name, _])| Some((name.to_owned(), json!(value.parse::<u64>().ok()?))));
+            (function.to_owned(), Value::Object(values.collect()))
+        });
+        let functions: Map<String, Value> = functions.collect();
         json!({
-            "branches": self.sheet.branches,
-            "kernels": self.sheet.kernels,
+            "branches": self.branches,
+            "kernels": self.kind.kernels,
             "bound": {"cascades": MOST_CASCADES, "evaluations": MOST_EVALUATIONS},
-            "functions": functions,
+            "measured": self.measured.map(|(arm, _)| json!({"arm": arm, "functions": functions})),
         })
     }
-
-    /// The sum of counts times coefficients; `None` where the file has no such line.
-    fn estimate(&self, function: &str, quantity: &str, counts: &Counts) -> Option<f64> {
-        let name = format!("{function}.{quantity}");
-        let line = self.coefficients.lines().find(|line| line.split_whitespace().next() == Some(&name))?;
-        let words: Vec<&str> = line.split_whitespace().skip(1).collect();
-        let terms = words.chunks_exact(2).filter_map(|pair| {
-            let [count, coefficient] = pair else { return None };
-            let (_, count) = counts.iter().find(|(name, _)| name == count)?;
-            Some(*count as f64 * coefficient.parse::<f64>().ok()?)
-        });
-        Some(terms.sum())
-    }
 }
 
-/// To two digits: an estimate is not better.
-fn round(value: f64) -> f64 {
-    let step = 10_f64.powf((value.abs().max(1.0).log10() - 1.0).floor());
-    (value / step).round() * step
+/// The rows of a table: arm, function, and a column for each quantity.
+fn rows(table: &str) -> impl Iterator<Item = [&str; 5]> {
+    let lines = table.lines().filter(|line| !line.starts_with('#'));
+    lines.filter_map(|line| line.split(' ').collect::<Vec<_>>().try_into().ok())
 }
 
-#[cfg(test)]
-mod tests {
-    use super::round;
-
-    #[test]
-    fn two_digits() {
-        assert_eq!([0.0, 7.4, 488.0, 4880.0, 33_324.0].map(round), [0.0, 7.4, 490.0, 4900.0, 33_000.0]);
+/// Calls of each kernel for an ordinary target, all branches.
+fn kernels(inverse: &Inverse) -> BTreeMap<&'static str, usize> {
+    let (mut calls, mut roots, mut times) = (BTreeMap::new(), HashMap::new(), 1);
+    for level in &inverse.levels {
+        // A level is run for each root of a stage of the levels before.
+        times *= level.each.as_ref().and_then(|each| roots.get(&each.stage)).copied().unwrap_or(1);
+        for statement in &level.body {
+            if let Statement::Solve(call) = statement {
+                let form = call.kernel.form();
+                roots.insert(call.stage, form.roots);
+                *calls.entry(form.function).or_default() += times;
+            }
+        }
     }
+    calls
+}
+
+/// Operations of pose and Jacobian together.
+fn operations(program: &Program) -> usize {
+    let function = &program.functions.both.straight;
+    function.graph.reachable(&function.roots).len()
 }
