@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::path::Path;
-use super::rigid::{Rigid, V, exact_degrees, scale};
+use super::rigid::{Transform, V, about, exact_degrees, of_origin, scale};
 use super::urdf::{Joint, Kind};
 
 /// A moving joint. Its motion is a turn about, or a slide along, a line of the base link's frame:
@@ -22,7 +22,7 @@ pub struct Axis {
 #[derive(Debug, Clone)]
 pub struct Axes {
     pub axes: Vec<Axis>,
-    pub tool: Rigid,
+    pub tool: Transform,
 }
 
 /// An angle that was made exact.
@@ -69,11 +69,11 @@ pub fn exact_origin(joint: &Joint, within: f64, changes: &mut Vec<Change>) -> Jo
 
 /// The axes of the path. A joint in `held` stands still at its value.
 pub fn axes(path: &Path, held: &dyn Fn(&Joint) -> Option<f64>) -> Axes {
-    let mut frame = Rigid::IDENTITY;
+    let mut frame = Transform::IDENTITY;
     let mut axes = Vec::new();
     for passed in &path.joints {
         let joint = passed.joint;
-        let origin = Rigid::of_origin(joint.xyz, joint.rpy);
+        let origin = of_origin(joint.xyz, joint.rpy);
         if !passed.backward {
             frame = frame.then(&origin);
         }
@@ -99,20 +99,19 @@ pub fn axes(path: &Path, held: &dyn Fn(&Joint) -> Option<f64>) -> Axes {
 }
 
 /// The motion of a joint's child at a value of the joint.
-pub fn motion(joint: &Joint, value: f64) -> Rigid {
+pub fn motion(joint: &Joint, value: f64) -> Transform {
     match joint.kind {
-        Kind::Turning => Rigid::about(joint.axis, value),
-        Kind::Sliding => Rigid::shift(scale(joint.axis, value)),
-        _ => Rigid::IDENTITY,
+        Kind::Turning => about(joint.axis, value),
+        Kind::Sliding => Transform::shift(scale(joint.axis, value)),
+        _ => Transform::IDENTITY,
     }
 }
 
 /// The tool link's frame by the rule of the format, joint after joint: the way that shares nothing with the table.
-pub fn pose(path: &Path, value: &dyn Fn(&Joint) -> f64) -> Rigid {
-    let mut pose = Rigid::IDENTITY;
+pub fn pose(path: &Path, value: &dyn Fn(&Joint) -> f64) -> Transform {
+    let mut pose = Transform::IDENTITY;
     for passed in &path.joints {
-        let step =
-            Rigid::of_origin(passed.joint.xyz, passed.joint.rpy).then(&motion(passed.joint, value(passed.joint)));
+        let step = of_origin(passed.joint.xyz, passed.joint.rpy).then(&motion(passed.joint, value(passed.joint)));
         pose = pose.then(&if passed.backward { step.inverse() } else { step });
     }
     pose

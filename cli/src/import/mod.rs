@@ -33,7 +33,7 @@ use axes::{Change, exact, exact_origin};
 use candidate::{CandidateTable, MAX_DIFFERENCE, ProvedTable};
 use proof::{Difference, compare};
 use report::Report;
-use rigid::{Rigid, V};
+use rigid::{Transform, V, of_origin, rpy};
 use serde_json::{Value, json};
 use table::{Row, Table, table};
 use urdf::Robot;
@@ -206,9 +206,9 @@ fn exact_table(table: &Table, within: f64, changes: &mut Vec<Change>) -> Table {
         row.theta = exact(row.theta, within, || of("theta"), changes);
         rows.push(row);
     }
-    let mut frame = |frame: &Rigid, what: &str| {
-        let rpy: V = frame.rpy().map(|angle| exact(angle, within, || format!("rpy of the {what}"), changes));
-        Rigid::of_origin(frame.p, rpy)
+    let mut frame = |frame: &Transform, what: &str| {
+        let angles: V = rpy(frame).map(|angle| exact(angle, within, || format!("rpy of the {what}"), changes));
+        of_origin(frame.p, angles)
     };
     Table { base: frame(&table.base, "base"), tool: frame(&table.tool, "tool"), rows, size: table.size }
 }

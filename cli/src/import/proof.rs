@@ -4,7 +4,7 @@ use denhart::Chain;
 
 use super::mimic_coupling::{MimicCoupling, joint_value};
 use super::path::Path;
-use super::rigid::Rigid;
+use super::rigid::{Transform, difference};
 use super::urdf::Robot;
 
 /// How many configurations are compared.
@@ -32,7 +32,7 @@ impl Difference {
 
 /// The largest difference between `pose`, of the table's joint values, and the URDF's own, over random values of the
 /// motors within their limits.
-pub fn compare(robot: &Robot, path: &Path, coupling: &MimicCoupling, pose: &dyn Fn(&[f64]) -> Rigid) -> Difference {
+pub fn compare(robot: &Robot, path: &Path, coupling: &MimicCoupling, pose: &dyn Fn(&[f64]) -> Transform) -> Difference {
     let mut random = Random(0x5eed);
     (0..CONFIGURATIONS).fold(Difference::default(), |worst, _| {
         let motors: Vec<f64> = coupling
@@ -48,16 +48,16 @@ pub fn compare(robot: &Robot, path: &Path, coupling: &MimicCoupling, pose: &dyn 
             index.and_then(|index| motors.get(index)).copied().unwrap_or(0.0)
         };
         let own = super::axes::pose(path, &|joint| joint_value(robot, joint, &by_name));
-        let (position, angle) = pose(&coupling.joint_values(&motors)).difference(&own);
+        let (position, angle) = difference(&pose(&coupling.joint_values(&motors)), &own);
         worst.max(Difference { position, angle })
     })
 }
 
 /// The pose of a chain; what it cannot compute is no number.
-pub fn of_chain(chain: &Chain, q: &[f64]) -> Rigid {
-    let Ok(pose) = chain.forward(q) else { return Rigid { r: [[f64::NAN; 3]; 3], p: [f64::NAN; 3] } };
+pub fn of_chain(chain: &Chain, q: &[f64]) -> Transform {
+    let Ok(pose) = chain.forward(q) else { return Transform { r: [[f64::NAN; 3]; 3], p: [f64::NAN; 3] } };
     let pose = denhart::Pose::from(pose);
-    Rigid { r: pose.rotation, p: pose.translation }
+    Transform { r: pose.rotation, p: pose.translation }
 }
 
 /// Numbers in 0 to 1 (SplitMix64).

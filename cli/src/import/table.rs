@@ -1,7 +1,7 @@
 //! A Denavit-Hartenberg table, standard convention, for axes given as lines.
 
 use super::axes::{Axes, Axis};
-use super::rigid::{ROUNDING, Rigid, V, cross, dot, length, scale, sub, unit};
+use super::rigid::{ROUNDING, Transform, V, cross, dot, length, rounded, scale, sub, unit};
 
 /// Axes nearer to parallel than this, as the sine of their angle, get a row for the distance and a fixed one for the
 /// tilt. Their common normal is far away.
@@ -24,9 +24,9 @@ pub struct Row {
 /// `base . rows . tool`
 #[derive(Debug, Clone)]
 pub struct Table {
-    pub base: Rigid,
+    pub base: Transform,
     pub rows: Vec<Row>,
-    pub tool: Rigid,
+    pub tool: Transform,
     /// The size of the arm, m; not 0.
     pub size: f64,
 }
@@ -37,7 +37,7 @@ pub fn table(axes: &Axes) -> Table {
     let size = points.map(length).fold(0.0, f64::max);
     let size = if size > 0.0 { size } else { 1.0 };
     let Some(first) = axes.axes.first() else {
-        return Table { base: axes.tool, rows: Vec::new(), tool: Rigid::IDENTITY, size };
+        return Table { base: axes.tool, rows: Vec::new(), tool: Transform::IDENTITY, size };
     };
     let base = base(first);
     let mut frame = base;
@@ -57,19 +57,22 @@ pub fn table(axes: &Axes) -> Table {
 }
 
 /// The row with its joint at zero.
-fn constant(row: &Row) -> Rigid {
-    Rigid::about_z(row.theta).then(&Rigid::shift([row.a, 0.0, row.d])).then(&Rigid::about_x(row.alpha))
+fn constant(row: &Row) -> Transform {
+    let [theta, alpha] = [row.theta, row.alpha].map(rounded);
+    Transform::rotate_z(theta.sin(), theta.cos())
+        .then(&Transform::shift([row.a, 0.0, row.d]))
+        .then(&Transform::rotate_x(alpha.sin(), alpha.cos()))
 }
 
 /// A frame with z along the first axis: the base link's own, if that is its z axis.
-fn base(first: &Axis) -> Rigid {
+fn base(first: &Axis) -> Transform {
     let z = first.direction;
     // The point of the line that is next to the origin; a slide is along any line of its direction.
     let p = if first.turns { sub(first.point, scale(z, dot(first.point, z))) } else { [0.0; 3] };
     let own = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let across = own.map(|x| sub(x, scale(z, dot(x, z))));
     let chosen = across.iter().find(|x| length(**x) > 0.8).copied().and_then(unit).unwrap_or([1.0, 0.0, 0.0]);
-    Rigid::of_columns([chosen, cross(z, chosen), z], p)
+    Transform::of_columns([chosen, cross(z, chosen), z], p)
 }
 
 /// The length of the way from the base by a point of each axis to the tool, m.
@@ -80,8 +83,8 @@ fn arm_length(axes: &Axes) -> f64 {
 }
 
 /// The rows from a frame on the axis `here` to a frame on the next, in an arm of length `long`.
-fn between(frame: &Rigid, here: &Axis, next: &Axis, size: f64, long: f64) -> Vec<Row> {
-    let (x, y, z, o) = (frame.column(0), frame.column(1), frame.column(2), frame.p);
+fn between(frame: &Transform, here: &Axis, next: &Axis, size: f64, long: f64) -> Vec<Row> {
+    let (x, y, z, o) = (frame.axis(0), frame.axis(1), frame.axis(2), frame.p);
     let (w, p) = (next.direction, next.point);
     let normal = cross(z, w);
     let sine = length(normal);
@@ -105,8 +108,8 @@ fn between(frame: &Rigid, here: &Axis, next: &Axis, size: f64, long: f64) -> Vec
 }
 
 /// The rows to an axis that is parallel but for a tilt: to where it meets the plane across this one, then the tilt.
-fn parallel(frame: &Rigid, next: &Axis, size: f64) -> Vec<Row> {
-    let (x, y, z, o) = (frame.column(0), frame.column(1), frame.column(2), frame.p);
+fn parallel(frame: &Transform, next: &Axis, size: f64) -> Vec<Row> {
+    let (x, y, z, o) = (frame.axis(0), frame.axis(1), frame.axis(2), frame.p);
     let (w, p) = (next.direction, next.point);
     let against = dot(z, w) < 0.0;
     // Where the next axis goes through the plane across this one; a slide is along any line of its direction.
@@ -121,13 +124,13 @@ fn parallel(frame: &Rigid, next: &Axis, size: f64) -> Vec<Row> {
     };
     let row = Row { a, alpha: if against { std::f64::consts::PI } else { 0.0 }, d: 0.0, theta, axis: None };
     let there = frame.then(&constant(&row));
-    let tilt = cross(there.column(2), w);
+    let tilt = cross(there.axis(2), w);
     let sine = length(tilt);
     if sine < ROUNDING {
         return vec![row];
     }
-    let theta = dot(tilt, there.column(1)).atan2(dot(tilt, there.column(0)));
-    vec![row, Row { theta, alpha: sine.atan2(dot(there.column(2), w)), ..Row::default() }]
+    let theta = dot(tilt, there.axis(1)).atan2(dot(tilt, there.axis(0)));
+    vec![row, Row { theta, alpha: sine.atan2(dot(there.axis(2), w)), ..Row::default() }]
 }
 
 /// An angle of a line without direction, in -90 to 90 degrees, and -1 where that turned the line round.
@@ -144,25 +147,25 @@ fn within_half_turn(angle: f64) -> (f64, f64) {
 
 /// The last row and the tool, for the tool link's frame seen from the last axis. A row alone reaches a frame whose x
 /// axis meets the joint's axis at a right angle.
-fn end(tool: &Rigid, size: f64) -> (Row, Rigid) {
+fn end(tool: &Transform, size: f64) -> (Row, Transform) {
     let [px, py, d] = tool.p;
-    let [x0, x1, x2] = tool.column(0);
+    let [x0, x1, x2] = tool.axis(0);
     let level = x2.abs() < ROUNDING;
     // The part of the position across the axis is along x.
     let along = x0 * px + x1 * py;
     let aside = x0 * py - x1 * px;
     if level && aside.abs() < ROUNDING * size {
-        let [z0, z1, z2] = tool.column(2);
+        let [z0, z1, z2] = tool.axis(2);
         let alpha = (x1 * z0 - x0 * z1).atan2(z2);
         let a = if along.abs() < ROUNDING * size { 0.0 } else { along };
-        return (Row { a, alpha, d, theta: x1.atan2(x0), axis: None }, Rigid::IDENTITY);
+        return (Row { a, alpha, d, theta: x1.atan2(x0), axis: None }, Transform::IDENTITY);
     }
-    (Row { d, ..Row::default() }, Rigid { p: [px, py, 0.0], ..*tool })
+    (Row { d, ..Row::default() }, Transform { p: [px, py, 0.0], ..*tool })
 }
 
 impl Table {
     /// The tool's frame, a value for each axis.
-    pub fn pose(&self, values: &[f64], turns: &[bool]) -> Rigid {
+    pub fn pose(&self, values: &[f64], turns: &[bool]) -> Transform {
         let rows = self.rows.iter().map(|row| {
             let moved = row.axis.map(|axis| {
                 let value = values.get(axis).copied().unwrap_or(0.0);
@@ -180,7 +183,9 @@ impl Table {
 
 #[cfg(test)]
 mod tests {
-    use super::super::rigid::add;
+    use denhart_codegen::model::numeric::scaled;
+
+    use super::super::rigid::{about, difference, of_origin};
     use super::*;
 
     fn axis(turns: bool, point: V, direction: V) -> Axis {
@@ -189,16 +194,16 @@ mod tests {
     }
 
     /// `exp(S1 q1) exp(S2 q2) .. T(0)`
-    fn product(axes: &Axes, values: &[f64]) -> Rigid {
+    fn product(axes: &Axes, values: &[f64]) -> Transform {
         let motions = axes.axes.iter().zip(values).map(|(axis, value)| {
             if axis.turns {
-                let turn = Rigid::about(axis.direction, *value);
-                Rigid { p: sub(axis.point, turn.turn(axis.point)), ..turn }
+                let turn = about(axis.direction, *value);
+                Transform { p: sub(axis.point, turn.turn(axis.point)), ..turn }
             } else {
-                Rigid::shift(scale(axis.direction, *value))
+                Transform::shift(scale(axis.direction, *value))
             }
         });
-        motions.fold(Rigid::IDENTITY, |pose, motion| pose.then(&motion)).then(&axes.tool)
+        motions.fold(Transform::IDENTITY, |pose, motion| pose.then(&motion)).then(&axes.tool)
     }
 
     #[test]
@@ -210,7 +215,7 @@ mod tests {
                 axis(true, [0.0; 3], [0.0, 0.0, 1.0]),
                 axis(true, [0.4, 0.0, 0.0], [lean.sin(), 0.0, lean.cos()]),
             ],
-            tool: Rigid::shift([0.4, 0.0, tool]),
+            tool: Transform::shift([0.4, 0.0, tool]),
         };
         let near = table(&axes(1.0)).rows;
         assert!(near.len() == 2 && near[0].a == 0.0 && (near[0].d + 0.4 / lean.tan()).abs() < 1e-14, "{near:?}");
@@ -233,11 +238,8 @@ mod tests {
             ([0.05, -0.02, -1.0], [0.4, 0.3, 0.2]),
             ([0.2, 0.3, 1.0], [0.4, 0.3, 0.2]),
         ];
-        let tools = [
-            Rigid::of_origin([0.1, 0.2, 0.9], [0.2, -0.4, 1.0]),
-            Rigid::of_origin([0.0, 0.0, 0.3], [0.0; 3]),
-            Rigid::IDENTITY,
-        ];
+        let tools =
+            [of_origin([0.1, 0.2, 0.9], [0.2, -0.4, 1.0]), of_origin([0.0, 0.0, 0.3], [0.0; 3]), Transform::IDENTITY];
         for turns in [[true, true, true], [true, false, true], [false, true, true], [false, false, true]] {
             for (direction, point) in next {
                 for tool in tools {
@@ -245,14 +247,14 @@ mod tests {
                     let axes = Axes {
                         axes: vec![
                             axis(first, [0.1, 0.0, 0.2], [0.0, 0.6, 0.8]),
-                            axis(second, add([0.3, 0.1, 0.0], point), direction),
+                            axis(second, scaled([0.3, 0.1, 0.0], point, 1.0), direction),
                             axis(third, [0.5, 0.5, 0.1], [0.0, 0.0, 1.0]),
                         ],
                         tool,
                     };
                     let table = table(&axes);
                     for values in [[0.0; 3], [0.3, -0.7, 1.9], [-2.5, 1.1, 0.4]] {
-                        let (position, angle) = table.pose(&values, &turns).difference(&product(&axes, &values));
+                        let (position, angle) = difference(&table.pose(&values, &turns), &product(&axes, &values));
                         assert!(position < 1e-13 && angle < 1e-13, "{turns:?} {direction:?}: {position:e}, {angle:e}");
                     }
                     let long = arm_length(&axes);

@@ -2,7 +2,7 @@
 
 use super::mimic_coupling::MimicCoupling;
 use super::number::{angle, shortest};
-use super::rigid::{Rigid, V};
+use super::rigid::{Transform, V, rpy};
 use super::table::{Row, Table};
 
 /// The rounding of the digits of the file, relative to the size of the arm, or rad.
@@ -54,10 +54,10 @@ fn turn(value: f64) -> String {
 }
 
 /// A constant frame, unless it is none.
-fn frame(key: &str, frame: &Rigid, size: f64) -> Option<String> {
+fn frame(key: &str, frame: &Transform, size: f64) -> Option<String> {
     let list = |values: V, text: &dyn Fn(f64) -> String| values.map(text).join(", ");
     let xyz = list(frame.p, &|value| shortest(value, DIGITS * size));
-    let rpy = list(frame.rpy(), &turn);
+    let rpy = list(rpy(frame), &turn);
     (xyz != "0, 0, 0" || rpy != "0, 0, 0").then(|| format!("{key}: {{xyz: [{xyz}], rpy: [{rpy}]}}"))
 }
 

@@ -1,5 +1,6 @@
 //! Numeric rigid transforms: what the structure of an arm is decided on.
 
+use super::angle::Angle;
 use super::arm::Frame;
 use super::chain::Elementary;
 use crate::spec::Length;
@@ -41,8 +42,12 @@ impl Transform {
 
     /// A constant frame, parameters at their defaults.
     pub fn frame(frame: &Frame) -> Transform {
-        let [roll, pitch, yaw] = frame.rpy;
-        Transform::shift(frame.xyz.each_ref().map(Length::default_value))
+        Transform::of_origin(frame.xyz.each_ref().map(Length::default_value), frame.rpy)
+    }
+
+    /// `T(xyz) Rz(yaw) Ry(pitch) Rx(roll)`
+    pub fn of_origin(xyz: V, [roll, pitch, yaw]: [Angle; 3]) -> Transform {
+        Transform::shift(xyz)
             .then(&Transform::rotate_z(yaw.sin(), yaw.cos()))
             .then(&Transform::rotate_y(pitch.sin(), pitch.cos()))
             .then(&Transform::rotate_x(roll.sin(), roll.cos()))
@@ -63,10 +68,17 @@ impl Transform {
 
     /// `self` after `inner`.
     pub fn then(&self, inner: &Transform) -> Transform {
-        let columns = [0, 1, 2].map(|j| self.turn(inner.axis(j)));
-        let [x, y, z] = columns;
-        let pick = |i: usize| [at(x, i), at(y, i), at(z, i)];
-        Transform { r: [pick(0), pick(1), pick(2)], p: self.point(inner.p) }
+        Transform::of_columns([0, 1, 2].map(|j| self.turn(inner.axis(j))), self.point(inner.p))
+    }
+
+    /// The transform whose rotation has these columns.
+    pub fn of_columns(columns: [V; 3], p: V) -> Transform {
+        Transform { r: [0, 1, 2].map(|i| columns.map(|column| at(column, i))), p }
+    }
+
+    /// The transform that undoes it.
+    pub fn inverse(&self) -> Transform {
+        Transform { r: [0, 1, 2].map(|j| self.axis(j)), p: self.turned_back(self.p).map(|x| -x) }
     }
 
     /// Column `j` of the rotation.
