@@ -6,6 +6,8 @@
 
 use std::f64::consts::PI;
 
+use denhart_codegen::model::rational::inverse;
+
 use super::axes::{Axes, Axis, axes};
 use super::path::Path;
 use super::rigid::{ROUNDING, cross, dot, length, sub};
@@ -279,32 +281,9 @@ impl MimicCoupling {
     }
 }
 
-/// Gauss and Jordan with the largest pivot of each column.
+/// The inverse, without what rounding of multipliers leaves of a pivot that is zero: one over it is an entry.
 fn invert(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
-    let n = matrix.len();
-    let unit = |i: usize| (0..n).map(move |j| f64::from(u8::from(i == j)));
-    let mut rows: Vec<Vec<f64>> =
-        matrix.iter().enumerate().map(|(i, row)| row.iter().copied().chain(unit(i)).collect()).collect();
-    for column in 0..n {
-        let size = |row: &Vec<f64>| row.get(column).copied().unwrap_or(0.0).abs();
-        let pivot = (column..n).max_by(|a, b| {
-            let of = |index: &usize| rows.get(*index).map_or(0.0, size);
-            of(a).total_cmp(&of(b))
-        })?;
-        rows.swap(column, pivot);
-        let pivot = rows.get(column).cloned()?;
-        let by = pivot.get(column).copied().filter(|by| by.abs() > 1e-9)?;
-        let pivot = pivot.iter().map(|x| x / by).collect::<Vec<f64>>();
-        for (index, row) in rows.iter_mut().enumerate() {
-            let factor = row.get(column).copied()?;
-            if index == column {
-                row.clone_from(&pivot);
-            } else if factor != 0.0 {
-                row.iter_mut().zip(&pivot).for_each(|(x, p)| *x -= factor * p);
-            }
-        }
-    }
-    Some(rows.into_iter().map(|row| row.into_iter().skip(n).collect()).collect())
+    inverse(matrix).ok().filter(|inverse| inverse.iter().flatten().all(|entry| entry.abs() < 1e9))
 }
 
 #[cfg(test)]
@@ -316,5 +295,7 @@ mod tests {
         assert_eq!(invert(&[vec![1.0, 0.0], vec![-1.0, 1.0]]), Some(vec![vec![1.0, 0.0], vec![1.0, 1.0]]));
         assert_eq!(invert(&[vec![0.0, 2.0], vec![-0.5, 0.0]]), Some(vec![vec![0.0, -2.0], vec![0.5, 0.0]]));
         assert_eq!(invert(&[vec![1.0, 1.0], vec![1.0, 1.0]]), None);
+        // A product of multipliers, 0.30000000000000004, beside the number it stands for.
+        assert_eq!(invert(&[vec![0.3, 1.0], vec![0.1 * 3.0, 1.0]]), None);
     }
 }

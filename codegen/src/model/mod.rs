@@ -14,7 +14,7 @@ mod joint_names;
 pub mod numeric;
 mod parameter;
 mod plausibility;
-mod rational;
+pub mod rational;
 mod reach;
 #[cfg(test)]
 mod tests;
