@@ -266,9 +266,11 @@ fn the_readme_is_short() {
 #[test]
 fn every_link_leads_somewhere() {
     let mut pages = pages(&root());
-    for path in ["CONTRIBUTING.md", "tests/README.md", "ARCHITECTURE.md"] {
-        let text = fs::read_to_string(root().join(path)).unwrap();
-        pages.push(Page { path: path.to_owned(), text, fences: Vec::new() });
+    let decisions = fs::read_dir(root().join("docs/design")).unwrap().map(|entry| entry.unwrap().file_name());
+    let decisions = decisions.map(|name| format!("docs/design/{}", name.to_string_lossy()));
+    for path in decisions.chain(["CONTRIBUTING.md", "tests/README.md", "ARCHITECTURE.md"].map(str::to_owned)) {
+        let text = fs::read_to_string(root().join(&path)).unwrap();
+        pages.push(Page { path, text, fences: Vec::new() });
     }
     let heading = |line: &str| {
         let kept = |c: &char| c.is_alphanumeric() || *c == ' ' || *c == '-' || *c == '_';

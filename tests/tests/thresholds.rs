@@ -39,11 +39,10 @@ fn declared(source: &str) -> Vec<&str> {
         .collect()
 }
 
-/// The rows of the section that begin with a name in backticks: the name and the columns after it.
-fn rows<'a>(document: &'a str, heading: &str) -> Vec<(&'a str, Vec<&'a str>)> {
-    let section = document.lines().skip_while(|line| *line != heading).skip(1);
-    let section = section.take_while(|line| !line.starts_with('#'));
-    section
+/// The rows of tables that begin with a name in backticks: the name and the columns after it.
+fn rows(document: &str) -> Vec<(&str, Vec<&str>)> {
+    document
+        .lines()
         .filter_map(|line| line.strip_prefix("| `")?.split_once("` |"))
         .map(|(name, columns)| (name, columns.split('|').map(str::trim).collect()))
         .collect()
@@ -81,8 +80,8 @@ fn constant(name: &str) -> &'static Constant {
 
 #[test]
 fn the_table_of_thresholds_has_every_constant_and_its_values() {
-    let (document, source) = (text("ARCHITECTURE.md"), text("runtime/src/solve/kernel/tolerances.rs"));
-    let rows = rows(&document, "### Thresholds");
+    let (document, source) = (text("docs/design/thresholds.md"), text("runtime/src/solve/kernel/tolerances.rs"));
+    let rows = rows(&document);
     let declared = declared(&source);
     assert!(!declared.is_empty(), "no constant is found in the trait");
     for name in &declared {
@@ -118,8 +117,9 @@ fn the_bound_of_a_call_is_the_one_that_is_promised() {
     }
 }
 
-/// Pages that name files, and the file that one of them makes up for its recipe.
+/// Pages that name files beside those of a folder, and the file that one of them makes up for its recipe.
 const PAGES: [&str; 3] = ["ARCHITECTURE.md", "CONTRIBUTING.md", "tests/README.md"];
+const DECISIONS: &str = "docs/design/";
 const MADE_UP: &str = "hinge.rs";
 
 /// The files of the repository, by their paths from its root.
@@ -146,10 +146,13 @@ fn every_file_that_is_named_exists() {
     let mut all = Vec::new();
     files(&Path::new(env!("CARGO_MANIFEST_DIR")).join(".."), "", &mut all);
     assert_eq!(named_files("a `b.rs`, c.rs and `d` in `e/f.md`"), ["b.rs", "e/f.md"]);
-    for page in PAGES {
+    let decisions = all.iter().map(|path| path.trim_start_matches('/')).filter(|path| path.starts_with(DECISIONS));
+    let decisions: Vec<&str> = decisions.collect();
+    assert!(!decisions.is_empty(), "no page in {DECISIONS}");
+    for page in decisions.into_iter().chain(PAGES) {
         let text = text(page);
         let named = named_files(&text);
-        assert!(!named.is_empty(), "{page} names no file");
+        assert!(!named.is_empty() || !PAGES.contains(&page), "{page} names no file");
         for name in named.into_iter().filter(|name| !name.ends_with(MADE_UP)) {
             assert!(all.iter().any(|path| path.ends_with(&format!("/{name}"))), "{page}: there is no `{name}`");
         }

@@ -1,8 +1,8 @@
 //! The equations there are. Each is solved by one function of the runtime, its kernel, and has one file here. The file
 //! has its inputs, the call, the number of roots, its line in a report, and its derivative for the margins.
 //!
-//! Sources: the subproblems of Paden and Kahan, and those of IK-Geo. Both books are named in the glossary of
-//! `ARCHITECTURE.md`.
+//! Sources: the subproblems of Paden and Kahan, and those of IK-Geo. Both books are named in
+//! `docs/design/glossary.md`.
 
 mod aim;
 mod align;
