@@ -30,7 +30,7 @@ pub struct Options {
     /// Unit of the angles of the arm at its zero, and of the limits with --json
     #[arg(long, value_name = "UNIT", default_value = "deg")]
     units: Units,
-    /// Print also what the generated code takes on this processor
+    /// Print also kernels and bound of the inverse, and what the code of a similar arm takes on this processor
     #[arg(long, value_name = "PROCESSOR")]
     target: Option<Target>,
 }
