@@ -39,19 +39,21 @@ pub struct Cost {
     measured: Option<(&'static str, bool)>,
 }
 
-/// Kind of a plan: its task, and how often each kernel is called for an ordinary target. Without an inverse both are
-/// empty.
+/// Kind of a plan: its task, how often each kernel is called for an ordinary target, and whether the search for places
+/// of free joints is linked. Without an inverse there are none of them.
 #[derive(PartialEq)]
 struct Kind {
     task: &'static str,
     kernels: BTreeMap<&'static str, usize>,
+    decoupled: bool,
 }
 
 impl Kind {
     fn of(program: &Program) -> Self {
         let inverse = program.inverse.as_ref().ok();
         let task = inverse.map_or("", |inverse| inverse.goal.task().name());
-        Self { task, kernels: inverse.map(kernels).unwrap_or_default() }
+        let decoupled = inverse.is_some_and(|inverse| inverse.decoupled);
+        Self { task, kernels: inverse.map(kernels).unwrap_or_default(), decoupled }
     }
 }
 
@@ -99,8 +101,8 @@ impl Cost {
         if let Some((arm, alike)) = self.measured {
             let why = match (self.branches, alike) {
                 (0, _) => "the nearest arm by operations",
-                (_, true) => "the nearest arm with the same task and kernels",
-                (_, false) => "the nearest arm by operations; no arm with this task and these kernels is measured",
+                (_, true) => "the nearest arm of the same kind of plan",
+                (_, false) => "the nearest arm by operations; no arm of the same kind of plan is measured",
             };
             lines.push(format!("  measured for {arm}, {why}:"));
         }
