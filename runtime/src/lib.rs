@@ -44,7 +44,6 @@ mod jacobian;
 mod limits;
 mod manipulability;
 mod margin;
-pub mod math;
 mod motion;
 #[cfg(feature = "nalgebra")]
 mod nalgebra_convert;
@@ -65,6 +64,7 @@ pub use branch::{Branch, Elbow, Shoulder, Wrist};
 #[cfg(all(feature = "nalgebra", feature = "std"))]
 pub use chain::{Chain, ChainError};
 pub use combined_limit::CombinedLimit;
+pub use denhart_core::math;
 pub use dh::{Convention, DhFrame, DhRow, DhTable, JointKind, LengthUnit};
 pub use flags::{Flags, JointMask};
 pub use jacobian::Jacobian;

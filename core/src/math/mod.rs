@@ -32,7 +32,7 @@ pub use wrap::wrap;
 /// some tens of nanoseconds beyond.
 ///
 /// ```
-/// let (sin, cos) = denhart::math::sin_cos(0.5_f64);
+/// let (sin, cos) = denhart_core::math::sin_cos(0.5_f64);
 /// assert_eq!((sin, cos), (0.479425538604203, 0.8775825618903728));
 /// ```
 #[inline]
@@ -44,9 +44,9 @@ pub fn sin_cos<T: Scalar>(angle: T) -> (T, T) {
 /// range check serves all of them and the rest is free of branches and vectorizes.
 ///
 /// ```
-/// let ([s1, s2], [c1, c2]) = denhart::math::sin_cos_array([0.0_f64, 0.5]);
+/// let ([s1, s2], [c1, c2]) = denhart_core::math::sin_cos_array([0.0_f64, 0.5]);
 /// assert_eq!((s1, c1), (0.0, 1.0));
-/// assert_eq!((s2, c2), denhart::math::sin_cos(0.5));
+/// assert_eq!((s2, c2), denhart_core::math::sin_cos(0.5));
 /// ```
 #[inline]
 pub fn sin_cos_array<T: Scalar, const N: usize>(angles: [T; N]) -> ([T; N], [T; N]) {
@@ -71,8 +71,8 @@ pub fn atan2<T: Scalar>(y: T, x: T) -> T {
 /// and never a panic, for vectors far from unit length, zero and infinite ones included.
 ///
 /// ```
-/// let (sin, cos) = denhart::math::sin_cos(2.5_f64);
-/// assert!((denhart::math::angle(sin, cos) - 2.5).abs() < 1e-15);
+/// let (sin, cos) = denhart_core::math::sin_cos(2.5_f64);
+/// assert!((denhart_core::math::angle(sin, cos) - 2.5).abs() < 1e-15);
 /// ```
 #[inline]
 pub fn angle<T: Scalar>(sin: T, cos: T) -> T {
@@ -83,7 +83,7 @@ pub fn angle<T: Scalar>(sin: T, cos: T) -> T {
 /// about half the time for a few `f64`, a quarter for four `f32`.
 ///
 /// ```
-/// let angles = denhart::math::angle_array([0.0_f64, 1.0], [-1.0, 0.0]);
+/// let angles = denhart_core::math::angle_array([0.0_f64, 1.0], [-1.0, 0.0]);
 /// assert_eq!(angles, [core::f64::consts::PI, core::f64::consts::FRAC_PI_2]);
 /// ```
 #[inline(always)]

@@ -1,0 +1,19 @@
+//! Mathematics that denhart's generator and its generated code share.
+//!
+//! The generator chooses at build time how an arm without a closed form is solved. For this choice it runs the numeric
+//! kernels that the generated code calls, so the kernels stand in a crate on which both depend. The crate `denhart`
+//! re-exports all of this one: generated code and its callers name `denhart` alone.
+//!
+//! # Features
+//! `std`, `libm` and `fpu` choose the square root, as the features of `denhart` with the same names do.
+
+#![no_std]
+
+#[cfg(any(feature = "std", test))]
+extern crate std;
+
+pub mod math;
+pub mod transform;
+
+pub use math::Scalar;
+pub use transform::Transform;
