@@ -12,8 +12,11 @@
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
+pub mod chain;
+pub mod held_joint;
 pub mod math;
 pub mod transform;
+pub mod trig_polynomial;
 
 pub use math::Scalar;
 pub use transform::Transform;

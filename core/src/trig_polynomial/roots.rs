@@ -1,0 +1,305 @@
+//! Real roots of a trigonometric polynomial of degree 8, by the signs of Bernstein coefficients on four arcs.
+//!
+//! On an arc of a quarter turn, in `x = tan(u / 2)`, the polynomial times `(1 + x^2)^8` is a polynomial of degree 16.
+//! Its Bernstein coefficients change sign at least as often as it has roots, and as often modulo 2. No change: no root.
+//! One change: one root, which Newton's method finds. More: the arc is halved.
+
+use super::tables::{EVEN, HALF_ARC, ODD};
+use super::{DEGREE, SAMPLES, TrigPolynomial, value_and_slope};
+use crate::math::angle;
+
+/// The most roots of a list. A polynomial has 16; a multiple root may be listed in several pieces.
+pub const MOST_ROOTS: usize = 24;
+/// The most pieces that are looked at.
+pub const MOST_NODES: usize = 400;
+/// An arc is halved at most so often.
+const DEPTH: u8 = 18;
+/// More pieces than this cannot wait.
+const STACK: usize = DEPTH as usize + 2;
+/// A piece narrower than this, in x, whose halves have no change of sign, has a pair of roots which rounding or a
+/// target just out of reach has made complex.
+const NEAR: f64 = 0.1;
+/// A root is doubtful if rounding may move it by more, rad.
+const UNCERTAIN: f64 = 1e-7;
+/// The most steps of Newton's method for one root.
+const STEPS: usize = 12;
+
+/// A real root.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Root {
+    /// The angle t, in (-pi, pi] rad.
+    pub angle: f64,
+    /// Its sine and cosine.
+    pub sin_cos: (f64, f64),
+    /// The derivative of the polynomial there.
+    pub slope: f64,
+    /// Two roots that meet, or nearly so: rounding decides how many there are.
+    pub is_double: bool,
+    /// Double, or moved by rounding by more than 1e-7 rad.
+    pub is_doubtful: bool,
+}
+
+/// The real roots of a polynomial, in the order of the arcs and along each of them.
+#[derive(Clone, Copy, Debug)]
+pub struct Roots {
+    list: [Root; MOST_ROOTS],
+    len: usize,
+    /// The number of pieces that were looked at, at most [`MOST_NODES`].
+    pub nodes: usize,
+    /// False if the list was full or [`MOST_NODES`] was reached: roots may be missing.
+    pub is_complete: bool,
+}
+
+impl Roots {
+    /// No root.
+    pub const NONE: Self = Self {
+        list: [Root { angle: 0.0, sin_cos: (0.0, 1.0), slope: 0.0, is_double: false, is_doubtful: false }; MOST_ROOTS],
+        len: 0,
+        nodes: 0,
+        is_complete: true,
+    };
+
+    /// The roots that were found.
+    #[inline]
+    pub fn as_slice(&self) -> &[Root] {
+        self.list.get(..self.len).unwrap_or(&self.list)
+    }
+
+    fn push(&mut self, root: Root) {
+        match self.list.get_mut(self.len) {
+            Some(place) => {
+                *place = root;
+                self.len += 1;
+            }
+            None => self.is_complete = false,
+        }
+    }
+}
+
+/// A part of an arc.
+#[derive(Clone, Copy)]
+struct Piece {
+    /// Bernstein coefficients.
+    b: [f64; SAMPLES],
+    /// Where it begins, in x.
+    low: f64,
+    width: f64,
+    depth: u8,
+}
+
+/// A quarter of the circle, with the polynomial in the angle from its middle.
+struct Arc {
+    /// The number of quarter turns from u = 0 to the middle.
+    quarters: usize,
+    cosines: [f64; DEGREE + 1],
+    sines: [f64; DEGREE + 1],
+    offset_sin_cos: (f64, f64),
+    /// See [`roots`].
+    rounding: f64,
+}
+
+/// The roots of a polynomial. Coefficients up to `floor` have no sign. A root is doubtful if values that are `rounding`
+/// off move it by more than 1e-7 rad.
+pub(super) fn roots(polynomial: &TrigPolynomial, floor: f64, rounding: f64) -> Roots {
+    let mut out = Roots::NONE;
+    let mut stack = [Piece { b: [0.0; SAMPLES], low: 0.0, width: 0.0, depth: 0 }; STACK];
+    for quarters in 0..4 {
+        let arc = Arc::of(polynomial, quarters, rounding);
+        stack[0] = Piece { b: arc.bernstein(), low: -HALF_ARC, width: 2.0 * HALF_ARC, depth: 0 };
+        let mut waiting = 1;
+        while waiting > 0 && out.nodes < MOST_NODES {
+            waiting -= 1;
+            let piece = stack[waiting];
+            out.nodes += 1;
+            if let Some((left, right)) = look_at(&piece, &arc, floor, &mut out)
+                && waiting + 2 <= STACK
+            {
+                stack[waiting] = right;
+                stack[waiting + 1] = left;
+                waiting += 2;
+            }
+        }
+        if waiting > 0 {
+            out.is_complete = false;
+        }
+    }
+    out
+}
+
+/// Lists the roots of a piece, or gives its halves.
+#[inline(always)]
+fn look_at(piece: &Piece, arc: &Arc, floor: f64, out: &mut Roots) -> Option<(Piece, Piece)> {
+    let Piece { b, low, width, depth } = piece;
+    let middle = low + 0.5 * width;
+    let signs = Signs::of(b, floor);
+    if signs.is_quiet {
+        out.push(arc.root(middle, true));
+        return None;
+    }
+    // A root where two pieces meet has no change of sign in either: the first coefficient tells.
+    if signs.changes <= 1 && b[0].abs() <= floor {
+        out.push(arc.root(*low, true));
+    }
+    if !signs.hides {
+        if signs.changes == 0 {
+            return None;
+        }
+        if signs.changes == 1 {
+            let x = arc.refined(piece);
+            out.push(arc.root(x, false));
+            return None;
+        }
+    }
+    if *depth >= DEPTH {
+        out.push(arc.root(middle, true));
+        return None;
+    }
+    let (left, right) = halves(b);
+    if *width < NEAR && Signs::of(&left, floor).are_equal() && Signs::of(&right, floor).are_equal() {
+        out.push(arc.root(middle, true));
+        return None;
+    }
+    let (width, depth) = (0.5 * width, depth + 1);
+    Some((Piece { b: left, low: *low, width, depth }, Piece { b: right, low: middle, width, depth }))
+}
+
+/// Signs of the coefficients of a piece.
+struct Signs {
+    /// Changes between coefficients that have a sign.
+    changes: u32,
+    /// Between two of them stand coefficients without a sign, whose true signs could add two changes: a multiple root.
+    hides: bool,
+    /// No coefficient has a sign.
+    is_quiet: bool,
+}
+
+impl Signs {
+    /// Coefficients up to `floor` have no sign. One that is not a number has none either.
+    #[inline(always)]
+    fn of(b: &[f64; SAMPLES], floor: f64) -> Self {
+        let (mut changes, mut hides, mut last, mut quiet) = (0, false, 0, 0);
+        for x in b {
+            let sign = i32::from(*x > floor) - i32::from(*x < -floor);
+            if sign == 0 {
+                quiet += 1;
+                continue;
+            }
+            let is_change = sign * last < 0;
+            changes += u32::from(is_change);
+            hides |= last != 0 && quiet > u32::from(is_change);
+            (last, quiet) = (sign, 0);
+        }
+        Self { changes, hides, is_quiet: last == 0 }
+    }
+
+    fn are_equal(&self) -> bool {
+        self.changes == 0 && !self.hides && !self.is_quiet
+    }
+}
+
+/// Coefficients of the two halves of a piece (de Casteljau).
+#[inline(always)]
+fn halves(b: &[f64; SAMPLES]) -> ([f64; SAMPLES], [f64; SAMPLES]) {
+    let mut left = [0.0; SAMPLES];
+    let mut right = *b;
+    for (level, first) in left.iter_mut().enumerate() {
+        *first = right[0];
+        for i in 0..SAMPLES - 1 - level {
+            right[i] = 0.5 * (right[i] + right[i + 1]);
+        }
+    }
+    (left, right)
+}
+
+impl Arc {
+    fn of(polynomial: &TrigPolynomial, quarters: usize, rounding: f64) -> Self {
+        let (mut cosines, mut sines) = (polynomial.cosines, polynomial.sines);
+        for (k, (a, b)) in cosines.iter_mut().zip(&mut sines).enumerate() {
+            (*a, *b) = match (quarters * k) % 4 {
+                0 => (*a, *b),
+                1 => (*b, -*a),
+                2 => (-*a, -*b),
+                _ => (-*b, *a),
+            };
+        }
+        Self { quarters, cosines, sines, offset_sin_cos: polynomial.offset_sin_cos, rounding }
+    }
+
+    /// Bernstein coefficients on the whole arc.
+    fn bernstein(&self) -> [f64; SAMPLES] {
+        let [mut even, mut odd] = [[0.0; DEGREE + 1]; 2];
+        for ((a, row), (b, odd_row)) in self.cosines.iter().zip(&EVEN).zip(self.sines.iter().zip(&ODD)) {
+            even.iter_mut().zip(row).for_each(|(sum, entry)| *sum += a * entry);
+            odd.iter_mut().zip(odd_row).for_each(|(sum, entry)| *sum += b * entry);
+        }
+        let mut out = [0.0; SAMPLES];
+        for (place, (x, y)) in even.iter().zip(&odd).enumerate() {
+            out[place] = x + y;
+            out[SAMPLES - 1 - place] = x - y;
+        }
+        out[DEGREE] = even[DEGREE];
+        out
+    }
+
+    /// Value and derivative by x at `x = tan(u / 2)` from the middle, without the factor `(1 + x^2)^8`.
+    #[inline(always)]
+    fn at(&self, x: f64) -> (f64, f64) {
+        let k = 1.0 / (1.0 + x * x);
+        let (value, slope) = value_and_slope(&self.cosines, &self.sines, (2.0 * x * k, (1.0 - x * x) * k));
+        (value, 2.0 * k * slope)
+    }
+
+    fn root(&self, x: f64, is_double: bool) -> Root {
+        let k = 1.0 / (1.0 + x * x);
+        let (sin, cos) = (2.0 * x * k, (1.0 - x * x) * k);
+        let (_, slope) = value_and_slope(&self.cosines, &self.sines, (sin, cos));
+        let (sin, cos) = match self.quarters % 4 {
+            0 => (sin, cos),
+            1 => (cos, -sin),
+            2 => (-sin, -cos),
+            _ => (-cos, sin),
+        };
+        let (s, c) = self.offset_sin_cos;
+        let (sin, cos) = (sin * c + cos * s, cos * c - sin * s);
+        let is_certain = self.rounding <= UNCERTAIN * slope.abs();
+        let is_doubtful = is_double || !is_certain;
+        Root { angle: angle(sin, cos), sin_cos: (sin, cos), slope, is_double, is_doubtful }
+    }
+
+    /// The only root of a piece with one change of sign, in x: Newton's method, kept inside a bracket.
+    fn refined(&self, piece: &Piece) -> f64 {
+        let Piece { b, low, width, .. } = piece;
+        let (mut low, mut high) = (*low, low + width);
+        let is_rising = b[0] < 0.0 || (b[0] == 0.0 && b[SAMPLES - 1] > 0.0);
+        // The polygon of the coefficients crosses zero near the root.
+        let mut share = 0.5;
+        for (place, pair) in b.windows(2).enumerate() {
+            if let [x, y] = pair
+                && x * y < 0.0
+            {
+                share = (place as f64 + x / (x - y)) / (SAMPLES - 1) as f64;
+                break;
+            }
+        }
+        let mut x = low + (high - low) * share;
+        for _ in 0..STEPS {
+            let (value, slope) = self.at(x);
+            if (value > 0.0) == is_rising {
+                high = x;
+            } else {
+                low = x;
+            }
+            let next = x - value / slope;
+            if next >= low && next <= high {
+                let step = (next - x).abs();
+                x = next;
+                if step < 1e-8 {
+                    break;
+                }
+            } else {
+                x = 0.5 * (low + high);
+            }
+        }
+        x
+    }
+}

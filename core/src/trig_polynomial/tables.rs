@@ -1,0 +1,200 @@
+//! Constants of the samples and of the Bernstein coefficients, computed by the compiler: nothing is set up at run time.
+
+use super::{DEGREE, SAMPLES};
+
+/// The checks of a fit: two more samples, midway between two of the others.
+pub(super) const CHECKS: usize = 2;
+/// Angles at which the first sample may stand, rad. No round angle of a joint is a sample or the end of an arc.
+pub(super) const OFFSETS: [f64; 3] = [0.2718, 0.3923, 0.5131];
+/// The greatest half-angle tangent of an arc: `tan(pi / 8)`.
+pub(super) const HALF_ARC: f64 = 0.414_213_562_373_095_03;
+
+/// Sine and cosine.
+type SinCos = (f64, f64);
+/// A table of all harmonics.
+type Harmonics = [[f64; DEGREE + 1]; DEGREE + 1];
+
+/// Sine and cosine of `2 pi i / 34`, i = 0..33. The even ones belong to the samples, 7 and 23 to the checks.
+const HALVES: [SinCos; 2 * SAMPLES] = {
+    let mut table = [(0.0, 1.0); 2 * SAMPLES];
+    let mut i = 1;
+    while i < 2 * SAMPLES {
+        table[i] = part_of_turn(i as u32, 2 * SAMPLES as u32);
+        i += 1;
+    }
+    table
+};
+
+/// Sine and cosine of the three offsets.
+pub(super) const TURNS: [SinCos; 3] = [series(OFFSETS[0]), series(OFFSETS[1]), series(OFFSETS[2])];
+
+/// Sine and cosine of the angles of the samples, `2 pi j / 17 + offset`, for each offset.
+pub(super) const NODES: [[SinCos; SAMPLES]; 3] = {
+    let mut nodes = [[(0.0, 1.0); SAMPLES]; 3];
+    let mut place = 0;
+    while place < 3 {
+        let mut j = 0;
+        while j < SAMPLES {
+            nodes[place][j] = sum(HALVES[2 * j], TURNS[place]);
+            j += 1;
+        }
+        place += 1;
+    }
+    nodes
+};
+
+/// Sine and cosine of the angles of the checks, without the offset.
+pub(super) const CHECK_ANGLES: [SinCos; CHECKS] = [HALVES[7], HALVES[23]];
+
+/// Sine and cosine of the angles of the checks, for each offset.
+pub(super) const CHECK_NODES: [[SinCos; CHECKS]; 3] = {
+    let mut nodes = [[(0.0, 1.0); CHECKS]; 3];
+    let mut place = 0;
+    while place < 3 {
+        nodes[place] = [sum(CHECK_ANGLES[0], TURNS[place]), sum(CHECK_ANGLES[1], TURNS[place])];
+        place += 1;
+    }
+    nodes
+};
+
+/// Coefficient of `cos k t`: the sum over j of row j, entry k, times the even part of the samples. Rows are j.
+pub(super) const COSINES: Harmonics = transform(true);
+/// As [`COSINES`], of `sin k t` and the odd part.
+pub(super) const SINES: Harmonics = transform(false);
+
+const fn transform(is_even: bool) -> Harmonics {
+    let mut table = [[0.0; DEGREE + 1]; DEGREE + 1];
+    let mut k = 0;
+    while k <= DEGREE {
+        let weight = if k == 0 { 1.0 } else { 2.0 } / SAMPLES as f64;
+        let mut j = 0;
+        while j <= DEGREE {
+            let (sin, cos) = HALVES[2 * ((j * k) % SAMPLES)];
+            table[j][k] = weight * if is_even { cos } else { sin };
+            j += 1;
+        }
+        k += 1;
+    }
+    table
+}
+
+/// Row k: the first nine Bernstein coefficients of `(1 + x^2)^8 cos k t` on an arc of a quarter turn, with
+/// `x = tan(t / 2)` from `-tan(pi / 8)` to `tan(pi / 8)`. The other eight are these in reverse.
+pub(super) const EVEN: Harmonics = bernstein(true);
+/// As [`EVEN`] for `(1 + x^2)^8 sin k t`; the other eight are these in reverse, negated.
+pub(super) const ODD: Harmonics = bernstein(false);
+
+/// `(1 + x^2)^8 e^(i k t) = (1 + i x)^(8 + k) (1 - i x)^(8 - k)`: a product of 16 linear factors.
+const fn bernstein(is_even: bool) -> Harmonics {
+    let mut table = [[0.0; DEGREE + 1]; DEGREE + 1];
+    let mut k = 0;
+    while k <= DEGREE {
+        // Coefficients of s^m (1 - s)^(16 - m), where x runs from its least value at s = 0.
+        let (mut re, mut im) = ([0.0; SAMPLES], [0.0; SAMPLES]);
+        re[0] = 1.0;
+        let mut factor = 0;
+        while factor < 2 * DEGREE {
+            let y = if factor < DEGREE + k { HALF_ARC } else { -HALF_ARC };
+            // The factor is 1 - i y at s = 0 and 1 + i y at s = 1.
+            let mut m = factor + 1;
+            while m > 0 {
+                let (a, b) = (re[m] + y * im[m], im[m] - y * re[m]);
+                let (c, d) = (re[m - 1] - y * im[m - 1], im[m - 1] + y * re[m - 1]);
+                (re[m], im[m]) = (a + c, b + d);
+                m -= 1;
+            }
+            (re[0], im[0]) = (re[0] + y * im[0], im[0] - y * re[0]);
+            factor += 1;
+        }
+        let mut choose = 1.0;
+        let mut m = 0;
+        while m <= DEGREE {
+            table[k][m] = if is_even { re[m] } else { im[m] } / choose;
+            choose = choose * (2 * DEGREE - m) as f64 / (m + 1) as f64;
+            m += 1;
+        }
+        k += 1;
+    }
+    table
+}
+
+/// Sine and cosine of the sum of two angles.
+const fn sum((s, c): SinCos, (t, d): SinCos) -> SinCos {
+    (s * d + c * t, c * d - s * t)
+}
+
+/// Sine and cosine of `2 pi part / whole`, `part < whole`.
+const fn part_of_turn(part: u32, whole: u32) -> SinCos {
+    // The angle in eighths of a turn, and the distance from the nearest multiple of a quarter turn.
+    let quarters = (8 * part + whole) / (2 * whole);
+    let rest = 4.0 * part as f64 - (quarters * whole) as f64;
+    let (sin, cos) = series(rest / whole as f64 * core::f64::consts::FRAC_PI_2);
+    match quarters % 4 {
+        0 => (sin, cos),
+        1 => (cos, -sin),
+        2 => (-sin, -cos),
+        _ => (-cos, sin),
+    }
+}
+
+/// Taylor series of sine and cosine, for |angle| up to 0.8.
+const fn series(angle: f64) -> SinCos {
+    let square = angle * angle;
+    let (mut sin, mut cos) = (0.0, 0.0);
+    let mut k = 10;
+    while k > 0 {
+        let even = (2 * k * (2 * k - 1)) as f64;
+        let odd = (2 * k * (2 * k + 1)) as f64;
+        cos = square / even * (1.0 - cos);
+        sin = square / odd * (1.0 - sin);
+        k -= 1;
+    }
+    (angle - angle * sin, 1.0 - cos)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::sin_cos;
+    use core::f64::consts::TAU;
+
+    /// The angle itself is rounded.
+    fn near((s, c): SinCos, angle: f64) -> bool {
+        let (sin, cos) = sin_cos(angle);
+        (s - sin).abs() < 2e-15 && (c - cos).abs() < 2e-15
+    }
+
+    #[test]
+    fn angles_are_those_of_the_samples() {
+        for (nodes, (checks, offset)) in NODES.iter().zip(CHECK_NODES.iter().zip(OFFSETS)) {
+            assert!(nodes.iter().enumerate().all(|(j, node)| near(*node, TAU * j as f64 / 17.0 + offset)));
+            assert!(near(checks[0], TAU * 3.5 / 17.0 + offset) && near(checks[1], TAU * 11.5 / 17.0 + offset));
+        }
+        assert!((HALF_ARC - (core::f64::consts::SQRT_2 - 1.0)).abs() < 2e-16);
+    }
+
+    /// The Bernstein form of each harmonic has its values on the arc.
+    #[test]
+    fn bernstein_coefficients_are_those_of_the_harmonics() {
+        for k in 0..=DEGREE {
+            for i in 0..=20 {
+                let s = f64::from(i) / 20.0;
+                let x = HALF_ARC * (2.0 * s - 1.0);
+                let half_angle = crate::math::atan2(x, 1.0);
+                let weight = (0..DEGREE).fold(1.0, |w, _| w * (1.0 + x * x));
+                let (sin, cos) = sin_cos(2.0 * k as f64 * half_angle);
+                for (row, value, sign) in [(EVEN[k], cos, 1.0), (ODD[k], sin, -1.0)] {
+                    // De Casteljau.
+                    let mut b: [f64; SAMPLES] =
+                        core::array::from_fn(|m| if m <= DEGREE { row[m] } else { sign * row[2 * DEGREE - m] });
+                    for level in 1..SAMPLES {
+                        for m in 0..SAMPLES - level {
+                            b[m] = b[m] * (1.0 - s) + b[m + 1] * s;
+                        }
+                    }
+                    assert!((b[0] - weight * value).abs() < 1e-14, "{k} {s}");
+                }
+            }
+        }
+    }
+}
