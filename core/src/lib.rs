@@ -13,10 +13,15 @@
 extern crate std;
 
 pub mod chain;
+pub mod choice;
+pub mod general;
 pub mod held_joint;
 pub mod math;
+pub mod refine;
 pub mod transform;
 pub mod trig_polynomial;
 
+pub use chain::Chain;
+pub use held_joint::{Candidate, Outcome, Visitor};
 pub use math::Scalar;
 pub use transform::Transform;
