@@ -1,6 +1,8 @@
 //! Time and completeness of `general` on published and random arms.
 //!
-//! `cargo run --release -p denhart-core --features std --example general -- [poses] [arms]`
+//! `cargo run --release -p denhart-core --features std --example general -- [poses] [random arms] [name]`
+
+#![allow(clippy::unwrap_used)]
 
 #[path = "../tests/general/support.rs"]
 #[allow(dead_code)]
@@ -18,7 +20,8 @@ fn at(v: &mut [f64], p: f64) -> f64 {
 }
 
 fn main() {
-    let mut arguments = std::env::args().skip(1).map(|x| x.parse::<usize>().unwrap());
+    let names: Vec<String> = std::env::args().skip(3).collect();
+    let mut arguments = std::env::args().skip(1).take(2).map(|x| x.parse::<usize>().unwrap());
     let (poses, arms) = (arguments.next().unwrap_or(1000), arguments.next().unwrap_or(200));
     let mut units: Vec<f64> = (0..200)
         .map(|k| {
@@ -33,7 +36,7 @@ fn main() {
         .collect();
     let unit = at(&mut units, 0.5);
     println!("six sin_cos: {unit:.0} ns");
-    for table in &tables::TABLES {
+    for table in tables::TABLES.iter().filter(|x| names.is_empty() || names.iter().any(|name| name == x.name)) {
         let start = Instant::now();
         let is_given = table.rows.len() == 7;
         let Some(arm) = (if is_given { Arm::given(table, 2, 0.7) } else { Arm::of(&chain(table, 0, 0.0)) }) else {
@@ -90,6 +93,9 @@ fn main() {
             at(&mut times, 0.5) / unit,
             at(&mut times, 1.0) / at(&mut times, 0.5),
         );
+    }
+    if arms == 0 {
+        return;
     }
     let mut rng = Random(2024);
     let (mut lost, mut found, mut times, mut choices, mut worst) = (0, 0, vec![], vec![], 0.0_f64);

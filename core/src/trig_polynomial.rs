@@ -54,14 +54,45 @@ impl Fit {
     /// greatest sample, the samples are taken at other angles, at most at three offsets. The best of them counts.
     #[inline]
     pub fn sampled(mut value: impl FnMut((f64, f64)) -> f64) -> Self {
+        Self::tried(|nodes, checks| (nodes.map(&mut value), checks.map(&mut value)))
+    }
+
+    /// As [`Fit::sampled`], for a function that takes the sines and the cosines of two angles at once.
+    #[inline]
+    pub fn sampled_in_pairs(mut values: impl FnMut([f64; 2], [f64; 2]) -> [f64; 2]) -> Self {
+        Self::tried(|nodes, checks| {
+            let (mut samples, [a, b]) = ([0.0; SAMPLES], *checks);
+            let mut pair = |(s, c), (t, d)| values([s, t], [c, d]);
+            for (nodes, out) in nodes.chunks_exact(2).zip(samples.chunks_exact_mut(2)) {
+                if let ([first, second], [x, y]) = (nodes, out) {
+                    [*x, *y] = pair(*first, *second);
+                }
+            }
+            let [.., last] = *nodes;
+            let [.., out] = &mut samples;
+            let [at_last, at_a] = pair(last, a);
+            *out = at_last;
+            let [at_b, _] = pair(b, b);
+            (samples, [at_a, at_b])
+        })
+    }
+
+    /// The best fit of at most three.
+    #[inline(always)]
+    fn tried(
+        mut sample: impl FnMut(
+            &[(f64, f64); SAMPLES],
+            &[(f64, f64); tables::CHECKS],
+        ) -> ([f64; SAMPLES], [f64; tables::CHECKS]),
+    ) -> Self {
         let mut best = Self { polynomial: TrigPolynomial::ZERO, greatest: 0.0, wrong: f64::INFINITY };
-        for (place, nodes) in NODES.iter().enumerate() {
-            let samples = nodes.map(&mut value);
+        for (place, (nodes, checks)) in NODES.iter().zip(&CHECK_NODES).enumerate() {
+            let (samples, at_checks) = sample(nodes, checks);
             let polynomial = TrigPolynomial::through(&samples, place);
             let greatest = samples.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
             let mut error = 0.0_f64;
-            for (angle, node) in CHECK_ANGLES.iter().zip(&CHECK_NODES[place]) {
-                let miss = (polynomial.value(*angle) - value(*node)).abs();
+            for (angle, value) in CHECK_ANGLES.iter().zip(at_checks) {
+                let miss = (polynomial.value(*angle) - value).abs();
                 // One that is not a number counts as infinite.
                 error = if miss <= error {
                     error

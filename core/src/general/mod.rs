@@ -12,6 +12,7 @@
 mod constant_side;
 mod elimination;
 mod equations;
+mod lanes;
 mod line;
 mod search;
 

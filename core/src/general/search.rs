@@ -4,6 +4,7 @@ use core::ops::ControlFlow::{self, Continue};
 
 use super::elimination::{Closed, Elimination};
 use super::equations::{Equations, Position};
+use super::lanes::Two;
 use crate::held_joint::{Candidate, MOST_CANDIDATES, Visitor};
 use crate::math::sin_cos;
 use crate::trig_polynomial::{Fit, Root};
@@ -65,7 +66,10 @@ impl Elimination {
         visit: &mut Visitor<'_, f64>,
     ) -> Rest {
         let closed = self.closed(target);
-        let fit = Fit::sampled(|held| closed.equations.value(held));
+        let fit = Fit::sampled_in_pairs(|sin, cos| {
+            let Two(values) = closed.equations.value((Two(sin), Two(cos)));
+            values
+        });
         let Fit { greatest, wrong, .. } = fit;
         let mut rest = Rest { is_doubtful: true, is_complete: true, is_ended: false, greatest, wrong };
         let is_known = wrong.is_finite();

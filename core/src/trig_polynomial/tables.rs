@@ -14,7 +14,7 @@ type SinCos = (f64, f64);
 /// A table of all harmonics.
 type Harmonics = [[f64; DEGREE + 1]; DEGREE + 1];
 
-/// Sine and cosine of `2 pi i / 34`, i = 0..33. The even ones belong to the samples, 7 and 23 to the checks.
+/// Sine and cosine of `2 pi i / 34`, i = 0..33. The even ones belong to the samples, 33 and 15 to the checks.
 const HALVES: [SinCos; 2 * SAMPLES] = {
     let mut table = [(0.0, 1.0); 2 * SAMPLES];
     let mut i = 1;
@@ -44,7 +44,7 @@ pub(super) const NODES: [[SinCos; SAMPLES]; 3] = {
 };
 
 /// Sine and cosine of the angles of the checks, without the offset.
-pub(super) const CHECK_ANGLES: [SinCos; CHECKS] = [HALVES[7], HALVES[23]];
+pub(super) const CHECK_ANGLES: [SinCos; CHECKS] = [HALVES[33], HALVES[15]];
 
 /// Sine and cosine of the angles of the checks, for each offset.
 pub(super) const CHECK_NODES: [[SinCos; CHECKS]; 3] = {
@@ -168,7 +168,7 @@ mod tests {
     fn angles_are_those_of_the_samples() {
         for (nodes, (checks, offset)) in NODES.iter().zip(CHECK_NODES.iter().zip(OFFSETS)) {
             assert!(nodes.iter().enumerate().all(|(j, node)| near(*node, TAU * j as f64 / 17.0 + offset)));
-            assert!(near(checks[0], TAU * 3.5 / 17.0 + offset) && near(checks[1], TAU * 11.5 / 17.0 + offset));
+            assert!(near(checks[0], TAU * 16.5 / 17.0 + offset) && near(checks[1], TAU * 7.5 / 17.0 + offset));
         }
         assert!((HALF_ARC - (core::f64::consts::SQRT_2 - 1.0)).abs() < 2e-16);
     }
