@@ -75,7 +75,30 @@ fn main() {
             most = most.max(solutions.evaluations);
             open += usize::from(!solutions.is_complete);
             doubts += usize::from(solutions.is_doubtful);
-            lost += usize::from(solutions.distance(&arm.chain, &joints) > SAME);
+            let distance = solutions.distance(&arm.chain, &joints);
+            if distance > SAME {
+                lost += 1;
+                println!(
+                    "lost {distance:.0e} sigma {:.0e} evals {} candidates {} {joints:?}",
+                    least_singular_value(&arm.chain, &joints),
+                    solutions.evaluations,
+                    solutions.candidates
+                );
+                if std::env::var("SHOW").is_ok() {
+                    arm.general.search(&target, &[0.0; 6], &mut |c| {
+                        println!(
+                            "  {} {} near {:.1e} residual {:.1e} refined {:.1e} {:?}",
+                            c.root,
+                            c.is_doubtful,
+                            apart(&arm.chain, &c.joints, &joints),
+                            arm.chain.residual(&c.joints, &target),
+                            apart(&arm.chain, &arm.chain.refined(&c.joints, &target, 15).joints, &joints),
+                            c.joints.map(|x| (x * 1e5).round() / 1e5)
+                        );
+                        core::ops::ControlFlow::Continue(())
+                    });
+                }
+            }
         }
         println!(
             "{:20} choice {choice:.0} ms {:?}/{:?} lost {lost}/{poses} found {:.1} evals {:.0} most {most} open {open} doubts {doubts} before {:.0e} {:.0e} | us {:.1} p99 {:.0} max {:.0} search {:.1} | ratio {:.0} worst/median {:.0}",

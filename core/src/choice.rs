@@ -52,6 +52,8 @@ struct Judgment {
     /// Of the candidates before refinement.
     residuals: [f64; POSES],
     scales: [f64; POSES],
+    cost: usize,
+    split: [usize; 8],
 }
 
 impl Judgment {
@@ -78,12 +80,33 @@ pub fn choose(chain: &Chain<f64>) -> Option<Cuts> {
 /// As [`choose`] for a chain with given joints: `chain` makes it of their values, and takes each as an angle in rad from
 /// its argument. Every other pose has round angles.
 pub fn choose_given(chain: &dyn Fn(&mut dyn FnMut() -> f64) -> Chain<f64>) -> Option<Cuts> {
-    let mut all =
-        Cut::ALL.map(|cut| Judgment { cut, missed: usize::MAX, residuals: [0.0; POSES], scales: [0.0; POSES] });
+    let mut all = Cut::ALL.map(|cut| Judgment {
+        cut,
+        missed: usize::MAX,
+        residuals: [0.0; POSES],
+        scales: [0.0; POSES],
+        cost: 0,
+        split: [0; 8],
+    });
     for judgment in &mut all {
         judge(judgment, chain);
     }
     all.sort_unstable_by(|a, b| a.missed.cmp(&b.missed).then(a.residual().total_cmp(&b.residual())));
+    #[cfg(feature = "std")]
+    if std::env::var("SHOW").is_ok() {
+        for x in &all {
+            std::println!(
+                "{:?} held {} missed {} residual {:.0e} median {:.0e} cost {} {:?}",
+                x.cut,
+                x.cut.held(),
+                x.missed,
+                x.residual(),
+                quantile(x.residuals, 60),
+                x.cost,
+                x.split
+            );
+        }
+    }
     let [first, others @ ..] = all;
     if first.missed == usize::MAX {
         return None;
@@ -123,6 +146,10 @@ fn judge(judgment: &mut Judgment, chain: &dyn Fn(&mut dyn FnMut() -> f64) -> Cha
         missed += usize::from(!is_found || !rest.is_complete || rest.wrong > 1e-5 || count > MOST);
         judgment.residuals[pose] = if is_found { before } else { f64::INFINITY };
         judgment.scales[pose] = rest.greatest;
+        judgment.cost += count;
+        for (i, b) in [!is_found, !rest.is_complete, rest.wrong > 1e-5, count > MOST].into_iter().enumerate() {
+            judgment.split[i + 4 * (pose % 2)] += usize::from(b);
+        }
     }
     judgment.missed = missed;
     Some(())

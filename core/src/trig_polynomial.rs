@@ -3,9 +3,11 @@
 //! With one joint held at the angle t, what remains of the closure of six joints is one equation `f(t) = 0`. Here f is
 //! a sum of the harmonics 0 to 8 of t. Its 17 coefficients follow from 17 samples.
 
+mod local;
 mod roots;
 mod tables;
 
+pub use local::Local;
 pub use roots::{MOST_NODES, MOST_ROOTS, Root, Roots};
 
 use tables::{CHECK_ANGLES, CHECK_NODES, COSINES, NODES, OFFSETS, SINES, TURNS};

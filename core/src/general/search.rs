@@ -6,22 +6,21 @@ use super::elimination::{Closed, Elimination};
 use super::equations::{Equations, Position};
 use super::lanes::Two;
 use crate::held_joint::{Candidate, MOST_CANDIDATES, Visitor};
-use crate::math::sin_cos;
-use crate::trig_polynomial::{Fit, Root};
+use crate::math::{sin_cos, wrap};
+use crate::trig_polynomial::{Fit, Local, Root, Roots};
 use crate::{Outcome, Transform};
 
 /// A polynomial below this share of its usual size is zero everywhere.
 const FREE: f64 = 1e-11;
 /// Samples that are farther from a polynomial than this, as a share of the greatest, tell nothing.
 pub(super) const USELESS: f64 = 1e-5;
-/// Beside a doubtful root the function is looked at on either side, at distances from the first of these, rad, ..
-const CLOSE: f64 = 3e-7;
-/// .. each four times the one before.
-const LOOKS: usize = 10;
-/// Steps of regula falsi.
-const STEPS: usize = 16;
-/// A pair of roots that has become complex has its solutions this far beside, rad: no more than two steps away.
-const BESIDE: f64 = 2e-4;
+/// About a doubtful root the function is sampled anew, on an arc that ends at these half-angle tangents. If the root is
+/// doubtful there as well, the next arc is shorter.
+const ARCS: [f64; 4] = [0.12, 1.5e-2, 7e-4, 3e-5];
+/// Roots within this part of an arc are known from its samples.
+const INNER: f64 = 0.9;
+/// The most arcs of one cut.
+const MOST_ARCS: usize = 32;
 /// Where a free joint's reference has no member of the family, these are tried, rad beside it.
 const ELSEWHERE: [f64; 8] = [0.0, 2.1, -2.1, 0.7, -0.7, 1.4, -1.4, 2.8];
 /// A candidate that closes to this belongs to a family.
@@ -32,6 +31,10 @@ struct Search<'a, 'v> {
     closed: Closed<'a>,
     /// The function with f eliminated first.
     other: Option<Equations>,
+    /// Arcs that were sampled, at most [`MOST_ARCS`].
+    arcs: usize,
+    /// A list was full or a bound was reached.
+    is_full: bool,
     reference: &'a [f64; 6],
     visit: &'a mut Visitor<'v, f64>,
     root: u8,
@@ -66,23 +69,22 @@ impl Elimination {
         visit: &mut Visitor<'_, f64>,
     ) -> Rest {
         let closed = self.closed(target);
-        let fit = Fit::sampled_in_pairs(|sin, cos| {
-            let Two(values) = closed.equations.value((Two(sin), Two(cos)));
-            values
-        });
+        let fit = Fit::sampled_in_pairs(|sin, cos| values(&closed.equations, sin, cos));
         let Fit { greatest, wrong, .. } = fit;
         let mut rest = Rest { is_doubtful: true, is_complete: true, is_ended: false, greatest, wrong };
         let is_known = wrong.is_finite();
         if !is_known || (is_second && wrong > USELESS) {
             return rest;
         }
-        let first = if is_second { MOST_CANDIDATES } else { 0 };
+        let root = if is_second { MOST_CANDIDATES } else { 0 } as u8;
         let mut search = Search {
             closed,
             other: None,
+            arcs: 0,
+            is_full: false,
             reference,
             visit,
-            root: first as u8,
+            root,
             is_doubtful: false,
             free: 0,
             least: f64::MAX,
@@ -93,18 +95,9 @@ impl Elimination {
             return rest;
         }
         let roots = fit.roots();
-        rest.is_complete = roots.is_complete;
-        rest.is_doubtful = false;
-        for (number, root) in roots.as_slice().iter().enumerate() {
-            rest.is_doubtful |= root.is_doubtful;
-            search.root = (first + number) as u8;
-            search.is_doubtful = root.is_doubtful;
-            let flow = if root.is_doubtful { search.doubtful(root) } else { search.at(root.sin_cos) };
-            if flow.is_break() {
-                rest.is_ended = true;
-                break;
-            }
-        }
+        rest.is_doubtful = roots.as_slice().iter().any(|root| root.is_doubtful);
+        rest.is_ended = search.all(&roots, &ARCS).is_break();
+        rest.is_complete = !search.is_full;
         rest
     }
 }
@@ -153,31 +146,59 @@ impl Search<'_, '_> {
         if candidate.is_finite() { (self.visit)(&candidate) } else { Continue(()) }
     }
 
-    /// A root that is double or nearly so. Each value of the function is known far better than its polynomial: the
-    /// function itself is looked at on both sides.
-    fn doubtful(&mut self, root: &Root) -> ControlFlow<()> {
-        self.at(root.sin_cos)?;
-        self.at_other(root.sin_cos)?;
-        let here = self.value(root.angle);
-        for side in [1.0, -1.0] {
-            let (mut last, mut distance) = ((root.angle, here), CLOSE);
-            for _ in 0..LOOKS {
-                let angle = root.angle + side * distance;
-                let now = (angle, self.value(angle));
-                if last.1 * now.1 <= 0.0 {
-                    let zero = between(|angle| self.value(angle), last, now);
-                    self.at(sin_cos(zero))?;
+    /// Solutions at a list of roots. Each value of the function is known far better than its polynomial where several
+    /// roots are near: about a doubtful root the function is sampled anew, on the first of `arcs`.
+    fn all(&mut self, roots: &Roots, arcs: &[f64]) -> ControlFlow<()> {
+        self.is_full |= !roots.is_complete;
+        let roots = roots.as_slice();
+        // The middles of the arcs.
+        let (mut middles, mut len) = ([0.0; MOST_ARCS], 0);
+        let [half, shorter @ ..] = arcs else {
+            return roots.iter().try_for_each(|root| self.one(root));
+        };
+        let reach = INNER * 2.0 * half;
+        for root in roots.iter().filter(|root| root.is_doubtful) {
+            if is_near(root, &middles[..len], reach) {
+                continue;
+            }
+            self.is_full |= self.arcs >= MOST_ARCS;
+            let inner = if self.arcs < MOST_ARCS { self.sampled_about(root, *half) } else { None };
+            match inner {
+                Some(inner) => {
+                    middles[len] = root.angle;
+                    len += 1;
+                    self.all(&inner, shorter)?;
                 }
-                last = now;
-                distance *= 4.0;
+                None => self.one(root)?,
             }
         }
-        self.at(sin_cos(root.angle + BESIDE))?;
-        self.at(sin_cos(root.angle - BESIDE))
+        for root in roots.iter().filter(|root| !root.is_doubtful) {
+            if !is_near(root, &middles[..len], reach) {
+                self.one(root)?;
+            }
+        }
+        Continue(())
     }
 
-    fn value(&self, angle: f64) -> f64 {
-        self.closed.equations.value(sin_cos(angle))
+    /// The roots on an arc about a root. None if there are none, or if the samples tell nothing.
+    fn sampled_about(&mut self, root: &Root, half: f64) -> Option<Roots> {
+        self.arcs += 1;
+        let equations = &self.closed.equations;
+        let local = Local::sampled_in_pairs(root.sin_cos, half, |sin, cos| values(equations, sin, cos));
+        if local.wrong > USELESS {
+            return None;
+        }
+        let roots = local.roots();
+        (!roots.as_slice().is_empty()).then_some(roots)
+    }
+
+    /// Solutions at one root.
+    fn one(&mut self, root: &Root) -> ControlFlow<()> {
+        self.is_doubtful = root.is_doubtful;
+        let flow = self.at(root.sin_cos);
+        let flow = if root.is_doubtful && flow.is_continue() { self.at_other(root.sin_cos) } else { flow };
+        self.root = self.root.saturating_add(1);
+        flow
     }
 
     /// The polynomial is zero: the held joint is free. Members of the family at the joint's reference, or beside it
@@ -216,26 +237,16 @@ impl Search<'_, '_> {
     }
 }
 
-/// A zero between two places of different sign: regula falsi, with the older value halved where one end stays.
-fn between(value: impl Fn(f64) -> f64, (mut a, mut at_a): (f64, f64), (mut b, mut at_b): (f64, f64)) -> f64 {
-    let small = 1e-12 * at_a.abs().max(at_b.abs());
-    for _ in 0..STEPS {
-        if at_a == at_b {
-            break;
-        }
-        let x = (a * at_b - b * at_a) / (at_b - at_a);
-        let at_x = value(x);
-        if at_x * at_b <= 0.0 {
-            (a, at_a) = (b, at_b);
-        } else {
-            at_a *= 0.5;
-        }
-        (b, at_b) = (x, at_x);
-        if at_x.abs() < small || (a - b).abs() < 1e-10 {
-            break;
-        }
-    }
-    b
+/// Two values of the function.
+#[inline]
+fn values(equations: &Equations, sin: [f64; 2], cos: [f64; 2]) -> [f64; 2] {
+    let Two(values) = equations.value((Two(sin), Two(cos)));
+    values
+}
+
+/// Returns true if a root is at most `reach` rad from one of the angles.
+fn is_near(root: &Root, angles: &[f64], reach: f64) -> bool {
+    angles.iter().any(|angle| wrap(root.angle - angle).abs() <= reach)
 }
 
 impl Rest {
