@@ -115,19 +115,17 @@ impl Fit {
         best
     }
 
-    /// An angle is not known better than from values of the polynomial that are so far off.
+    /// Values of the polynomial are so far off, by rounding or at the checks.
     #[inline]
     pub fn rounding(&self) -> f64 {
-        let size = self.polynomial.size();
-        let noise = NOISE * size;
-        let wrong = 0.1 * self.wrong * size;
+        let (noise, wrong) = (NOISE * self.polynomial.size(), self.wrong * self.greatest);
         if wrong > noise { wrong } else { noise }
     }
 
     /// The real roots. Those are doubtful that [`Fit::rounding`] may move by more than 1e-7 rad.
     #[inline]
     pub fn roots(&self) -> Roots {
-        roots::roots(&self.polynomial, NOISE * self.polynomial.size(), self.rounding())
+        roots::roots(&self.polynomial, self.rounding())
     }
 }
 

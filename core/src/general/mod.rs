@@ -22,6 +22,7 @@ pub use line::COORDINATES;
 
 use crate::held_joint::Visitor;
 use crate::{Chain, Outcome, Transform};
+use search::Rest;
 
 /// Where the ring of six joints is cut, and in which direction it is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,13 +64,15 @@ impl Cut {
     }
 }
 
-/// The constants of an arm's first and second cut.
+/// The constants of an arm's cuts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct General {
     /// The cut that finds nearly all.
     pub first: Elimination,
     /// A cut that holds another joint, for targets with a doubtful root.
     pub second: Option<Elimination>,
+    /// A cut that holds a third joint, for targets at which the second one tells nothing.
+    pub third: Option<Elimination>,
 }
 
 /// A cut with the usual size of its polynomial.
@@ -81,32 +84,30 @@ pub struct ScaledCut {
     pub scale: f64,
 }
 
-/// The two cuts of an arm, for one whose constants are known in the call only, as with a given joint.
+/// The cuts of an arm, for one whose constants are known in the call only, as with a given joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cuts {
-    /// The cut that finds nearly all.
+    /// See [`General::first`].
     pub first: ScaledCut,
-    /// A cut that holds another joint.
+    /// See [`General::second`].
     pub second: Option<ScaledCut>,
+    /// See [`General::third`].
+    pub third: Option<ScaledCut>,
 }
 
 impl General {
-    /// The constants of a chain along two cuts. None if the first has none for this chain, see [`Elimination::of`].
+    /// The constants of a chain along its cuts. None if the first has none for this chain, see [`Elimination::of`].
     pub fn of(chain: &Chain<f64>, cuts: &Cuts) -> Option<Self> {
-        Some(Self { first: cuts.first.of(chain)?, second: cuts.second.and_then(|cut| cut.of(chain)) })
+        let [second, third] = [cuts.second, cuts.third].map(|cut| cut.and_then(|cut| cut.of(chain)));
+        Some(Self { first: cuts.first.of(chain)?, second, third })
     }
 
     /// Visits the joint vectors that may bring the end to the target.
     ///
     /// `reference` has the value of a joint that may take any value. A target that is not finite has no candidates.
     pub fn search(&self, target: &Transform<f64>, reference: &[f64; 6], visit: &mut Visitor<'_, f64>) -> Outcome {
-        let rest = self.first.search(target, reference, false, visit);
-        match &self.second {
-            Some(second) if rest.is_doubtful && !rest.is_ended => {
-                rest.and(second.search(target, reference, true, visit))
-            }
-            _ => rest.outcome(),
-        }
+        let cuts = [Some(&self.first), self.second.as_ref(), self.third.as_ref()];
+        along(cuts.into_iter().flatten().map(Some), |cut, is_first| cut.search(target, reference, !is_first, visit))
     }
 }
 
@@ -118,8 +119,8 @@ impl ScaledCut {
 }
 
 impl Cuts {
-    /// As [`General::search`], of a chain whose constants are known in the call only. Those of the second cut are
-    /// computed where they are needed. Not complete if the first cut has no constants for this chain.
+    /// As [`General::search`], of a chain whose constants are known in the call only. Those of further cuts are computed
+    /// where they are needed. Not complete if no cut has constants for this chain.
     pub fn search(
         &self,
         chain: &Chain<f64>,
@@ -127,17 +128,25 @@ impl Cuts {
         reference: &[f64; 6],
         visit: &mut Visitor<'_, f64>,
     ) -> Outcome {
-        let second = || self.second.and_then(|cut| cut.of(chain));
-        let Some(first) = self.first.of(chain) else {
-            return match second() {
-                Some(second) => second.search(target, reference, false, visit).outcome(),
-                None => Outcome { is_complete: false },
-            };
-        };
-        let rest = first.search(target, reference, false, visit);
-        if !rest.is_doubtful || rest.is_ended {
-            return rest.outcome();
-        }
-        second().map_or(rest.outcome(), |second| rest.and(second.search(target, reference, true, visit)))
+        let cuts = [Some(self.first), self.second, self.third];
+        along(cuts.into_iter().flatten().map(|cut| cut.of(chain)), |cut, is_first| {
+            cut.search(target, reference, !is_first, visit)
+        })
     }
+}
+
+/// Searches along the first cut that has constants; if it leaves a doubt, along the next one; if that one tells nothing,
+/// along the last.
+fn along<C>(cuts: impl Iterator<Item = Option<C>>, mut search: impl FnMut(C, bool) -> Rest) -> Outcome {
+    let (mut is_first, mut is_complete) = (true, true);
+    for cut in cuts.flatten() {
+        let rest = search(cut, is_first);
+        is_complete &= rest.is_complete && !rest.is_ended;
+        let is_enough = if is_first { !rest.is_doubtful } else { !rest.is_useless };
+        is_first = false;
+        if rest.is_ended || is_enough {
+            break;
+        }
+    }
+    Outcome { is_complete: is_complete && !is_first }
 }

@@ -8,7 +8,7 @@ use super::lanes::Two;
 use crate::held_joint::{Candidate, MOST_CANDIDATES, Visitor};
 use crate::math::{sin_cos, wrap};
 use crate::trig_polynomial::{Fit, Local, Root, Roots};
-use crate::{Outcome, Transform};
+use crate::Transform;
 
 /// A polynomial below this share of its usual size is zero everywhere.
 const FREE: f64 = 1e-11;
@@ -48,8 +48,10 @@ struct Search<'a, 'v> {
 /// What a cut leaves open.
 #[derive(Clone, Copy)]
 pub(crate) struct Rest {
-    /// Some root is doubtful, or the polynomial could not be found: another cut may find more.
+    /// Some root is doubtful, or the polynomial tells nothing: another cut may find more.
     pub(crate) is_doubtful: bool,
+    /// The polynomial is not known, or zero everywhere.
+    pub(crate) is_useless: bool,
     /// No list was full and no bound was reached.
     pub(crate) is_complete: bool,
     /// The visitor ended the search.
@@ -71,7 +73,8 @@ impl Elimination {
         let closed = self.closed(target);
         let fit = Fit::sampled_in_pairs(|sin, cos| values(&closed.equations, sin, cos));
         let Fit { greatest, wrong, .. } = fit;
-        let mut rest = Rest { is_doubtful: true, is_complete: true, is_ended: false, greatest, wrong };
+        let mut rest =
+            Rest { is_doubtful: true, is_useless: true, is_complete: true, is_ended: false, greatest, wrong };
         let is_known = wrong.is_finite();
         if !is_known || (is_second && wrong > USELESS) {
             return rest;
@@ -95,7 +98,8 @@ impl Elimination {
             return rest;
         }
         let roots = fit.roots();
-        rest.is_doubtful = roots.as_slice().iter().any(|root| root.is_doubtful);
+        rest.is_useless = wrong > USELESS;
+        rest.is_doubtful = rest.is_useless || roots.as_slice().iter().any(|root| root.is_doubtful);
         rest.is_ended = search.all(&roots, &ARCS).is_break();
         rest.is_complete = !search.is_full;
         rest
@@ -247,15 +251,4 @@ fn values(equations: &Equations, sin: [f64; 2], cos: [f64; 2]) -> [f64; 2] {
 /// Returns true if a root is at most `reach` rad from one of the angles.
 fn is_near(root: &Root, angles: &[f64], reach: f64) -> bool {
     angles.iter().any(|angle| wrap(root.angle - angle).abs() <= reach)
-}
-
-impl Rest {
-    /// The end of a search along one or two cuts.
-    pub(super) fn and(self, other: Self) -> Outcome {
-        Outcome { is_complete: self.outcome().is_complete && other.outcome().is_complete }
-    }
-
-    pub(super) fn outcome(self) -> Outcome {
-        Outcome { is_complete: self.is_complete && !self.is_ended }
-    }
 }

@@ -63,7 +63,7 @@ impl Local {
         let error = (local.at(half * CHECK).0 - at_check).abs();
         if error.is_finite() {
             local.wrong = if error > 0.0 { error / greatest } else { 0.0 };
-            local.rounding = local.rounding.max(0.1 * error);
+            local.rounding = local.rounding.max(error);
         }
         local
     }

@@ -106,13 +106,13 @@ pub(super) trait Curve {
     fn root(&self, x: f64, is_double: bool) -> Root;
 }
 
-/// The roots of a polynomial. Coefficients up to `floor` have no sign. A root is doubtful if values that are `rounding`
+/// The roots of a polynomial. Coefficients up to `rounding` have no sign. A root is doubtful if values that are so far
 /// off move it by more than 1e-7 rad.
-pub(super) fn roots(polynomial: &TrigPolynomial, floor: f64, rounding: f64) -> Roots {
+pub(super) fn roots(polynomial: &TrigPolynomial, rounding: f64) -> Roots {
     let mut out = Roots::NONE;
     for quarters in 0..4 {
         let arc = Arc::of(polynomial, quarters, rounding);
-        isolate(&arc, arc.bernstein(), HALF_ARC, NEAR, floor, &mut out);
+        isolate(&arc, arc.bernstein(), HALF_ARC, NEAR, rounding, &mut out);
     }
     out
 }
