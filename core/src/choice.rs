@@ -5,13 +5,15 @@ use core::ops::ControlFlow::{Break, Continue};
 use core::ops::Range;
 
 use crate::Chain;
-use crate::general::{Cut, Cuts, Elimination, ScaledCut};
+use crate::general::{Cut, Cuts, Elimination, Part, ScaledCut};
 use crate::math::wrap;
 
 /// Poses at which the cuts are compared.
 const POSES: usize = 120;
 /// Rounds of poses. After the first one the useless cuts go, after the others the worse one of each joint.
 const ROUNDS: [Range<usize>; 3] = [0..16, 16..40, 40..POSES];
+/// Each cut is judged by itself.
+const ALONE: Part = Part { number: 0, has_families: true, takes_all: false };
 /// The poses with random angles: every other one.
 const RANDOM: u128 = u128::MAX / 3;
 /// A joint vector that differs by less, in rad or reaches, is found.
@@ -171,7 +173,7 @@ fn judge(judgment: &mut Judgment, poses: Range<usize>, chain: &Make) -> Option<(
         };
         let target = chain.pose(&joints);
         let (mut nearest, mut least, mut count) = (joints, f64::INFINITY, 0);
-        let rest = elimination.search(&target, &joints, false, &mut |candidate| {
+        let rest = elimination.search(&target, &joints, ALONE, &mut |candidate| {
             count += 1;
             let near = distance(&candidate.joints);
             if near < least {

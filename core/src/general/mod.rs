@@ -22,6 +22,7 @@ pub use line::COORDINATES;
 
 use crate::held_joint::Visitor;
 use crate::{Chain, Outcome, Transform};
+pub(crate) use search::Part;
 use search::Rest;
 
 /// Where the ring of six joints is cut, and in which direction it is read.
@@ -107,7 +108,7 @@ impl General {
     /// `reference` has the value of a joint that may take any value. A target that is not finite has no candidates.
     pub fn search(&self, target: &Transform<f64>, reference: &[f64; 6], visit: &mut Visitor<'_, f64>) -> Outcome {
         let cuts = [Some(&self.first), self.second.as_ref(), self.third.as_ref()];
-        along(cuts.into_iter().flatten().map(Some), |cut, is_first| cut.search(target, reference, !is_first, visit))
+        along(|part| Some(cuts.get(part.number)?.as_ref()?.search(target, reference, part, visit)))
     }
 }
 
@@ -129,24 +130,30 @@ impl Cuts {
         visit: &mut Visitor<'_, f64>,
     ) -> Outcome {
         let cuts = [Some(self.first), self.second, self.third];
-        along(cuts.into_iter().flatten().map(|cut| cut.of(chain)), |cut, is_first| {
-            cut.search(target, reference, !is_first, visit)
-        })
+        along(|part| Some(cuts.get(part.number)?.as_ref()?.of(chain)?.search(target, reference, part, visit)))
     }
 }
 
-/// Searches along the first cut that has constants; if it leaves a doubt, along the next one; if that one tells nothing,
-/// along the last.
-fn along<C>(cuts: impl Iterator<Item = Option<C>>, mut search: impl FnMut(C, bool) -> Rest) -> Outcome {
-    let (mut is_first, mut is_complete) = (true, true);
-    for cut in cuts.flatten() {
-        let rest = search(cut, is_first);
-        is_complete &= rest.is_complete && !rest.is_ended;
-        let is_enough = if is_first { !rest.is_doubtful } else { !rest.is_useless };
-        is_first = false;
-        if rest.is_ended || is_enough {
+/// The most cuts of an arm.
+const MOST_CUTS: usize = 3;
+
+/// Searches along the cuts until one serves and leaves no doubt, or two have served. Where none serves, the roots of
+/// polynomials that tell nothing are better than none.
+fn along(mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome {
+    let (mut is_complete, mut has_families, mut served) = (true, true, 0);
+    for takes_all in [false, true] {
+        for number in 0..MOST_CUTS {
+            let Some(rest) = search(Part { number, has_families, takes_all }) else { continue };
+            is_complete &= rest.is_complete && !rest.is_ended;
+            has_families &= !rest.has_families;
+            served += usize::from(!rest.is_useless);
+            if rest.is_ended || served == 2 || (served == 1 && !rest.is_doubtful) {
+                return Outcome { is_complete };
+            }
+        }
+        if served > 0 || !has_families {
             break;
         }
     }
-    Outcome { is_complete: is_complete && !is_first }
+    Outcome { is_complete: is_complete && (served > 0 || !has_families) }
 }

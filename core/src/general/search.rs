@@ -5,10 +5,10 @@ use core::ops::ControlFlow::{self, Continue};
 use super::elimination::{Closed, Elimination};
 use super::equations::{Equations, Position};
 use super::lanes::Two;
+use crate::Transform;
 use crate::held_joint::{Candidate, MOST_CANDIDATES, Visitor};
 use crate::math::{sin_cos, wrap};
 use crate::trig_polynomial::{Fit, Local, Root, Roots};
-use crate::Transform;
 
 /// A polynomial below this share of its usual size is zero everywhere.
 const FREE: f64 = 1e-11;
@@ -52,34 +52,51 @@ pub(crate) struct Rest {
     pub(crate) is_doubtful: bool,
     /// The polynomial is not known, or zero everywhere.
     pub(crate) is_useless: bool,
+    /// Members of a family have been listed.
+    pub(crate) has_families: bool,
     /// No list was full and no bound was reached.
     pub(crate) is_complete: bool,
     /// The visitor ended the search.
     pub(crate) is_ended: bool,
-    /// Of the samples, see [`Fit`].
+    /// The greatest sample.
     pub(crate) greatest: f64,
-    pub(crate) wrong: f64,
+}
+
+/// The part that a cut has in a search.
+#[derive(Clone, Copy)]
+pub(crate) struct Part {
+    /// The number of the cut: its roots are numbered from 24 times this.
+    pub(crate) number: usize,
+    /// A polynomial that is zero everywhere lists members of a family.
+    pub(crate) has_families: bool,
+    /// The roots of a polynomial that tells nothing are taken as well: no cut serves.
+    pub(crate) takes_all: bool,
 }
 
 impl Elimination {
-    /// The candidates of this cut. A second one leaves out families, which the first has listed.
+    /// The candidates of this cut.
     pub(crate) fn search(
         &self,
         target: &Transform<f64>,
         reference: &[f64; 6],
-        is_second: bool,
+        part: Part,
         visit: &mut Visitor<'_, f64>,
     ) -> Rest {
         let closed = self.closed(target);
         let fit = Fit::sampled_in_pairs(|sin, cos| values(&closed.equations, sin, cos));
         let Fit { greatest, wrong, .. } = fit;
-        let mut rest =
-            Rest { is_doubtful: true, is_useless: true, is_complete: true, is_ended: false, greatest, wrong };
+        let mut rest = Rest {
+            is_doubtful: true,
+            is_useless: true,
+            has_families: false,
+            is_complete: true,
+            is_ended: false,
+            greatest,
+        };
         let is_known = wrong.is_finite();
-        if !is_known || (is_second && wrong > USELESS) {
+        if !is_known || (wrong > USELESS && !part.takes_all) {
             return rest;
         }
-        let root = if is_second { MOST_CANDIDATES } else { 0 } as u8;
         let mut search = Search {
             closed,
             other: None,
@@ -87,14 +104,15 @@ impl Elimination {
             is_full: false,
             reference,
             visit,
-            root,
+            root: (part.number * MOST_CANDIDATES) as u8,
             is_doubtful: false,
             free: 0,
             least: f64::MAX,
         };
         let is_somewhere = fit.polynomial.size() > FREE * self.scale;
         if !is_somewhere {
-            rest.is_ended = !is_second && search.family().is_break();
+            rest.has_families = part.has_families;
+            rest.is_ended = part.has_families && search.family().is_break();
             return rest;
         }
         let roots = fit.roots();
