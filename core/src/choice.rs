@@ -79,6 +79,12 @@ impl Judgment {
         ScaledCut { cut: self.cut, scale: quantile(self.scales, self.poses, 5) }
     }
 
+    /// Returns true for a cut that holds the first joint or the last one. With the last axis on the first, these are free,
+    /// and other cuts tell nothing.
+    fn holds_an_end(&self) -> bool {
+        matches!(self.cut.held(), 0 | 5)
+    }
+
     /// Returns false for a cut that loses too many random poses.
     fn serves(&self) -> bool {
         8 * (self.lost & RANDOM).count_ones() as usize <= self.poses
@@ -135,12 +141,18 @@ pub fn choose_given(chain: &Make) -> Option<Cuts> {
     let open = || all.iter().filter(|x| x.is_open);
     let first = open().min_by(|a, b| a.compare(b))?;
     // Another cut for what is still lost.
-    let next = |lost: u128, held: &[usize]| {
-        let others = open().filter(|x| !held.contains(&x.cut.held()));
+    let next = |lost: u128, held: &[usize], is_at_end: bool| {
+        let holds = |x: &&Judgment| !held.contains(&x.cut.held()) && (!is_at_end || x.holds_an_end());
+        let others = open().filter(holds);
         others.min_by(|a, b| (a.lost & lost).count_ones().cmp(&(b.lost & lost).count_ones()).then_with(|| a.compare(b)))
     };
-    let second = next(first.lost, &[first.cut.held()]);
-    let third = second.and_then(|x| next(first.lost & x.lost, &[first.cut.held(), x.cut.held()]));
+    let second = next(first.lost, &[first.cut.held()], false);
+    let third = second.and_then(|x| {
+        let (lost, held) = (first.lost & x.lost, [first.cut.held(), x.cut.held()]);
+        let has_an_end = first.holds_an_end() || x.holds_an_end();
+        let at_end = if has_an_end { None } else { next(lost, &held, true) };
+        at_end.or_else(|| next(lost, &held, false))
+    });
     Some(Cuts { first: first.scaled(), second: second.map(Judgment::scaled), third: third.map(Judgment::scaled) })
 }
 

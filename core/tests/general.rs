@@ -72,6 +72,14 @@ fn round_poses_lose_nothing() {
             for _ in 0..400 {
                 let joints = rng.joints().map(|q| (q / step).round() * step);
                 let found = arm.solve(&arm.chain.pose(&joints));
+                if found.list.is_empty() {
+                    let target = arm.chain.pose(&joints);
+                    println!("DBG evals {} complete {}", found.evaluations, found.is_complete);
+                    for c in candidates(&arm, &target) {
+                        let r = arm.chain.refined(&c.joints, &target, 15);
+                        println!("DBG {} {} residual {:.1e} refined {:.1e} {}", c.root, c.is_doubtful, arm.chain.residual(&c.joints, &target), r.residual, r.evaluations);
+                    }
+                }
                 assert!(!found.list.is_empty(), "{name} {joints:?}");
                 let is_regular = least_singular_value(&arm.chain, &joints) > 1e-6;
                 assert!(!is_regular || found.distance(&arm.chain, &joints) < SAME, "{name} {joints:?}");

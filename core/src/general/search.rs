@@ -24,7 +24,10 @@ const MOST_ARCS: usize = 32;
 /// Where a free joint's reference has no member of the family, these are tried, rad beside it.
 const ELSEWHERE: [f64; 8] = [0.0, 2.1, -2.1, 0.7, -0.7, 1.4, -1.4, 2.8];
 /// A candidate that closes to this belongs to a family.
-const CLOSES: f64 = 1e-4;
+const CLOSES: f64 = 1e-3;
+
+/// The place of the held joint in the order of the cut.
+const HELD: usize = 3;
 
 /// The search along one cut.
 struct Search<'a, 'v> {
@@ -39,10 +42,9 @@ struct Search<'a, 'v> {
     visit: &'a mut Visitor<'v, f64>,
     root: u8,
     is_doubtful: bool,
-    /// Joints that are free.
-    free: u8,
-    /// The least distance from closing of the members of a family.
-    least: f64,
+    /// The held joint is taken to be free: only joint vectors that close the ring are visited.
+    is_family: bool,
+    has_members: bool,
 }
 
 /// What a cut leaves open.
@@ -106,13 +108,13 @@ impl Elimination {
             visit,
             root: (part.number * MOST_CANDIDATES) as u8,
             is_doubtful: false,
-            free: 0,
-            least: f64::MAX,
+            is_family: false,
+            has_members: false,
         };
         let is_somewhere = fit.polynomial.size() > FREE * self.scale;
         if !is_somewhere {
-            rest.has_families = part.has_families;
             rest.is_ended = part.has_families && search.family().is_break();
+            rest.has_families = search.has_members;
             return rest;
         }
         let roots = fit.roots();
@@ -160,10 +162,15 @@ impl Search<'_, '_> {
     ) -> ControlFlow<()> {
         let (e, f) = if is_in_order { (first, second) } else { (second, first) };
         let joints = self.closed.joints(held, e, f);
-        if self.free != 0 {
-            self.least = self.least.min(self.closed.residual(&joints));
+        let mut free = free;
+        if self.is_family {
+            let is_member = self.closed.residual(&joints) < CLOSES;
+            if !is_member {
+                return Continue(());
+            }
+            self.has_members = true;
+            free |= 1 << self.closed.elimination.cut.held();
         }
-        let free = free | self.free;
         let candidate = Candidate { joints, root: self.root, signs: None, free, is_doubtful: self.is_doubtful };
         if candidate.is_finite() { (self.visit)(&candidate) } else { Continue(()) }
     }
@@ -223,29 +230,33 @@ impl Search<'_, '_> {
         flow
     }
 
-    /// The polynomial is zero: the held joint is free. Members of the family at the joint's reference, or beside it
-    /// where the family has none.
+    /// The polynomial is zero. If the held joint is free, members of the family at its reference are visited, or beside
+    /// it where the family has none. Where two axes fall together the polynomial may be zero without that: then the ring
+    /// closes nowhere, and nothing is visited.
     fn family(&mut self) -> ControlFlow<()> {
-        let held = self.closed.elimination.cut.held();
-        let reference = self.reference.get(held).copied().unwrap_or(0.0);
-        (self.is_doubtful, self.free) = (true, 1 << held);
+        let reference = self.value_of(HELD);
+        (self.is_doubtful, self.is_family) = (true, true);
         for distance in ELSEWHERE {
             let place = sin_cos(reference + distance);
             self.at(place)?;
             self.at_other(place)?;
-            if self.least < CLOSES {
+            if self.has_members {
                 break;
             }
         }
         Continue(())
     }
 
-    /// The joint's reference, in the sense of the cut.
+    /// The value of a joint's reference, in the sense of the cut.
+    fn value_of(&self, place: usize) -> f64 {
+        let cut = self.closed.elimination.cut;
+        let value = cut.order().get(place).and_then(|joint| self.reference.get(*joint)).copied().unwrap_or(0.0);
+        if cut.is_backward { -value } else { value }
+    }
+
+    /// The reference as a position.
     fn reference_of(&self, place: usize) -> Position {
-        let elimination = self.closed.elimination;
-        let joint = elimination.cut.order().get(place).copied().unwrap_or(0);
-        let value = self.reference.get(joint).copied().unwrap_or(0.0);
-        let value = if elimination.cut.is_backward { -value } else { value };
+        let (elimination, value) = (self.closed.elimination, self.value_of(place));
         if elimination.is_prismatic.get(place).copied().unwrap_or(false) {
             Position::Slide(value / elimination.unit)
         } else {
