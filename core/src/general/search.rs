@@ -19,6 +19,8 @@ pub(super) const USELESS: f64 = 1e-5;
 const ARCS: [f64; 4] = [0.12, 1.5e-2, 7e-4, 3e-5];
 /// Roots within this part of an arc are known from its samples.
 const INNER: f64 = 0.9;
+/// The values on a shorter arc have to be better by this factor.
+const BETTER: f64 = 0.3;
 /// The most arcs of one cut.
 const MOST_ARCS: usize = 32;
 /// Where a free joint's reference has no member of the family, these are tried, rad beside it.
@@ -119,7 +121,7 @@ impl Elimination {
         }
         let roots = fit.roots();
         rest.is_useless = wrong > USELESS;
-        rest.is_doubtful = rest.is_useless || roots.as_slice().iter().any(|root| root.is_doubtful);
+        rest.is_doubtful = rest.is_useless || roots.as_slice().iter().any(|root| is_doubtful(&roots, root));
         rest.is_ended = search.all(&roots, &ARCS).is_break();
         rest.is_complete = !search.is_full;
         rest
@@ -179,19 +181,18 @@ impl Search<'_, '_> {
     /// roots are near: about a doubtful root the function is sampled anew, on the first of `arcs`.
     fn all(&mut self, roots: &Roots, arcs: &[f64]) -> ControlFlow<()> {
         self.is_full |= !roots.is_complete;
-        let roots = roots.as_slice();
         // The middles of the arcs.
         let (mut middles, mut len) = ([0.0; MOST_ARCS], 0);
         let [half, shorter @ ..] = arcs else {
-            return roots.iter().try_for_each(|root| self.one(root));
+            return roots.as_slice().iter().try_for_each(|root| self.one(root));
         };
         let reach = INNER * 2.0 * half;
-        for root in roots.iter().filter(|root| root.is_doubtful) {
+        for root in roots.as_slice().iter().filter(|root| is_doubtful(roots, root)) {
             if is_near(root, &middles[..len], reach) {
                 continue;
             }
             self.is_full |= self.arcs >= MOST_ARCS;
-            let inner = if self.arcs < MOST_ARCS { self.sampled_about(root, *half) } else { None };
+            let inner = if self.arcs < MOST_ARCS { self.sampled_about(root, *half, roots.rounding) } else { None };
             match inner {
                 Some(inner) => {
                     middles[len] = root.angle;
@@ -201,7 +202,7 @@ impl Search<'_, '_> {
                 None => self.one(root)?,
             }
         }
-        for root in roots.iter().filter(|root| !root.is_doubtful) {
+        for root in roots.as_slice().iter().filter(|root| !is_doubtful(roots, root)) {
             if !is_near(root, &middles[..len], reach) {
                 self.one(root)?;
             }
@@ -209,12 +210,13 @@ impl Search<'_, '_> {
         Continue(())
     }
 
-    /// The roots on an arc about a root. None if there are none, or if the samples tell nothing.
-    fn sampled_about(&mut self, root: &Root, half: f64) -> Option<Roots> {
+    /// The roots on an arc about a root. None if there are none, or if the samples tell no more than those before, whose
+    /// values are `rounding` off.
+    fn sampled_about(&mut self, root: &Root, half: f64, rounding: f64) -> Option<Roots> {
         self.arcs += 1;
         let equations = &self.closed.equations;
         let local = Local::sampled_in_pairs(root.sin_cos, half, |sin, cos| values(equations, sin, cos));
-        if local.wrong > USELESS {
+        if local.wrong > USELESS || local.rounding > BETTER * rounding {
             return None;
         }
         let roots = local.roots();
@@ -268,6 +270,11 @@ impl Search<'_, '_> {
     fn bit(&self, place: usize) -> u8 {
         1 << self.closed.elimination.cut.order().get(place).copied().unwrap_or(0)
     }
+}
+
+/// Returns true for a root that is not known, or not known apart from the others.
+fn is_doubtful(roots: &Roots, root: &Root) -> bool {
+    root.is_doubtful && !roots.is_apart(root)
 }
 
 /// Two values of the function.

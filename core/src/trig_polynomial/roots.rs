@@ -6,7 +6,7 @@
 
 use super::tables::{EVEN, HALF_ARC, ODD};
 use super::{DEGREE, SAMPLES, TrigPolynomial, value_and_slope};
-use crate::math::angle;
+use crate::math::{angle, wrap};
 
 /// The most roots of a list. A polynomial has 16; a multiple root may be listed in several pieces.
 pub const MOST_ROOTS: usize = 24;
@@ -21,6 +21,8 @@ const STACK: usize = DEPTH as usize + 2;
 const NEAR: f64 = 0.1;
 /// A root is doubtful if rounding may move it by more, rad.
 const UNCERTAIN: f64 = 1e-7;
+/// No root counts as farther from the others, rad.
+const WIDEST: f64 = 0.1;
 /// The most steps of Newton's method for one root.
 const STEPS: usize = 12;
 
@@ -44,6 +46,8 @@ pub struct Root {
 pub struct Roots {
     list: [Root; MOST_ROOTS],
     len: usize,
+    /// Values of the polynomial are so far off.
+    pub rounding: f64,
     /// The number of pieces that were looked at, at most [`MOST_NODES`].
     pub nodes: usize,
     /// False if the list was full or [`MOST_NODES`] was reached: roots may be missing.
@@ -51,18 +55,25 @@ pub struct Roots {
 }
 
 impl Roots {
-    /// No root.
-    pub const NONE: Self = Self {
-        list: [Root { angle: 0.0, sin_cos: (0.0, 1.0), slope: 0.0, is_double: false, is_doubtful: false }; MOST_ROOTS],
-        len: 0,
-        nodes: 0,
-        is_complete: true,
-    };
+    /// No root yet, of a polynomial whose values are `rounding` off.
+    pub(super) const fn none(rounding: f64) -> Self {
+        const NONE: Root = Root { angle: 0.0, sin_cos: (0.0, 1.0), slope: 0.0, is_double: false, is_doubtful: false };
+        Self { list: [NONE; MOST_ROOTS], len: 0, rounding, nodes: 0, is_complete: true }
+    }
 
     /// The roots that were found.
     #[inline]
     pub fn as_slice(&self) -> &[Root] {
         self.list.get(..self.len).unwrap_or(&self.list)
+    }
+
+    /// Returns true for a root that rounding moves by less than a thousandth of its distance from the others.
+    pub fn is_apart(&self, root: &Root) -> bool {
+        let mut gap = WIDEST;
+        for other in self.as_slice().iter().filter(|other| *other != root) {
+            gap = gap.min(wrap(other.angle - root.angle).abs());
+        }
+        !root.is_double && self.rounding <= 1e-3 * gap * root.slope.abs()
     }
 
     fn push(&mut self, root: Root) {
@@ -109,31 +120,35 @@ pub(super) trait Curve {
 /// The roots of a polynomial. Coefficients up to `rounding` have no sign. A root is doubtful if values that are so far
 /// off move it by more than 1e-7 rad.
 pub(super) fn roots(polynomial: &TrigPolynomial, rounding: f64) -> Roots {
-    let mut out = Roots::NONE;
+    let mut out = Roots::none(rounding);
     for quarters in 0..4 {
         let arc = Arc::of(polynomial, quarters, rounding);
-        isolate(&arc, arc.bernstein(), HALF_ARC, NEAR, rounding, &mut out);
+        isolate(&arc, arc.bernstein(), Range { half: HALF_ARC, near: NEAR, depth: 0 }, &mut out);
     }
     out
 }
 
-/// Lists the roots with x in `[-half, half]`, from the Bernstein coefficients there. `near`: see [`NEAR`].
-pub(super) fn isolate(
-    curve: &impl Curve,
-    bernstein: [f64; SAMPLES],
-    half: f64,
-    near: f64,
-    floor: f64,
-    out: &mut Roots,
-) {
-    let first = Piece { b: bernstein, low: -half, width: 2.0 * half, depth: 0 };
+/// What is looked at.
+#[derive(Clone, Copy)]
+pub(super) struct Range {
+    /// x is in `[-half, half]`.
+    pub(super) half: f64,
+    /// See [`NEAR`].
+    pub(super) near: f64,
+    /// Pieces that have been halved less often have coefficients whose signs are not known.
+    pub(super) depth: u8,
+}
+
+/// Lists the roots in a range, from the Bernstein coefficients there.
+pub(super) fn isolate(curve: &impl Curve, bernstein: [f64; SAMPLES], range: Range, out: &mut Roots) {
+    let first = Piece { b: bernstein, low: -range.half, width: 2.0 * range.half, depth: 0 };
     let mut stack = [first; STACK];
     let mut waiting = 1;
     while waiting > 0 && out.nodes < MOST_NODES {
         waiting -= 1;
         let piece = stack[waiting];
         out.nodes += 1;
-        if let Some((left, right)) = look_at(&piece, curve, near, floor, out)
+        if let Some((left, right)) = look_at(&piece, curve, range, out)
             && waiting + 2 <= STACK
         {
             stack[waiting] = right;
@@ -148,9 +163,12 @@ pub(super) fn isolate(
 
 /// Lists the roots of a piece, or gives its halves.
 #[inline(always)]
-fn look_at(piece: &Piece, curve: &impl Curve, near: f64, floor: f64, out: &mut Roots) -> Option<(Piece, Piece)> {
+fn look_at(piece: &Piece, curve: &impl Curve, range: Range, out: &mut Roots) -> Option<(Piece, Piece)> {
     let Piece { b, low, width, depth } = piece;
-    let middle = low + 0.5 * width;
+    let (middle, floor) = (low + 0.5 * width, out.rounding);
+    if *depth < range.depth {
+        return Some(piece.halved());
+    }
     let signs = Signs::of(b, floor);
     if signs.is_quiet {
         out.push(curve.root(middle, true));
@@ -173,13 +191,21 @@ fn look_at(piece: &Piece, curve: &impl Curve, near: f64, floor: f64, out: &mut R
         out.push(curve.root(middle, true));
         return None;
     }
-    let (left, right) = halves(b);
-    if *width < near && Signs::of(&left, floor).are_equal() && Signs::of(&right, floor).are_equal() {
+    let (left, right) = piece.halved();
+    if *width < range.near && [&left, &right].iter().all(|half| Signs::of(&half.b, floor).are_equal()) {
         out.push(curve.root(middle, true));
         return None;
     }
-    let (width, depth) = (0.5 * width, depth + 1);
-    Some((Piece { b: left, low: *low, width, depth }, Piece { b: right, low: middle, width, depth }))
+    Some((left, right))
+}
+
+impl Piece {
+    #[inline(always)]
+    fn halved(&self) -> (Self, Self) {
+        let (left, right) = halves(&self.b);
+        let (width, depth) = (0.5 * self.width, self.depth + 1);
+        (Self { b: left, low: self.low, width, depth }, Self { b: right, low: self.low + width, width, depth })
+    }
 }
 
 /// Signs of the coefficients of a piece.
