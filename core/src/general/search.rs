@@ -3,7 +3,7 @@
 use core::ops::ControlFlow::{self, Continue};
 
 use super::elimination::{Closed, Elimination};
-use super::equations::{Equations, Position};
+use super::equations::{Equations, Pairs, Position};
 use super::lanes::Two;
 use crate::Transform;
 use crate::held_joint::{Candidate, MOST_CANDIDATES, Visitor};
@@ -40,6 +40,8 @@ struct Search<'a, 'v> {
     arcs: usize,
     /// A list was full or a bound was reached.
     is_full: bool,
+    /// At a simple root the other joints did not follow.
+    is_unsound: bool,
     reference: &'a [f64; 6],
     visit: &'a mut Visitor<'v, f64>,
     root: u8,
@@ -106,6 +108,7 @@ impl Elimination {
             other: None,
             arcs: 0,
             is_full: false,
+            is_unsound: false,
             reference,
             visit,
             root: (part.number * MOST_CANDIDATES) as u8,
@@ -121,36 +124,37 @@ impl Elimination {
         }
         let roots = fit.roots();
         rest.is_useless = wrong > USELESS;
-        rest.is_doubtful = rest.is_useless || roots.as_slice().iter().any(|root| is_doubtful(&roots, root));
         rest.is_ended = search.all(&roots, &ARCS).is_break();
+        let has_doubts = roots.as_slice().iter().any(|root| is_doubtful(&roots, root));
+        rest.is_doubtful = rest.is_useless || has_doubts || search.is_unsound;
         rest.is_complete = !search.is_full;
         rest
     }
 }
 
 impl Search<'_, '_> {
-    /// Solutions with the held joint at this angle.
-    fn at(&mut self, held: (f64, f64)) -> ControlFlow<()> {
+    /// Solutions with the held joint at this angle. Returns true if the other joints follow from the root.
+    fn at(&mut self, held: (f64, f64)) -> ControlFlow<(), bool> {
         let [e, f] = if self.closed.elimination.cut.is_swapped { [5, 4] } else { [4, 5] };
         let pairs = self.closed.equations.pairs(held, self.reference_of(f));
+        self.visit_pairs(held, &pairs, e, f)
+    }
+
+    /// As [`Search::at`] with the roles of e and f exchanged: two solutions may share c and f.
+    fn at_other(&mut self, held: (f64, f64)) -> ControlFlow<(), bool> {
+        let [e, f] = if self.closed.elimination.cut.is_swapped { [4, 5] } else { [5, 4] };
+        let reference = self.reference_of(f);
+        let pairs = self.other.get_or_insert_with(|| self.closed.equations.swapped()).pairs(held, reference);
+        self.visit_pairs(held, &pairs, e, f)
+    }
+
+    /// Visits pairs of the joints at places e and f of the cut.
+    fn visit_pairs(&mut self, held: (f64, f64), pairs: &Pairs, e: usize, f: usize) -> ControlFlow<(), bool> {
         let free = if pairs.is_free { self.bit(f) } else { 0 };
         for (first, second) in pairs.list.into_iter().take(pairs.len) {
             self.visit(held, first, second, e < f, free)?;
         }
-        Continue(())
-    }
-
-    /// As [`Search::at`] with the roles of e and f exchanged: two solutions may share c and f.
-    fn at_other(&mut self, held: (f64, f64)) -> ControlFlow<()> {
-        let f = if self.closed.elimination.cut.is_swapped { 5 } else { 4 };
-        let reference = self.reference_of(f);
-        let other = self.other.get_or_insert_with(|| self.closed.equations.swapped());
-        let pairs = other.pairs(held, reference);
-        let free = if pairs.is_free { self.bit(f) } else { 0 };
-        for (first, second) in pairs.list.into_iter().take(pairs.len) {
-            self.visit(held, first, second, f == 5, free)?;
-        }
-        Continue(())
+        Continue(pairs.is_sound)
     }
 
     /// Visits the joints, with e and f or f and e.
@@ -226,10 +230,13 @@ impl Search<'_, '_> {
     /// Solutions at one root.
     fn one(&mut self, root: &Root) -> ControlFlow<()> {
         self.is_doubtful = root.is_doubtful;
-        let flow = self.at(root.sin_cos);
-        let flow = if root.is_doubtful && flow.is_continue() { self.at_other(root.sin_cos) } else { flow };
+        let is_sound = self.at(root.sin_cos)?;
+        self.is_unsound |= !is_sound;
+        if root.is_doubtful || !is_sound {
+            self.at_other(root.sin_cos)?;
+        }
         self.root = self.root.saturating_add(1);
-        flow
+        Continue(())
     }
 
     /// The polynomial is zero. If the held joint is free, members of the family at its reference are visited, or beside
