@@ -217,6 +217,7 @@ fn on_parabola([a, b, c]: [f64; 3]) -> [[f64; 3]; 2] {
 
 /// Step K of the elimination: the greatest entry of column K is the pivot.
 #[inline(always)]
+#[allow(clippy::needless_range_loop, reason = "loops over constant ranges are unrolled, iterators with `skip` are not")]
 fn eliminate<L: Lanes, const K: usize>(m: &mut [[L; PRODUCTS]; 6], determinant: &mut L) {
     // Magnitudes as integers, with the row in the last three bits: no branch depends on the target.
     let mut greatest = 0;
