@@ -17,6 +17,8 @@ pub(super) const USELESS: f64 = 1e-5;
 /// About a doubtful root the function is sampled anew, on an arc that ends at these half-angle tangents. If the root is
 /// doubtful there as well, the next arc is shorter.
 const ARCS: [f64; 4] = [0.12, 1.5e-2, 7e-4, 3e-5];
+/// An arc about a root that is somewhere on a piece is longer than the piece.
+const WIDER: f64 = 1.2;
 /// Roots within this part of an arc are known from its samples.
 const INNER: f64 = 0.9;
 /// The values on a shorter arc have to be better by this factor.
@@ -185,29 +187,29 @@ impl Search<'_, '_> {
     /// roots are near: about a doubtful root the function is sampled anew, on the first of `arcs`.
     fn all(&mut self, roots: &Roots, arcs: &[f64]) -> ControlFlow<()> {
         self.is_full |= !roots.is_complete;
-        // The middles of the arcs.
-        let (mut middles, mut len) = ([0.0; MOST_ARCS], 0);
         let [half, shorter @ ..] = arcs else {
             return roots.as_slice().iter().try_for_each(|root| self.one(root));
         };
-        let reach = INNER * 2.0 * half;
+        // The middles of the arcs, and what is known about them, rad.
+        let (mut known, mut len) = ([(0.0, 0.0); MOST_ARCS], 0);
         for root in roots.as_slice().iter().filter(|root| is_doubtful(roots, root)) {
-            if is_near(root, &middles[..len], reach) {
+            if is_near(root, known.get(..len)) {
                 continue;
             }
             self.is_full |= self.arcs >= MOST_ARCS;
-            let inner = if self.arcs < MOST_ARCS { self.sampled_about(root, *half, roots.rounding) } else { None };
-            match inner {
-                Some(inner) => {
-                    middles[len] = root.angle;
+            let half = half.max(WIDER * root.spread);
+            let inner = if self.arcs < MOST_ARCS { self.sampled_about(root, half, roots.rounding) } else { None };
+            match (inner, known.get_mut(len)) {
+                (Some(inner), Some(place)) => {
+                    *place = (root.angle, INNER * 2.0 * half);
                     len += 1;
                     self.all(&inner, shorter)?;
                 }
-                None => self.one(root)?,
+                _ => self.one(root)?,
             }
         }
         for root in roots.as_slice().iter().filter(|root| !is_doubtful(roots, root)) {
-            if !is_near(root, &middles[..len], reach) {
+            if !is_near(root, known.get(..len)) {
                 self.one(root)?;
             }
         }
@@ -291,7 +293,7 @@ fn values(equations: &Equations, sin: [f64; 2], cos: [f64; 2]) -> [f64; 2] {
     values
 }
 
-/// Returns true if a root is at most `reach` rad from one of the angles.
-fn is_near(root: &Root, angles: &[f64], reach: f64) -> bool {
-    angles.iter().any(|angle| wrap(root.angle - angle).abs() <= reach)
+/// Returns true if a root is on one of the arcs, given by their middles and half lengths, rad.
+fn is_near(root: &Root, arcs: Option<&[(f64, f64)]>) -> bool {
+    arcs.is_some_and(|arcs| arcs.iter().any(|(middle, reach)| wrap(root.angle - middle).abs() <= *reach))
 }

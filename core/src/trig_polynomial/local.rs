@@ -94,10 +94,10 @@ impl Curve for Local {
         (b[0], (2 * DEGREE) as f64 * scale * slope)
     }
 
-    fn root(&self, x: f64, is_double: bool) -> Root {
+    fn root(&self, x: f64, spread: Option<f64>) -> Root {
         let (_, slope) = self.at(x);
         // From x to the angle: dx = (1 + x^2) / 2 du.
-        Root::new(turned(direction(x), self.middle), 0.5 * (1.0 + x * x) * slope, is_double, self.rounding)
+        Root::new(turned(direction(x), self.middle), 0.5 * (1.0 + x * x) * slope, spread, self.rounding)
     }
 }
 

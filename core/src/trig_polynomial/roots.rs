@@ -37,6 +37,8 @@ pub struct Root {
     pub slope: f64,
     /// Two roots that meet, or nearly so: rounding decides how many there are.
     pub is_double: bool,
+    /// A double root is somewhere within this half-angle tangent of the angle: all along the polynomial may be rounding.
+    pub spread: f64,
     /// Double, or moved by rounding by more than 1e-7 rad.
     pub is_doubtful: bool,
 }
@@ -57,7 +59,8 @@ pub struct Roots {
 impl Roots {
     /// No root yet, of a polynomial whose values are `rounding` off.
     pub(super) const fn none(rounding: f64) -> Self {
-        const NONE: Root = Root { angle: 0.0, sin_cos: (0.0, 1.0), slope: 0.0, is_double: false, is_doubtful: false };
+        const NONE: Root =
+            Root { angle: 0.0, sin_cos: (0.0, 1.0), slope: 0.0, is_double: false, spread: 0.0, is_doubtful: false };
         Self { list: [NONE; MOST_ROOTS], len: 0, rounding, nodes: 0, is_complete: true }
     }
 
@@ -113,8 +116,8 @@ struct Arc {
 pub(super) trait Curve {
     /// Value and derivative, both times one positive number.
     fn at(&self, x: f64) -> (f64, f64);
-    /// The root at x.
-    fn root(&self, x: f64, is_double: bool) -> Root;
+    /// The root at x, a double one with its spread.
+    fn root(&self, x: f64, spread: Option<f64>) -> Root;
 }
 
 /// The roots of a polynomial. Coefficients up to `rounding` have no sign. A root is doubtful if values that are so far
@@ -171,29 +174,29 @@ fn look_at(piece: &Piece, curve: &impl Curve, range: Range, out: &mut Roots) -> 
     }
     let signs = Signs::of(b, floor);
     if signs.is_quiet {
-        out.push(curve.root(middle, true));
+        out.push(curve.root(middle, Some(0.5 * width)));
         return None;
     }
     // A root where two pieces meet has no change of sign in either: the first coefficient tells.
     if signs.changes <= 1 && b[0].abs() <= floor {
-        out.push(curve.root(*low, true));
+        out.push(curve.root(*low, Some(0.0)));
     }
     if !signs.hides {
         if signs.changes == 0 {
             return None;
         }
         if signs.changes == 1 {
-            out.push(curve.root(refined(piece, curve), false));
+            out.push(curve.root(refined(piece, curve), None));
             return None;
         }
     }
     if *depth >= DEPTH {
-        out.push(curve.root(middle, true));
+        out.push(curve.root(middle, Some(0.5 * width)));
         return None;
     }
     let (left, right) = piece.halved();
     if *width < range.near && [&left, &right].iter().all(|half| Signs::of(&half.b, floor).are_equal()) {
-        out.push(curve.root(middle, true));
+        out.push(curve.root(middle, Some(0.5 * width)));
         return None;
     }
     Some((left, right))
@@ -295,7 +298,7 @@ impl Curve for Arc {
         (value, 2.0 * k * slope)
     }
 
-    fn root(&self, x: f64, is_double: bool) -> Root {
+    fn root(&self, x: f64, spread: Option<f64>) -> Root {
         let (sin, cos) = direction(x);
         let (_, slope) = value_and_slope(&self.cosines, &self.sines, (sin, cos));
         let (sin, cos) = match self.quarters % 4 {
@@ -304,16 +307,18 @@ impl Curve for Arc {
             2 => (-sin, -cos),
             _ => (-cos, sin),
         };
-        Root::new(turned((sin, cos), self.offset_sin_cos), slope, is_double, self.rounding)
+        Root::new(turned((sin, cos), self.offset_sin_cos), slope, spread, self.rounding)
     }
 }
 
 impl Root {
     /// A root of a function whose values are `rounding` off.
-    pub(super) fn new((sin, cos): (f64, f64), slope: f64, is_double: bool, rounding: f64) -> Self {
+    pub(super) fn new((sin, cos): (f64, f64), slope: f64, spread: Option<f64>, rounding: f64) -> Self {
         let is_certain = rounding <= UNCERTAIN * slope.abs();
+        let is_double = spread.is_some();
         let is_doubtful = is_double || !is_certain;
-        Self { angle: angle(sin, cos), sin_cos: (sin, cos), slope, is_double, is_doubtful }
+        let spread = spread.unwrap_or(0.0);
+        Self { angle: angle(sin, cos), sin_cos: (sin, cos), slope, is_double, spread, is_doubtful }
     }
 }
 
