@@ -19,6 +19,8 @@ const STACK: usize = DEPTH as usize + 2;
 /// A piece narrower than this, in x, whose halves have no change of sign, has a pair of roots which rounding or a
 /// target just out of reach has made complex.
 const NEAR: f64 = 0.1;
+/// Pieces narrower than this part of the half arc are not halved because of their ends.
+const NARROW: f64 = 0.02;
 /// A root is doubtful if rounding may move it by more, rad.
 const UNCERTAIN: f64 = 1e-7;
 /// No root counts as farther from the others, rad.
@@ -178,10 +180,12 @@ fn look_at(piece: &Piece, curve: &impl Curve, range: Range, out: &mut Roots) -> 
         return None;
     }
     // A root where two pieces meet has no change of sign in either: the first coefficient tells.
-    if signs.changes <= 1 && b[0].abs() <= floor {
-        out.push(curve.root(*low, Some(0.0)));
+    let is_narrow = *width < NARROW * range.half;
+    let is_known = !signs.hides && (!signs.ends_quietly || is_narrow);
+    if is_known && signs.changes <= 1 && b[0].abs() <= floor {
+        out.push(curve.root(*low, Some(*width)));
     }
-    if !signs.hides {
+    if is_known {
         if signs.changes == 0 {
             return None;
         }
@@ -217,6 +221,8 @@ struct Signs {
     changes: u32,
     /// Between two of them stand coefficients without a sign, whose true signs could add two changes: a multiple root.
     hides: bool,
+    /// Two coefficients or more without a sign stand at an end: a multiple root near it.
+    ends_quietly: bool,
     /// No coefficient has a sign.
     is_quiet: bool,
 }
@@ -225,7 +231,7 @@ impl Signs {
     /// Coefficients up to `floor` have no sign. One that is not a number has none either.
     #[inline(always)]
     fn of(b: &[f64; SAMPLES], floor: f64) -> Self {
-        let (mut changes, mut hides, mut last, mut quiet) = (0, false, 0, 0);
+        let (mut changes, mut hides, mut ends_quietly, mut last, mut quiet) = (0, false, false, 0, 0);
         for x in b {
             let sign = i32::from(*x > floor) - i32::from(*x < -floor);
             if sign == 0 {
@@ -235,13 +241,14 @@ impl Signs {
             let is_change = sign * last < 0;
             changes += u32::from(is_change);
             hides |= last != 0 && quiet > u32::from(is_change);
+            ends_quietly |= last == 0 && quiet > 1;
             (last, quiet) = (sign, 0);
         }
-        Self { changes, hides, is_quiet: last == 0 }
+        Self { changes, hides, ends_quietly: ends_quietly || quiet > 1, is_quiet: last == 0 }
     }
 
     fn are_equal(&self) -> bool {
-        self.changes == 0 && !self.hides && !self.is_quiet
+        self.changes == 0 && !self.hides && !self.ends_quietly && !self.is_quiet
     }
 }
 
