@@ -13,7 +13,7 @@ const POSES: usize = 120;
 /// Rounds of poses. After the first one the useless cuts go, after the others the worse one of each joint.
 const ROUNDS: [Range<usize>; 3] = [0..16, 16..40, 40..POSES];
 /// Each cut is judged by itself.
-const ALONE: Part = Part { number: 0, has_families: true, takes_all: false };
+const ALONE: Part = Part { number: 0, has_families: true, is_moved: false };
 /// The poses with random angles: every other one.
 const RANDOM: u128 = u128::MAX / 3;
 /// A joint vector that differs by less, in rad or reaches, is found.

@@ -10,8 +10,6 @@ use crate::held_joint::{Candidate, MOST_CANDIDATES, Visitor};
 use crate::math::{sin_cos, wrap};
 use crate::trig_polynomial::{Fit, Local, Root, Roots};
 
-/// A polynomial below this share of its usual size is zero everywhere.
-const FREE: f64 = 1e-11;
 /// Samples that are farther from a polynomial than this, as a share of the greatest, tell nothing.
 pub(super) const USELESS: f64 = 1e-5;
 /// About a doubtful root the function is sampled anew, on an arc that ends at these half-angle tangents. If the root is
@@ -30,6 +28,8 @@ const ELSEWHERE: [f64; 8] = [0.0, 2.1, -2.1, 0.7, -0.7, 1.4, -1.4, 2.8];
 /// A candidate that closes to this belongs to a family.
 const CLOSES: f64 = 1e-3;
 
+/// Further cuts share the numbers of their roots.
+const MOST_NUMBERED: usize = 8;
 /// The place of the held joint in the order of the cut.
 const HELD: usize = 3;
 
@@ -77,8 +77,8 @@ pub(crate) struct Part {
     pub(crate) number: usize,
     /// A polynomial that is zero everywhere lists members of a family.
     pub(crate) has_families: bool,
-    /// The roots of a polynomial that tells nothing are taken as well: no cut serves.
-    pub(crate) takes_all: bool,
+    /// A ring beside the arm's own is solved, see [`Elimination::moved`]: no cut serves.
+    pub(crate) is_moved: bool,
 }
 
 impl Elimination {
@@ -90,19 +90,18 @@ impl Elimination {
         part: Part,
         visit: &mut Visitor<'_, f64>,
     ) -> Rest {
-        let closed = self.closed(target);
+        let moved = if part.is_moved { self.moved() } else { None };
+        let closed = moved.as_ref().unwrap_or(self).closed(target);
         let fit = Fit::sampled_in_pairs(|sin, cos| values(&closed.equations, sin, cos));
-        let Fit { greatest, wrong, .. } = fit;
         let mut rest = Rest {
             is_doubtful: true,
             is_useless: true,
             has_families: false,
             is_complete: true,
             is_ended: false,
-            greatest,
+            greatest: fit.greatest,
         };
-        let is_known = wrong.is_finite();
-        if !is_known || (wrong > USELESS && !part.takes_all) {
+        if !closed.equations.is_finite() {
             return rest;
         }
         let mut search = Search {
@@ -113,22 +112,22 @@ impl Elimination {
             is_unsound: false,
             reference,
             visit,
-            root: (part.number * MOST_CANDIDATES) as u8,
+            root: (part.number.min(MOST_NUMBERED) * MOST_CANDIDATES) as u8,
             is_doubtful: false,
             is_family: false,
             has_members: false,
         };
-        let is_somewhere = fit.polynomial.size() > FREE * self.scale;
-        if !is_somewhere {
+        let is_known = fit.greatest > 0.0 && fit.wrong <= USELESS;
+        if !is_known {
             rest.is_ended = part.has_families && search.family().is_break();
             rest.has_families = search.has_members;
             return rest;
         }
         let roots = fit.roots();
-        rest.is_useless = wrong > USELESS;
+        rest.is_useless = false;
         rest.is_ended = search.all(&roots, &ARCS).is_break();
         let has_doubts = roots.as_slice().iter().any(|root| is_doubtful(&roots, root));
-        rest.is_doubtful = rest.is_useless || has_doubts || search.is_unsound;
+        rest.is_doubtful = has_doubts || search.is_unsound || part.is_moved;
         rest.is_complete = !search.is_full;
         rest
     }
@@ -241,9 +240,9 @@ impl Search<'_, '_> {
         Continue(())
     }
 
-    /// The polynomial is zero. If the held joint is free, members of the family at its reference are visited, or beside
-    /// it where the family has none. Where two axes fall together the polynomial may be zero without that: then the ring
-    /// closes nowhere, and nothing is visited.
+    /// The polynomial is zero, so that its samples are rounding. If the held joint is free, members of the family at its
+    /// reference are visited, or beside it where the family has none. Where two axes fall together the polynomial may be
+    /// zero without that: then the ring closes nowhere, and nothing is visited.
     fn family(&mut self) -> ControlFlow<()> {
         let reference = self.value_of(HELD);
         (self.is_doubtful, self.is_family) = (true, true);
