@@ -39,9 +39,18 @@ fn main() {
                         if let Some(general) = &general {
                             let arm =
                                 Arm { chain: chain(table(name), given, f64::to_radians(value)).gathered(), ..*general };
-                            lost[1] += usize::from(
-                                arm.solve_anew(&arm.chain.pose(&joints)).distance(&arm.chain, &joints) > SAME,
-                            );
+                            let x = arm.solve_anew(&arm.chain.pose(&joints));
+                            let is_lost = x.distance(&arm.chain, &joints) > SAME;
+                            lost[1] += usize::from(is_lost);
+                            if is_lost {
+                                println!(
+                                    "  lost found {} evals {} candidates {} sigma {:.1e}",
+                                    x.list.len(),
+                                    x.evaluations,
+                                    x.candidates,
+                                    least_singular_value(&arm.chain, &joints)
+                                );
+                            }
                         }
                     }
                     println!(

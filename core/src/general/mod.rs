@@ -147,14 +147,15 @@ fn along(count: usize, mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome 
     let (mut is_complete, mut has_families, mut served) = (true, true, 0);
     for is_moved in [false, true] {
         for number in 0..count {
-            if number >= MOST_CUTS && served > 0 {
+            if number >= MOST_CUTS && served > 0 && !is_moved {
                 break;
             }
             let Some(rest) = search(Part { number, has_families, is_moved }) else { continue };
             is_complete &= rest.is_complete && !rest.is_ended;
             has_families &= !rest.has_families;
             served += usize::from(!rest.is_useless);
-            if rest.is_ended || served == 2 || (served == 1 && !rest.is_doubtful) {
+            let enough = if is_moved { 4 } else { 2 };
+            if rest.is_ended || served == enough || (served == 1 && !rest.is_doubtful) {
                 return Outcome { is_complete };
             }
         }

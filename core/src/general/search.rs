@@ -25,8 +25,10 @@ const BETTER: f64 = 0.3;
 const MOST_ARCS: usize = 32;
 /// Where a free joint's reference has no member of the family, these are tried, rad beside it.
 const ELSEWHERE: [f64; 8] = [0.0, 2.1, -2.1, 0.7, -0.7, 1.4, -1.4, 2.8];
-/// A candidate that closes to this belongs to a family.
-const CLOSES: f64 = 1e-3;
+/// A joint is free if the ring closes to this ..
+const CLOSES: f64 = 1e-6;
+/// .. at an angle and so far beside it, rad.
+const ASIDE: f64 = 0.01;
 
 /// Further cuts share the numbers of their roots.
 const MOST_NUMBERED: usize = 8;
@@ -48,8 +50,10 @@ struct Search<'a, 'v> {
     visit: &'a mut Visitor<'v, f64>,
     root: u8,
     is_doubtful: bool,
-    /// The held joint is taken to be free: only joint vectors that close the ring are visited.
-    is_family: bool,
+    /// Joint vectors are not visited, only the least distance from closing the ring is kept.
+    is_probe: bool,
+    least: f64,
+    /// The held joint is free.
     has_members: bool,
 }
 
@@ -114,7 +118,8 @@ impl Elimination {
             visit,
             root: (part.number.min(MOST_NUMBERED) * MOST_CANDIDATES) as u8,
             is_doubtful: false,
-            is_family: false,
+            is_probe: false,
+            least: f64::INFINITY,
             has_members: false,
         };
         let is_known = fit.greatest > 0.0 && fit.wrong <= USELESS;
@@ -169,15 +174,11 @@ impl Search<'_, '_> {
     ) -> ControlFlow<()> {
         let (e, f) = if is_in_order { (first, second) } else { (second, first) };
         let joints = self.closed.joints(held, e, f);
-        let mut free = free;
-        if self.is_family {
-            let is_member = self.closed.residual(&joints) < CLOSES;
-            if !is_member {
-                return Continue(());
-            }
-            self.has_members = true;
-            free |= 1 << self.closed.elimination.cut.held();
+        if self.is_probe {
+            self.least = self.least.min(self.closed.residual(&joints));
+            return Continue(());
         }
+        let free = if self.has_members { free | 1 << self.closed.elimination.cut.held() } else { free };
         let candidate = Candidate { joints, root: self.root, signs: None, free, is_doubtful: self.is_doubtful };
         if candidate.is_finite() { (self.visit)(&candidate) } else { Continue(()) }
     }
@@ -245,16 +246,27 @@ impl Search<'_, '_> {
     /// zero without that: then the ring closes nowhere, and nothing is visited.
     fn family(&mut self) -> ControlFlow<()> {
         let reference = self.value_of(HELD);
-        (self.is_doubtful, self.is_family) = (true, true);
+        self.is_doubtful = true;
         for distance in ELSEWHERE {
-            let place = sin_cos(reference + distance);
-            self.at(place)?;
-            self.at_other(place)?;
+            let angle = reference + distance;
+            self.has_members = self.least_at(angle) < CLOSES && self.least_at(angle + ASIDE) < CLOSES;
             if self.has_members {
+                self.at(sin_cos(angle))?;
+                self.at_other(sin_cos(angle))?;
                 break;
             }
         }
         Continue(())
+    }
+
+    /// The least distance from closing the ring, over the joint vectors with the held joint at this angle.
+    fn least_at(&mut self, angle: f64) -> f64 {
+        (self.is_probe, self.least) = (true, f64::INFINITY);
+        // A probe visits nothing, so nothing ends it.
+        let _ = self.at(sin_cos(angle));
+        let _ = self.at_other(sin_cos(angle));
+        self.is_probe = false;
+        self.least
     }
 
     /// The value of a joint's reference, in the sense of the cut.
