@@ -5,7 +5,7 @@ use core::ops::ControlFlow::{Break, Continue};
 use core::ops::Range;
 
 use crate::Chain;
-use crate::general::{Cut, Cuts, Elimination, Part, ScaledCut};
+use crate::general::{Cut, Cuts, Elimination, Part};
 use crate::math::wrap;
 
 /// Poses at which the cuts are compared.
@@ -63,18 +63,12 @@ struct Judgment {
     missed: u32,
     /// Of the candidate nearest to the joint vector, before refinement.
     residuals: [f64; POSES],
-    /// The greatest samples.
-    scales: [f64; POSES],
 }
 
 impl Judgment {
     /// The 90th percentile of the residuals.
     fn residual(&self) -> f64 {
         quantile(self.residuals, self.poses, 9)
-    }
-
-    fn scaled(&self) -> ScaledCut {
-        ScaledCut { cut: self.cut, scale: quantile(self.scales, self.poses, 5) }
     }
 
     /// Returns true for a cut that holds the first joint or the last one. With the last axis on the first, these are free,
@@ -125,15 +119,7 @@ pub fn choose_given(chain: &Make) -> Option<Cuts> {
 /// The choice on the chain itself, or on chains beside it.
 fn chosen(chain: &Make, is_moved: bool) -> Option<Cuts> {
     let none = [f64::INFINITY; POSES];
-    let mut all = Cut::ALL.map(|cut| Judgment {
-        cut,
-        is_open: true,
-        poses: 0,
-        lost: 0,
-        missed: 0,
-        residuals: none,
-        scales: none,
-    });
+    let mut all = Cut::ALL.map(|cut| Judgment { cut, is_open: true, poses: 0, lost: 0, missed: 0, residuals: none });
     for (round, poses) in ROUNDS.into_iter().enumerate() {
         for judgment in all.iter_mut().filter(|judgment| judgment.is_open) {
             judgment.is_open = judge(judgment, poses.clone(), chain, is_moved).is_some() && judgment.serves();
@@ -157,7 +143,8 @@ fn chosen(chain: &Make, is_moved: bool) -> Option<Cuts> {
         let at_end = if has_an_end { None } else { next(lost, &held, true) };
         at_end.or_else(|| next(lost, &held, false))
     });
-    Some(Cuts { first: first.scaled(), second: second.map(Judgment::scaled), third: third.map(Judgment::scaled) })
+    let [second, third] = [second, third].map(|x| x.map(|x| x.cut));
+    Some(Cuts { first: first.cut, second, third })
 }
 
 /// Of two cuts that hold the same joint the worse one is given up.
@@ -178,7 +165,7 @@ fn judge(judgment: &mut Judgment, poses: Range<usize>, chain: &Make, is_moved: b
     for pose in poses {
         let mut random = Random::of(pose);
         let chain = chain(&mut || random.angle()).gathered();
-        let elimination = Elimination { scale: 0.0, ..Elimination::of(&chain, judgment.cut)? };
+        let elimination = Elimination::of(&chain, judgment.cut)?;
         let joints = chain
             .is_prismatic
             .map(|slides| random.angle() * if slides { 0.5 * chain.reach / core::f64::consts::PI } else { 1.0 });
@@ -204,11 +191,8 @@ fn judge(judgment: &mut Judgment, poses: Range<usize>, chain: &Make, is_moved: b
         let is_lost = !is_found || !rest.is_complete || (!random.is_round && rest.is_useless);
         judgment.lost |= u128::from(is_lost) << pose;
         judgment.missed += u32::from(is_lost || rest.is_useless);
-        if let (Some(residual), Some(scale)) =
-            (judgment.residuals.get_mut(judgment.poses), judgment.scales.get_mut(judgment.poses))
-        {
+        if let Some(residual) = judgment.residuals.get_mut(judgment.poses) {
             *residual = if is_found { chain.residual(&nearest, &target) } else { f64::INFINITY };
-            *scale = rest.greatest;
             judgment.poses += 1;
         }
     }

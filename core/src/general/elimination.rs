@@ -41,8 +41,6 @@ pub struct Elimination {
     pub pseudo: [[f64; COORDINATES]; SINGLES],
     /// `pseudo constant`.
     pub pseudo_level: [f64; SINGLES],
-    /// The median over poses of the greatest sample of the polynomial. A polynomial that is smaller by 1e-11 is zero.
-    pub scale: f64,
 }
 
 /// The ring closed by one target.
@@ -54,7 +52,7 @@ pub(super) struct Closed<'a> {
 
 impl Elimination {
     /// The constants of a cut. None if joint d or c is prismatic, or if the lines on the side of a and b are too special:
-    /// the coefficients of the eight products depend on each other. `scale` is 1 then still to be measured.
+    /// the coefficients of the eight products depend on each other.
     ///
     /// The frames of the chain should be [gathered](Chain::gathered). The result depends on nothing but its arguments:
     /// the same bits on every processor.
@@ -79,8 +77,7 @@ impl Elimination {
         }
         let (null, pseudo) = ([[0.0; COORDINATES]; EQUATIONS], [[0.0; COORDINATES]; SINGLES]);
         let (null_level, pseudo_level) = ([0.0; EQUATIONS], [0.0; SINGLES]);
-        Self { cut, ring, before, behind, is_prismatic, unit, null, null_level, pseudo, pseudo_level, scale: 1.0 }
-            .eliminated()
+        Self { cut, ring, before, behind, is_prismatic, unit, null, null_level, pseudo, pseudo_level }.eliminated()
     }
 
     /// With null space and pseudo-inverse of the ring's constants.

@@ -76,31 +76,22 @@ pub struct General {
     pub third: Option<Elimination>,
 }
 
-/// A cut with the usual size of its polynomial.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ScaledCut {
-    /// The cut.
-    pub cut: Cut,
-    /// See [`Elimination::scale`].
-    pub scale: f64,
-}
-
 /// The cuts of an arm, for one whose constants are known in the call only, as with a given joint.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cuts {
     /// See [`General::first`].
-    pub first: ScaledCut,
+    pub first: Cut,
     /// See [`General::second`].
-    pub second: Option<ScaledCut>,
+    pub second: Option<Cut>,
     /// See [`General::third`].
-    pub third: Option<ScaledCut>,
+    pub third: Option<Cut>,
 }
 
 impl General {
     /// The constants of a chain along its cuts. None if the first has none for this chain, see [`Elimination::of`].
     pub fn of(chain: &Chain<f64>, cuts: &Cuts) -> Option<Self> {
-        let [second, third] = [cuts.second, cuts.third].map(|cut| cut.and_then(|cut| cut.of(chain)));
-        Some(Self { first: cuts.first.of(chain)?, second, third })
+        let [second, third] = [cuts.second, cuts.third].map(|cut| Elimination::of(chain, cut?));
+        Some(Self { first: Elimination::of(chain, cuts.first)?, second, third })
     }
 
     /// Visits the joint vectors that may bring the end to the target.
@@ -109,13 +100,6 @@ impl General {
     pub fn search(&self, target: &Transform<f64>, reference: &[f64; 6], visit: &mut Visitor<'_, f64>) -> Outcome {
         let cuts = [Some(&self.first), self.second.as_ref(), self.third.as_ref()];
         along(MOST_CUTS, |part| Some(cuts.get(part.number)?.as_ref()?.search(target, reference, part, visit)))
-    }
-}
-
-impl ScaledCut {
-    /// The constants of a chain along this cut.
-    pub fn of(&self, chain: &Chain<f64>) -> Option<Elimination> {
-        Elimination::of(chain, self.cut).map(|elimination| Elimination { scale: self.scale, ..elimination })
     }
 }
 
@@ -130,10 +114,10 @@ impl Cuts {
         visit: &mut Visitor<'_, f64>,
     ) -> Outcome {
         let own = [Some(self.first), self.second, self.third];
-        let others = Cut::ALL.map(|cut| Some(ScaledCut { cut, scale: 1.0 }));
+        let others = Cut::ALL.map(Some);
         along(MOST_CUTS + others.len(), |part| {
-            let cut = own.iter().chain(&others).nth(part.number)?.as_ref()?;
-            Some(cut.of(chain)?.search(target, reference, part, visit))
+            let cut = own.into_iter().chain(others).nth(part.number)??;
+            Some(Elimination::of(chain, cut)?.search(target, reference, part, visit))
         })
     }
 }
