@@ -5,7 +5,7 @@ use core::ops::ControlFlow::{Break, Continue};
 use core::ops::Range;
 
 use crate::Chain;
-use crate::general::{Cut, Cuts, Elimination, Part};
+use crate::general::{Cut, Cuts, Elimination, MOVED, Part};
 use crate::math::wrap;
 
 /// Poses at which the cuts are compared.
@@ -113,16 +113,16 @@ pub fn choose(chain: &Chain<f64>) -> Option<Cuts> {
 /// As [`choose`] for a chain with given joints: `chain` makes it of their values, and takes each as an angle in rad from
 /// its argument. Every other pose has round angles.
 pub fn choose_given(chain: &Make) -> Option<Cuts> {
-    [false, true].into_iter().find_map(|is_moved| chosen(chain, is_moved))
+    [0.0, MOVED].into_iter().find_map(|moved| chosen(chain, moved))
 }
 
 /// The choice on the chain itself, or on chains beside it.
-fn chosen(chain: &Make, is_moved: bool) -> Option<Cuts> {
+fn chosen(chain: &Make, moved: f64) -> Option<Cuts> {
     let none = [f64::INFINITY; POSES];
     let mut all = Cut::ALL.map(|cut| Judgment { cut, is_open: true, poses: 0, lost: 0, missed: 0, residuals: none });
     for (round, poses) in ROUNDS.into_iter().enumerate() {
         for judgment in all.iter_mut().filter(|judgment| judgment.is_open) {
-            judgment.is_open = judge(judgment, poses.clone(), chain, is_moved).is_some() && judgment.serves();
+            judgment.is_open = judge(judgment, poses.clone(), chain, moved).is_some() && judgment.serves();
         }
         if round > 0 {
             keep_the_best_of_each_joint(&mut all);
@@ -159,9 +159,9 @@ fn keep_the_best_of_each_joint(all: &mut [Judgment; 12]) {
 }
 
 /// Asks a cut for the joint vectors of some poses. None if it has no constants for a chain.
-fn judge(judgment: &mut Judgment, poses: Range<usize>, chain: &Make, is_moved: bool) -> Option<()> {
+fn judge(judgment: &mut Judgment, poses: Range<usize>, chain: &Make, moved: f64) -> Option<()> {
     // Each cut by itself.
-    let part = Part { number: 0, has_families: true, is_moved };
+    let part = Part { number: 0, has_families: true, moved };
     for pose in poses {
         let mut random = Random::of(pose);
         let chain = chain(&mut || random.angle()).gathered();

@@ -7,9 +7,6 @@ use super::line::{COORDINATES, Move, VECTORS, line, moved_twice};
 use crate::math::{angle, sin_cos, wrap};
 use crate::{Chain, Transform};
 
-/// A neighbor of a ring differs by about this, in rad and in the ring's unit of length.
-const MOVED: f64 = 1e-5;
-
 /// One cut of a ring of six joints, with all that does not depend on the target.
 ///
 /// The chain and its target close a ring, `M_d K0 M_a K1 M_b K2 M_c K3 M_e K4 M_f K5 = 1`, where M is a joint and K a
@@ -101,12 +98,12 @@ impl Elimination {
         Some(self)
     }
 
-    /// The same cut of a ring whose constants differ by some 1e-5. At a target or a given joint where axes fall together
+    /// This cut of a ring whose constants differ by about `distance`, in rad and in `unit`. At a target or a given joint where axes fall together
     /// the polynomial of the ring itself may be zero. That of its neighbor is not, and its solutions are near.
-    pub(super) fn moved(&self) -> Option<Self> {
+    pub(super) fn moved(&self, distance: f64) -> Option<Self> {
         let mut out = *self;
         for (i, link) in out.ring.iter_mut().chain([&mut out.before]).enumerate() {
-            let step = MOVED * (1.0 + 0.37 * i as f64);
+            let step = distance * (1.0 + 0.37 * i as f64);
             let (sin, cos) = sin_cos(-0.61 * step);
             let rotation = [[1.0, 0.0, 0.0], [0.0, cos, -sin], [0.0, sin, cos]];
             let translation = [0.83 * step, -0.57 * step, 0.71 * step];

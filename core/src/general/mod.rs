@@ -125,27 +125,36 @@ impl Cuts {
 /// The most cuts of an arm.
 const MOST_CUTS: usize = 3;
 
+/// Rings on both sides of the arm's own differ from it by about this, in rad and in half reaches. Two solutions that meet
+/// are gone on one side.
+pub(crate) const MOVED: f64 = 1e-5;
+
 /// Searches along the cuts until one serves and leaves no doubt, or two have served. Where none serves, rings beside the
 /// arm's own are solved.
 fn along(count: usize, mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome {
-    let (mut is_complete, mut has_families, mut served) = (true, true, 0);
-    for is_moved in [false, true] {
+    let (mut is_complete, mut has_families, mut is_served) = (true, true, false);
+    for moved in [0.0, MOVED, -MOVED] {
+        let (is_moved, mut served) = (moved != 0.0, 0);
+        let enough = if is_moved { 4 } else { 2 };
         for number in 0..count {
             if number >= MOST_CUTS && served > 0 && !is_moved {
                 break;
             }
-            let Some(rest) = search(Part { number, has_families, is_moved }) else { continue };
+            let Some(rest) = search(Part { number, has_families, moved }) else { continue };
             is_complete &= rest.is_complete && !rest.is_ended;
             has_families &= !rest.has_families;
             served += usize::from(!rest.is_useless);
-            let enough = if is_moved { 4 } else { 2 };
-            if rest.is_ended || served == enough || (served == 1 && !rest.is_doubtful) {
+            if rest.is_ended {
                 return Outcome { is_complete };
             }
+            if served == enough || (served == 1 && !rest.is_doubtful) {
+                break;
+            }
         }
-        if served > 0 || !has_families {
+        is_served |= served > 0;
+        if !is_moved && (is_served || !has_families) {
             break;
         }
     }
-    Outcome { is_complete: is_complete && (served > 0 || !has_families) }
+    Outcome { is_complete: is_complete && (is_served || !has_families) }
 }

@@ -30,7 +30,7 @@ const MOST_ARCS: usize = 32;
 /// Where a free joint's reference has no member of the family, these are tried, rad beside it.
 const ELSEWHERE: [f64; 8] = [0.0, 2.1, -2.1, 0.7, -0.7, 1.4, -1.4, 2.8];
 /// A joint is free if the ring closes to this ..
-const CLOSES: f64 = 1e-6;
+const CLOSES: f64 = 1e-5;
 /// .. at an angle and so far beside it, rad.
 const ASIDE: f64 = 0.01;
 
@@ -83,8 +83,8 @@ pub(crate) struct Part {
     pub(crate) number: usize,
     /// A polynomial that is zero everywhere lists members of a family.
     pub(crate) has_families: bool,
-    /// A ring beside the arm's own is solved, see [`Elimination::moved`]: no cut serves.
-    pub(crate) is_moved: bool,
+    /// If not 0, a ring beside the arm's own is solved, see [`Elimination::moved`]: no cut serves.
+    pub(crate) moved: f64,
 }
 
 impl Elimination {
@@ -96,7 +96,7 @@ impl Elimination {
         part: Part,
         visit: &mut Visitor<'_, f64>,
     ) -> Rest {
-        let moved = if part.is_moved { self.moved() } else { None };
+        let moved = if part.moved == 0.0 { None } else { self.moved(part.moved) };
         let closed = moved.as_ref().unwrap_or(self).closed(target);
         let fit = Fit::sampled_in_pairs(|sin, cos| values(&closed.equations, sin, cos));
         let mut rest =
@@ -128,7 +128,7 @@ impl Elimination {
         rest.is_useless = false;
         rest.is_ended = search.all(&roots, None, &ARCS).is_break();
         let has_doubts = roots.as_slice().iter().any(|root| is_doubtful(&roots, root));
-        rest.is_doubtful = has_doubts || search.is_unsound || part.is_moved;
+        rest.is_doubtful = has_doubts || search.is_unsound || moved.is_some();
         rest.is_complete = !search.is_full;
         rest
     }
