@@ -144,7 +144,7 @@ fn chosen(chain: &Make, moved: f64) -> Option<Cuts> {
         at_end.or_else(|| next(lost, &held, false))
     });
     let [second, third] = [second, third].map(|x| x.map(|x| x.cut));
-    Some(Cuts { first: first.cut, second, third })
+    Some(Cuts { first: first.cut, second, third, is_special: moved != 0.0 })
 }
 
 /// Of two cuts that hold the same joint the worse one is given up.

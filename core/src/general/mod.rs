@@ -85,6 +85,9 @@ pub struct Cuts {
     pub second: Option<Cut>,
     /// See [`General::third`].
     pub third: Option<Cut>,
+    /// No cut serves on the arm itself: its structure makes the polynomials zero. Arms beside it are solved, 1e-5 away.
+    /// Where solutions are nearer to each other than the root of that, some may be missed: some 0.3 % of random poses.
+    pub is_special: bool,
 }
 
 impl General {

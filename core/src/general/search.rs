@@ -12,6 +12,8 @@ use crate::trig_polynomial::{Fit, Local, Root, Roots};
 
 /// Samples that are farther from a polynomial than this, as a share of the greatest, tell nothing.
 pub(super) const USELESS: f64 = 1e-5;
+/// Below this the rounding of the equations may be all that a polynomial tells.
+const SMALL: f64 = 1e-15;
 /// About a doubtful root the function is sampled anew, on an arc that ends at these half-angle tangents. If the root is
 /// doubtful there as well, the next arc is shorter.
 const ARCS: [f64; 4] = [0.12, 1.5e-2, 7e-4, 3e-5];
@@ -119,16 +121,20 @@ impl Elimination {
             has_members: false,
         };
         let is_known = fit.greatest > 0.0 && fit.wrong <= USELESS;
-        if !is_known {
+        // The equations are normalized: a polynomial this small may be that of their rounding.
+        let is_small = fit.polynomial.size() < SMALL;
+        if !is_known || is_small {
             rest.is_ended = part.has_families && search.family().is_break();
             rest.has_families = search.has_members;
-            return rest;
+            if !is_known || rest.is_ended || rest.has_families {
+                return rest;
+            }
         }
         let roots = fit.roots();
-        rest.is_useless = false;
+        rest.is_useless = is_small;
         rest.is_ended = search.all(&roots, None, &ARCS).is_break();
         let has_doubts = roots.as_slice().iter().any(|root| is_doubtful(&roots, root));
-        rest.is_doubtful = has_doubts || search.is_unsound || moved.is_some();
+        rest.is_doubtful = has_doubts || search.is_unsound || is_small || moved.is_some();
         rest.is_complete = !search.is_full;
         rest
     }
