@@ -1,5 +1,7 @@
 //! Time and completeness of `general` on published and random arms.
 //!
+//! With `SPECIAL=1` it gives each joint of the arms of seven special values instead.
+//!
 //! `cargo run --release -p denhart-core --features std --example general -- [poses] [random arms] [name]`
 
 #![allow(clippy::unwrap_used)]
@@ -24,7 +26,7 @@ const GENERAL: [&str; 6] = ["gen6r_a", "manseur_doty_16", "two_parallel_6r", "ba
 fn main() {
     if std::env::var("SPECIAL").is_ok() {
         for name in ["sawyer", "baxter_left", "ufactory_xarm7"] {
-            for given in (0..7).filter(|x| names_given().is_none_or(|y| *x == y)) {
+            for given in 0..7 {
                 for value in [0.0, 45.0, 90.0, 180.0, -90.0, 0.001, 1e-6] {
                     let arm = Arm::of(&chain(table(name), given, f64::to_radians(value)));
                     let general = Arm::given(table(name), given, 0.0);
@@ -130,20 +132,6 @@ fn main() {
                     solutions.evaluations,
                     solutions.candidates
                 );
-                if std::env::var("SHOW").is_ok() {
-                    arm.general.search(&target, &[0.0; 6], &mut |c| {
-                        println!(
-                            "  {} {} near {:.1e} residual {:.1e} refined {:.1e} {:?}",
-                            c.root,
-                            c.is_doubtful,
-                            apart(&arm.chain, &c.joints, &joints),
-                            arm.chain.residual(&c.joints, &target),
-                            apart(&arm.chain, &arm.chain.refined(&c.joints, &target, 15).joints, &joints),
-                            c.joints.map(|x| (x * 1e5).round() / 1e5)
-                        );
-                        core::ops::ControlFlow::Continue(())
-                    });
-                }
             }
         }
         println!(
@@ -190,9 +178,6 @@ fn main() {
                     singular += 1;
                     none += usize::from(solutions.list.is_empty());
                     away += usize::from(distance > 1e-2);
-                    if solutions.list.is_empty() && std::env::var("SHOW").is_ok() {
-                        println!("none {joints:?} {}", solutions.evaluations);
-                    }
                 } else {
                     regular += 1;
                     if distance > SAME {
@@ -206,24 +191,6 @@ fn main() {
                     }
                 }
             }
-        }
-        if let Ok(text) = std::env::var("POSE") {
-            let q: Vec<f64> = text.split(',').map(|x| x.trim().parse::<f64>().unwrap().to_radians()).collect();
-            let joints: [f64; 6] = core::array::from_fn(|i| q[i]);
-            let target = arm.chain.pose(&joints);
-            println!("POSE");
-            arm.general.search(&target, &[0.0; 6], &mut |c| {
-                println!(
-                    "  {} {} near {:.1e} residual {:.1e} refined {:.1e} {:?}",
-                    c.root,
-                    c.is_doubtful,
-                    apart(&arm.chain, &c.joints, &joints),
-                    arm.chain.residual(&c.joints, &target),
-                    apart(&arm.chain, &arm.chain.refined(&c.joints, &target, 15).joints, &joints),
-                    c.joints.map(|x| (x.to_degrees() * 1e3).round() / 1e3)
-                );
-                core::ops::ControlFlow::Continue(())
-            });
         }
         println!(
             "{:20} grid: lost {lost} of {regular} regular; none {none}, away {away} of {singular} singular; most {most} open {open} us {:.0} p99 {:.0} max {:.0}",
@@ -313,8 +280,4 @@ fn main() {
         at(&mut choices, 0.5),
         at(&mut choices, 1.0)
     );
-}
-
-fn names_given() -> Option<usize> {
-    std::env::var("GIVEN").ok()?.parse().ok()
 }

@@ -49,7 +49,7 @@ impl Random {
     }
 }
 
-/// What a cut does at the poses.
+/// The record of a cut at the poses.
 #[derive(Clone, Copy)]
 struct Judgment {
     cut: Cut,

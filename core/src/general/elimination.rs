@@ -19,7 +19,7 @@ pub struct Elimination {
     pub cut: Cut,
     /// K0 to K5, lengths in `unit`. The one with the target, K(5 - d), is not read.
     pub ring: [Transform<f64>; 6],
-    /// What stands before and behind the target in its constant: `K = before T^-1 behind`, or `before T behind` where
+    /// Constants before and behind the target in its own: `K = before T^-1 behind`, or `before T behind` where
     /// the chain is cut backwards. Lengths in `unit`.
     pub before: Transform<f64>,
     /// See `before`.

@@ -135,11 +135,11 @@ impl Equations {
         Reduced { c: [a, b, c], s: [d, e, f], determinant }
     }
 
-    /// e and f at a root of the polynomial. `reference` is f's value where nothing depends on it.
+    /// e and f at a root of the polynomial. `reference` gives f's value where nothing depends on it.
     ///
     /// `phi = (cos f, sin f, 1)` is in the null space of the stacked conditions, six rows. Its dimension is 1 for one
     /// solution and 2 for two: then one row n remains, and `n . phi = 0` has two roots.
-    pub(super) fn pairs(&self, held: (f64, f64), reference: Position) -> Pairs {
+    pub(super) fn pairs(&self, held: (f64, f64), reference: impl FnOnce() -> Position) -> Pairs {
         let reduced = self.reduced(held);
         let Conditions { re: [a, b, c], im: [d, e, f] } = reduced.conditions(self.is_prismatic[0]);
         let rows = [a, b, c, d, e, f];
@@ -160,7 +160,7 @@ impl Equations {
         let mut phis = [normal; 2];
         // The entries of C and S are of the order of 1 at a solution.
         if length < DEPENDENT * DEPENDENT {
-            phis[0] = match reference {
+            phis[0] = match reference() {
                 Position::Turn(sin, cos) => [cos, sin, 1.0],
                 Position::Slide(q) => [q * q, q, 1.0],
             };
@@ -271,47 +271,5 @@ impl<L: Lanes> Reduced<L> {
             re[i][i] = re[i][i] - L::ONE;
         }
         Conditions { re, im }
-    }
-}
-
-#[cfg(test)]
-mod bench {
-    use super::*;
-    extern crate std;
-    #[inline(never)]
-    fn probe(eq: &Equations, a: (super::super::lanes::Two, super::super::lanes::Two)) -> [f64; 2] {
-        eq.value(a).0
-    }
-    #[test]
-    fn bench() {
-        let mut state = 7_u64;
-        let mut unit = || {
-            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-            (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-        };
-        let mut system = || -> System { core::array::from_fn(|_| core::array::from_fn(|_| unit())) };
-        let mut eq = Equations { cos: system(), sin: system(), one: system(), is_prismatic: [false; 2] };
-        eq.normalize();
-        let angles: std::vec::Vec<(f64, f64)> = (0..19).map(|i| crate::math::sin_cos(0.3 + i as f64 / 3.0)).collect();
-        for _ in 0..400 {
-            let start = std::time::Instant::now();
-            let mut sum = 0.0;
-            for _ in 0..200 {
-                for a in &angles {
-                    let x = super::super::lanes::Two([a.0; 2]);
-                    let y = super::super::lanes::Two([a.1; 2]);
-                    sum += probe(std::hint::black_box(&eq), std::hint::black_box((x, y)))[0];
-                }
-            }
-            let ns = start.elapsed().as_nanos() as f64 / 200.0 / 19.0;
-            let start = std::time::Instant::now();
-            for _ in 0..200 {
-                for a in &angles {
-                    sum += std::hint::black_box(&eq).pairs(*std::hint::black_box(a), Position::Slide(0.0)).len as f64;
-                }
-            }
-            let ns2 = start.elapsed().as_nanos() as f64 / 200.0 / 19.0;
-            std::println!("value {ns:.0} ns pairs {ns2:.0} {sum}");
-        }
     }
 }

@@ -133,7 +133,7 @@ pub(super) fn roots(polynomial: &TrigPolynomial, rounding: f64) -> Roots {
     out
 }
 
-/// What is looked at.
+/// The range that is searched.
 #[derive(Clone, Copy)]
 pub(super) struct Range {
     /// x is in `[-half, half]`.
