@@ -18,7 +18,7 @@ use support::*;
 
 fn at(v: &mut [f64], p: f64) -> f64 {
     v.sort_by(f64::total_cmp);
-    v[((v.len() - 1) as f64 * p) as usize]
+    v.get((v.len().saturating_sub(1) as f64 * p) as usize).copied().unwrap_or(f64::NAN)
 }
 
 const GENERAL: [&str; 6] = ["gen6r_a", "manseur_doty_16", "two_parallel_6r", "baxter_left", "sawyer", "ufactory_xarm7"];
