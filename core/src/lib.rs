@@ -15,6 +15,8 @@ extern crate std;
 pub mod chain;
 pub mod held_joint;
 pub mod math;
+pub mod meet;
+mod pair;
 pub mod transform;
 pub mod trig_polynomial;
 

@@ -1,0 +1,101 @@
+//! W on the axis of x2 or of x3: a joint that turns W about itself follows from the axes that meet there.
+
+use core::ops::ControlFlow;
+
+use super::branch::{Branch, Parts, Posed};
+use super::joints::turned_back;
+use super::search::Stream;
+use crate::math::{Scalar, atan2, hypot, sin_cos};
+
+/// W is on an axis if it is nearer than this share of the reach.
+const NEAR: f64 = 1e-4;
+/// An amplitude below this turns nothing: the joint is free.
+const FREE: f64 = 1e-9;
+
+impl<T: Scalar> Stream<'_, '_, T> {
+    /// The candidates at an angle where W is nearly on the axis of x2 or of x3. There are none elsewhere.
+    ///
+    /// On the axis of x2, v is 0 and n, the direction of v, has to be at the angle alpha to the direction d of u, which x2
+    /// turns: `n . Rz(x2) d = cos alpha`. On the axis of x3 the elbow is folded, and x3 turns the direction of u.
+    pub fn on_axes(&mut self, t: T, parts: &Parts<T>) -> ControlFlow<()> {
+        let near = T::from_f64(NEAR) * self.posed.meet.reach;
+        let near2 = near * near;
+        if parts.rho2 <= near2 {
+            for number in [0, 2] {
+                let branch = self.posed.branch(parts, number);
+                self.on_x2(t, parts, number, &Branch { v: T::ZERO, ..branch })?;
+            }
+        }
+        for number in [0, 1] {
+            let branch = self.posed.branch(parts, number);
+            if parts.distance2.at(branch.v) <= near2 {
+                self.on_x3(t, parts, number, &Branch { w: T::ZERO, ..branch })?;
+            }
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn on_x2(&mut self, t: T, p: &Parts<T>, number: usize, branch: &Branch<T>) -> ControlFlow<()> {
+        let (m, turn) = (self.posed.meet, sin_cos(t));
+        let [nx, ny, nz] = self.posed.normal.at(turn);
+        // The direction of u after x2: E along ex and ey, and the tilt along h.
+        let (vx, vy) = (-m.across_x, p.across_y);
+        let distance2 = p.distance2.at(T::ZERO);
+        let high = distance2 + m.lower * m.lower - m.upper * m.upper;
+        let (qx, qy) = (m.ratio_x * vx - m.ratio_y * vy, m.ratio_y * vx + m.ratio_x * vy);
+        let half = T::HALF / distance2;
+        let (e_x, e_y) = ((qx * high - qy * branch.w) * half, (qy * high + qx * branch.w) * half);
+        let ([hx, hy], across) = (m.h_xy, m.eta * m.tilt - m.h_z * e_y);
+        let (dx, dy, dz) = (hx * across - hy * e_x, hy * across + hx * e_x, m.eta * e_y + m.h_z * m.tilt);
+        let turns = level(nx * dx + ny * dy, ny * dx - nx * dy, m.cos_alpha - nz * dz);
+        let joints = |posed: &Posed<'_, T>, x2: T| posed.joints_about(t, turn, p, branch, x2);
+        let [_, joint, ..] = m.joints;
+        match turns {
+            Some(turns) => turns.into_iter().try_for_each(|x2| {
+                let joints = joints(self.posed, x2);
+                self.offer_joints(joints, number, 0, true)
+            }),
+            None => {
+                let joints = joints(self.posed, self.reference_of(joint));
+                self.offer_joints(joints, number, 1 << joint, true)
+            }
+        }
+    }
+
+    fn on_x3(&mut self, t: T, p: &Parts<T>, number: usize, branch: &Branch<T>) -> ControlFlow<()> {
+        let (m, turn) = (self.posed.meet, sin_cos(t));
+        let x2 = self.posed.x2(turn, p, branch.v);
+        let [n_x, n_y, n_h] = self.posed.in_plane(turned_back(self.posed.normal.at(turn), sin_cos(x2)));
+        // The direction of u across h, turned from that of the lower link, which the elbow of pi turns from the upper one.
+        let (qx, qy) = (-m.ratio_x * m.lower, -m.ratio_y * m.lower);
+        let turns = level(n_x * qx + n_y * qy, n_y * qx - n_x * qy, m.cos_alpha - n_h * m.tilt);
+        let joints = |posed: &Posed<'_, T>, upper: T| posed.joints_of_elbow(t, turn, x2, upper, T::PI);
+        let [_, _, joint, ..] = m.joints;
+        match turns {
+            Some(turns) => turns.into_iter().try_for_each(|upper| {
+                let joints = joints(self.posed, upper);
+                self.offer_joints(joints, number, 0, true)
+            }),
+            None => {
+                let joints = joints(self.posed, self.reference_of(joint) + m.x3_offset);
+                self.offer_joints(joints, number, 1 << joint, true)
+            }
+        }
+    }
+
+    /// The reference of a joint of the chain; 0 if it is not finite.
+    pub fn reference_of(&self, joint: usize) -> T {
+        self.reference.get(joint).copied().filter(|angle| angle.is_finite()).unwrap_or(T::ZERO)
+    }
+}
+
+/// The two angles x with `a cos x + b sin x = c`, the nearest ones where there are none; `None` if a and b are 0.
+fn level<T: Scalar>(a: T, b: T, c: T) -> Option<[T; 2]> {
+    let length = hypot(a, b);
+    if length <= T::from_f64(FREE) {
+        return None;
+    }
+    let across = (length * length - c * c).max(T::ZERO).sqrt();
+    let (middle, half) = (atan2(b, a), atan2(across, c));
+    Some([middle + half, middle - half])
+}

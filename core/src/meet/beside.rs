@@ -1,0 +1,87 @@
+//! The neighborhood of a doubtful root, branch by branch.
+//!
+//! Where branches meet, the polynomial has a root of order two to four and knows it to the square root or the fourth
+//! root of its rounding. The branches themselves are known to rounding. So each is looked at on both sides of the root
+//! at distances that grow by four: for a change of its sign, and for its end, where v^2 or w^2 vanishes.
+
+use core::ops::ControlFlow;
+
+use super::branch::Branch;
+use super::search::Stream;
+use crate::math::Scalar;
+
+/// The distances: `3e-7 4^k` rad.
+const NEAREST: f64 = 3e-7;
+const PLACES: usize = 10;
+/// A branch that misses by no more at its end may close there.
+const AT_END: f64 = 1e-3;
+
+/// A place of a branch.
+type Place<T> = (T, Branch<T>);
+
+impl Stream<'_, '_, f64> {
+    /// The roots of all branches about an angle.
+    pub fn beside(&mut self, angle: f64) -> ControlFlow<()> {
+        for side in [1.0, -1.0] {
+            let mut step = side * NEAREST;
+            let mut last = (angle, self.posed.branches(angle));
+            for _ in 0..PLACES {
+                let next = (angle + step, self.posed.branches(angle + step));
+                for (number, (from, to)) in last.1.into_iter().zip(next.1).enumerate() {
+                    self.between(number, (last.0, from), (next.0, to), AT_END)?;
+                }
+                last = next;
+                step *= 4.0;
+            }
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+impl<T: Scalar> Stream<'_, '_, T> {
+    /// The root of one branch between two places, if its sign changes there, and its end, if it ends there and misses by
+    /// at most `at_end`.
+    pub fn between(&mut self, number: usize, from: Place<T>, to: Place<T>, at_end: T) -> ControlFlow<()> {
+        let (from, to) = match (from.1.is_real(), to.1.is_real()) {
+            (true, true) => (from, to),
+            (false, false) => return ControlFlow::Continue(()),
+            (from_is_real, _) => {
+                let squares = |t: T| self.posed.branch_at(number, t).squares;
+                let end = crossing(squares, (from.0, from.1.squares), (to.0, to.1.squares));
+                let at = (end, self.posed.branch_at(number, end));
+                if at.1.miss.abs() <= at_end {
+                    self.offer(end, number, true)?;
+                }
+                if from_is_real { (from, at) } else { (at, to) }
+            }
+        };
+        if from.1.miss * to.1.miss <= T::ZERO {
+            let t = crossing(|t| self.posed.miss(number, t), (from.0, from.1.miss), (to.0, to.1.miss));
+            self.offer(t, number, true)?;
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// Where a continuous function changes its sign: regula falsi with halved values (Illinois), at most 20 steps.
+pub(super) fn crossing<T: Scalar>(value: impl Fn(T) -> T, (mut a, mut at_a): (T, T), (mut b, mut at_b): (T, T)) -> T {
+    let small = T::from_f64(16.0) * T::EPSILON;
+    let least = small * at_a.abs().max(at_b.abs());
+    for _ in 0..20 {
+        let t = (a * at_b - b * at_a) / (at_b - at_a);
+        if !t.is_finite() {
+            break;
+        }
+        let at_t = value(t);
+        if at_t * at_b <= T::ZERO {
+            (a, at_a) = (b, at_b);
+        } else {
+            at_a *= T::HALF;
+        }
+        (b, at_b) = (t, at_t);
+        if at_t.abs() <= least || (a - b).abs() <= small {
+            break;
+        }
+    }
+    b
+}
