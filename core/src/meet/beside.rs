@@ -39,21 +39,31 @@ impl Stream<'_, '_, f64> {
 }
 
 impl<T: Scalar> Stream<'_, '_, T> {
-    /// The root of one branch between two places, if its sign changes there, and its end, if it ends there and misses by
-    /// at most `at_end`.
+    /// The root of one branch between two places, if its sign changes there, and its ends, if it misses by at most
+    /// `at_end` there.
     pub fn between(&mut self, number: usize, from: Place<T>, to: Place<T>, at_end: T) -> ControlFlow<()> {
-        let (from, to) = match (from.1.is_real(), to.1.is_real()) {
-            (true, true) => (from, to),
-            (false, false) => return ControlFlow::Continue(()),
-            (from_is_real, _) => {
-                let squares = |t: T| self.posed.branch_at(number, t).squares;
-                let end = crossing(squares, (from.0, from.1.squares), (to.0, to.1.squares));
-                let at = (end, self.posed.branch_at(number, end));
-                if at.1.miss.abs() <= at_end {
-                    self.offer(end, number, true)?;
-                }
-                if from_is_real { (from, at) } else { (at, to) }
+        let mut end = None;
+        for square in [0, 1] {
+            let of = |branch: &Branch<T>| branch.squares.get(square).copied().unwrap_or(T::ZERO);
+            let (at_from, at_to) = (of(&from.1), of(&to.1));
+            if at_from * at_to > T::ZERO {
+                continue;
             }
+            let t = crossing(|t| of(&self.posed.branch_at(number, t)), (from.0, at_from), (to.0, at_to));
+            let branch = self.posed.branch_at(number, t);
+            // The other root may be imaginary here, or 0 to rounding.
+            if branch.least_square() >= T::from_f64(-1e-9) {
+                if branch.miss.abs() <= at_end {
+                    self.offer(t, number, true)?;
+                }
+                end = Some((t, branch));
+            }
+        }
+        let (from, to) = match (from.1.is_real(), to.1.is_real(), end) {
+            (true, true, _) => (from, to),
+            (true, false, Some(end)) => (from, end),
+            (false, true, Some(end)) => (end, to),
+            _ => return ControlFlow::Continue(()),
         };
         if from.1.miss * to.1.miss <= T::ZERO {
             let t = crossing(|t| self.posed.miss(number, t), (from.0, from.1.miss), (to.0, to.1.miss));

@@ -59,16 +59,22 @@ pub(super) struct Branch<T> {
     pub v: T,
     /// The root w with its sign; 0 where it is imaginary.
     pub w: T,
-    /// v^2 and w^2, which may be negative, in the fourth power of a length each: where the lesser one is 0 the branch
-    /// ends and meets its twin.
-    pub squares: T,
+    /// v^2 in units of a y, and w^2 in those of its square: where one of them is 0 the branch ends and meets its twin.
+    pub squares: [T; 2],
 }
 
 impl<T: Scalar> Branch<T> {
     /// Returns true if both roots are real and not 0.
     #[inline(always)]
     pub fn is_real(&self) -> bool {
-        self.squares > T::ZERO
+        self.least_square() > T::ZERO
+    }
+
+    /// The lesser one of v^2 and w^2.
+    #[inline(always)]
+    pub fn least_square(&self) -> T {
+        let [v2, w2] = self.squares;
+        v2.min(w2)
     }
 }
 
@@ -163,8 +169,8 @@ impl<'a, T: Scalar> Posed<'a, T> {
         let w2 = p.w2.at(v);
         let w = signed(w2.max(T::ZERO).sqrt(), 2);
         let miss = (p.first.at(v) + w * p.second.at(v)) / (p.rho2 * p.distance2.at(v));
-        let unit = self.meet.upper * self.meet.lower;
-        Branch { miss, v, w, squares: w2.min(p.v2 * unit) }
+        let unit = T::ONE / (self.meet.upper * self.meet.lower);
+        Branch { miss, v, w, squares: [p.v2 * unit, w2 * unit * unit] }
     }
 
     /// One branch at an angle.
