@@ -7,36 +7,54 @@ use super::joints::turned_back;
 use super::search::Stream;
 use crate::math::{Scalar, atan2, hypot, sin_cos};
 
+/// W is looked for on an axis if it is nearer than this share of the reach.
+const BESIDE: f64 = 1e-2;
 /// W is on an axis if it is nearer than this share of the reach.
-const NEAR: f64 = 1e-4;
+const ON: f64 = 1e-4;
 /// An amplitude below this turns nothing: the joint is free.
 const FREE: f64 = 1e-9;
 
 impl<T: Scalar> Stream<'_, '_, T> {
-    /// The candidates at an angle where W is nearly on the axis of x2 or of x3. There are none elsewhere.
+    /// The candidates near an angle where W is on the axis of x2 or of x3. There are none elsewhere.
     ///
     /// On the axis of x2, v is 0 and n, the direction of v, has to be at the angle alpha to the direction d of u, which x2
     /// turns: `n . Rz(x2) d = cos alpha`. On the axis of x3 the elbow is folded, and x3 turns the direction of u.
     pub fn on_axes(&mut self, t: T, parts: &Parts<T>) -> ControlFlow<()> {
-        let near = T::from_f64(NEAR) * self.posed.meet.reach;
-        let near2 = near * near;
-        if parts.rho2 <= near2 {
-            for number in [0, 2] {
-                let branch = self.posed.branch(parts, number);
-                self.on_x2(t, parts, number, &Branch { v: T::ZERO, ..branch })?;
+        let posed = self.posed;
+        let square = |share: f64| {
+            let length = T::from_f64(share) * posed.meet.reach;
+            length * length
+        };
+        let (beside, on) = (square(BESIDE), square(ON));
+        if parts.rho2 <= beside {
+            let t = lowest(|t| posed.parts(sin_cos(t)).rho2, t);
+            let parts = posed.parts(sin_cos(t));
+            if parts.rho2 <= on {
+                for number in [0, 2] {
+                    self.on_x2(t, &parts, number)?;
+                }
             }
         }
+        let distance2 = |parts: &Parts<T>, number: usize| parts.distance2.at(posed.branch(parts, number).v);
         for number in [0, 1] {
-            let branch = self.posed.branch(parts, number);
-            if parts.distance2.at(branch.v) <= near2 {
-                self.on_x3(t, parts, number, &Branch { w: T::ZERO, ..branch })?;
+            if distance2(parts, number) <= beside {
+                let t = lowest(|t| distance2(&posed.parts(sin_cos(t)), number), t);
+                let parts = posed.parts(sin_cos(t));
+                if distance2(&parts, number) <= on {
+                    self.on_x3(t, &parts, number)?;
+                }
             }
         }
         ControlFlow::Continue(())
     }
 
-    fn on_x2(&mut self, t: T, p: &Parts<T>, number: usize, branch: &Branch<T>) -> ControlFlow<()> {
+    fn on_x2(&mut self, t: T, p: &Parts<T>, number: usize) -> ControlFlow<()> {
         let (m, turn) = (self.posed.meet, sin_cos(t));
+        let branch = self.posed.branch(p, number);
+        // An elbow that is straight to rounding is straight: its root w would have half of the digits.
+        let [_, w2] = branch.squares;
+        let w = branch.w.when(w2 > T::from_f64(256.0) * T::EPSILON);
+        let branch = &Branch { v: T::ZERO, w, ..branch };
         let [nx, ny, nz] = self.posed.normal.at(turn);
         // The direction of u after x2: E along ex and ey, and the tilt along h.
         let (vx, vy) = (-m.across_x, p.across_y);
@@ -62,8 +80,9 @@ impl<T: Scalar> Stream<'_, '_, T> {
         }
     }
 
-    fn on_x3(&mut self, t: T, p: &Parts<T>, number: usize, branch: &Branch<T>) -> ControlFlow<()> {
+    fn on_x3(&mut self, t: T, p: &Parts<T>, number: usize) -> ControlFlow<()> {
         let (m, turn) = (self.posed.meet, sin_cos(t));
+        let branch = self.posed.branch(p, number);
         let x2 = self.posed.x2(turn, p, branch.v);
         let [n_x, n_y, n_h] = self.posed.in_plane(turned_back(self.posed.normal.at(turn), sin_cos(x2)));
         // The direction of u across h, turned from that of the lower link, which the elbow of pi turns from the upper one.
@@ -87,6 +106,20 @@ impl<T: Scalar> Stream<'_, '_, T> {
     pub fn reference_of(&self, joint: usize) -> T {
         self.reference.get(joint).copied().filter(|angle| angle.is_finite()).unwrap_or(T::ZERO)
     }
+}
+
+/// Where a function that is not negative is lowest, near an angle: three parabolas through three angles each.
+fn lowest<T: Scalar>(value: impl Fn(T) -> T, mut t: T) -> T {
+    let step = T::EPSILON.sqrt().sqrt().sqrt();
+    for step in [step, step * step, step * step * step] {
+        let (before, here, after) = (value(t - step), value(t), value(t + step));
+        let moved = T::HALF * step * (before - after) / (before + after - here - here);
+        // False for a quotient that is not a number, too.
+        if moved.abs() <= T::from_f64(0.1) {
+            t += moved;
+        }
+    }
+    t
 }
 
 /// The two angles x with `a cos x + b sin x = c`, the nearest ones where there are none; `None` if a and b are 0.

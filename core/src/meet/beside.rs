@@ -6,13 +6,15 @@
 
 use core::ops::ControlFlow;
 
-use super::branch::Branch;
+use super::branch::{BRANCHES, Branch};
 use super::search::Stream;
 use crate::math::Scalar;
 
 /// The distances: `3e-7 4^k` rad.
 const NEAREST: f64 = 3e-7;
 const PLACES: usize = 10;
+/// A root beyond the first places may belong to another root of the polynomial.
+const NEAR_PLACES: usize = 8;
 /// A branch that misses by no more at its end may close there.
 const AT_END: f64 = 1e-3;
 
@@ -20,29 +22,32 @@ const AT_END: f64 = 1e-3;
 type Place<T> = (T, Branch<T>);
 
 impl Stream<'_, '_, f64> {
-    /// The roots of all branches about an angle.
-    pub fn beside(&mut self, angle: f64) -> ControlFlow<()> {
+    /// The roots of all branches about an angle. Gives the branches that have one near it.
+    pub fn beside(&mut self, angle: f64) -> ControlFlow<(), [bool; BRANCHES]> {
+        let mut is_found = [false; BRANCHES];
         for side in [1.0, -1.0] {
             let mut step = side * NEAREST;
             let mut last = (angle, self.posed.branches(angle));
-            for _ in 0..PLACES {
+            for place in 0..PLACES {
                 let next = (angle + step, self.posed.branches(angle + step));
-                for (number, (from, to)) in last.1.into_iter().zip(next.1).enumerate() {
-                    self.between(number, (last.0, from), (next.0, to), AT_END)?;
+                let branches = last.1.into_iter().zip(next.1).zip(&mut is_found);
+                for (number, ((from, to), is_found)) in branches.enumerate() {
+                    let offered = self.between(number, (last.0, from), (next.0, to), AT_END)?;
+                    *is_found |= offered && place < NEAR_PLACES;
                 }
                 last = next;
                 step *= 4.0;
             }
         }
-        ControlFlow::Continue(())
+        ControlFlow::Continue(is_found)
     }
 }
 
 impl<T: Scalar> Stream<'_, '_, T> {
     /// The root of one branch between two places, if its sign changes there, and its ends, if it misses by at most
-    /// `at_end` there.
-    pub fn between(&mut self, number: usize, from: Place<T>, to: Place<T>, at_end: T) -> ControlFlow<()> {
-        let mut end = None;
+    /// `at_end` there. Gives true if there is one.
+    pub fn between(&mut self, number: usize, from: Place<T>, to: Place<T>, at_end: T) -> ControlFlow<(), bool> {
+        let (mut end, mut is_found) = (None, false);
         for square in [0, 1] {
             let of = |branch: &Branch<T>| branch.squares.get(square).copied().unwrap_or(T::ZERO);
             let (at_from, at_to) = (of(&from.1), of(&to.1));
@@ -55,6 +60,7 @@ impl<T: Scalar> Stream<'_, '_, T> {
             if branch.least_square() >= T::from_f64(-1e-9) {
                 if branch.miss.abs() <= at_end {
                     self.offer(t, number, true)?;
+                    is_found = true;
                 }
                 end = Some((t, branch));
             }
@@ -63,13 +69,14 @@ impl<T: Scalar> Stream<'_, '_, T> {
             (true, true, _) => (from, to),
             (true, false, Some(end)) => (from, end),
             (false, true, Some(end)) => (end, to),
-            _ => return ControlFlow::Continue(()),
+            _ => return ControlFlow::Continue(is_found),
         };
         if from.1.miss * to.1.miss <= T::ZERO {
             let t = crossing(|t| self.posed.miss(number, t), (from.0, from.1.miss), (to.0, to.1.miss));
             self.offer(t, number, true)?;
+            is_found = true;
         }
-        ControlFlow::Continue(())
+        ControlFlow::Continue(is_found)
     }
 }
 

@@ -15,6 +15,8 @@ const FREE: f64 = 1e-11;
 const OPEN: f64 = 1e-3;
 /// The same at a doubtful root, which is known to some 1e-4 rad only.
 const DOUBTFUL_OPEN: f64 = 0.05;
+/// A branch that misses by more after its steps has no simple root here.
+const SURE: f64 = 1e-11;
 /// Another branch that misses so little may have a root beside.
 const BESIDE: f64 = 5e-3;
 
@@ -104,23 +106,21 @@ impl Stream<'_, '_, f64> {
         let is_beside = |miss: &f64| *miss < BESIDE && *miss > 1e3 * least + 1e-9;
         let is_doubtful = root.is_double || root.is_doubtful || misses.iter().any(is_beside);
         let limit = if is_doubtful { DOUBTFUL_OPEN } else { OPEN }.max(least);
-        for (number, branch) in branches.iter().enumerate() {
+        let found = if is_doubtful { self.beside(root.angle)? } else { [false; BRANCHES] };
+        for ((number, branch), is_found) in branches.iter().enumerate().zip(found) {
             // A root that is imaginary is 0 for both signs.
             let is_repeated = (number & 1 == 1 && branch.v == 0.0) || (number & 2 == 2 && branch.w == 0.0);
             let is_open = branch.miss.abs() <= limit;
-            if is_repeated || !is_open {
+            if is_repeated || is_found || !is_open {
                 continue;
             }
             if is_doubtful {
                 let joints = self.posed.joints(root.angle, &parts, branch);
                 self.offer_joints(joints, number, 0, true)?;
             } else {
-                let t = self.posed.sharpened(number, root.angle, branch.miss);
-                self.offer(t, number, false)?;
+                let (t, miss) = self.posed.sharpened(number, root.angle, branch.miss);
+                self.offer(t, number, miss.abs() > SURE)?;
             }
-        }
-        if is_doubtful {
-            self.beside(root.angle)?;
         }
         self.on_axes(root.angle, &parts)
     }
@@ -129,7 +129,9 @@ impl Stream<'_, '_, f64> {
 impl Posed<'_, f64> {
     /// A simple root of a branch that is nearly known: two steps of the secant method on the branch, which has all its
     /// digits where the polynomial, a product of small numbers, has few.
-    fn sharpened(&self, number: usize, start: f64, miss: f64) -> f64 {
+    ///
+    /// Gives the root and what the branch misses there.
+    fn sharpened(&self, number: usize, start: f64, miss: f64) -> (f64, f64) {
         const STEP: f64 = 1e-6;
         let (mut near, mut near_miss) = (start, miss);
         let (mut far, mut far_miss) = (start + STEP, self.miss(number, start + STEP));
@@ -143,6 +145,6 @@ impl Posed<'_, f64> {
             (far, far_miss) = (near, near_miss);
             (near, near_miss) = (t, self.miss(number, t));
         }
-        near
+        (near, near_miss)
     }
 }
