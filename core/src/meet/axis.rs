@@ -108,8 +108,8 @@ impl<T: Scalar> Stream<'_, '_, T> {
     }
 }
 
-/// Where a function that is not negative is lowest, near an angle: three parabolas through three angles each.
-fn lowest<T: Scalar>(value: impl Fn(T) -> T, mut t: T) -> T {
+/// Where a function is lowest or highest, near an angle: three parabolas through three angles each.
+pub(super) fn lowest<T: Scalar>(value: impl Fn(T) -> T, mut t: T) -> T {
     let step = T::EPSILON.sqrt().sqrt().sqrt();
     for step in [step, step * step, step * step * step] {
         let (before, here, after) = (value(t - step), value(t), value(t + step));

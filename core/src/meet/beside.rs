@@ -6,6 +6,7 @@
 
 use core::ops::ControlFlow;
 
+use super::axis::lowest;
 use super::branch::{BRANCHES, Branch};
 use super::search::Stream;
 use crate::math::Scalar;
@@ -17,11 +18,31 @@ const PLACES: usize = 10;
 const NEAR_PLACES: usize = 8;
 /// A branch that misses by no more at its end may close there.
 const AT_END: f64 = 1e-3;
+/// Where v^2 or w^2 is lowest or highest and this near to 0, branches may be narrow.
+const NARROW: f64 = 1e-2;
 
 /// A place of a branch.
 type Place<T> = (T, Branch<T>);
 
 impl Stream<'_, '_, f64> {
+    /// The roots of all branches near a doubtful root. Gives the branches that have one.
+    ///
+    /// All that happens to the branches in a narrow space happens about the root, or where v^2 or w^2 is lowest or highest
+    /// near 0: branches end on both sides of such a place, at distances that may be far less than the error of the root.
+    pub fn about(&mut self, root: f64) -> ControlFlow<(), [bool; BRANCHES]> {
+        let mut is_found = self.beside(root)?;
+        for (number, square) in [(0, 0), (0, 1), (1, 1)] {
+            let posed = self.posed;
+            let value = |t: f64| posed.branch_at(number, t).squares.get(square).copied().unwrap_or(0.0);
+            let center = lowest(value, root);
+            if value(center).abs() <= NARROW {
+                let found = self.beside(center)?;
+                is_found.iter_mut().zip(found).for_each(|(all, found)| *all |= found);
+            }
+        }
+        ControlFlow::Continue(is_found)
+    }
+
     /// The roots of all branches about an angle. Gives the branches that have one near it.
     pub fn beside(&mut self, angle: f64) -> ControlFlow<(), [bool; BRANCHES]> {
         let mut is_found = [false; BRANCHES];

@@ -30,7 +30,7 @@ impl Meet<f32> {
         if !posed.is_finite() {
             return Outcome { is_complete: true };
         }
-        let mut stream = Stream { posed: &posed, reference, visit, root: 0 };
+        let mut stream = Stream::new(&posed, reference, visit);
         Outcome { is_complete: stream.families().is_continue() }
     }
 }

@@ -34,7 +34,7 @@ impl Meet<f64> {
         if !posed.is_finite() {
             return Outcome { is_complete: true };
         }
-        let mut stream = Stream { posed: &posed, reference, visit, root: 0 };
+        let mut stream = Stream::new(&posed, reference, visit);
         let mut is_complete = true;
         let flow = stream.run(&mut is_complete);
         Outcome { is_complete: is_complete && flow.is_continue() }
@@ -48,11 +48,32 @@ pub(super) struct Stream<'a, 'v, T> {
     pub visit: &'a mut Visitor<'v, T>,
     /// The number of the held joint's root.
     pub root: u8,
+    /// The last angles and branches that were offered: the neighborhoods of several roots overlap.
+    pub offered: [(T, usize); REPEATS],
+    /// How many there were.
+    pub count: usize,
 }
 
-impl<T: Scalar> Stream<'_, '_, T> {
+/// Offers that are remembered.
+const REPEATS: usize = 24;
+/// Offers nearer than this are repeats, rad.
+const REPEATED: f64 = 1e-13;
+
+impl<'a, 'v, T: Scalar> Stream<'a, 'v, T> {
+    pub fn new(posed: &'a Posed<'a, T>, reference: &'a [T; 6], visit: &'a mut Visitor<'v, T>) -> Self {
+        Self { posed, reference, visit, root: 0, offered: [(T::NAN, 0); REPEATS], count: 0 }
+    }
+
     /// Branch `number` at an angle.
     pub fn offer(&mut self, t: T, number: usize, is_doubtful: bool) -> ControlFlow<()> {
+        let least = T::from_f64(REPEATED);
+        if self.offered.iter().any(|(other, branch)| *branch == number && (t - *other).abs() <= least) {
+            return ControlFlow::Continue(());
+        }
+        if let Some(slot) = self.offered.get_mut(self.count % REPEATS) {
+            *slot = (t, number);
+        }
+        self.count += 1;
         let parts = self.posed.parts(sin_cos(t));
         let joints = self.posed.joints(t, &parts, &self.posed.branch(&parts, number));
         self.offer_joints(joints, number, 0, is_doubtful)
@@ -106,7 +127,7 @@ impl Stream<'_, '_, f64> {
         let is_beside = |miss: &f64| *miss < BESIDE && *miss > 1e3 * least + 1e-9;
         let is_doubtful = root.is_double || root.is_doubtful || misses.iter().any(is_beside);
         let limit = if is_doubtful { DOUBTFUL_OPEN } else { OPEN }.max(least);
-        let found = if is_doubtful { self.beside(root.angle)? } else { [false; BRANCHES] };
+        let found = if is_doubtful { self.about(root.angle)? } else { [false; BRANCHES] };
         for ((number, branch), is_found) in branches.iter().enumerate().zip(found) {
             // A root that is imaginary is 0 for both signs.
             let is_repeated = (number & 1 == 1 && branch.v == 0.0) || (number & 2 == 2 && branch.w == 0.0);
