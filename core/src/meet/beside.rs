@@ -17,12 +17,12 @@ const PLACES: usize = 10;
 /// A root beyond the first places may belong to another root of the polynomial.
 const NEAR_PLACES: usize = 8;
 /// A branch that misses by no more at its end may close there.
-const AT_END: f64 = 1e-3;
+const AT_END: f64 = 1e-6;
 /// Where v^2 or w^2 is lowest or highest and this near to 0, branches may be narrow.
 const NARROW: f64 = 1e-2;
 
 /// A place of a branch.
-type Place<T> = (T, Branch<T>);
+pub(super) type Place<T> = (T, Branch<T>);
 
 impl Stream<'_, '_, f64> {
     /// The roots of all branches near a doubtful root. Gives the branches that have one.
@@ -44,23 +44,44 @@ impl Stream<'_, '_, f64> {
     }
 
     /// The roots of all branches about an angle. Gives the branches that have one near it.
-    pub fn beside(&mut self, angle: f64) -> ControlFlow<(), [bool; BRANCHES]> {
+    fn beside(&mut self, angle: f64) -> ControlFlow<(), [bool; BRANCHES]> {
         let mut is_found = [false; BRANCHES];
+        let middle = (angle, self.posed.branches(angle));
         for side in [1.0, -1.0] {
             let mut step = side * NEAREST;
-            let mut last = (angle, self.posed.branches(angle));
+            let (mut last, mut here) = (None, middle);
             for place in 0..PLACES {
                 let next = (angle + step, self.posed.branches(angle + step));
-                let branches = last.1.into_iter().zip(next.1).zip(&mut is_found);
-                for (number, ((from, to), is_found)) in branches.enumerate() {
-                    let offered = self.between(number, (last.0, from), (next.0, to), AT_END)?;
+                for (number, is_found) in is_found.iter_mut().enumerate() {
+                    let at = |(t, branches): (f64, [Branch<f64>; BRANCHES])| branches.get(number).map(|b| (t, *b));
+                    let (Some(from), Some(to)) = (at(here), at(next)) else { continue };
+                    let mut offered = self.between(number, from, to, AT_END)?;
+                    if let Some(before) = last.and_then(at) {
+                        offered |= self.turning(number, [before, from, to])?.is_found();
+                    }
                     *is_found |= offered && place < NEAR_PLACES;
                 }
-                last = next;
+                (last, here) = (Some(here), next);
                 step *= 4.0;
             }
         }
         ControlFlow::Continue(is_found)
+    }
+}
+
+/// The value of a branch that turns without reaching 0.
+pub(super) enum Turn<T> {
+    /// It does not turn between the places.
+    None,
+    /// It turns and has roots on both sides.
+    Found,
+    /// It turns at an angle and misses by so much there.
+    Misses(T, T),
+}
+
+impl<T> Turn<T> {
+    fn is_found(&self) -> bool {
+        matches!(self, Self::Found)
     }
 }
 
@@ -79,26 +100,93 @@ impl<T: Scalar> Stream<'_, '_, T> {
             let branch = self.posed.branch_at(number, t);
             // The other root may be imaginary here, or 0 to rounding.
             if branch.least_square() >= T::from_f64(-1e-9) {
-                if branch.miss.abs() <= at_end {
+                // The twin, which has the other sign of the root that is 0, is the same here.
+                let is_twin = number & (1 << square) != 0;
+                if branch.miss.abs() <= at_end && !is_twin {
                     self.offer(t, number, true)?;
                     is_found = true;
                 }
                 end = Some((t, branch));
             }
         }
-        let (from, to) = match (from.1.is_real(), to.1.is_real(), end) {
-            (true, true, _) => (from, to),
-            (true, false, Some(end)) => (from, end),
-            (false, true, Some(end)) => (end, to),
-            _ => return ControlFlow::Continue(is_found),
-        };
-        if from.1.miss * to.1.miss <= T::ZERO {
-            let t = crossing(|t| self.posed.miss(number, t), (from.0, from.1.miss), (to.0, to.1.miss));
-            self.offer(t, number, true)?;
-            is_found = true;
+        match (from.1.is_real(), to.1.is_real(), end) {
+            (true, true, _) => is_found |= self.change(number, from, to)?,
+            (true, false, Some(end)) => is_found |= self.from_end(number, end, from)?,
+            (false, true, Some(end)) => is_found |= self.from_end(number, end, to)?,
+            _ => {}
         }
         ControlFlow::Continue(is_found)
     }
+
+    /// The roots of a branch that begins at `end` and is real up to `far`. It begins like a square root, so it is looked at
+    /// near its end.
+    fn from_end(&mut self, number: usize, end: Place<T>, far: Place<T>) -> ControlFlow<(), bool> {
+        let mut is_found = false;
+        let (mut to, mut share) = (far, T::ONE);
+        for _ in 0..5 {
+            share *= T::from_f64(0.25);
+            let t = end.0 + (far.0 - end.0) * share;
+            let from = (t, self.posed.branch_at(number, t));
+            is_found |= self.change(number, from, to)?;
+            to = from;
+        }
+        is_found |= self.change(number, end, to)?;
+        ControlFlow::Continue(is_found)
+    }
+
+    /// The root of a branch between two places, if its sign changes there.
+    fn change(&mut self, number: usize, from: Place<T>, to: Place<T>) -> ControlFlow<(), bool> {
+        let is_found = from.1.miss * to.1.miss <= T::ZERO;
+        if is_found {
+            let t = crossing(|t| self.posed.miss(number, t), (from.0, from.1.miss), (to.0, to.1.miss));
+            self.offer(t, number, true)?;
+        }
+        ControlFlow::Continue(is_found)
+    }
+
+    /// The roots of a branch that turns towards 0 and back between three places where it has one sign: three parabolas
+    /// through the places nearest to the turn.
+    pub fn turning(&mut self, number: usize, places: [Place<T>; 3]) -> ControlFlow<(), Turn<T>> {
+        let [mut from, mut middle, mut to] = places;
+        let is_turning = places.iter().all(|(_, branch)| branch.is_real())
+            && from.1.miss * middle.1.miss > T::ZERO
+            && to.1.miss * middle.1.miss > T::ZERO
+            && middle.1.miss.abs() <= from.1.miss.abs()
+            && middle.1.miss.abs() <= to.1.miss.abs();
+        if !is_turning {
+            return ControlFlow::Continue(Turn::None);
+        }
+        for _ in 0..3 {
+            let (left, right) = (slope(from, middle), slope(middle, to));
+            let bend = (right - left) / (to.0 - from.0);
+            let t = T::HALF * (from.0 + middle.0 - left / bend);
+            // Outside for a quotient that is not a number, too.
+            let is_inside = (t - from.0) * (to.0 - t) > T::ZERO && t != middle.0;
+            if !is_inside {
+                break;
+            }
+            let place = (t, self.posed.branch_at(number, t));
+            if place.1.miss * middle.1.miss <= T::ZERO {
+                self.change(number, from, place)?;
+                self.change(number, place, to)?;
+                return ControlFlow::Continue(Turn::Found);
+            }
+            let is_before = (t - from.0) * (middle.0 - t) > T::ZERO;
+            let is_lower = place.1.miss.abs() <= middle.1.miss.abs();
+            match (is_lower, is_before) {
+                (true, true) => (middle, to) = (place, middle),
+                (true, false) => (from, middle) = (middle, place),
+                (false, true) => from = place,
+                (false, false) => to = place,
+            }
+        }
+        ControlFlow::Continue(Turn::Misses(middle.0, middle.1.miss))
+    }
+}
+
+/// The slope of a branch between two places.
+fn slope<T: Scalar>(from: Place<T>, to: Place<T>) -> T {
+    (to.1.miss - from.1.miss) / (to.0 - from.0)
 }
 
 /// Where a continuous function changes its sign: regula falsi with halved values (Illinois), at most 20 steps.

@@ -3,8 +3,8 @@
 use core::ops::ControlFlow;
 
 use super::Meet;
-use super::beside::crossing;
-use super::branch::{BRANCHES, Branch, Posed};
+use super::beside::Turn;
+use super::branch::{BRANCHES, Posed};
 use super::search::Stream;
 use crate::Transform;
 use crate::held_joint::{Outcome, Visitor};
@@ -83,37 +83,15 @@ impl<T: Scalar> Stream<'_, '_, T> {
                     continue;
                 }
                 self.between(branch, (t, *b), (next, *c), T::from_f64(TOUCH))?;
-                self.touching(branch, t, step, [a, b, c])?;
+                if let Turn::Misses(at, miss) = self.turning(branch, [(t - step, *a), (t, *b), (next, *c)])?
+                    && miss.abs() <= T::from_f64(TOUCH)
+                {
+                    for side in [-0.3, 0.3] {
+                        self.offer(at + T::from_f64(side) * step, branch, true)?;
+                    }
+                }
             }
             (before, here) = (here, after);
-        }
-        ControlFlow::Continue(())
-    }
-
-    /// A branch that turns between three places without a change of its sign: a parabola through them.
-    fn touching(&mut self, branch: usize, t: T, step: T, [a, b, c]: [&Branch<T>; 3]) -> ControlFlow<()> {
-        let (from, middle, to) = (a.miss, b.miss, c.miss);
-        let is_turning = a.is_real()
-            && b.is_real()
-            && c.is_real()
-            && from * middle > T::ZERO
-            && to * middle > T::ZERO
-            && middle.abs() <= from.abs()
-            && middle.abs() <= to.abs();
-        if !is_turning {
-            return ControlFlow::Continue(());
-        }
-        let at = t + T::HALF * step * (from - to) / (from + to - T::TWO * middle);
-        let miss = self.posed.miss(branch, at);
-        if miss * middle <= T::ZERO {
-            for end in [(t - step, from), (t + step, to)] {
-                let root = crossing(|t| self.posed.miss(branch, t), end, (at, miss));
-                self.offer(root, branch, true)?;
-            }
-        } else if miss.abs() <= T::from_f64(TOUCH) {
-            for side in [-0.3, 0.3] {
-                self.offer(at + T::from_f64(side) * step, branch, true)?;
-            }
         }
         ControlFlow::Continue(())
     }
