@@ -12,6 +12,7 @@
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
+mod branches;
 pub mod chain;
 pub mod held_joint;
 pub mod math;

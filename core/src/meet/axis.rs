@@ -2,9 +2,9 @@
 
 use core::ops::ControlFlow;
 
-use super::branch::{Branch, Parts, Posed};
+use super::branch::{Parts, Posed, Signed};
 use super::joints::turned_back;
-use super::search::Stream;
+use crate::branches::{Stream, lowest};
 use crate::math::{Scalar, atan2, hypot, sin_cos};
 
 /// W is looked for on an axis if it is nearer than this share of the reach.
@@ -14,112 +14,97 @@ const ON: f64 = 1e-4;
 /// An amplitude below this turns nothing: the joint is free.
 const FREE: f64 = 1e-9;
 
-impl<T: Scalar> Stream<'_, '_, T> {
-    /// The candidates near an angle where W is on the axis of x2 or of x3. There are none elsewhere.
-    ///
-    /// On the axis of x2, v is 0 and n, the direction of v, has to be at the angle alpha to the direction d of u, which x2
-    /// turns: `n . Rz(x2) d = cos alpha`. On the axis of x3 the elbow is folded, and x3 turns the direction of u.
-    pub fn on_axes(&mut self, t: T, parts: &Parts<T>) -> ControlFlow<()> {
-        let posed = self.posed;
-        let square = |share: f64| {
-            let length = T::from_f64(share) * posed.meet.reach;
-            length * length
-        };
-        let (beside, on) = (square(BESIDE), square(ON));
-        if parts.rho2 <= beside {
-            let t = lowest(|t| posed.parts(sin_cos(t)).rho2, t);
+/// The candidates of [`Meet`](super::Meet).
+type Candidates<'a, 'v, 'm, T> = Stream<'a, 'v, T, Posed<'m, T>>;
+
+/// The candidates near an angle where W is on the axis of x2 or of x3. There are none elsewhere.
+///
+/// On the axis of x2, v is 0 and n, the direction of v, has to be at the angle alpha to the direction d of u, which x2
+/// turns: `n . Rz(x2) d = cos alpha`. On the axis of x3 the elbow is folded, and x3 turns the direction of u.
+pub(super) fn on_axes<T: Scalar>(stream: &mut Candidates<'_, '_, '_, T>, t: T) -> ControlFlow<()> {
+    let posed = stream.branches;
+    let parts = posed.parts(sin_cos(t));
+    let square = |share: f64| {
+        let length = T::from_f64(share) * posed.meet.reach;
+        length * length
+    };
+    let (beside, on) = (square(BESIDE), square(ON));
+    if parts.rho2 <= beside {
+        let t = lowest(|t| posed.parts(sin_cos(t)).rho2, t);
+        let parts = posed.parts(sin_cos(t));
+        if parts.rho2 <= on {
+            for number in [0, 2] {
+                on_x2(stream, t, &parts, number)?;
+            }
+        }
+    }
+    let distance2 = |parts: &Parts<T>, number: usize| parts.distance2.at(posed.signed(parts, number).v);
+    for number in [0, 1] {
+        if distance2(&parts, number) <= beside {
+            let t = lowest(|t| distance2(&posed.parts(sin_cos(t)), number), t);
             let parts = posed.parts(sin_cos(t));
-            if parts.rho2 <= on {
-                for number in [0, 2] {
-                    self.on_x2(t, &parts, number)?;
-                }
-            }
-        }
-        let distance2 = |parts: &Parts<T>, number: usize| parts.distance2.at(posed.branch(parts, number).v);
-        for number in [0, 1] {
-            if distance2(parts, number) <= beside {
-                let t = lowest(|t| distance2(&posed.parts(sin_cos(t)), number), t);
-                let parts = posed.parts(sin_cos(t));
-                if distance2(&parts, number) <= on {
-                    self.on_x3(t, &parts, number)?;
-                }
-            }
-        }
-        ControlFlow::Continue(())
-    }
-
-    fn on_x2(&mut self, t: T, p: &Parts<T>, number: usize) -> ControlFlow<()> {
-        let (m, turn) = (self.posed.meet, sin_cos(t));
-        let branch = self.posed.branch(p, number);
-        // An elbow that is straight to rounding is straight: its root w would have half of the digits.
-        let [_, w2] = branch.squares;
-        let w = branch.w.when(w2 > T::from_f64(256.0) * T::EPSILON);
-        let branch = &Branch { v: T::ZERO, w, ..branch };
-        let [nx, ny, nz] = self.posed.normal.at(turn);
-        // The direction of u after x2: E along ex and ey, and the tilt along h.
-        let (vx, vy) = (-m.across_x, p.across_y);
-        let distance2 = p.distance2.at(T::ZERO);
-        let high = distance2 + m.lower * m.lower - m.upper * m.upper;
-        let (qx, qy) = (m.ratio_x * vx - m.ratio_y * vy, m.ratio_y * vx + m.ratio_x * vy);
-        let half = T::HALF / distance2;
-        let (e_x, e_y) = ((qx * high - qy * branch.w) * half, (qy * high + qx * branch.w) * half);
-        let ([hx, hy], across) = (m.h_xy, m.eta * m.tilt - m.h_z * e_y);
-        let (dx, dy, dz) = (hx * across - hy * e_x, hy * across + hx * e_x, m.eta * e_y + m.h_z * m.tilt);
-        let turns = level(nx * dx + ny * dy, ny * dx - nx * dy, m.cos_alpha - nz * dz);
-        let joints = |posed: &Posed<'_, T>, x2: T| posed.joints_about(t, turn, p, branch, x2);
-        let [_, joint, ..] = m.joints;
-        match turns {
-            Some(turns) => turns.into_iter().try_for_each(|x2| {
-                let joints = joints(self.posed, x2);
-                self.offer_joints(joints, number, 0, true)
-            }),
-            None => {
-                let joints = joints(self.posed, self.reference_of(joint));
-                self.offer_joints(joints, number, 1 << joint, true)
+            if distance2(&parts, number) <= on {
+                on_x3(stream, t, &parts, number)?;
             }
         }
     }
+    ControlFlow::Continue(())
+}
 
-    fn on_x3(&mut self, t: T, p: &Parts<T>, number: usize) -> ControlFlow<()> {
-        let (m, turn) = (self.posed.meet, sin_cos(t));
-        let branch = self.posed.branch(p, number);
-        let x2 = self.posed.x2(turn, p, branch.v);
-        let [n_x, n_y, n_h] = self.posed.in_plane(turned_back(self.posed.normal.at(turn), sin_cos(x2)));
-        // The direction of u across h, turned from that of the lower link, which the elbow of pi turns from the upper one.
-        let (qx, qy) = (-m.ratio_x * m.lower, -m.ratio_y * m.lower);
-        let turns = level(n_x * qx + n_y * qy, n_y * qx - n_x * qy, m.cos_alpha - n_h * m.tilt);
-        let joints = |posed: &Posed<'_, T>, upper: T| posed.joints_of_elbow(t, turn, x2, upper, T::PI);
-        let [_, _, joint, ..] = m.joints;
-        match turns {
-            Some(turns) => turns.into_iter().try_for_each(|upper| {
-                let joints = joints(self.posed, upper);
-                self.offer_joints(joints, number, 0, true)
-            }),
-            None => {
-                let joints = joints(self.posed, self.reference_of(joint) + m.x3_offset);
-                self.offer_joints(joints, number, 1 << joint, true)
-            }
+fn on_x2<T: Scalar>(stream: &mut Candidates<'_, '_, '_, T>, t: T, p: &Parts<T>, number: usize) -> ControlFlow<()> {
+    let posed = stream.branches;
+    let (m, turn) = (posed.meet, sin_cos(t));
+    let branch = posed.signed(p, number);
+    // An elbow that is straight to rounding is straight: its root w would have half of the digits.
+    let [_, w2] = branch.branch.squares;
+    let w = branch.w.when(w2 > T::from_f64(256.0) * T::EPSILON);
+    let branch = &Signed { v: T::ZERO, w, ..branch };
+    let [nx, ny, nz] = posed.normal.at(turn);
+    // The direction of u after x2: E along ex and ey, and the tilt along h.
+    let (vx, vy) = (-m.across_x, p.across_y);
+    let distance2 = p.distance2.at(T::ZERO);
+    let high = distance2 + m.lower * m.lower - m.upper * m.upper;
+    let (qx, qy) = (m.ratio_x * vx - m.ratio_y * vy, m.ratio_y * vx + m.ratio_x * vy);
+    let half = T::HALF / distance2;
+    let (e_x, e_y) = ((qx * high - qy * branch.w) * half, (qy * high + qx * branch.w) * half);
+    let ([hx, hy], across) = (m.h_xy, m.eta * m.tilt - m.h_z * e_y);
+    let (dx, dy, dz) = (hx * across - hy * e_x, hy * across + hx * e_x, m.eta * e_y + m.h_z * m.tilt);
+    let turns = level(nx * dx + ny * dy, ny * dx - nx * dy, m.cos_alpha - nz * dz);
+    let joints = |posed: &Posed<'_, T>, x2: T| posed.joints_about(t, turn, p, branch, x2);
+    let [_, joint, ..] = m.joints;
+    match turns {
+        Some(turns) => turns.into_iter().try_for_each(|x2| {
+            let joints = joints(posed, x2);
+            stream.offer_joints(joints, number, 0, true)
+        }),
+        None => {
+            let joints = joints(posed, stream.reference_of(joint));
+            stream.offer_joints(joints, number, 1 << joint, true)
         }
-    }
-
-    /// The reference of a joint of the chain; 0 if it is not finite.
-    pub fn reference_of(&self, joint: usize) -> T {
-        self.reference.get(joint).copied().filter(|angle| angle.is_finite()).unwrap_or(T::ZERO)
     }
 }
 
-/// Where a function is lowest or highest, near an angle: three parabolas through three angles each.
-pub(super) fn lowest<T: Scalar>(value: impl Fn(T) -> T, mut t: T) -> T {
-    let step = T::EPSILON.sqrt().sqrt().sqrt();
-    for step in [step, step * step, step * step * step] {
-        let (before, here, after) = (value(t - step), value(t), value(t + step));
-        let moved = T::HALF * step * (before - after) / (before + after - here - here);
-        // False for a quotient that is not a number, too.
-        if moved.abs() <= T::from_f64(0.1) {
-            t += moved;
+fn on_x3<T: Scalar>(stream: &mut Candidates<'_, '_, '_, T>, t: T, p: &Parts<T>, number: usize) -> ControlFlow<()> {
+    let posed = stream.branches;
+    let (m, turn) = (posed.meet, sin_cos(t));
+    let branch = posed.signed(p, number);
+    let x2 = posed.x2(turn, p, branch.v);
+    let [n_x, n_y, n_h] = posed.in_plane(turned_back(posed.normal.at(turn), sin_cos(x2)));
+    // The direction of u across h, turned from that of the lower link, which the elbow of pi turns from the upper one.
+    let (qx, qy) = (-m.ratio_x * m.lower, -m.ratio_y * m.lower);
+    let turns = level(n_x * qx + n_y * qy, n_y * qx - n_x * qy, m.cos_alpha - n_h * m.tilt);
+    let joints = |posed: &Posed<'_, T>, upper: T| posed.joints_of_elbow(t, turn, x2, upper, T::PI);
+    let [_, _, joint, ..] = m.joints;
+    match turns {
+        Some(turns) => turns.into_iter().try_for_each(|upper| {
+            let joints = joints(posed, upper);
+            stream.offer_joints(joints, number, 0, true)
+        }),
+        None => {
+            let joints = joints(posed, stream.reference_of(joint) + m.x3_offset);
+            stream.offer_joints(joints, number, 1 << joint, true)
         }
     }
-    t
 }
 
 /// The two angles x with `a cos x + b sin x = c`, the nearest ones where there are none; `None` if a and b are 0.

@@ -2,7 +2,8 @@
 
 use super::Meet;
 use crate::Transform;
-use crate::math::{Scalar, sin_cos};
+use crate::branches::Branch;
+use crate::math::Scalar;
 use crate::pair::Pair;
 use crate::transform::Vector;
 
@@ -47,35 +48,16 @@ pub(super) struct Posed<'a, T> {
     pub side: Wave<T>,
 }
 
-/// Signs of v and w. The number of a branch has bit 0 set for a negative v and bit 1 for a negative w.
-pub(super) const BRANCHES: usize = 4;
-
-/// One branch at one angle.
+/// A branch with its two roots.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Branch<T> {
-    /// g: the cosine of the angle between the axes of u and v, less what it has to be.
-    pub miss: T,
+pub(super) struct Signed<T> {
+    /// What it misses is g: the cosine of the angle between the axes of u and v, less what it has to be. Its squares are
+    /// v^2 in units of a y, and w^2 in those of the square of a y.
+    pub branch: Branch<T>,
     /// The root v with its sign; 0 where it is imaginary.
     pub v: T,
     /// The root w with its sign; 0 where it is imaginary.
     pub w: T,
-    /// v^2 in units of a y, and w^2 in those of its square: where one of them is 0 the branch ends and meets its twin.
-    pub squares: [T; 2],
-}
-
-impl<T: Scalar> Branch<T> {
-    /// Returns true if both roots are real and not 0.
-    #[inline(always)]
-    pub fn is_real(&self) -> bool {
-        self.least_square() > T::ZERO
-    }
-
-    /// The lesser one of v^2 and w^2.
-    #[inline(always)]
-    pub fn least_square(&self) -> T {
-        let [v2, w2] = self.squares;
-        v2.min(w2)
-    }
 }
 
 /// What the branches have in common at one angle; pairs are numbers `even + odd v`.
@@ -148,7 +130,7 @@ impl<'a, T: Scalar> Posed<'a, T> {
     /// Degree 8 in t, or the square root of it, of degree 4, for equal pairs. Not finite where W is on the axis of x2 or
     /// of x3.
     #[inline(always)]
-    pub fn product(&self, turn: (T, T)) -> (T, T) {
+    pub fn product_at(&self, turn: (T, T)) -> (T, T) {
         let p = self.parts(turn);
         let squares = p.second.times(p.second, p.v2).times(p.w2, p.v2);
         let norm = p.first.times(p.first, p.v2).minus(squares);
@@ -161,34 +143,15 @@ impl<'a, T: Scalar> Posed<'a, T> {
         }
     }
 
-    /// One branch, of what all have in common.
+    /// One branch, of what all have in common. Bit 0 of its number is set for a negative v and bit 1 for a negative w.
     #[inline(always)]
-    pub fn branch(&self, p: &Parts<T>, number: usize) -> Branch<T> {
+    pub fn signed(&self, p: &Parts<T>, number: usize) -> Signed<T> {
         let signed = |root: T, bit: usize| if number & bit == 0 { root } else { -root };
         let v = signed(p.v2.max(T::ZERO).sqrt(), 1);
         let w2 = p.w2.at(v);
         let w = signed(w2.max(T::ZERO).sqrt(), 2);
         let miss = (p.first.at(v) + w * p.second.at(v)) / (p.rho2 * p.distance2.at(v));
         let unit = T::ONE / (self.meet.upper * self.meet.lower);
-        Branch { miss, v, w, squares: [p.v2 * unit, w2 * unit * unit] }
-    }
-
-    /// One branch at an angle.
-    #[inline(always)]
-    pub fn branch_at(&self, number: usize, t: T) -> Branch<T> {
-        self.branch(&self.parts(sin_cos(t)), number)
-    }
-
-    /// What a branch misses at an angle.
-    #[inline(always)]
-    pub fn miss(&self, number: usize, t: T) -> T {
-        self.branch_at(number, t).miss
-    }
-
-    /// All four branches at an angle.
-    #[inline(always)]
-    pub fn branches(&self, t: T) -> [Branch<T>; BRANCHES] {
-        let parts = self.parts(sin_cos(t));
-        core::array::from_fn(|number| self.branch(&parts, number))
+        Signed { branch: Branch { miss, squares: [p.v2 * unit, w2 * unit * unit] }, v, w }
     }
 }

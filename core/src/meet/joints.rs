@@ -1,17 +1,10 @@
 //! The six joints of a branch at one angle of the held joint.
 
-use super::branch::{Branch, Parts, Posed};
+use super::branch::{Parts, Posed, Signed};
 use crate::math::{Scalar, atan2, sin_cos};
 use crate::transform::{Vector, dot};
 
 impl<T: Scalar> Posed<'_, T> {
-    /// The joints x1 to v of a branch at an angle t, in the order of the chain.
-    pub fn joints(&self, t: T, p: &Parts<T>, branch: &Branch<T>) -> [T; 6] {
-        let turn = sin_cos(t);
-        let x2 = self.x2(turn, p, branch.v);
-        self.joints_about(t, turn, p, branch, x2)
-    }
-
     /// x2 turns (u, v) along (H, ex) to W.
     pub fn x2(&self, turn: (T, T), p: &Parts<T>, v: T) -> T {
         let ([px, py, _], [hx, hy]) = (self.point.at(turn), self.meet.h_xy);
@@ -19,8 +12,8 @@ impl<T: Scalar> Posed<'_, T> {
         atan2(to_x * py - to_y * px, to_x * px + to_y * py)
     }
 
-    /// The joints for an angle x2 that is known otherwise.
-    pub fn joints_about(&self, t: T, turn: (T, T), p: &Parts<T>, branch: &Branch<T>, x2: T) -> [T; 6] {
+    /// The joints of a branch at an angle t, for an angle x2 that is known, in the order of the chain.
+    pub fn joints_about(&self, t: T, turn: (T, T), p: &Parts<T>, branch: &Signed<T>, x2: T) -> [T; 6] {
         let (a, y) = (self.meet.upper, self.meet.lower);
         let (vx, vy) = (branch.v - self.meet.across_x, p.across_y);
         let psi = atan2(branch.w, p.distance2.at(branch.v) - a * a - y * y);

@@ -20,11 +20,9 @@
 //! a product of four has too few digits in `f32`.
 
 mod axis;
-mod beside;
 mod branch;
 mod constants;
 mod joints;
-mod scan;
 mod search;
 mod structure;
 

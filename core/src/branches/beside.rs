@@ -6,9 +6,7 @@
 
 use core::ops::ControlFlow;
 
-use super::axis::lowest;
-use super::branch::{BRANCHES, Branch};
-use super::search::Stream;
+use super::{Branch, Branches, COUNT, Stream};
 use crate::math::Scalar;
 
 /// The distances: `3e-7 4^k` rad.
@@ -22,18 +20,18 @@ const AT_END: f64 = 1e-6;
 const NARROW: f64 = 1e-2;
 
 /// A place of a branch.
-pub(super) type Place<T> = (T, Branch<T>);
+type Place<T> = (T, Branch<T>);
 
-impl Stream<'_, '_, f64> {
+impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
     /// The roots of all branches near a doubtful root. Gives the branches that have one.
     ///
     /// All that happens to the branches in a narrow space happens about the root, or where v^2 or w^2 is lowest or highest
     /// near 0: branches end on both sides of such a place, at distances that may be far less than the error of the root.
-    pub fn about(&mut self, root: f64) -> ControlFlow<(), [bool; BRANCHES]> {
+    pub fn about(&mut self, root: f64) -> ControlFlow<(), [bool; COUNT]> {
         let mut is_found = self.beside(root)?;
-        for (number, square) in [(0, 0), (0, 1), (1, 1)] {
-            let posed = self.posed;
-            let value = |t: f64| posed.branch_at(number, t).squares.get(square).copied().unwrap_or(0.0);
+        for (number, square) in B::NARROW.iter().copied() {
+            let branches = self.branches;
+            let value = |t: f64| branches.branch(number, t).squares.get(square).copied().unwrap_or(0.0);
             let center = lowest(value, root);
             if value(center).abs() <= NARROW {
                 let found = self.beside(center)?;
@@ -44,16 +42,16 @@ impl Stream<'_, '_, f64> {
     }
 
     /// The roots of all branches about an angle. Gives the branches that have one near it.
-    fn beside(&mut self, angle: f64) -> ControlFlow<(), [bool; BRANCHES]> {
-        let mut is_found = [false; BRANCHES];
-        let middle = (angle, self.posed.branches(angle));
+    fn beside(&mut self, angle: f64) -> ControlFlow<(), [bool; COUNT]> {
+        let mut is_found = [false; COUNT];
+        let middle = (angle, self.branches.all(angle));
         for side in [1.0, -1.0] {
             let mut step = side * NEAREST;
             let (mut last, mut here) = (None, middle);
             for place in 0..PLACES {
-                let next = (angle + step, self.posed.branches(angle + step));
+                let next = (angle + step, self.branches.all(angle + step));
                 for (number, is_found) in is_found.iter_mut().enumerate() {
-                    let at = |(t, branches): (f64, [Branch<f64>; BRANCHES])| branches.get(number).map(|b| (t, *b));
+                    let at = |(t, branches): (f64, [Branch<f64>; COUNT])| branches.get(number).map(|b| (t, *b));
                     let (Some(from), Some(to)) = (at(here), at(next)) else { continue };
                     let mut offered = self.between(number, from, to, AT_END)?;
                     if let Some(before) = last.and_then(at) {
@@ -85,7 +83,7 @@ impl<T> Turn<T> {
     }
 }
 
-impl<T: Scalar> Stream<'_, '_, T> {
+impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
     /// The root of one branch between two places, if its sign changes there, and its ends, if it misses by at most
     /// `at_end` there. Gives true if there is one.
     pub fn between(&mut self, number: usize, from: Place<T>, to: Place<T>, at_end: T) -> ControlFlow<(), bool> {
@@ -96,10 +94,10 @@ impl<T: Scalar> Stream<'_, '_, T> {
             if at_from * at_to > T::ZERO {
                 continue;
             }
-            let t = crossing(|t| of(&self.posed.branch_at(number, t)), (from.0, at_from), (to.0, at_to));
-            let branch = self.posed.branch_at(number, t);
+            let t = crossing(|t| of(&self.branches.branch(number, t)), (from.0, at_from), (to.0, at_to));
+            let branch = self.branches.branch(number, t);
             // The other root may be imaginary here, or 0 to rounding.
-            if branch.least_square() >= T::from_f64(-1e-9) {
+            if branch.squares.iter().all(|square| *square >= T::from_f64(-1e-9)) {
                 // The twin, which has the other sign of the root that is 0, is the same here.
                 let is_twin = number & (1 << square) != 0;
                 if branch.miss.abs() <= at_end && !is_twin {
@@ -111,8 +109,8 @@ impl<T: Scalar> Stream<'_, '_, T> {
         }
         match (from.1.is_real(), to.1.is_real(), end) {
             (true, true, _) => is_found |= self.change(number, from, to)?,
-            (true, false, Some(end)) => is_found |= self.from_end(number, end, from)?,
-            (false, true, Some(end)) => is_found |= self.from_end(number, end, to)?,
+            (true, false, Some(end)) => is_found |= self.near_end(number, end, from)?,
+            (false, true, Some(end)) => is_found |= self.near_end(number, end, to)?,
             _ => {}
         }
         ControlFlow::Continue(is_found)
@@ -120,13 +118,13 @@ impl<T: Scalar> Stream<'_, '_, T> {
 
     /// The roots of a branch that begins at `end` and is real up to `far`. It begins like a square root, so it is looked at
     /// near its end.
-    fn from_end(&mut self, number: usize, end: Place<T>, far: Place<T>) -> ControlFlow<(), bool> {
+    fn near_end(&mut self, number: usize, end: Place<T>, far: Place<T>) -> ControlFlow<(), bool> {
         let mut is_found = false;
         let (mut to, mut share) = (far, T::ONE);
         for _ in 0..5 {
             share *= T::from_f64(0.25);
             let t = end.0 + (far.0 - end.0) * share;
-            let from = (t, self.posed.branch_at(number, t));
+            let from = (t, self.branches.branch(number, t));
             is_found |= self.change(number, from, to)?;
             to = from;
         }
@@ -138,7 +136,7 @@ impl<T: Scalar> Stream<'_, '_, T> {
     fn change(&mut self, number: usize, from: Place<T>, to: Place<T>) -> ControlFlow<(), bool> {
         let is_found = from.1.miss * to.1.miss <= T::ZERO;
         if is_found {
-            let t = crossing(|t| self.posed.miss(number, t), (from.0, from.1.miss), (to.0, to.1.miss));
+            let t = crossing(|t| self.branches.branch(number, t).miss, (from.0, from.1.miss), (to.0, to.1.miss));
             self.offer(t, number, true)?;
         }
         ControlFlow::Continue(is_found)
@@ -146,7 +144,7 @@ impl<T: Scalar> Stream<'_, '_, T> {
 
     /// The roots of a branch that turns towards 0 and back between three places where it has one sign: three parabolas
     /// through the places nearest to the turn.
-    pub fn turning(&mut self, number: usize, places: [Place<T>; 3]) -> ControlFlow<(), Turn<T>> {
+    pub(super) fn turning(&mut self, number: usize, places: [Place<T>; 3]) -> ControlFlow<(), Turn<T>> {
         let [mut from, mut middle, mut to] = places;
         let is_turning = places.iter().all(|(_, branch)| branch.is_real())
             && from.1.miss * middle.1.miss > T::ZERO
@@ -165,7 +163,7 @@ impl<T: Scalar> Stream<'_, '_, T> {
             if !is_inside {
                 break;
             }
-            let place = (t, self.posed.branch_at(number, t));
+            let place = (t, self.branches.branch(number, t));
             if place.1.miss * middle.1.miss <= T::ZERO {
                 self.change(number, from, place)?;
                 self.change(number, place, to)?;
@@ -210,4 +208,18 @@ pub(super) fn crossing<T: Scalar>(value: impl Fn(T) -> T, (mut a, mut at_a): (T,
         }
     }
     b
+}
+
+/// Where a function is lowest or highest, near an angle: three parabolas through three angles each.
+pub(crate) fn lowest<T: Scalar>(value: impl Fn(T) -> T, mut t: T) -> T {
+    let step = T::EPSILON.sqrt().sqrt().sqrt();
+    for step in [step, step * step, step * step * step] {
+        let (before, here, after) = (value(t - step), value(t), value(t + step));
+        let moved = T::HALF * step * (before - after) / (before + after - here - here);
+        // False for a quotient that is not a number, too.
+        if moved.abs() <= T::from_f64(0.1) {
+            t += moved;
+        }
+    }
+    t
 }

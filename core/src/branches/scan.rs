@@ -2,13 +2,10 @@
 
 use core::ops::ControlFlow;
 
-use super::Meet;
 use super::beside::Turn;
-use super::branch::{BRANCHES, Posed};
-use super::search::Stream;
-use crate::Transform;
-use crate::held_joint::{Outcome, Visitor};
-use crate::math::{Scalar, sin_cos};
+use super::{Branches, COUNT, Stream};
+use crate::held_joint::Outcome;
+use crate::math::Scalar;
 
 /// Angles of the held joint at which the branches are looked at.
 const PLACES: u16 = 96;
@@ -19,33 +16,22 @@ const FIRST: f64 = 0.2718;
 /// A branch that misses by no more, where it turns or ends, may close there.
 const TOUCH: f64 = 0.02;
 
-impl Meet<f32> {
-    /// Streams the candidates for a target, as [`Meet::search`] of `f64` does.
-    ///
-    /// The product of four branches has too few digits in `f32`. So each branch is looked at by itself at 96 angles:
-    /// changes of its sign, its ends, and places where it nearly touches 0. Two roots between two neighboring angles may
-    /// be missed: 0.3 to 0.8 percent of all joint vectors are, of arms in `tests`.
-    pub fn search(&self, k1: &Transform<f32>, reference: &[f32; 6], visit: &mut Visitor<'_, f32>) -> Outcome {
-        let posed = Posed::of(self, k1);
-        if !posed.is_finite() {
-            return Outcome { is_complete: true };
-        }
-        let mut stream = Stream::new(&posed, reference, visit);
-        Outcome { is_complete: stream.families().is_continue() }
+impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
+    /// All candidates without the polynomial.
+    pub fn scan(&mut self) -> Outcome {
+        Outcome { is_complete: self.families().is_continue() }
     }
-}
 
-impl<T: Scalar> Stream<'_, '_, T> {
     /// Families, in which the held joint is free, at its reference; then all roots of the other branches.
     pub fn families(&mut self) -> ControlFlow<()> {
-        let [held, ..] = self.posed.meet.joints;
+        let held = self.branches.held();
         let reference = self.reference_of(held);
         // The angle at which a branch is listed: the reference, or the first one at which it is real.
-        let mut listed = [None; BRANCHES];
-        let mut greatest = [T::ZERO; BRANCHES];
+        let mut listed = [None; COUNT];
+        let mut greatest = [T::ZERO; COUNT];
         for place in 0..=FAMILY_PLACES {
             let t = reference + T::TAU * number(place) / number(FAMILY_PLACES);
-            for ((branch, listed), greatest) in self.posed.branches(t).iter().zip(&mut listed).zip(&mut greatest) {
+            for ((branch, listed), greatest) in self.branches.all(t).iter().zip(&mut listed).zip(&mut greatest) {
                 if branch.is_real() {
                     listed.get_or_insert(t);
                     *greatest = greatest.max(branch.miss.abs());
@@ -58,25 +44,22 @@ impl<T: Scalar> Stream<'_, '_, T> {
                 *listed = None;
                 continue;
             };
-            let parts = self.posed.parts(sin_cos(t));
-            let joints = self.posed.joints(t, &parts, &self.posed.branch(&parts, branch));
-            self.offer_joints(joints, branch, 1 << held, true)?;
+            self.offer_joints(self.branches.joints(branch, t), branch, 1 << held, true)?;
             self.root = self.root.saturating_add(1);
         }
-        let parts = self.posed.parts(sin_cos(reference));
-        self.on_axes(reference, &parts)?;
-        self.scan(listed.map(|family| family.is_some()))
+        B::singular(self, reference)?;
+        self.around(listed.map(|family| family.is_some()))
     }
 
     /// The roots of each branch that is not a family.
-    fn scan(&mut self, is_family: [bool; BRANCHES]) -> ControlFlow<()> {
+    fn around(&mut self, is_family: [bool; COUNT]) -> ControlFlow<()> {
         let step = T::TAU / number(PLACES);
         let angle = |place: u16| T::from_f64(FIRST) + step * number(place);
-        let mut before = self.posed.branches(angle(0) - step);
-        let mut here = self.posed.branches(angle(0));
+        let mut before = self.branches.all(angle(0) - step);
+        let mut here = self.branches.all(angle(0));
         for place in 0..PLACES {
             let (t, next) = (angle(place), angle(place + 1));
-            let after = self.posed.branches(next);
+            let after = self.branches.all(next);
             let trios = before.iter().zip(&here).zip(&after).zip(is_family).enumerate();
             for (branch, (((a, b), c), is_family)) in trios {
                 if is_family {

@@ -1,0 +1,90 @@
+//! From the roots of the polynomial to candidates, in `f64`.
+
+use core::ops::ControlFlow;
+
+use super::{Branches, COUNT, Stream};
+use crate::held_joint::Outcome;
+use crate::trig_polynomial::{Fit, Root};
+
+/// A polynomial whose greatest sample is below this share of its usual size is zero everywhere.
+const FREE: f64 = 1e-11;
+/// A branch that misses by no more has a root at a simple root of the polynomial.
+const OPEN: f64 = 1e-3;
+/// The same at a doubtful root, which is known to some 1e-4 rad only.
+const DOUBTFUL_OPEN: f64 = 0.05;
+/// A branch that misses by more after its steps has no simple root here.
+const SURE: f64 = 1e-11;
+/// Another branch that misses so little may have a root beside.
+const BESIDE: f64 = 5e-3;
+
+impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
+    /// All candidates.
+    pub fn search(&mut self) -> Outcome {
+        let (mut size, mut samples) = (0.0, 0.0);
+        let fit = Fit::sampled(|turn| {
+            let (value, scale) = self.branches.product(turn);
+            size += scale;
+            samples += 1.0;
+            value
+        });
+        // Not a number counts as zero: the closed form is singular at every angle then.
+        let is_polynomial = fit.greatest > FREE * size / samples;
+        if !is_polynomial {
+            return Outcome { is_complete: self.families().is_continue() };
+        }
+        let roots = fit.roots();
+        let flow = roots.as_slice().iter().try_for_each(|root| {
+            self.at(root)?;
+            self.root = self.root.saturating_add(1);
+            ControlFlow::Continue(())
+        });
+        Outcome { is_complete: roots.is_complete && flow.is_continue() }
+    }
+
+    /// All branches that close at a root.
+    fn at(&mut self, root: &Root) -> ControlFlow<()> {
+        let branches = self.branches.all(root.angle);
+        let misses = branches.map(|branch| branch.miss.abs());
+        let least = misses.iter().fold(f64::MAX, |least, miss| least.min(*miss));
+        // A twin that is the same branch, or nearly, is no other one.
+        let is_beside = |miss: &f64| *miss < BESIDE && *miss > 1e3 * least + 1e-9;
+        let is_doubtful = root.is_double || root.is_doubtful || misses.iter().any(is_beside);
+        let limit = if is_doubtful { DOUBTFUL_OPEN } else { OPEN }.max(least);
+        let found = if is_doubtful { self.about(root.angle)? } else { [false; COUNT] };
+        for ((number, branch), is_found) in branches.iter().enumerate().zip(found) {
+            let is_open = branch.miss.abs() <= limit;
+            if branch.is_repeated(number) || is_found || !is_open {
+                continue;
+            }
+            if is_doubtful {
+                self.offer(root.angle, number, true)?;
+            } else {
+                let (t, miss) = self.sharpened(number, root.angle, branch.miss);
+                self.offer(t, number, miss.abs() > SURE)?;
+            }
+        }
+        B::singular(self, root.angle)
+    }
+
+    /// A simple root of a branch that is nearly known: two steps of the secant method on the branch, which has all its
+    /// digits where the polynomial, a product of small numbers, has few.
+    ///
+    /// Gives the root and what the branch misses there.
+    fn sharpened(&self, number: usize, start: f64, miss: f64) -> (f64, f64) {
+        const STEP: f64 = 1e-6;
+        let at = |t: f64| self.branches.branch(number, t).miss;
+        let (mut near, mut near_miss) = (start, miss);
+        let (mut far, mut far_miss) = (start + STEP, at(start + STEP));
+        for _ in 0..2 {
+            let t = near - near_miss * (far - near) / (far_miss - near_miss);
+            // False for a quotient that is not a number, too.
+            let is_near = (t - start).abs() < 1e-3;
+            if !is_near {
+                break;
+            }
+            (far, far_miss) = (near, near_miss);
+            (near, near_miss) = (t, at(t));
+        }
+        (near, near_miss)
+    }
+}
