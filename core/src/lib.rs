@@ -18,8 +18,10 @@ pub mod held_joint;
 pub mod math;
 pub mod meet;
 mod pair;
+pub mod slides;
 pub mod transform;
 pub mod trig_polynomial;
+mod wave;
 
 pub use math::Scalar;
 pub use transform::Transform;

@@ -17,7 +17,7 @@ pub(crate) use beside::lowest;
 use core::ops::ControlFlow;
 
 use crate::held_joint::{Candidate, Visitor};
-use crate::math::{Scalar, wrap};
+use crate::math::Scalar;
 
 /// The most branches. Bit 0 of the number of a branch is set for the negative sign of its first root, bit 1 for that of
 /// its second one.
@@ -70,7 +70,7 @@ pub(crate) trait Branches<T: Scalar>: Sized {
     /// One branch at an angle.
     fn branch(&self, number: usize, t: T) -> Branch<T>;
 
-    /// The joints of a branch at an angle, in the order of the chain.
+    /// The joints of a branch at an angle, in the order of the chain, angles in (-pi, pi].
     fn joints(&self, number: usize, t: T) -> [T; 6];
 
     /// The signs that name a branch.
@@ -118,7 +118,6 @@ impl<'a, 'v, T: Scalar, B: Branches<T>> Stream<'a, 'v, T, B> {
 
     /// A joint vector of a branch, with the joints that are free as bits.
     pub fn offer_joints(&mut self, joints: [T; 6], number: usize, free: u8, is_doubtful: bool) -> ControlFlow<()> {
-        let joints = joints.map(wrap);
         let candidate = Candidate { joints, root: self.root, signs: B::signs(number), free, is_doubtful };
         if candidate.is_finite() { (self.visit)(&candidate) } else { ControlFlow::Continue(()) }
     }

@@ -5,36 +5,7 @@ use crate::Transform;
 use crate::branches::Branch;
 use crate::math::Scalar;
 use crate::pair::Pair;
-use crate::transform::Vector;
-
-/// A vector as a function of the held angle t: `constant + cosine cos t + sine sin t`.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Wave<T> {
-    constant: Vector<T>,
-    cosine: Vector<T>,
-    sine: Vector<T>,
-}
-
-impl<T: Scalar> Wave<T> {
-    /// `to Rz(-t) (x, y, z)` of a direction.
-    fn of([x, y, z]: Vector<T>, to: &Transform<T>) -> Self {
-        Self {
-            constant: to.turn([T::ZERO, T::ZERO, z]),
-            cosine: to.turn([x, y, T::ZERO]),
-            sine: to.turn([y, -x, T::ZERO]),
-        }
-    }
-
-    fn is_finite(&self) -> bool {
-        [self.constant, self.cosine, self.sine].iter().flatten().all(|x| x.is_finite())
-    }
-
-    #[inline(always)]
-    pub fn at(&self, (sin, cos): (T, T)) -> Vector<T> {
-        let ([x, y, z], [cx, cy, cz], [sx, sy, sz]) = (self.constant, self.cosine, self.sine);
-        [x + cx * cos + sx * sin, y + cy * cos + sy * sin, z + cz * cos + sz * sin]
-    }
-}
+use crate::wave::Wave;
 
 /// An arm with its target: W and v as seen from before x2, as functions of the held angle t.
 #[derive(Clone, Copy, Debug)]
@@ -83,11 +54,7 @@ pub(super) struct Parts<T> {
 impl<'a, T: Scalar> Posed<'a, T> {
     pub fn of(meet: &'a Meet<T>, k1: &Transform<T>) -> Self {
         let to = k1.inverse();
-        let mut point = Wave::of(meet.point, &to);
-        point.constant = {
-            let ([x, y, z], [tx, ty, tz]) = (point.constant, to.translation);
-            [x + tx, y + ty, z + tz]
-        };
+        let point = Wave::of(meet.point, &to).plus(to.translation);
         Self { meet, point, normal: Wave::of(meet.normal, &to), side: Wave::of(meet.side, &to) }
     }
 

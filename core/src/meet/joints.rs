@@ -1,7 +1,7 @@
 //! The six joints of a branch at one angle of the held joint.
 
 use super::branch::{Parts, Posed, Signed};
-use crate::math::{Scalar, atan2, sin_cos};
+use crate::math::{Scalar, atan2, sin_cos, wrap};
 use crate::transform::{Vector, dot};
 
 impl<T: Scalar> Posed<'_, T> {
@@ -38,7 +38,7 @@ impl<T: Scalar> Posed<'_, T> {
         let [sx, sy, _] = columns(&m.k5, turned_back(before_u(side), sin_cos(u)));
         let x4 = psi - m.x4_offset;
         let x4 = if m.is_antiparallel { -x4 } else { x4 };
-        self.in_chain_order([t, x2, upper - m.x3_offset, x4, u, atan2(sy, sx)])
+        self.in_chain_order([t, x2, upper - m.x3_offset, x4, u, atan2(sy, sx)].map(wrap))
     }
 
     /// A vector along ex, ey and h, of its coordinates after x2.
