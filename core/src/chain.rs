@@ -125,7 +125,7 @@ impl<T: Scalar> Chain<T> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::math::sin_cos;
 
