@@ -97,7 +97,7 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
             let t = crossing(|t| of(&self.branches.branch(number, t)), (from.0, at_from), (to.0, at_to));
             let branch = self.branches.branch(number, t);
             // The other root may be imaginary here, or 0 to rounding.
-            if branch.squares.iter().all(|square| *square >= T::from_f64(-1e-9)) {
+            if branch.squares.iter().all(|square| *square >= -T::EPSILON.sqrt() / T::from_f64(16.0)) {
                 // The twin, which has the other sign of the root that is 0, is the same here.
                 let is_twin = number & (1 << square) != 0;
                 if branch.miss.abs() <= at_end && !is_twin {

@@ -2,13 +2,12 @@
 #![allow(dead_code, clippy::unwrap_used, clippy::panic)]
 
 pub mod arms;
-pub mod refine;
 
 use core::ops::ControlFlow;
 
 use denhart_core::chain::Chain;
 use denhart_core::held_joint::{Candidate, Outcome};
-use denhart_core::math::wrap;
+use denhart_core::math::{Scalar, wrap};
 use denhart_core::transform::Transform;
 
 pub type Joints = [f64; 6];
@@ -41,9 +40,9 @@ impl Random {
 
 /// Solutions, refined and without repeats.
 #[derive(Clone, Debug, Default)]
-pub struct Solutions {
-    pub list: Vec<Joints>,
-    pub candidates: Vec<Candidate<f64>>,
+pub struct Solutions<T = f64> {
+    pub list: Vec<[T; 6]>,
+    pub candidates: Vec<Candidate<T>>,
     pub evaluations: usize,
     pub is_complete: bool,
     pub is_free: bool,
@@ -53,36 +52,48 @@ pub struct Solutions {
     pub sure: f64,
 }
 
+/// A residual of solutions.
 pub const EXACT: f64 = 1e-11;
+/// Solutions nearer than this are the same.
 pub const SAME: f64 = 1e-6;
+const SINGLE_EXACT: f64 = 4e-5;
+const SINGLE_SAME: f64 = 5e-3;
 const EVALUATIONS: usize = 300;
+const STEPS: usize = 15;
 
 /// All solutions that a search gives. `search` gets the visitor.
-pub fn solutions(
-    chain: &Chain<f64>,
-    target: &Transform<f64>,
-    search: impl FnOnce(&mut dyn FnMut(&Candidate<f64>) -> ControlFlow<()>) -> Outcome,
-) -> Solutions {
+pub fn solutions<T: Scalar>(
+    chain: &Chain<T>,
+    target: &Transform<T>,
+    search: impl FnOnce(&mut dyn FnMut(&Candidate<T>) -> ControlFlow<()>) -> Outcome,
+) -> Solutions<T> {
+    let is_single = T::EPSILON.to_f64() > 1e-10;
+    let (exact, same) = if is_single { (SINGLE_EXACT, SINGLE_SAME) } else { (EXACT, SAME) };
     let mut found = Solutions { nearest: f64::INFINITY, ..Solutions::default() };
     let outcome = search(&mut |candidate| {
         if found.evaluations >= EVALUATIONS {
             return ControlFlow::Break(());
         }
-        let mut joints = candidate.joints;
-        assert!(joints.iter().all(|joint| joint.is_finite()));
-        let before = chain.residual(&joints, target);
+        assert!(candidate.is_finite());
+        let before = chain.residual(&candidate.joints, target).to_f64();
         if !candidate.is_doubtful {
             found.sure = found.sure.max(before);
         }
-        let (residual, evaluations) = refine::refine(chain, &mut joints, target);
-        found.evaluations += evaluations;
+        let (mut joints, residual) = if before < 64.0 * T::EPSILON.to_f64() {
+            found.evaluations += 1;
+            (candidate.joints, before)
+        } else {
+            let refined = chain.refined(&candidate.joints, target, STEPS);
+            found.evaluations += refined.evaluations;
+            (refined.joints, refined.residual.to_f64())
+        };
         found.nearest = found.nearest.min(residual);
-        if residual <= EXACT {
+        if residual <= exact {
             for (joint, is_prismatic) in joints.iter_mut().zip(chain.is_prismatic) {
                 *joint = if is_prismatic { *joint } else { wrap(*joint) };
             }
             found.is_free |= candidate.free != 0;
-            if found.list.iter().all(|other| apart(chain, other, &joints) > SAME) {
+            if found.list.iter().all(|other| apart(chain, other, &joints) > same) {
                 found.list.push(joints);
                 found.candidates.push(*candidate);
             }
@@ -94,16 +105,43 @@ pub fn solutions(
 }
 
 /// The greatest difference of two joint vectors.
-pub fn apart(chain: &Chain<f64>, a: &Joints, b: &Joints) -> f64 {
+pub fn apart<T: Scalar>(chain: &Chain<T>, a: &[T; 6], b: &[T; 6]) -> f64 {
     let differences = a.iter().zip(b).zip(chain.is_prismatic);
     differences.fold(0.0, |most, ((a, b), is_prismatic)| {
-        most.max(if is_prismatic { (a - b).abs() } else { wrap(a - b).abs() })
+        let difference = *a - *b;
+        most.max(if is_prismatic { difference } else { wrap(difference) }.to_f64().abs())
     })
 }
 
-impl Solutions {
+impl<T: Scalar> Solutions<T> {
     /// The distance of the nearest solution.
-    pub fn distance(&self, chain: &Chain<f64>, joints: &Joints) -> f64 {
+    pub fn distance(&self, chain: &Chain<T>, joints: &[T; 6]) -> f64 {
         self.list.iter().map(|found| apart(chain, found, joints)).fold(f64::INFINITY, f64::min)
     }
+}
+
+/// The least singular value of the Jacobian, lengths over reach.
+pub fn least_singular_value(chain: &Chain<f64>, joints: &Joints) -> f64 {
+    let j = chain.miss(joints, &chain.pose(joints)).jacobian;
+    let mut a: [[f64; 6]; 6] =
+        core::array::from_fn(|i| core::array::from_fn(|k| (0..6).map(|m| j[m][i] * j[m][k]).sum()));
+    // Jacobi's turns.
+    for _ in 0..30 {
+        for p in 0..6 {
+            for r in p + 1..6 {
+                if a[p][r].abs() < 1e-300 {
+                    continue;
+                }
+                let (s, c) = (0.5 * (2.0 * a[p][r]).atan2(a[r][r] - a[p][p])).sin_cos();
+                for row in &mut a {
+                    (row[p], row[r]) = (c * row[p] - s * row[r], s * row[p] + c * row[r]);
+                }
+                let (x, y) = (a[p], a[r]);
+                for k in 0..6 {
+                    (a[p][k], a[r][k]) = (c * x[k] - s * y[k], s * x[k] + c * y[k]);
+                }
+            }
+        }
+    }
+    (0..6).map(|i| a[i][i]).fold(9.0, f64::min).max(0.0).sqrt()
 }
