@@ -87,8 +87,8 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
     /// The root of one branch between two places, if its sign changes there, and its ends, if it misses by at most
     /// `at_end` there. Gives true if there is one.
     pub fn between(&mut self, number: usize, from: Place<T>, to: Place<T>, at_end: T) -> ControlFlow<(), bool> {
-        let (mut end, mut is_found) = (None, false);
-        for square in [0, 1] {
+        let (mut ends, mut is_found) = ([None; 2], false);
+        for (square, end) in ends.iter_mut().enumerate() {
             let of = |branch: &Branch<T>| branch.squares.get(square).copied().unwrap_or(T::ZERO);
             let (at_from, at_to) = (of(&from.1), of(&to.1));
             if at_from * at_to > T::ZERO {
@@ -104,13 +104,19 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
                     self.offer(t, number, true)?;
                     is_found = true;
                 }
-                end = Some((t, branch));
+                *end = Some((t, branch));
             }
         }
-        match (from.1.is_real(), to.1.is_real(), end) {
+        match (from.1.is_real(), to.1.is_real(), ends) {
             (true, true, _) => is_found |= self.change(number, from, to)?,
-            (true, false, Some(end)) => is_found |= self.near_end(number, end, from)?,
-            (false, true, Some(end)) => is_found |= self.near_end(number, end, to)?,
+            (true, false, [Some(end), _] | [None, Some(end)]) => is_found |= self.near_end(number, end, from)?,
+            (false, true, [Some(end), _] | [None, Some(end)]) => is_found |= self.near_end(number, end, to)?,
+            // Real between its two ends.
+            (false, false, [Some(first), Some(second)]) => {
+                let t = T::HALF * (first.0 + second.0);
+                let middle = (t, self.branches.branch(number, t));
+                is_found |= self.near_end(number, first, middle)? | self.near_end(number, second, middle)?;
+            }
             _ => {}
         }
         ControlFlow::Continue(is_found)
