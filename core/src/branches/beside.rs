@@ -27,8 +27,12 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
     ///
     /// All that happens to the branches in a narrow space happens about the root, or where v^2 or w^2 is lowest or highest
     /// near 0: branches end on both sides of such a place, at distances that may be far less than the error of the root.
-    pub fn about(&mut self, root: f64) -> ControlFlow<(), [bool; COUNT]> {
+    /// `place`: an angle near the root where the closed form is singular.
+    pub fn about(&mut self, root: f64, place: Option<f64>) -> ControlFlow<(), [bool; COUNT]> {
         let mut is_found = self.beside(root)?;
+        if let Some(place) = place {
+            self.beside(place)?;
+        }
         for (number, square) in B::NARROW.iter().copied() {
             let branches = self.branches;
             let value = |t: f64| branches.branch(number, t).squares.get(square).copied().unwrap_or(0.0);

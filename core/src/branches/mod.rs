@@ -77,7 +77,10 @@ pub(crate) trait Branches<T: Scalar>: Sized {
     fn signs(number: usize) -> Option<(bool, bool)>;
 
     /// Candidates near an angle where the closed form is singular.
-    fn singular(stream: &mut Stream<'_, '_, T, Self>, t: T) -> ControlFlow<()>;
+    ///
+    /// Gives the angle where it is most so, if there is one, and true if all solutions at that angle are among the
+    /// candidates.
+    fn singular(stream: &mut Stream<'_, '_, T, Self>, t: T) -> ControlFlow<(), Option<(T, bool)>>;
 }
 
 /// Offers that are remembered.
@@ -96,11 +99,13 @@ pub(crate) struct Stream<'a, 'v, T, B> {
     offered: [(T, usize); REPEATS],
     /// How many there were.
     count: usize,
+    /// The last angle at which the closed form was singular.
+    place: T,
 }
 
 impl<'a, 'v, T: Scalar, B: Branches<T>> Stream<'a, 'v, T, B> {
     pub fn new(branches: &'a B, reference: &'a [T; 6], visit: &'a mut Visitor<'v, T>) -> Self {
-        Self { branches, reference, visit, root: 0, offered: [(T::NAN, 0); REPEATS], count: 0 }
+        Self { branches, reference, visit, root: 0, offered: [(T::NAN, 0); REPEATS], count: 0, place: T::NAN }
     }
 
     /// A branch at an angle.
@@ -120,6 +125,13 @@ impl<'a, 'v, T: Scalar, B: Branches<T>> Stream<'a, 'v, T, B> {
     pub fn offer_joints(&mut self, joints: [T; 6], number: usize, free: u8, is_doubtful: bool) -> ControlFlow<()> {
         let candidate = Candidate { joints, root: self.root, signs: B::signs(number), free, is_doubtful };
         if candidate.is_finite() { (self.visit)(&candidate) } else { ControlFlow::Continue(()) }
+    }
+
+    /// Returns true if this is not the last angle at which the closed form was singular, and keeps it.
+    pub fn is_new_place(&mut self, t: T) -> bool {
+        let is_last = (t - self.place).abs() <= T::EPSILON.sqrt();
+        self.place = t;
+        !is_last
     }
 
     /// The reference of a joint of the chain; 0 if it is not finite.

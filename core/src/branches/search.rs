@@ -14,6 +14,8 @@ const OPEN: f64 = 1e-3;
 const DOUBTFUL_OPEN: f64 = 0.05;
 /// A branch that misses by more after its steps has no simple root here.
 const SURE: f64 = 1e-11;
+/// A root of order four is known no better, rad.
+const DOUBT: f64 = 2e-3;
 /// Another branch that misses so little may have a root beside.
 const BESIDE: f64 = 5e-3;
 
@@ -50,7 +52,14 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
         let is_beside = |miss: &f64| *miss < BESIDE && *miss > 1e3 * least + 1e-9;
         let is_doubtful = root.is_double || root.is_doubtful || misses.iter().any(is_beside);
         let limit = if is_doubtful { DOUBTFUL_OPEN } else { OPEN }.max(least);
-        let found = if is_doubtful { self.about(root.angle)? } else { [false; COUNT] };
+        let singular = B::singular(self, root.angle)?;
+        let mut found = [false; COUNT];
+        if is_doubtful {
+            found = self.about(root.angle, singular.map(|(place, _)| place))?;
+            if singular.is_some_and(|(place, is_complete)| is_complete && (place - root.angle).abs() <= DOUBT) {
+                return ControlFlow::Continue(());
+            }
+        }
         for ((number, branch), is_found) in branches.iter().enumerate().zip(found) {
             let is_open = branch.miss.abs() <= limit;
             if branch.is_repeated(number) || is_found || !is_open {
@@ -63,7 +72,7 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
                 self.offer(t, number, miss.abs() > SURE)?;
             }
         }
-        B::singular(self, root.angle)
+        ControlFlow::Continue(())
     }
 
     /// A simple root of a branch that is nearly known: two steps of the secant method on the branch, which has all its

@@ -11,6 +11,8 @@ use crate::math::{Scalar, atan2, hypot, sin_cos};
 const BESIDE: f64 = 1e-2;
 /// W is on an axis if it is nearer than this share of the reach.
 const ON: f64 = 1e-4;
+/// W is on an axis to rounding if it is nearer than so many roundings of the reach.
+const ROUNDINGS: f64 = 64.0;
 /// An amplitude below this turns nothing: the joint is free.
 const FREE: f64 = 1e-9;
 
@@ -21,34 +23,42 @@ type Candidates<'a, 'v, 'm, T> = Stream<'a, 'v, T, Posed<'m, T>>;
 ///
 /// On the axis of x2, v is 0 and n, the direction of v, has to be at the angle alpha to the direction d of u, which x2
 /// turns: `n . Rz(x2) d = cos alpha`. On the axis of x3 the elbow is folded, and x3 turns the direction of u.
-pub(super) fn on_axes<T: Scalar>(stream: &mut Candidates<'_, '_, '_, T>, t: T) -> ControlFlow<()> {
+///
+/// Gives the angle where W is nearest to the axis, and true if W is on it to rounding.
+pub(super) fn on_axes<T: Scalar>(stream: &mut Candidates<'_, '_, '_, T>, t: T) -> ControlFlow<(), Option<(T, bool)>> {
     let posed = stream.branches;
-    let parts = posed.parts(sin_cos(t));
     let square = |share: f64| {
         let length = T::from_f64(share) * posed.meet.reach;
         length * length
     };
-    let (beside, on) = (square(BESIDE), square(ON));
-    if parts.rho2 <= beside {
-        let t = lowest(|t| posed.parts(sin_cos(t)).rho2, t);
+    let rounding = T::from_f64(ROUNDINGS) * T::EPSILON * posed.meet.reach;
+    let (beside, on, exact) = (square(BESIDE), square(ON), rounding * rounding);
+    let mut nearest = None;
+    let from_x2 = |t: T| posed.parts(sin_cos(t)).rho2;
+    if from_x2(t) <= beside {
+        let t = lowest(from_x2, t);
         let parts = posed.parts(sin_cos(t));
-        if parts.rho2 <= on {
+        nearest = Some((t, parts.rho2 <= exact));
+        if parts.rho2 <= on && stream.is_new_place(t) {
             for number in [0, 2] {
                 on_x2(stream, t, &parts, number)?;
             }
         }
     }
-    let distance2 = |parts: &Parts<T>, number: usize| parts.distance2.at(posed.signed(parts, number).v);
     for number in [0, 1] {
-        if distance2(&parts, number) <= beside {
-            let t = lowest(|t| distance2(&posed.parts(sin_cos(t)), number), t);
+        let from_x3 = |t: T| {
             let parts = posed.parts(sin_cos(t));
-            if distance2(&parts, number) <= on {
-                on_x3(stream, t, &parts, number)?;
+            parts.distance2.at(posed.signed(&parts, number).v)
+        };
+        if from_x3(t) <= beside {
+            let t = lowest(from_x3, t);
+            nearest = nearest.or(Some((t, false)));
+            if from_x3(t) <= on {
+                on_x3(stream, t, &posed.parts(sin_cos(t)), number)?;
             }
         }
     }
-    ControlFlow::Continue(())
+    ControlFlow::Continue(nearest)
 }
 
 fn on_x2<T: Scalar>(stream: &mut Candidates<'_, '_, '_, T>, t: T, p: &Parts<T>, number: usize) -> ControlFlow<()> {

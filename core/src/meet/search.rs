@@ -75,7 +75,7 @@ impl<T: Scalar> Branches<T> for Posed<'_, T> {
         Some((number & 1 == 0, number & 2 == 0))
     }
 
-    fn singular(stream: &mut Stream<'_, '_, T, Self>, t: T) -> ControlFlow<()> {
+    fn singular(stream: &mut Stream<'_, '_, T, Self>, t: T) -> ControlFlow<(), Option<(T, bool)>> {
         super::axis::on_axes(stream, t)
     }
 }

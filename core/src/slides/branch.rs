@@ -239,7 +239,7 @@ impl<T: Scalar> Branches<T> for Posed<'_, T> {
         None
     }
 
-    fn singular(_stream: &mut Stream<'_, '_, T, Self>, _t: T) -> ControlFlow<()> {
-        ControlFlow::Continue(())
+    fn singular(_stream: &mut Stream<'_, '_, T, Self>, _t: T) -> ControlFlow<(), Option<(T, bool)>> {
+        ControlFlow::Continue(None)
     }
 }
