@@ -79,7 +79,7 @@ pub(crate) trait Branches<T: Scalar>: Sized {
     /// Candidates near an angle where the closed form is singular.
     ///
     /// Gives the angle where it is most so, if there is one, and true if all solutions at that angle are among the
-    /// candidates.
+    /// candidates and `t` is a root because of them.
     fn singular(stream: &mut Stream<'_, '_, T, Self>, t: T) -> ControlFlow<(), Option<(T, bool)>>;
 }
 

@@ -14,8 +14,6 @@ const OPEN: f64 = 1e-3;
 const DOUBTFUL_OPEN: f64 = 0.05;
 /// A branch that misses by more after its steps has no simple root here.
 const SURE: f64 = 1e-11;
-/// A root of order four is known no better, rad.
-const DOUBT: f64 = 2e-3;
 /// Another branch that misses so little may have a root beside.
 const BESIDE: f64 = 5e-3;
 
@@ -56,7 +54,7 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
         let mut found = [false; COUNT];
         if is_doubtful {
             found = self.about(root.angle, singular.map(|(place, _)| place))?;
-            if singular.is_some_and(|(place, is_complete)| is_complete && (place - root.angle).abs() <= DOUBT) {
+            if singular.is_some_and(|(_, is_complete)| is_complete) {
                 return ControlFlow::Continue(());
             }
         }

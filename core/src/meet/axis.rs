@@ -24,7 +24,7 @@ type Candidates<'a, 'v, 'm, T> = Stream<'a, 'v, T, Posed<'m, T>>;
 /// On the axis of x2, v is 0 and n, the direction of v, has to be at the angle alpha to the direction d of u, which x2
 /// turns: `n . Rz(x2) d = cos alpha`. On the axis of x3 the elbow is folded, and x3 turns the direction of u.
 ///
-/// Gives the angle where W is nearest to the axis, and true if W is on it to rounding.
+/// Gives the angle where W is nearest to the axis, and true if W is on it to rounding and nearly so at the root.
 pub(super) fn on_axes<T: Scalar>(stream: &mut Candidates<'_, '_, '_, T>, t: T) -> ControlFlow<(), Option<(T, bool)>> {
     let posed = stream.branches;
     let square = |share: f64| {
@@ -35,13 +35,22 @@ pub(super) fn on_axes<T: Scalar>(stream: &mut Candidates<'_, '_, '_, T>, t: T) -
     let (beside, on, exact) = (square(BESIDE), square(ON), rounding * rounding);
     let mut nearest = None;
     let from_x2 = |t: T| posed.parts(sin_cos(t)).rho2;
-    if from_x2(t) <= beside {
-        let t = lowest(from_x2, t);
+    let at_root = from_x2(t);
+    if at_root <= beside {
+        // W crosses the axis, or comes to it and goes back: the distance is an absolute value or a parabola.
+        let (crossing, turning) = (lowest(from_x2, t), lowest(|t| from_x2(t).sqrt(), t));
+        let t = if from_x2(crossing) <= from_x2(turning) { crossing } else { turning };
         let parts = posed.parts(sin_cos(t));
-        nearest = Some((t, parts.rho2 <= exact));
+        nearest = Some((t, parts.rho2 <= exact && at_root <= on));
         if parts.rho2 <= on && stream.is_new_place(t) {
             for number in [0, 2] {
-                on_x2(stream, t, &parts, number)?;
+                let signed = posed.signed(&parts, number);
+                on_x2(stream, t, &parts, number, signed.w)?;
+                // An elbow that is nearly straight may be straight: its root w has half of the digits.
+                let [_, w2] = signed.branch.squares;
+                if number == 0 && signed.w != T::ZERO && w2 <= T::EPSILON.sqrt() {
+                    on_x2(stream, t, &parts, number, T::ZERO)?;
+                }
             }
         }
     }
@@ -61,14 +70,16 @@ pub(super) fn on_axes<T: Scalar>(stream: &mut Candidates<'_, '_, '_, T>, t: T) -
     ControlFlow::Continue(nearest)
 }
 
-fn on_x2<T: Scalar>(stream: &mut Candidates<'_, '_, '_, T>, t: T, p: &Parts<T>, number: usize) -> ControlFlow<()> {
+fn on_x2<T: Scalar>(
+    stream: &mut Candidates<'_, '_, '_, T>,
+    t: T,
+    p: &Parts<T>,
+    number: usize,
+    w: T,
+) -> ControlFlow<()> {
     let posed = stream.branches;
     let (m, turn) = (posed.meet, sin_cos(t));
-    let branch = posed.signed(p, number);
-    // An elbow that is straight to rounding is straight: its root w would have half of the digits.
-    let [_, w2] = branch.branch.squares;
-    let w = branch.w.when(w2 > T::from_f64(256.0) * T::EPSILON);
-    let branch = &Signed { v: T::ZERO, w, ..branch };
+    let branch = &Signed { v: T::ZERO, w, ..posed.signed(p, number) };
     let [nx, ny, nz] = posed.normal.at(turn);
     // The direction of u after x2: E along ex and ey, and the tilt along h.
     let (vx, vy) = (-m.across_x, p.across_y);
