@@ -76,6 +76,9 @@ pub(crate) trait Branches<T: Scalar>: Sized {
     /// The signs that name a branch.
     fn signs(number: usize) -> Option<(bool, bool)>;
 
+    /// Returns true if the closed form is singular at an angle, nearly to rounding.
+    fn is_singular(&self, t: T) -> bool;
+
     /// Candidates near an angle where the closed form is singular.
     ///
     /// Gives the angle where it is most so, if there is one, and true if all solutions at that angle are among the
@@ -101,15 +104,20 @@ pub(crate) struct Stream<'a, 'v, T, B> {
     count: usize,
     /// The last angle at which the closed form was singular.
     place: T,
+    /// True if all solutions are known at angles where the closed form is singular to rounding.
+    is_covered: bool,
 }
 
 impl<'a, 'v, T: Scalar, B: Branches<T>> Stream<'a, 'v, T, B> {
     pub fn new(branches: &'a B, reference: &'a [T; 6], visit: &'a mut Visitor<'v, T>) -> Self {
-        Self { branches, reference, visit, root: 0, offered: [(T::NAN, 0); REPEATS], count: 0, place: T::NAN }
+        Self { branches, reference, visit, root: 0, offered: [(T::NAN, 0); REPEATS], count: 0, place: T::NAN, is_covered: false }
     }
 
     /// A branch at an angle.
     fn offer(&mut self, t: T, number: usize, is_doubtful: bool) -> ControlFlow<()> {
+        if self.is_covered && self.branches.is_singular(t) {
+            return ControlFlow::Continue(());
+        }
         let least = T::from_f64(REPEATED);
         if self.offered.iter().any(|(other, branch)| *branch == number && (t - *other).abs() <= least) {
             return ControlFlow::Continue(());

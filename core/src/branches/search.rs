@@ -51,10 +51,11 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
         let is_doubtful = root.is_double || root.is_doubtful || misses.iter().any(is_beside);
         let limit = if is_doubtful { DOUBTFUL_OPEN } else { OPEN }.max(least);
         let singular = B::singular(self, root.angle)?;
+        self.is_covered = singular.is_some_and(|(_, is_complete)| is_complete);
         let mut found = [false; COUNT];
         if is_doubtful {
             found = self.about(root.angle, singular.map(|(place, _)| place))?;
-            if singular.is_some_and(|(_, is_complete)| is_complete) {
+            if self.is_covered {
                 return ControlFlow::Continue(());
             }
         }

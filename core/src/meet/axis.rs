@@ -70,6 +70,12 @@ pub(super) fn on_axes<T: Scalar>(stream: &mut Candidates<'_, '_, '_, T>, t: T) -
     ControlFlow::Continue(nearest)
 }
 
+/// Returns true if W is on the axis of x2, nearly to rounding.
+pub(super) fn is_on_x2<T: Scalar>(posed: &Posed<'_, T>, t: T) -> bool {
+    let near = T::EPSILON.sqrt() * posed.meet.reach;
+    posed.parts(sin_cos(t)).rho2 <= near * near
+}
+
 fn on_x2<T: Scalar>(
     stream: &mut Candidates<'_, '_, '_, T>,
     t: T,

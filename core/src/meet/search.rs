@@ -75,6 +75,10 @@ impl<T: Scalar> Branches<T> for Posed<'_, T> {
         Some((number & 1 == 0, number & 2 == 0))
     }
 
+    fn is_singular(&self, t: T) -> bool {
+        super::axis::is_on_x2(self, t)
+    }
+
     fn singular(stream: &mut Stream<'_, '_, T, Self>, t: T) -> ControlFlow<(), Option<(T, bool)>> {
         super::axis::on_axes(stream, t)
     }

@@ -239,6 +239,10 @@ impl<T: Scalar> Branches<T> for Posed<'_, T> {
         None
     }
 
+    fn is_singular(&self, _t: T) -> bool {
+        false
+    }
+
     fn singular(_stream: &mut Stream<'_, '_, T, Self>, _t: T) -> ControlFlow<(), Option<(T, bool)>> {
         ControlFlow::Continue(None)
     }
