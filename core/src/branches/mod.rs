@@ -110,7 +110,16 @@ pub(crate) struct Stream<'a, 'v, T, B> {
 
 impl<'a, 'v, T: Scalar, B: Branches<T>> Stream<'a, 'v, T, B> {
     pub fn new(branches: &'a B, reference: &'a [T; 6], visit: &'a mut Visitor<'v, T>) -> Self {
-        Self { branches, reference, visit, root: 0, offered: [(T::NAN, 0); REPEATS], count: 0, place: T::NAN, is_covered: false }
+        Self {
+            branches,
+            reference,
+            visit,
+            root: 0,
+            offered: [(T::NAN, 0); REPEATS],
+            count: 0,
+            place: T::NAN,
+            is_covered: false,
+        }
     }
 
     /// A branch at an angle.

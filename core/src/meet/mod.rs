@@ -25,6 +25,8 @@ mod constants;
 mod joints;
 mod search;
 mod structure;
+#[cfg(test)]
+mod tests;
 
 pub use constants::Meet;
 pub use structure::Structure;

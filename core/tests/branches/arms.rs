@@ -1,10 +1,9 @@
 //! Tables of arms: a, alpha, d, theta of each joint, in m and degrees.
 
-use denhart_core::chain::Chain;
 use denhart_core::math::sin_cos;
-use denhart_core::transform::Transform;
+use denhart_core::{Chain, Transform};
 
-use super::Random;
+use crate::support::Random;
 
 pub type Table = [[f64; 4]; 6];
 
@@ -58,6 +57,11 @@ const GEN3_LITE: Table = [
     [0.0, 90.0, -0.057, 0.0],
     [0.0, -90.0, 0.105, 0.0],
 ];
+
+/// The arms by name.
+pub fn named(name: &str) -> Chain<f64> {
+    meet().into_iter().find_map(|(other, chain)| (other == name).then_some(chain)).unwrap()
+}
 
 /// Six arms with axes 4 and 5 that meet, and 2 and 3 parallel.
 pub fn meet() -> [(&'static str, Chain<f64>); 6] {

@@ -1,14 +1,10 @@
 //! Arms, random numbers, and the list of solutions that a search with a plain refinement gives.
-#![allow(dead_code, clippy::unwrap_used, clippy::panic)]
-
-pub mod arms;
 
 use core::ops::ControlFlow;
 
-use denhart_core::chain::Chain;
-use denhart_core::held_joint::{Candidate, Outcome};
 use denhart_core::math::{Scalar, wrap};
-use denhart_core::transform::Transform;
+use denhart_core::meet::{Meet, Structure};
+use denhart_core::{Candidate, Chain, Outcome, Transform};
 
 pub type Joints = [f64; 6];
 
@@ -38,11 +34,40 @@ impl Random {
     }
 }
 
+/// An arm with the constants of its ring.
+pub struct Arm {
+    pub chain: Chain<f64>,
+    pub structure: Structure,
+    pub meet: Meet<f64>,
+}
+
+impl Arm {
+    pub fn of(chain: Chain<f64>) -> Self {
+        let structure = Structure::of(&chain, [true; 7]).unwrap();
+        let meet = Meet::of(&structure, &structure.ring(&chain.links, &Transform::IDENTITY)).unwrap();
+        Self { chain, structure, meet }
+    }
+
+    /// All solutions, free joints at the reference.
+    pub fn solve(&self, target: &Transform<f64>, reference: &Joints) -> Solutions {
+        let ring = self.structure.ring(&self.chain.links, target);
+        let late;
+        let meet = if self.structure.is_constant {
+            &self.meet
+        } else {
+            let Some(meet) = Meet::of(&self.structure, &ring) else { return Solutions::default() };
+            late = meet;
+            &late
+        };
+        let [k1, ..] = ring;
+        solutions(&self.chain, target, |visit| meet.search(&k1, reference, visit))
+    }
+}
+
 /// Solutions, refined and without repeats.
 #[derive(Clone, Debug, Default)]
 pub struct Solutions<T = f64> {
     pub list: Vec<[T; 6]>,
-    pub candidates: Vec<Candidate<T>>,
     pub evaluations: usize,
     pub is_complete: bool,
     pub is_free: bool,
@@ -95,7 +120,6 @@ pub fn solutions<T: Scalar>(
             found.is_free |= candidate.free != 0;
             if found.list.iter().all(|other| apart(chain, other, &joints) > same) {
                 found.list.push(joints);
-                found.candidates.push(*candidate);
             }
         }
         ControlFlow::Continue(())
