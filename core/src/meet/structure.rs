@@ -3,7 +3,7 @@
 use super::Meet;
 use crate::Transform;
 use crate::chain::Chain;
-use crate::math::Scalar;
+use crate::math::{Scalar, hypot};
 
 /// Where a chain has its two axes that meet and its two parallel axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,9 +25,11 @@ impl Structure {
     /// `known`: the links C0 to C6 of `chain` that are the same in every call. Links that are not are not read. A given
     /// joint leaves the link unknown into which it is drawn. The target is unknown always.
     ///
-    /// The rings are tried in a fixed order: those with all that is unknown in K1 first, then K6, K4 and K2; each
-    /// forward, then mirrored. The first one is taken. Axes are parallel within 1e-9 rad and meet within 1e-9 of the
-    /// reach.
+    /// The rings are tried in a fixed order: those with all that is unknown in K1 first, then with some of it in K6 or K4;
+    /// each forward, then mirrored. The first one is taken. K2, K3 and K5 have to be known: they hold the angles between
+    /// the axes. Axes are parallel within 1e-9 rad and meet within 1e-9 of the reach. The axes that meet, and those of x2
+    /// and x3, are at an angle of at least 6 degrees: less is badly conditioned, and the chain is one for
+    /// [`general`](crate::general).
     #[must_use]
     pub fn of(chain: &Chain<f64>, known: [bool; 7]) -> Option<Self> {
         if chain.is_prismatic.contains(&true) {
@@ -41,16 +43,19 @@ impl Structure {
         };
         let is_possible = |(joints, is_mirrored): &([usize; 6], bool), constant: bool| {
             let [_, k2, k3, k4, k5, k6] = unknown(joints, *is_mirrored);
-            !k3 && !k5 && constant != (k2 || k4 || k6)
+            !k2 && !k3 && !k5 && constant != (k4 || k6)
         };
         [true, false].into_iter().find_map(|is_constant| {
             rings().filter(|ring| is_possible(ring, is_constant)).find_map(|(joints, is_mirrored)| {
                 let structure = Self { joints, is_mirrored, is_antiparallel: false, is_constant };
                 let ring = structure.ring(&chain.links, &Transform::IDENTITY);
-                let [_, _, k3, _, k5, _] = &ring;
+                let [_, k2, k3, _, k5, _] = &ring;
                 let is_antiparallel = parallel(k3)?;
                 meeting_point(k5, chain.reach)?;
                 let structure = Self { is_antiparallel, ..structure };
+                if sine(k5) < LEAST_SINE || sine(k2) < LEAST_SINE {
+                    return None;
+                }
                 // What is not known has no say in what degenerates.
                 let degenerates = is_constant && Meet::of(&structure, &ring).is_none();
                 (!degenerates).then_some(structure)
@@ -94,6 +99,15 @@ fn half_turned<T: Scalar>(link: &Transform<T>) -> Transform<T> {
 
 /// Lengths and angles below this are zero, rad and of the reach.
 pub(super) const ZERO: f64 = 1e-9;
+
+/// Axes at a lesser angle are too nearly parallel: the roots crowd into a part of the circle.
+const LEAST_SINE: f64 = 0.1;
+
+/// The sine of the angle between the z axes before and after the link.
+fn sine(link: &Transform<f64>) -> f64 {
+    let [x, y, _] = link.z();
+    hypot(x, y)
+}
 
 /// True for opposite directions; `None` if the z axes before and after the link are not parallel.
 fn parallel(link: &Transform<f64>) -> Option<bool> {
