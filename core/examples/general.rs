@@ -1,6 +1,8 @@
 //! Time and completeness of `general` on published and random arms.
 //!
-//! `cargo run --release -p denhart-core --features std --example general -- [poses] [arms]`
+//! `cargo run --release -p denhart-core --features std --example general -- [poses] [random arms] [name]`
+
+#![allow(clippy::unwrap_used)]
 
 #[path = "../tests/general/support.rs"]
 #[allow(dead_code)]
@@ -17,8 +19,11 @@ fn at(v: &mut [f64], p: f64) -> f64 {
     v[((v.len() - 1) as f64 * p) as usize]
 }
 
+const GENERAL: [&str; 6] = ["gen6r_a", "manseur_doty_16", "two_parallel_6r", "baxter_left", "sawyer", "ufactory_xarm7"];
+
 fn main() {
-    let mut arguments = std::env::args().skip(1).map(|x| x.parse::<usize>().unwrap());
+    let names: Vec<String> = std::env::args().skip(3).collect();
+    let mut arguments = std::env::args().skip(1).take(2).map(|x| x.parse::<usize>().unwrap());
     let (poses, arms) = (arguments.next().unwrap_or(1000), arguments.next().unwrap_or(200));
     let mut units: Vec<f64> = (0..200)
         .map(|k| {
@@ -33,7 +38,7 @@ fn main() {
         .collect();
     let unit = at(&mut units, 0.5);
     println!("six sin_cos: {unit:.0} ns");
-    for table in &tables::TABLES {
+    for table in tables::TABLES.iter().filter(|x| names.is_empty() || names.iter().any(|name| name == x.name)) {
         let start = Instant::now();
         let is_given = table.rows.len() == 7;
         let Some(arm) = (if is_given { Arm::given(table, 2, 0.7) } else { Arm::of(&chain(table, 0, 0.0)) }) else {
@@ -72,13 +77,36 @@ fn main() {
             most = most.max(solutions.evaluations);
             open += usize::from(!solutions.is_complete);
             doubts += usize::from(solutions.is_doubtful);
-            lost += usize::from(solutions.distance(&arm.chain, &joints) > SAME);
+            let distance = solutions.distance(&arm.chain, &joints);
+            if distance > SAME {
+                lost += 1;
+                println!(
+                    "lost {distance:.0e} sigma {:.0e} evals {} candidates {} {joints:?}",
+                    least_singular_value(&arm.chain, &joints),
+                    solutions.evaluations,
+                    solutions.candidates
+                );
+                if std::env::var("SHOW").is_ok() {
+                    arm.general.search(&target, &[0.0; 6], &mut |c| {
+                        println!(
+                            "  {} {} near {:.1e} residual {:.1e} refined {:.1e} {:?}",
+                            c.root,
+                            c.is_doubtful,
+                            apart(&arm.chain, &c.joints, &joints),
+                            arm.chain.residual(&c.joints, &target),
+                            apart(&arm.chain, &arm.chain.refined(&c.joints, &target, 15).joints, &joints),
+                            c.joints.map(|x| (x * 1e5).round() / 1e5)
+                        );
+                        core::ops::ControlFlow::Continue(())
+                    });
+                }
+            }
         }
         println!(
             "{:20} choice {choice:.0} ms {:?}/{:?} lost {lost}/{poses} found {:.1} evals {:.0} most {most} open {open} doubts {doubts} before {:.0e} {:.0e} | us {:.1} p99 {:.0} max {:.0} search {:.1} | ratio {:.0} worst/median {:.0}",
             table.name,
             arm.cuts.first.cut.order(),
-            arm.cuts.second.map(|x| x.cut.held()),
+            [arm.cuts.second, arm.cuts.third].map(|x| x.map_or(9, |x| x.cut.held())),
             found as f64 / poses as f64,
             evaluations as f64 / poses as f64,
             at(&mut before, 0.5),
@@ -90,6 +118,79 @@ fn main() {
             at(&mut times, 0.5) / unit,
             at(&mut times, 1.0) / at(&mut times, 0.5),
         );
+    }
+    for table in tables::TABLES
+        .iter()
+        .filter(|x| GENERAL.contains(&x.name) && (names.is_empty() || names.iter().any(|name| name == x.name)))
+    {
+        let is_given = table.rows.len() == 7;
+        let Some(arm) = (if is_given { Arm::given(table, 2, 0.7) } else { Arm::of(&chain(table, 0, 0.0)) }) else {
+            continue;
+        };
+        let (mut regular, mut lost, mut singular, mut none, mut away, mut times, mut most, mut open) =
+            (0, 0, 0, 0, 0, vec![], 0, 0);
+        let mut rng = Random(99);
+        for degrees in [15.0, 30.0, 45.0, 90.0] {
+            let step = denhart_core::math::radians::<f64>(degrees);
+            for _ in 0..poses {
+                let joints: [f64; 6] = rng.joints().map(|q| (q / step).round() * step);
+                let target = arm.chain.pose(&joints);
+                let start = Instant::now();
+                let solutions = arm.solve(&target);
+                times.push(start.elapsed().as_nanos() as f64);
+                most = most.max(solutions.evaluations);
+                open += usize::from(!solutions.is_complete);
+                let (distance, sigma) =
+                    (solutions.distance(&arm.chain, &joints), least_singular_value(&arm.chain, &joints));
+                if sigma < 1e-6 {
+                    singular += 1;
+                    none += usize::from(solutions.list.is_empty());
+                    away += usize::from(distance > 1e-2);
+                    if solutions.list.is_empty() && std::env::var("SHOW").is_ok() {
+                        println!("none {joints:?} {}", solutions.evaluations);
+                    }
+                } else {
+                    regular += 1;
+                    if distance > SAME {
+                        lost += 1;
+                        println!(
+                            "grid {degrees} lost {distance:.0e} sigma {sigma:.0e} found {} evals {} {:?}",
+                            solutions.list.len(),
+                            solutions.evaluations,
+                            joints.map(|q| (q.to_degrees()).round())
+                        );
+                    }
+                }
+            }
+        }
+        if let Ok(text) = std::env::var("POSE") {
+            let q: Vec<f64> = text.split(',').map(|x| x.trim().parse::<f64>().unwrap().to_radians()).collect();
+            let joints: [f64; 6] = core::array::from_fn(|i| q[i]);
+            let target = arm.chain.pose(&joints);
+            println!("POSE");
+            arm.general.search(&target, &[0.0; 6], &mut |c| {
+                println!(
+                    "  {} {} near {:.1e} residual {:.1e} refined {:.1e} {:?}",
+                    c.root,
+                    c.is_doubtful,
+                    apart(&arm.chain, &c.joints, &joints),
+                    arm.chain.residual(&c.joints, &target),
+                    apart(&arm.chain, &arm.chain.refined(&c.joints, &target, 15).joints, &joints),
+                    c.joints.map(|x| (x.to_degrees() * 1e3).round() / 1e3)
+                );
+                core::ops::ControlFlow::Continue(())
+            });
+        }
+        println!(
+            "{:20} grid: lost {lost} of {regular} regular; none {none}, away {away} of {singular} singular; most {most} open {open} us {:.0} p99 {:.0} max {:.0}",
+            table.name,
+            at(&mut times, 0.5) / 1e3,
+            at(&mut times, 0.99) / 1e3,
+            at(&mut times, 1.0) / 1e3
+        );
+    }
+    if arms == 0 {
+        return;
     }
     let mut rng = Random(2024);
     let (mut lost, mut found, mut times, mut choices, mut worst) = (0, 0, vec![], vec![], 0.0_f64);

@@ -1,17 +1,25 @@
 //! The choice of cuts at build time.
 
-use core::ops::ControlFlow::Continue;
+use core::cmp::Ordering;
+use core::ops::ControlFlow::{Break, Continue};
+use core::ops::Range;
 
 use crate::Chain;
-use crate::general::{Cut, Cuts, Elimination, ScaledCut};
+use crate::general::{Cut, Cuts, Elimination, Part, ScaledCut};
 use crate::math::wrap;
 
 /// Poses at which the cuts are compared.
 const POSES: usize = 120;
+/// Rounds of poses. After the first one the useless cuts go, after the others the worse one of each joint.
+const ROUNDS: [Range<usize>; 3] = [0..16, 16..40, 40..POSES];
+/// Each cut is judged by itself.
+const ALONE: Part = Part { number: 0, has_families: true, takes_all: false };
+/// The poses with random angles: every other one.
+const RANDOM: u128 = u128::MAX / 3;
 /// A joint vector that differs by less, in rad or reaches, is found.
 const SAME: f64 = 1e-6;
-/// More candidates at one pose count as if none had been found: they cost too much.
-const MOST: usize = 40;
+/// More candidates at one pose cost too much.
+const MOST: usize = 60;
 /// Evaluations for the refinement of one candidate.
 const EVALUATIONS: usize = 15;
 /// Round angles are multiples of this.
@@ -47,54 +55,121 @@ impl Random {
 #[derive(Clone, Copy)]
 struct Judgment {
     cut: Cut,
-    /// Poses whose joint vector is not found, or for too much.
-    missed: usize,
-    /// Of the candidates before refinement.
+    /// False for a cut without constants, or one that has been given up.
+    is_open: bool,
+    /// The number of poses so far.
+    poses: usize,
+    /// Poses, as bits, whose joint vector is not found.
+    lost: u128,
+    /// Poses that are lost, or found for too much, or where the samples tell nothing.
+    missed: u32,
+    /// Of the candidate nearest to the joint vector, before refinement.
     residuals: [f64; POSES],
+    /// The greatest samples.
     scales: [f64; POSES],
 }
 
 impl Judgment {
     /// The 90th percentile of the residuals.
     fn residual(&self) -> f64 {
-        quantile(self.residuals, POSES * 9 / 10)
+        quantile(self.residuals, self.poses, 9)
     }
 
     fn scaled(&self) -> ScaledCut {
-        ScaledCut { cut: self.cut, scale: quantile(self.scales, POSES / 2) }
+        ScaledCut { cut: self.cut, scale: quantile(self.scales, self.poses, 5) }
+    }
+
+    /// Returns true for a cut that holds the first joint or the last one. With the last axis on the first, these are free,
+    /// and other cuts tell nothing.
+    fn holds_an_end(&self) -> bool {
+        matches!(self.cut.held(), 0 | 5)
+    }
+
+    /// Returns false for a cut that loses too many random poses.
+    fn serves(&self) -> bool {
+        8 * (self.lost & RANDOM).count_ones() as usize <= self.poses
+    }
+
+    /// Better ones first: fewer random poses lost, fewer missed, a lesser residual; last by number.
+    fn compare(&self, other: &Self) -> Ordering {
+        let rank = |x: &Self| (!x.is_open, (x.lost & RANDOM).count_ones(), x.missed);
+        rank(self).cmp(&rank(other)).then_with(|| self.residual().total_cmp(&other.residual()))
     }
 }
 
-fn quantile(mut values: [f64; POSES], place: usize) -> f64 {
+/// The value with `tenths` tenths of the others below it.
+fn quantile(mut values: [f64; POSES], len: usize, tenths: usize) -> f64 {
+    let values = values.get_mut(..len).unwrap_or(&mut []);
     values.sort_unstable_by(f64::total_cmp);
-    values[place]
+    values.get(len * tenths / 10).copied().unwrap_or(f64::INFINITY)
 }
 
+/// A chain, made of the angles of its given joints.
+type Make<'a> = dyn Fn(&mut dyn FnMut() -> f64) -> Chain<f64> + 'a;
+
 /// Chooses the cuts of a chain. None if no cut serves.
+///
+/// At 120 poses, half of them with round angles, each cut is asked for the joint vector that made the pose. The first
+/// cut is the one that loses the fewest random poses, misses the fewest of all, and leaves the least residual before
+/// refinement. The second and the third one hold other joints, and find what those before them lose. A cut is given up
+/// as soon as it loses a quarter of the random poses, and if another one that holds the same joint is better.
 pub fn choose(chain: &Chain<f64>) -> Option<Cuts> {
     choose_given(&|_| *chain)
 }
 
 /// As [`choose`] for a chain with given joints: `chain` makes it of their values, and takes each as an angle in rad from
 /// its argument. Every other pose has round angles.
-pub fn choose_given(chain: &dyn Fn(&mut dyn FnMut() -> f64) -> Chain<f64>) -> Option<Cuts> {
-    let mut all =
-        Cut::ALL.map(|cut| Judgment { cut, missed: usize::MAX, residuals: [0.0; POSES], scales: [0.0; POSES] });
-    for judgment in &mut all {
-        judge(judgment, chain);
+pub fn choose_given(chain: &Make) -> Option<Cuts> {
+    let none = [f64::INFINITY; POSES];
+    let mut all = Cut::ALL.map(|cut| Judgment {
+        cut,
+        is_open: true,
+        poses: 0,
+        lost: 0,
+        missed: 0,
+        residuals: none,
+        scales: none,
+    });
+    for (round, poses) in ROUNDS.into_iter().enumerate() {
+        for judgment in all.iter_mut().filter(|judgment| judgment.is_open) {
+            judgment.is_open = judge(judgment, poses.clone(), chain).is_some() && judgment.serves();
+        }
+        if round > 0 {
+            keep_the_best_of_each_joint(&mut all);
+        }
     }
-    all.sort_unstable_by(|a, b| a.missed.cmp(&b.missed).then(a.residual().total_cmp(&b.residual())));
-    let [first, others @ ..] = all;
-    if first.missed == usize::MAX {
-        return None;
-    }
-    let second = others.iter().find(|x| x.cut.held() != first.cut.held() && x.missed <= first.missed + POSES / 10);
-    Some(Cuts { first: first.scaled(), second: second.map(Judgment::scaled) })
+    let open = || all.iter().filter(|x| x.is_open);
+    let first = open().min_by(|a, b| a.compare(b))?;
+    // Another cut for what is still lost.
+    let next = |lost: u128, held: &[usize], is_at_end: bool| {
+        let holds = |x: &&Judgment| !held.contains(&x.cut.held()) && (!is_at_end || x.holds_an_end());
+        let others = open().filter(holds);
+        others.min_by(|a, b| (a.lost & lost).count_ones().cmp(&(b.lost & lost).count_ones()).then_with(|| a.compare(b)))
+    };
+    let second = next(first.lost, &[first.cut.held()], false);
+    let third = second.and_then(|x| {
+        let (lost, held) = (first.lost & x.lost, [first.cut.held(), x.cut.held()]);
+        let has_an_end = first.holds_an_end() || x.holds_an_end();
+        let at_end = if has_an_end { None } else { next(lost, &held, true) };
+        at_end.or_else(|| next(lost, &held, false))
+    });
+    Some(Cuts { first: first.scaled(), second: second.map(Judgment::scaled), third: third.map(Judgment::scaled) })
 }
 
-fn judge(judgment: &mut Judgment, chain: &dyn Fn(&mut dyn FnMut() -> f64) -> Chain<f64>) -> Option<()> {
-    let mut missed = 0;
-    for pose in 0..POSES {
+/// Of two cuts that hold the same joint the worse one is given up.
+fn keep_the_best_of_each_joint(all: &mut [Judgment; 12]) {
+    let before = *all;
+    for judgment in all {
+        let is_better = |other: &Judgment| {
+            other.is_open && other.cut.held() == judgment.cut.held() && other.compare(judgment) == Ordering::Less
+        };
+        judgment.is_open &= !before.iter().any(is_better);
+    }
+}
+
+/// Asks a cut for the joint vectors of some poses. None if it has no constants for a chain.
+fn judge(judgment: &mut Judgment, poses: Range<usize>, chain: &Make) -> Option<()> {
+    for pose in poses {
         let mut random = Random::of(pose);
         let chain = chain(&mut || random.angle()).gathered();
         let elimination = Elimination { scale: 0.0, ..Elimination::of(&chain, judgment.cut)? };
@@ -110,20 +185,26 @@ fn judge(judgment: &mut Judgment, chain: &dyn Fn(&mut dyn FnMut() -> f64) -> Cha
         };
         let target = chain.pose(&joints);
         let (mut nearest, mut least, mut count) = (joints, f64::INFINITY, 0);
-        let rest = elimination.search(&target, &joints, false, &mut |candidate| {
+        let rest = elimination.search(&target, &joints, ALONE, &mut |candidate| {
             count += 1;
             let near = distance(&candidate.joints);
             if near < least {
                 (nearest, least) = (candidate.joints, near);
             }
-            Continue(())
+            if count > MOST { Break(()) } else { Continue(()) }
         });
-        let before = chain.residual(&nearest, &target);
-        let is_found = least < f64::INFINITY && distance(&chain.refined(&nearest, &target, EVALUATIONS).joints) < SAME;
-        missed += usize::from(!is_found || !rest.is_complete || rest.wrong > 1e-5 || count > MOST);
-        judgment.residuals[pose] = if is_found { before } else { f64::INFINITY };
-        judgment.scales[pose] = rest.greatest;
+        let is_near = least < f64::INFINITY;
+        let is_found = is_near && distance(&chain.refined(&nearest, &target, EVALUATIONS).joints) < SAME;
+        let is_lost = !is_found || !rest.is_complete || (!random.is_round && rest.is_useless);
+        judgment.lost |= u128::from(is_lost) << pose;
+        judgment.missed += u32::from(is_lost || rest.is_useless);
+        if let (Some(residual), Some(scale)) =
+            (judgment.residuals.get_mut(judgment.poses), judgment.scales.get_mut(judgment.poses))
+        {
+            *residual = if is_found { chain.residual(&nearest, &target) } else { f64::INFINITY };
+            *scale = rest.greatest;
+            judgment.poses += 1;
+        }
     }
-    judgment.missed = missed;
     Some(())
 }

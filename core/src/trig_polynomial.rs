@@ -3,9 +3,11 @@
 //! With one joint held at the angle t, what remains of the closure of six joints is one equation `f(t) = 0`. Here f is
 //! a sum of the harmonics 0 to 8 of t. Its 17 coefficients follow from 17 samples.
 
+mod local;
 mod roots;
 mod tables;
 
+pub use local::Local;
 pub use roots::{MOST_NODES, MOST_ROOTS, Root, Roots};
 
 use tables::{CHECK_ANGLES, CHECK_NODES, COSINES, NODES, OFFSETS, SINES, TURNS};
@@ -54,14 +56,45 @@ impl Fit {
     /// greatest sample, the samples are taken at other angles, at most at three offsets. The best of them counts.
     #[inline]
     pub fn sampled(mut value: impl FnMut((f64, f64)) -> f64) -> Self {
+        Self::tried(|nodes, checks| (nodes.map(&mut value), checks.map(&mut value)))
+    }
+
+    /// As [`Fit::sampled`], for a function that takes the sines and the cosines of two angles at once.
+    #[inline]
+    pub fn sampled_in_pairs(mut values: impl FnMut([f64; 2], [f64; 2]) -> [f64; 2]) -> Self {
+        Self::tried(|nodes, checks| {
+            let (mut samples, [a, b]) = ([0.0; SAMPLES], *checks);
+            let mut pair = |(s, c), (t, d)| values([s, t], [c, d]);
+            for (nodes, out) in nodes.chunks_exact(2).zip(samples.chunks_exact_mut(2)) {
+                if let ([first, second], [x, y]) = (nodes, out) {
+                    [*x, *y] = pair(*first, *second);
+                }
+            }
+            let [.., last] = *nodes;
+            let [.., out] = &mut samples;
+            let [at_last, at_a] = pair(last, a);
+            *out = at_last;
+            let [at_b, _] = pair(b, b);
+            (samples, [at_a, at_b])
+        })
+    }
+
+    /// The best fit of at most three.
+    #[inline(always)]
+    fn tried(
+        mut sample: impl FnMut(
+            &[(f64, f64); SAMPLES],
+            &[(f64, f64); tables::CHECKS],
+        ) -> ([f64; SAMPLES], [f64; tables::CHECKS]),
+    ) -> Self {
         let mut best = Self { polynomial: TrigPolynomial::ZERO, greatest: 0.0, wrong: f64::INFINITY };
-        for (place, nodes) in NODES.iter().enumerate() {
-            let samples = nodes.map(&mut value);
+        for (place, (nodes, checks)) in NODES.iter().zip(&CHECK_NODES).enumerate() {
+            let (samples, at_checks) = sample(nodes, checks);
             let polynomial = TrigPolynomial::through(&samples, place);
             let greatest = samples.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
             let mut error = 0.0_f64;
-            for (angle, node) in CHECK_ANGLES.iter().zip(&CHECK_NODES[place]) {
-                let miss = (polynomial.value(*angle) - value(*node)).abs();
+            for (angle, value) in CHECK_ANGLES.iter().zip(at_checks) {
+                let miss = (polynomial.value(*angle) - value).abs();
                 // One that is not a number counts as infinite.
                 error = if miss <= error {
                     error
@@ -82,19 +115,17 @@ impl Fit {
         best
     }
 
-    /// An angle is not known better than from values of the polynomial that are so far off.
+    /// Values of the polynomial are so far off, by rounding or at the checks.
     #[inline]
     pub fn rounding(&self) -> f64 {
-        let size = self.polynomial.size();
-        let noise = NOISE * size;
-        let wrong = 0.1 * self.wrong * size;
+        let (noise, wrong) = (NOISE * self.polynomial.size(), self.wrong * self.greatest);
         if wrong > noise { wrong } else { noise }
     }
 
     /// The real roots. Those are doubtful that [`Fit::rounding`] may move by more than 1e-7 rad.
     #[inline]
     pub fn roots(&self) -> Roots {
-        roots::roots(&self.polynomial, NOISE * self.polynomial.size(), self.rounding())
+        roots::roots(&self.polynomial, self.rounding())
     }
 }
 

@@ -1,7 +1,9 @@
 //! Six equations in three joints at one target: the polynomial's values, and the two other joints at a root.
 
+use super::lanes::Lanes;
 use super::line::PRODUCTS;
 use crate::math::sqrt;
+use crate::transform::{cross, dot};
 
 /// Six equations, each a sum of products of monomials of e and f.
 pub(super) type System = [[f64; PRODUCTS]; 6];
@@ -36,17 +38,17 @@ pub(super) struct Pairs {
 }
 
 /// With `phi = (cos f, sin f, 1)`: `cos e phi = C phi` and `sin e phi = S phi`.
-struct Reduced {
-    c: [[f64; 3]; 3],
-    s: [[f64; 3]; 3],
-    /// The determinant of the six equations in the products that have been eliminated.
-    determinant: f64,
+struct Reduced<L> {
+    c: [[L; 3]; 3],
+    s: [[L; 3]; 3],
+    /// Up to its sign, the determinant of the six equations in the products that have been eliminated.
+    determinant: L,
 }
 
 /// `(C + iS)(C - iS) - 1`, real and imaginary part. With e prismatic, `S^2 - C` and 0.
-struct Conditions {
-    re: [[f64; 3]; 3],
-    im: [[f64; 3]; 3],
+struct Conditions<L> {
+    re: [[L; 3]; 3],
+    im: [[L; 3]; 3],
 }
 
 impl Equations {
@@ -70,11 +72,12 @@ impl Equations {
         }
     }
 
-    /// `f(t) = det(6x6)^2 det((C + iS)(C - iS) - 1)`, a real trigonometric polynomial of degree 8 in the angle of c.
+    /// `f(t) = det(6x6)^2 det((C + iS)(C - iS) - 1)`, a real trigonometric polynomial of degree 8 in the angle of c, at
+    /// one angle or two.
     ///
     /// Not a number where the 6x6 is singular to the last bit.
-    #[inline]
-    pub(super) fn value(&self, held: (f64, f64)) -> f64 {
+    #[inline(always)]
+    pub(super) fn value<L: Lanes>(&self, held: (L, L)) -> L {
         let reduced = self.reduced(held);
         let Conditions { re, im } = reduced.conditions(self.is_prismatic[0]);
         // Along the first row: the real part of the complex determinant, whose imaginary part is 0.
@@ -83,34 +86,38 @@ impl Equations {
             let (e, f, g, h) = (re[1][j], im[1][j], re[2][i], im[2][i]);
             ((a * c - b * d) - (e * g - f * h), (a * d + b * c) - (e * h + f * g))
         };
-        let mut sum = 0.0;
+        let mut sum = L::ZERO;
         for (k, (x, y)) in [minor(1, 2), minor(2, 0), minor(0, 1)].into_iter().enumerate() {
-            sum += re[0][k] * x - im[0][k] * y;
+            sum = sum + (re[0][k] * x - im[0][k] * y);
         }
         reduced.determinant * reduced.determinant * sum
     }
 
     /// Elimination of the six products with `cos e` and `sin e`, by rows.
     #[inline(always)]
-    fn reduced(&self, (sin, cos): (f64, f64)) -> Reduced {
-        let mut m = [[0.0; PRODUCTS]; 6];
+    fn reduced<L: Lanes>(&self, (sin, cos): (L, L)) -> Reduced<L> {
+        let mut m = [[L::ZERO; PRODUCTS]; 6];
         for (row, ((a, b), c)) in m.iter_mut().zip(self.cos.iter().zip(&self.sin).zip(&self.one)) {
             for (entry, ((x, y), z)) in row.iter_mut().zip(a.iter().zip(b).zip(c)) {
-                *entry = x * cos + y * sin + z;
+                *entry = L::all(*x) * cos + L::all(*y) * sin + L::all(*z);
             }
         }
-        let mut determinant = 1.0;
-        eliminate::<0>(&mut m, &mut determinant);
-        eliminate::<1>(&mut m, &mut determinant);
-        eliminate::<2>(&mut m, &mut determinant);
-        eliminate::<3>(&mut m, &mut determinant);
-        eliminate::<4>(&mut m, &mut determinant);
-        eliminate::<5>(&mut m, &mut determinant);
-        let mut x = m.map(|[.., a, b, c]| [-a, -b, -c]);
-        for k in (0..5).rev() {
-            for i in k + 1..6 {
-                let (factor, known) = (m[k][i], x[i]);
-                x[k].iter_mut().zip(known).for_each(|(entry, y)| *entry -= factor * y);
+        let mut determinant = L::ONE;
+        eliminate::<L, 0>(&mut m, &mut determinant);
+        eliminate::<L, 1>(&mut m, &mut determinant);
+        eliminate::<L, 2>(&mut m, &mut determinant);
+        eliminate::<L, 3>(&mut m, &mut determinant);
+        eliminate::<L, 4>(&mut m, &mut determinant);
+        eliminate::<L, 5>(&mut m, &mut determinant);
+        // From below, the last three columns negated: the products are these times phi.
+        let mut x = [[L::ZERO; 3]; 6];
+        for k in (0..6).rev() {
+            for j in 0..3 {
+                let mut sum = m[k][6 + j];
+                for i in k + 1..6 {
+                    sum = sum + m[k][i] * x[i][j];
+                }
+                x[k][j] = L::ZERO - sum;
             }
         }
         let [a, b, c, d, e, f] = x;
@@ -124,53 +131,31 @@ impl Equations {
     pub(super) fn pairs(&self, held: (f64, f64), reference: Position) -> Pairs {
         let reduced = self.reduced(held);
         let Conditions { re: [a, b, c], im: [d, e, f] } = reduced.conditions(self.is_prismatic[0]);
-        let mut m = [a, b, c, d, e, f];
-        let greatest = m.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
-        let mut order = [0, 1, 2];
-        let mut rank = 0;
-        for k in 0..2 {
-            let (mut row, mut column) = (k, k);
-            for i in k..6 {
-                for j in k..3 {
-                    if m[i][j].abs() > m[row][column].abs() {
-                        (row, column) = (i, j);
-                    }
-                }
-            }
-            // The values of C and S are of the order of 1 at a solution.
-            let least = if k == 0 { DEPENDENT } else { DEPENDENT * greatest };
-            if m[row][column].abs() < least {
-                break;
-            }
-            rank += 1;
-            m.swap(row, k);
-            m.iter_mut().for_each(|row| row.swap(column, k));
-            order.swap(column, k);
-            let pivot = m[k];
-            for row in m.iter_mut().skip(k + 1) {
-                let factor = row[k] / pivot[k];
-                row.iter_mut().zip(pivot).for_each(|(entry, x)| *entry -= factor * x);
-            }
+        let rows = [a, b, c, d, e, f];
+        // The longest row, and the one that is farthest from its line.
+        let (mut longest, mut length) = ([0.0; 3], 0.0);
+        for row in rows {
+            let square = dot(row, row);
+            (longest, length) = if square > length { (row, square) } else { (longest, length) };
         }
-        let mut pairs = Pairs { list: [(Position::Slide(0.0), Position::Slide(0.0)); 2], len: 0, is_free: false };
-        let mut phis = [[0.0; 3]; 2];
-        if rank == 2 {
-            let [first, second, ..] = m;
-            let y = -second[2] / second[1];
-            let values = [-(first[1] * y + first[2]) / first[0], y, 1.0];
-            order.into_iter().zip(values).for_each(|(place, value)| phis[0][place] = value);
-            pairs.len = 1;
-        } else if rank == 1 {
-            let mut n = [0.0; 3];
-            order.into_iter().zip(m[0]).for_each(|(place, value)| n[place] = value);
-            phis = if self.is_prismatic[1] { on_parabola(n) } else { on_circle(n) };
-            pairs.len = 2;
-        } else {
+        let (mut normal, mut height) = ([0.0; 3], 0.0);
+        for row in rows {
+            let vector = cross(longest, row);
+            let square = dot(vector, vector);
+            (normal, height) = if square > height { (vector, square) } else { (normal, height) };
+        }
+        let mut pairs = Pairs { list: [(Position::Slide(0.0), Position::Slide(0.0)); 2], len: 1, is_free: false };
+        let mut phis = [normal; 2];
+        // The entries of C and S are of the order of 1 at a solution.
+        if length < DEPENDENT * DEPENDENT {
             phis[0] = match reference {
                 Position::Turn(sin, cos) => [cos, sin, 1.0],
                 Position::Slide(q) => [q * q, q, 1.0],
             };
-            (pairs.len, pairs.is_free) = (1, true);
+            pairs.is_free = true;
+        } else if height < DEPENDENT * DEPENDENT * length * length {
+            phis = if self.is_prismatic[1] { on_parabola(longest) } else { on_circle(longest) };
+            pairs.len = 2;
         }
         for (pair, phi) in pairs.list.iter_mut().zip(phis).take(pairs.len) {
             *pair = (self.eliminated(&reduced, phi), self.other(phi));
@@ -179,8 +164,7 @@ impl Equations {
     }
 
     /// Joint e: the Rayleigh quotients of C and S.
-    fn eliminated(&self, reduced: &Reduced, phi: [f64; 3]) -> Position {
-        use crate::transform::dot;
+    fn eliminated(&self, reduced: &Reduced<f64>, phi: [f64; 3]) -> Position {
         let (cos, sin) = (dot(reduced.c.map(|row| dot(row, phi)), phi), dot(reduced.s.map(|row| dot(row, phi)), phi));
         if self.is_prismatic[0] { Position::Slide(sin / dot(phi, phi)) } else { Position::direction(sin, cos) }
     }
@@ -223,37 +207,36 @@ fn on_parabola([a, b, c]: [f64; 3]) -> [[f64; 3]; 2] {
 
 /// Step K of the elimination: the greatest entry of column K is the pivot.
 #[inline(always)]
-fn eliminate<const K: usize>(m: &mut System, determinant: &mut f64) {
-    let mut pivot = K;
+fn eliminate<L: Lanes, const K: usize>(m: &mut [[L; PRODUCTS]; 6], determinant: &mut L) {
+    // Magnitudes as integers, with the row in the last three bits: no branch depends on the target.
+    let mut greatest = 0;
+    for (i, row) in m.iter().enumerate().skip(K) {
+        let key = (row[K].magnitude().to_bits() & !7) | i as u64;
+        greatest = if key > greatest { key } else { greatest };
+    }
+    let chosen = core::cmp::min(greatest & 7, 5) as usize;
+    let pivot = m[chosen][K];
+    m[chosen][K] = m[K][K];
+    *determinant = *determinant * pivot;
+    let inverse = pivot.inverse();
+    for j in K + 1..PRODUCTS {
+        let entry = m[chosen][j];
+        m[chosen][j] = m[K][j];
+        m[K][j] = entry * inverse;
+    }
     for i in K + 1..6 {
-        if m[i][K].abs() > m[pivot][K].abs() {
-            pivot = i;
-        }
-    }
-    if pivot != K {
-        m.swap(pivot, K);
-        *determinant = -*determinant;
-    }
-    let mut row = m[K];
-    *determinant *= row[K];
-    let inverse = 1.0 / row[K];
-    for entry in row.iter_mut().skip(K + 1) {
-        *entry *= inverse;
-    }
-    m[K] = row;
-    for line in m.iter_mut().skip(K + 1) {
-        let factor = line[K];
+        let factor = m[i][K];
         for j in K + 1..PRODUCTS {
-            line[j] -= factor * row[j];
+            m[i][j] = m[i][j] - factor * m[K][j];
         }
     }
 }
 
-impl Reduced {
+impl<L: Lanes> Reduced<L> {
     #[inline(always)]
-    fn conditions(&self, is_prismatic: bool) -> Conditions {
+    fn conditions(&self, is_prismatic: bool) -> Conditions<L> {
         let (c, s) = (&self.c, &self.s);
-        let [mut re, mut im] = [[[0.0; 3]; 3]; 2];
+        let [mut re, mut im] = [[[L::ZERO; 3]; 3]; 2];
         if is_prismatic {
             for i in 0..3 {
                 for j in 0..3 {
@@ -263,14 +246,56 @@ impl Reduced {
             return Conditions { re, im };
         }
         for i in 0..3 {
-            for k in 0..3 {
-                for j in 0..3 {
-                    re[i][j] += c[i][k] * c[k][j] + s[i][k] * s[k][j];
-                    im[i][j] += s[i][k] * c[k][j] - c[i][k] * s[k][j];
+            for j in 0..3 {
+                for k in 0..3 {
+                    re[i][j] = re[i][j] + (c[i][k] * c[k][j] + s[i][k] * s[k][j]);
+                    im[i][j] = im[i][j] + (s[i][k] * c[k][j] - c[i][k] * s[k][j]);
                 }
             }
-            re[i][i] -= 1.0;
+            re[i][i] = re[i][i] - L::ONE;
         }
         Conditions { re, im }
+    }
+}
+
+#[cfg(test)]
+mod bench {
+    use super::*;
+    extern crate std;
+    #[inline(never)]
+    fn probe(eq: &Equations, a: (super::super::lanes::Two, super::super::lanes::Two)) -> [f64; 2] {
+        eq.value(a).0
+    }
+    #[test]
+    fn bench() {
+        let mut state = 7_u64;
+        let mut unit = || {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        };
+        let mut system = || -> System { core::array::from_fn(|_| core::array::from_fn(|_| unit())) };
+        let mut eq = Equations { cos: system(), sin: system(), one: system(), is_prismatic: [false; 2] };
+        eq.normalize();
+        let angles: std::vec::Vec<(f64, f64)> = (0..19).map(|i| crate::math::sin_cos(0.3 + i as f64 / 3.0)).collect();
+        for _ in 0..400 {
+            let start = std::time::Instant::now();
+            let mut sum = 0.0;
+            for _ in 0..200 {
+                for a in &angles {
+                    let x = super::super::lanes::Two([a.0; 2]);
+                    let y = super::super::lanes::Two([a.1; 2]);
+                    sum += probe(std::hint::black_box(&eq), std::hint::black_box((x, y)))[0];
+                }
+            }
+            let ns = start.elapsed().as_nanos() as f64 / 200.0 / 19.0;
+            let start = std::time::Instant::now();
+            for _ in 0..200 {
+                for a in &angles {
+                    sum += std::hint::black_box(&eq).pairs(*std::hint::black_box(a), Position::Slide(0.0)).len as f64;
+                }
+            }
+            let ns2 = start.elapsed().as_nanos() as f64 / 200.0 / 19.0;
+            std::println!("value {ns:.0} ns pairs {ns2:.0} {sum}");
+        }
     }
 }

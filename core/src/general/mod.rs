@@ -12,6 +12,7 @@
 mod constant_side;
 mod elimination;
 mod equations;
+mod lanes;
 mod line;
 mod search;
 
@@ -21,6 +22,8 @@ pub use line::COORDINATES;
 
 use crate::held_joint::Visitor;
 use crate::{Chain, Outcome, Transform};
+pub(crate) use search::Part;
+use search::Rest;
 
 /// Where the ring of six joints is cut, and in which direction it is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,13 +65,15 @@ impl Cut {
     }
 }
 
-/// The constants of an arm's first and second cut.
+/// The constants of an arm's cuts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct General {
     /// The cut that finds nearly all.
     pub first: Elimination,
     /// A cut that holds another joint, for targets with a doubtful root.
     pub second: Option<Elimination>,
+    /// A cut that holds a third joint, for targets at which the second one tells nothing.
+    pub third: Option<Elimination>,
 }
 
 /// A cut with the usual size of its polynomial.
@@ -80,32 +85,30 @@ pub struct ScaledCut {
     pub scale: f64,
 }
 
-/// The two cuts of an arm, for one whose constants are known in the call only, as with a given joint.
+/// The cuts of an arm, for one whose constants are known in the call only, as with a given joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cuts {
-    /// The cut that finds nearly all.
+    /// See [`General::first`].
     pub first: ScaledCut,
-    /// A cut that holds another joint.
+    /// See [`General::second`].
     pub second: Option<ScaledCut>,
+    /// See [`General::third`].
+    pub third: Option<ScaledCut>,
 }
 
 impl General {
-    /// The constants of a chain along two cuts. None if the first has none for this chain, see [`Elimination::of`].
+    /// The constants of a chain along its cuts. None if the first has none for this chain, see [`Elimination::of`].
     pub fn of(chain: &Chain<f64>, cuts: &Cuts) -> Option<Self> {
-        Some(Self { first: cuts.first.of(chain)?, second: cuts.second.and_then(|cut| cut.of(chain)) })
+        let [second, third] = [cuts.second, cuts.third].map(|cut| cut.and_then(|cut| cut.of(chain)));
+        Some(Self { first: cuts.first.of(chain)?, second, third })
     }
 
     /// Visits the joint vectors that may bring the end to the target.
     ///
     /// `reference` has the value of a joint that may take any value. A target that is not finite has no candidates.
     pub fn search(&self, target: &Transform<f64>, reference: &[f64; 6], visit: &mut Visitor<'_, f64>) -> Outcome {
-        let rest = self.first.search(target, reference, false, visit);
-        match &self.second {
-            Some(second) if rest.is_doubtful && !rest.is_ended => {
-                rest.and(second.search(target, reference, true, visit))
-            }
-            _ => rest.outcome(),
-        }
+        let cuts = [Some(&self.first), self.second.as_ref(), self.third.as_ref()];
+        along(|part| Some(cuts.get(part.number)?.as_ref()?.search(target, reference, part, visit)))
     }
 }
 
@@ -117,8 +120,8 @@ impl ScaledCut {
 }
 
 impl Cuts {
-    /// As [`General::search`], of a chain whose constants are known in the call only. Those of the second cut are
-    /// computed where they are needed. Not complete if the first cut has no constants for this chain.
+    /// As [`General::search`], of a chain whose constants are known in the call only. Those of further cuts are computed
+    /// where they are needed. Not complete if no cut has constants for this chain.
     pub fn search(
         &self,
         chain: &Chain<f64>,
@@ -126,17 +129,31 @@ impl Cuts {
         reference: &[f64; 6],
         visit: &mut Visitor<'_, f64>,
     ) -> Outcome {
-        let second = || self.second.and_then(|cut| cut.of(chain));
-        let Some(first) = self.first.of(chain) else {
-            return match second() {
-                Some(second) => second.search(target, reference, false, visit).outcome(),
-                None => Outcome { is_complete: false },
-            };
-        };
-        let rest = first.search(target, reference, false, visit);
-        if !rest.is_doubtful || rest.is_ended {
-            return rest.outcome();
-        }
-        second().map_or(rest.outcome(), |second| rest.and(second.search(target, reference, true, visit)))
+        let cuts = [Some(self.first), self.second, self.third];
+        along(|part| Some(cuts.get(part.number)?.as_ref()?.of(chain)?.search(target, reference, part, visit)))
     }
+}
+
+/// The most cuts of an arm.
+const MOST_CUTS: usize = 3;
+
+/// Searches along the cuts until one serves and leaves no doubt, or two have served. Where none serves, the roots of
+/// polynomials that tell nothing are better than none.
+fn along(mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome {
+    let (mut is_complete, mut has_families, mut served) = (true, true, 0);
+    for takes_all in [false, true] {
+        for number in 0..MOST_CUTS {
+            let Some(rest) = search(Part { number, has_families, takes_all }) else { continue };
+            is_complete &= rest.is_complete && !rest.is_ended;
+            has_families &= !rest.has_families;
+            served += usize::from(!rest.is_useless);
+            if rest.is_ended || served == 2 || (served == 1 && !rest.is_doubtful) {
+                return Outcome { is_complete };
+            }
+        }
+        if served > 0 || !has_families {
+            break;
+        }
+    }
+    Outcome { is_complete: is_complete && (served > 0 || !has_families) }
 }

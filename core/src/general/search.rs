@@ -4,103 +4,124 @@ use core::ops::ControlFlow::{self, Continue};
 
 use super::elimination::{Closed, Elimination};
 use super::equations::{Equations, Position};
+use super::lanes::Two;
+use crate::Transform;
 use crate::held_joint::{Candidate, MOST_CANDIDATES, Visitor};
-use crate::math::sin_cos;
-use crate::trig_polynomial::{Fit, Root};
-use crate::{Outcome, Transform};
+use crate::math::{sin_cos, wrap};
+use crate::trig_polynomial::{Fit, Local, Root, Roots};
 
 /// A polynomial below this share of its usual size is zero everywhere.
 const FREE: f64 = 1e-11;
 /// Samples that are farther from a polynomial than this, as a share of the greatest, tell nothing.
 pub(super) const USELESS: f64 = 1e-5;
-/// Beside a doubtful root the function is looked at on either side, at distances from the first of these, rad, ..
-const CLOSE: f64 = 3e-7;
-/// .. each four times the one before.
-const LOOKS: usize = 10;
-/// Steps of regula falsi.
-const STEPS: usize = 16;
-/// A pair of roots that has become complex has its solutions this far beside, rad: no more than two steps away.
-const BESIDE: f64 = 2e-4;
+/// About a doubtful root the function is sampled anew, on an arc that ends at these half-angle tangents. If the root is
+/// doubtful there as well, the next arc is shorter.
+const ARCS: [f64; 4] = [0.12, 1.5e-2, 7e-4, 3e-5];
+/// Roots within this part of an arc are known from its samples.
+const INNER: f64 = 0.9;
+/// The most arcs of one cut.
+const MOST_ARCS: usize = 32;
 /// Where a free joint's reference has no member of the family, these are tried, rad beside it.
 const ELSEWHERE: [f64; 8] = [0.0, 2.1, -2.1, 0.7, -0.7, 1.4, -1.4, 2.8];
 /// A candidate that closes to this belongs to a family.
-const CLOSES: f64 = 1e-4;
+const CLOSES: f64 = 1e-3;
+
+/// The place of the held joint in the order of the cut.
+const HELD: usize = 3;
 
 /// The search along one cut.
 struct Search<'a, 'v> {
     closed: Closed<'a>,
     /// The function with f eliminated first.
     other: Option<Equations>,
+    /// Arcs that were sampled, at most [`MOST_ARCS`].
+    arcs: usize,
+    /// A list was full or a bound was reached.
+    is_full: bool,
     reference: &'a [f64; 6],
     visit: &'a mut Visitor<'v, f64>,
     root: u8,
     is_doubtful: bool,
-    /// Joints that are free.
-    free: u8,
-    /// The least distance from closing of the members of a family.
-    least: f64,
+    /// The held joint is taken to be free: only joint vectors that close the ring are visited.
+    is_family: bool,
+    has_members: bool,
 }
 
 /// What a cut leaves open.
 #[derive(Clone, Copy)]
 pub(crate) struct Rest {
-    /// Some root is doubtful, or the polynomial could not be found: another cut may find more.
+    /// Some root is doubtful, or the polynomial tells nothing: another cut may find more.
     pub(crate) is_doubtful: bool,
+    /// The polynomial is not known, or zero everywhere.
+    pub(crate) is_useless: bool,
+    /// Members of a family have been listed.
+    pub(crate) has_families: bool,
     /// No list was full and no bound was reached.
     pub(crate) is_complete: bool,
     /// The visitor ended the search.
     pub(crate) is_ended: bool,
-    /// Of the samples, see [`Fit`].
+    /// The greatest sample.
     pub(crate) greatest: f64,
-    pub(crate) wrong: f64,
+}
+
+/// The part that a cut has in a search.
+#[derive(Clone, Copy)]
+pub(crate) struct Part {
+    /// The number of the cut: its roots are numbered from 24 times this.
+    pub(crate) number: usize,
+    /// A polynomial that is zero everywhere lists members of a family.
+    pub(crate) has_families: bool,
+    /// The roots of a polynomial that tells nothing are taken as well: no cut serves.
+    pub(crate) takes_all: bool,
 }
 
 impl Elimination {
-    /// The candidates of this cut. A second one leaves out families, which the first has listed.
+    /// The candidates of this cut.
     pub(crate) fn search(
         &self,
         target: &Transform<f64>,
         reference: &[f64; 6],
-        is_second: bool,
+        part: Part,
         visit: &mut Visitor<'_, f64>,
     ) -> Rest {
         let closed = self.closed(target);
-        let fit = Fit::sampled(|held| closed.equations.value(held));
+        let fit = Fit::sampled_in_pairs(|sin, cos| values(&closed.equations, sin, cos));
         let Fit { greatest, wrong, .. } = fit;
-        let mut rest = Rest { is_doubtful: true, is_complete: true, is_ended: false, greatest, wrong };
+        let mut rest = Rest {
+            is_doubtful: true,
+            is_useless: true,
+            has_families: false,
+            is_complete: true,
+            is_ended: false,
+            greatest,
+        };
         let is_known = wrong.is_finite();
-        if !is_known || (is_second && wrong > USELESS) {
+        if !is_known || (wrong > USELESS && !part.takes_all) {
             return rest;
         }
-        let first = if is_second { MOST_CANDIDATES } else { 0 };
         let mut search = Search {
             closed,
             other: None,
+            arcs: 0,
+            is_full: false,
             reference,
             visit,
-            root: first as u8,
+            root: (part.number * MOST_CANDIDATES) as u8,
             is_doubtful: false,
-            free: 0,
-            least: f64::MAX,
+            is_family: false,
+            has_members: false,
         };
         let is_somewhere = fit.polynomial.size() > FREE * self.scale;
         if !is_somewhere {
-            rest.is_ended = !is_second && search.family().is_break();
+            rest.is_ended = part.has_families && search.family().is_break();
+            rest.has_families = search.has_members;
             return rest;
         }
         let roots = fit.roots();
-        rest.is_complete = roots.is_complete;
-        rest.is_doubtful = false;
-        for (number, root) in roots.as_slice().iter().enumerate() {
-            rest.is_doubtful |= root.is_doubtful;
-            search.root = (first + number) as u8;
-            search.is_doubtful = root.is_doubtful;
-            let flow = if root.is_doubtful { search.doubtful(root) } else { search.at(root.sin_cos) };
-            if flow.is_break() {
-                rest.is_ended = true;
-                break;
-            }
-        }
+        rest.is_useless = wrong > USELESS;
+        rest.is_doubtful = rest.is_useless || roots.as_slice().iter().any(|root| root.is_doubtful);
+        rest.is_ended = search.all(&roots, &ARCS).is_break();
+        rest.is_complete = !search.is_full;
         rest
     }
 }
@@ -141,64 +162,101 @@ impl Search<'_, '_> {
     ) -> ControlFlow<()> {
         let (e, f) = if is_in_order { (first, second) } else { (second, first) };
         let joints = self.closed.joints(held, e, f);
-        if self.free != 0 {
-            self.least = self.least.min(self.closed.residual(&joints));
+        let mut free = free;
+        if self.is_family {
+            let is_member = self.closed.residual(&joints) < CLOSES;
+            if !is_member {
+                return Continue(());
+            }
+            self.has_members = true;
+            free |= 1 << self.closed.elimination.cut.held();
         }
-        let free = free | self.free;
         let candidate = Candidate { joints, root: self.root, signs: None, free, is_doubtful: self.is_doubtful };
         if candidate.is_finite() { (self.visit)(&candidate) } else { Continue(()) }
     }
 
-    /// A root that is double or nearly so. Each value of the function is known far better than its polynomial: the
-    /// function itself is looked at on both sides.
-    fn doubtful(&mut self, root: &Root) -> ControlFlow<()> {
-        self.at(root.sin_cos)?;
-        self.at_other(root.sin_cos)?;
-        let here = self.value(root.angle);
-        for side in [1.0, -1.0] {
-            let (mut last, mut distance) = ((root.angle, here), CLOSE);
-            for _ in 0..LOOKS {
-                let angle = root.angle + side * distance;
-                let now = (angle, self.value(angle));
-                if last.1 * now.1 <= 0.0 {
-                    let zero = between(|angle| self.value(angle), last, now);
-                    self.at(sin_cos(zero))?;
+    /// Solutions at a list of roots. Each value of the function is known far better than its polynomial where several
+    /// roots are near: about a doubtful root the function is sampled anew, on the first of `arcs`.
+    fn all(&mut self, roots: &Roots, arcs: &[f64]) -> ControlFlow<()> {
+        self.is_full |= !roots.is_complete;
+        let roots = roots.as_slice();
+        // The middles of the arcs.
+        let (mut middles, mut len) = ([0.0; MOST_ARCS], 0);
+        let [half, shorter @ ..] = arcs else {
+            return roots.iter().try_for_each(|root| self.one(root));
+        };
+        let reach = INNER * 2.0 * half;
+        for root in roots.iter().filter(|root| root.is_doubtful) {
+            if is_near(root, &middles[..len], reach) {
+                continue;
+            }
+            self.is_full |= self.arcs >= MOST_ARCS;
+            let inner = if self.arcs < MOST_ARCS { self.sampled_about(root, *half) } else { None };
+            match inner {
+                Some(inner) => {
+                    middles[len] = root.angle;
+                    len += 1;
+                    self.all(&inner, shorter)?;
                 }
-                last = now;
-                distance *= 4.0;
+                None => self.one(root)?,
             }
         }
-        self.at(sin_cos(root.angle + BESIDE))?;
-        self.at(sin_cos(root.angle - BESIDE))
+        for root in roots.iter().filter(|root| !root.is_doubtful) {
+            if !is_near(root, &middles[..len], reach) {
+                self.one(root)?;
+            }
+        }
+        Continue(())
     }
 
-    fn value(&self, angle: f64) -> f64 {
-        self.closed.equations.value(sin_cos(angle))
+    /// The roots on an arc about a root. None if there are none, or if the samples tell nothing.
+    fn sampled_about(&mut self, root: &Root, half: f64) -> Option<Roots> {
+        self.arcs += 1;
+        let equations = &self.closed.equations;
+        let local = Local::sampled_in_pairs(root.sin_cos, half, |sin, cos| values(equations, sin, cos));
+        if local.wrong > USELESS {
+            return None;
+        }
+        let roots = local.roots();
+        (!roots.as_slice().is_empty()).then_some(roots)
     }
 
-    /// The polynomial is zero: the held joint is free. Members of the family at the joint's reference, or beside it
-    /// where the family has none.
+    /// Solutions at one root.
+    fn one(&mut self, root: &Root) -> ControlFlow<()> {
+        self.is_doubtful = root.is_doubtful;
+        let flow = self.at(root.sin_cos);
+        let flow = if root.is_doubtful && flow.is_continue() { self.at_other(root.sin_cos) } else { flow };
+        self.root = self.root.saturating_add(1);
+        flow
+    }
+
+    /// The polynomial is zero. If the held joint is free, members of the family at its reference are visited, or beside
+    /// it where the family has none. Where two axes fall together the polynomial may be zero without that: then the ring
+    /// closes nowhere, and nothing is visited.
     fn family(&mut self) -> ControlFlow<()> {
-        let held = self.closed.elimination.cut.held();
-        let reference = self.reference.get(held).copied().unwrap_or(0.0);
-        (self.is_doubtful, self.free) = (true, 1 << held);
+        let reference = self.value_of(HELD);
+        (self.is_doubtful, self.is_family) = (true, true);
         for distance in ELSEWHERE {
             let place = sin_cos(reference + distance);
             self.at(place)?;
             self.at_other(place)?;
-            if self.least < CLOSES {
+            if self.has_members {
                 break;
             }
         }
         Continue(())
     }
 
-    /// The joint's reference, in the sense of the cut.
+    /// The value of a joint's reference, in the sense of the cut.
+    fn value_of(&self, place: usize) -> f64 {
+        let cut = self.closed.elimination.cut;
+        let value = cut.order().get(place).and_then(|joint| self.reference.get(*joint)).copied().unwrap_or(0.0);
+        if cut.is_backward { -value } else { value }
+    }
+
+    /// The reference as a position.
     fn reference_of(&self, place: usize) -> Position {
-        let elimination = self.closed.elimination;
-        let joint = elimination.cut.order().get(place).copied().unwrap_or(0);
-        let value = self.reference.get(joint).copied().unwrap_or(0.0);
-        let value = if elimination.cut.is_backward { -value } else { value };
+        let (elimination, value) = (self.closed.elimination, self.value_of(place));
         if elimination.is_prismatic.get(place).copied().unwrap_or(false) {
             Position::Slide(value / elimination.unit)
         } else {
@@ -212,35 +270,14 @@ impl Search<'_, '_> {
     }
 }
 
-/// A zero between two places of different sign: regula falsi, with the older value halved where one end stays.
-fn between(value: impl Fn(f64) -> f64, (mut a, mut at_a): (f64, f64), (mut b, mut at_b): (f64, f64)) -> f64 {
-    let small = 1e-12 * at_a.abs().max(at_b.abs());
-    for _ in 0..STEPS {
-        if at_a == at_b {
-            break;
-        }
-        let x = (a * at_b - b * at_a) / (at_b - at_a);
-        let at_x = value(x);
-        if at_x * at_b <= 0.0 {
-            (a, at_a) = (b, at_b);
-        } else {
-            at_a *= 0.5;
-        }
-        (b, at_b) = (x, at_x);
-        if at_x.abs() < small || (a - b).abs() < 1e-10 {
-            break;
-        }
-    }
-    b
+/// Two values of the function.
+#[inline]
+fn values(equations: &Equations, sin: [f64; 2], cos: [f64; 2]) -> [f64; 2] {
+    let Two(values) = equations.value((Two(sin), Two(cos)));
+    values
 }
 
-impl Rest {
-    /// The end of a search along one or two cuts.
-    pub(super) fn and(self, other: Self) -> Outcome {
-        Outcome { is_complete: self.outcome().is_complete && other.outcome().is_complete }
-    }
-
-    pub(super) fn outcome(self) -> Outcome {
-        Outcome { is_complete: self.is_complete && !self.is_ended }
-    }
+/// Returns true if a root is at most `reach` rad from one of the angles.
+fn is_near(root: &Root, angles: &[f64], reach: f64) -> bool {
+    angles.iter().any(|angle| wrap(root.angle - angle).abs() <= reach)
 }

@@ -98,65 +98,84 @@ struct Arc {
     rounding: f64,
 }
 
-/// The roots of a polynomial. Coefficients up to `floor` have no sign. A root is doubtful if values that are `rounding`
+/// A function of x on an arc.
+pub(super) trait Curve {
+    /// Value and derivative, both times one positive number.
+    fn at(&self, x: f64) -> (f64, f64);
+    /// The root at x.
+    fn root(&self, x: f64, is_double: bool) -> Root;
+}
+
+/// The roots of a polynomial. Coefficients up to `rounding` have no sign. A root is doubtful if values that are so far
 /// off move it by more than 1e-7 rad.
-pub(super) fn roots(polynomial: &TrigPolynomial, floor: f64, rounding: f64) -> Roots {
+pub(super) fn roots(polynomial: &TrigPolynomial, rounding: f64) -> Roots {
     let mut out = Roots::NONE;
-    let mut stack = [Piece { b: [0.0; SAMPLES], low: 0.0, width: 0.0, depth: 0 }; STACK];
     for quarters in 0..4 {
         let arc = Arc::of(polynomial, quarters, rounding);
-        stack[0] = Piece { b: arc.bernstein(), low: -HALF_ARC, width: 2.0 * HALF_ARC, depth: 0 };
-        let mut waiting = 1;
-        while waiting > 0 && out.nodes < MOST_NODES {
-            waiting -= 1;
-            let piece = stack[waiting];
-            out.nodes += 1;
-            if let Some((left, right)) = look_at(&piece, &arc, floor, &mut out)
-                && waiting + 2 <= STACK
-            {
-                stack[waiting] = right;
-                stack[waiting + 1] = left;
-                waiting += 2;
-            }
-        }
-        if waiting > 0 {
-            out.is_complete = false;
-        }
+        isolate(&arc, arc.bernstein(), HALF_ARC, NEAR, rounding, &mut out);
     }
     out
 }
 
+/// Lists the roots with x in `[-half, half]`, from the Bernstein coefficients there. `near`: see [`NEAR`].
+pub(super) fn isolate(
+    curve: &impl Curve,
+    bernstein: [f64; SAMPLES],
+    half: f64,
+    near: f64,
+    floor: f64,
+    out: &mut Roots,
+) {
+    let first = Piece { b: bernstein, low: -half, width: 2.0 * half, depth: 0 };
+    let mut stack = [first; STACK];
+    let mut waiting = 1;
+    while waiting > 0 && out.nodes < MOST_NODES {
+        waiting -= 1;
+        let piece = stack[waiting];
+        out.nodes += 1;
+        if let Some((left, right)) = look_at(&piece, curve, near, floor, out)
+            && waiting + 2 <= STACK
+        {
+            stack[waiting] = right;
+            stack[waiting + 1] = left;
+            waiting += 2;
+        }
+    }
+    if waiting > 0 {
+        out.is_complete = false;
+    }
+}
+
 /// Lists the roots of a piece, or gives its halves.
 #[inline(always)]
-fn look_at(piece: &Piece, arc: &Arc, floor: f64, out: &mut Roots) -> Option<(Piece, Piece)> {
+fn look_at(piece: &Piece, curve: &impl Curve, near: f64, floor: f64, out: &mut Roots) -> Option<(Piece, Piece)> {
     let Piece { b, low, width, depth } = piece;
     let middle = low + 0.5 * width;
     let signs = Signs::of(b, floor);
     if signs.is_quiet {
-        out.push(arc.root(middle, true));
+        out.push(curve.root(middle, true));
         return None;
     }
     // A root where two pieces meet has no change of sign in either: the first coefficient tells.
     if signs.changes <= 1 && b[0].abs() <= floor {
-        out.push(arc.root(*low, true));
+        out.push(curve.root(*low, true));
     }
     if !signs.hides {
         if signs.changes == 0 {
             return None;
         }
         if signs.changes == 1 {
-            let x = arc.refined(piece);
-            out.push(arc.root(x, false));
+            out.push(curve.root(refined(piece, curve), false));
             return None;
         }
     }
     if *depth >= DEPTH {
-        out.push(arc.root(middle, true));
+        out.push(curve.root(middle, true));
         return None;
     }
     let (left, right) = halves(b);
-    if *width < NEAR && Signs::of(&left, floor).are_equal() && Signs::of(&right, floor).are_equal() {
-        out.push(arc.root(middle, true));
+    if *width < near && Signs::of(&left, floor).are_equal() && Signs::of(&right, floor).are_equal() {
+        out.push(curve.root(middle, true));
         return None;
     }
     let (width, depth) = (0.5 * width, depth + 1);
@@ -240,8 +259,9 @@ impl Arc {
         out[DEGREE] = even[DEGREE];
         out
     }
+}
 
-    /// Value and derivative by x at `x = tan(u / 2)` from the middle, without the factor `(1 + x^2)^8`.
+impl Curve for Arc {
     #[inline(always)]
     fn at(&self, x: f64) -> (f64, f64) {
         let k = 1.0 / (1.0 + x * x);
@@ -250,8 +270,7 @@ impl Arc {
     }
 
     fn root(&self, x: f64, is_double: bool) -> Root {
-        let k = 1.0 / (1.0 + x * x);
-        let (sin, cos) = (2.0 * x * k, (1.0 - x * x) * k);
+        let (sin, cos) = direction(x);
         let (_, slope) = value_and_slope(&self.cosines, &self.sines, (sin, cos));
         let (sin, cos) = match self.quarters % 4 {
             0 => (sin, cos),
@@ -259,47 +278,65 @@ impl Arc {
             2 => (-sin, -cos),
             _ => (-cos, sin),
         };
-        let (s, c) = self.offset_sin_cos;
-        let (sin, cos) = (sin * c + cos * s, cos * c - sin * s);
-        let is_certain = self.rounding <= UNCERTAIN * slope.abs();
-        let is_doubtful = is_double || !is_certain;
-        Root { angle: angle(sin, cos), sin_cos: (sin, cos), slope, is_double, is_doubtful }
+        Root::new(turned((sin, cos), self.offset_sin_cos), slope, is_double, self.rounding)
     }
+}
 
-    /// The only root of a piece with one change of sign, in x: Newton's method, kept inside a bracket.
-    fn refined(&self, piece: &Piece) -> f64 {
-        let Piece { b, low, width, .. } = piece;
-        let (mut low, mut high) = (*low, low + width);
-        let is_rising = b[0] < 0.0 || (b[0] == 0.0 && b[SAMPLES - 1] > 0.0);
-        // The polygon of the coefficients crosses zero near the root.
-        let mut share = 0.5;
-        for (place, pair) in b.windows(2).enumerate() {
-            if let [x, y] = pair
-                && x * y < 0.0
-            {
-                share = (place as f64 + x / (x - y)) / (SAMPLES - 1) as f64;
+impl Root {
+    /// A root of a function whose values are `rounding` off.
+    pub(super) fn new((sin, cos): (f64, f64), slope: f64, is_double: bool, rounding: f64) -> Self {
+        let is_certain = rounding <= UNCERTAIN * slope.abs();
+        let is_doubtful = is_double || !is_certain;
+        Self { angle: angle(sin, cos), sin_cos: (sin, cos), slope, is_double, is_doubtful }
+    }
+}
+
+/// Sine and cosine of the angle with the half-angle tangent x.
+#[inline(always)]
+pub(super) fn direction(x: f64) -> (f64, f64) {
+    let k = 1.0 / (1.0 + x * x);
+    (2.0 * x * k, (1.0 - x * x) * k)
+}
+
+/// Sine and cosine of the sum of two angles.
+#[inline(always)]
+pub(super) fn turned((sin, cos): (f64, f64), (s, c): (f64, f64)) -> (f64, f64) {
+    (sin * c + cos * s, cos * c - sin * s)
+}
+
+/// The only root of a piece with one change of sign, in x: Newton's method, kept inside a bracket.
+fn refined(piece: &Piece, curve: &impl Curve) -> f64 {
+    let Piece { b, low, width, .. } = piece;
+    let (mut low, mut high) = (*low, low + width);
+    let is_rising = b[0] < 0.0 || (b[0] == 0.0 && b[SAMPLES - 1] > 0.0);
+    // The polygon of the coefficients crosses zero near the root.
+    let mut share = 0.5;
+    for (place, pair) in b.windows(2).enumerate() {
+        if let [x, y] = pair
+            && x * y < 0.0
+        {
+            share = (place as f64 + x / (x - y)) / (SAMPLES - 1) as f64;
+            break;
+        }
+    }
+    let mut x = low + (high - low) * share;
+    for _ in 0..STEPS {
+        let (value, slope) = curve.at(x);
+        if (value > 0.0) == is_rising {
+            high = x;
+        } else {
+            low = x;
+        }
+        let next = x - value / slope;
+        if next >= low && next <= high {
+            let step = (next - x).abs();
+            x = next;
+            if step < 1e-8 {
                 break;
             }
+        } else {
+            x = 0.5 * (low + high);
         }
-        let mut x = low + (high - low) * share;
-        for _ in 0..STEPS {
-            let (value, slope) = self.at(x);
-            if (value > 0.0) == is_rising {
-                high = x;
-            } else {
-                low = x;
-            }
-            let next = x - value / slope;
-            if next >= low && next <= high {
-                let step = (next - x).abs();
-                x = next;
-                if step < 1e-8 {
-                    break;
-                }
-            } else {
-                x = 0.5 * (low + high);
-            }
-        }
-        x
     }
+    x
 }

@@ -14,7 +14,7 @@ type SinCos = (f64, f64);
 /// A table of all harmonics.
 type Harmonics = [[f64; DEGREE + 1]; DEGREE + 1];
 
-/// Sine and cosine of `2 pi i / 34`, i = 0..33. The even ones belong to the samples, 7 and 23 to the checks.
+/// Sine and cosine of `2 pi i / 34`, i = 0..33. The even ones belong to the samples, 33 and 15 to the checks.
 const HALVES: [SinCos; 2 * SAMPLES] = {
     let mut table = [(0.0, 1.0); 2 * SAMPLES];
     let mut i = 1;
@@ -44,7 +44,7 @@ pub(super) const NODES: [[SinCos; SAMPLES]; 3] = {
 };
 
 /// Sine and cosine of the angles of the checks, without the offset.
-pub(super) const CHECK_ANGLES: [SinCos; CHECKS] = [HALVES[7], HALVES[23]];
+pub(super) const CHECK_ANGLES: [SinCos; CHECKS] = [HALVES[33], HALVES[15]];
 
 /// Sine and cosine of the angles of the checks, for each offset.
 pub(super) const CHECK_NODES: [[SinCos; CHECKS]; 3] = {
@@ -118,6 +118,55 @@ const fn bernstein(is_even: bool) -> Harmonics {
     table
 }
 
+/// Where a function is sampled on an arc, in units of its half length: `cos((2 j + 1) pi / 34)`.
+pub(super) const CHEBYSHEV: [f64; SAMPLES] = {
+    let mut nodes = [0.0; SAMPLES];
+    let mut j = 0;
+    while j < SAMPLES {
+        let (_, cos) = part_of_turn(2 * j as u32 + 1, 4 * SAMPLES as u32);
+        nodes[j] = if j == DEGREE { 0.0 } else { cos };
+        j += 1;
+    }
+    nodes
+};
+
+/// Row j: the Bernstein coefficients on [-1, 1] of the polynomial of degree 16 that is 1 at node j of [`CHEBYSHEV`] and 0
+/// at the others.
+pub(super) const LAGRANGE: [[f64; SAMPLES]; SAMPLES] = {
+    let mut table = [[0.0; SAMPLES]; SAMPLES];
+    let mut j = 0;
+    while j < SAMPLES {
+        // Coefficients of s^m (1 - s)^(degree - m) of a product of linear factors.
+        let mut row = [0.0; SAMPLES];
+        row[0] = 1.0;
+        let mut degree = 0;
+        let mut i = 0;
+        while i < SAMPLES {
+            if i != j {
+                let scale = 1.0 / (CHEBYSHEV[j] - CHEBYSHEV[i]);
+                let (low, high) = ((-1.0 - CHEBYSHEV[i]) * scale, (1.0 - CHEBYSHEV[i]) * scale);
+                degree += 1;
+                let mut m = degree;
+                while m > 0 {
+                    row[m] = row[m] * low + row[m - 1] * high;
+                    m -= 1;
+                }
+                row[0] *= low;
+            }
+            i += 1;
+        }
+        let mut choose = 1.0;
+        let mut m = 0;
+        while m < SAMPLES {
+            table[j][m] = row[m] / choose;
+            choose = choose * (2 * DEGREE - m) as f64 / (m + 1) as f64;
+            m += 1;
+        }
+        j += 1;
+    }
+    table
+};
+
 /// Sine and cosine of the sum of two angles.
 const fn sum((s, c): SinCos, (t, d): SinCos) -> SinCos {
     (s * d + c * t, c * d - s * t)
@@ -168,9 +217,29 @@ mod tests {
     fn angles_are_those_of_the_samples() {
         for (nodes, (checks, offset)) in NODES.iter().zip(CHECK_NODES.iter().zip(OFFSETS)) {
             assert!(nodes.iter().enumerate().all(|(j, node)| near(*node, TAU * j as f64 / 17.0 + offset)));
-            assert!(near(checks[0], TAU * 3.5 / 17.0 + offset) && near(checks[1], TAU * 11.5 / 17.0 + offset));
+            assert!(near(checks[0], TAU * 16.5 / 17.0 + offset) && near(checks[1], TAU * 7.5 / 17.0 + offset));
         }
         assert!((HALF_ARC - (core::f64::consts::SQRT_2 - 1.0)).abs() < 2e-16);
+    }
+
+    /// Bernstein coefficients from samples give back a power.
+    #[test]
+    fn samples_on_an_arc_give_bernstein_coefficients() {
+        for power in [0, 1, 2, 7, 16] {
+            let value = |x: f64| (0..power).fold(1.0, |y, _| y * (0.3 + 0.7 * x));
+            let mut b = [0.0; SAMPLES];
+            for (node, row) in CHEBYSHEV.iter().zip(LAGRANGE) {
+                b.iter_mut().zip(row).for_each(|(sum, entry)| *sum += entry * value(*node));
+            }
+            // Bernstein coefficients of the power of a linear function on [-1, 1]: products of its values at the ends.
+            assert!((b[0] - value(-1.0)).abs() < 1e-11 && (b[16] - value(1.0)).abs() < 1e-11);
+            if power == 16 {
+                for (i, x) in b.iter().enumerate() {
+                    let low = (0..16 - i).fold(1.0, |y, _| y * -0.4);
+                    assert!((x - low).abs() < 1e-11, "{i} {x} {low}");
+                }
+            }
+        }
     }
 
     /// The Bernstein form of each harmonic has its values on the arc.

@@ -1,5 +1,7 @@
 //! Chains of tables, random numbers, and a solver that refines candidates as an arm does.
 
+#![allow(clippy::unwrap_used, clippy::needless_range_loop)]
+
 use core::ops::ControlFlow::{Break, Continue};
 
 use denhart_core::choice::{choose, choose_given};
