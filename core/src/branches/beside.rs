@@ -16,6 +16,14 @@ const PLACES: usize = 10;
 const NEAR_PLACES: usize = 8;
 /// A branch that misses by no more at its end may close there.
 const AT_END: f64 = 1e-6;
+/// The same where it is real at one angle alone, which is known to half of the digits.
+const AT_POINT: f64 = 1e-4;
+/// The parts of a branch near its end.
+const PARTS: usize = 6;
+/// A branch that misses by no more where it turns has a double root there.
+const AT_TURN: f64 = 1e-8;
+/// A square that is no greater is 0 to rounding.
+const POINT: f64 = 1e-9;
 /// Where v^2 or w^2 is lowest or highest and this near to 0, branches may be narrow.
 const NARROW: f64 = 1e-2;
 
@@ -40,9 +48,21 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
             if value(center).abs() <= NARROW {
                 let found = self.beside(center)?;
                 is_found.iter_mut().zip(found).for_each(|(all, found)| *all |= found);
+                self.point(center)?;
             }
         }
         ControlFlow::Continue(is_found)
+    }
+
+    /// Branches that are real at one angle alone, where v^2 or w^2 is 0 and negative on both sides.
+    fn point(&mut self, t: f64) -> ControlFlow<()> {
+        for (number, branch) in self.branches.all(t).iter().enumerate() {
+            let is_point = branch.is_nearly_real() && branch.squares.iter().any(|square| *square <= POINT);
+            if is_point && branch.miss.abs() <= AT_POINT {
+                self.offer_once(t, number, true, POINT)?;
+            }
+        }
+        ControlFlow::Continue(())
     }
 
     /// The roots of all branches about an angle. Gives the branches that have one near it.
@@ -101,7 +121,7 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
             let t = crossing(|t| of(&self.branches.branch(number, t)), (from.0, at_from), (to.0, at_to));
             let branch = self.branches.branch(number, t);
             // The other root may be imaginary here, or 0 to rounding.
-            if branch.squares.iter().all(|square| *square >= -T::EPSILON.sqrt() / T::from_f64(16.0)) {
+            if branch.is_nearly_real() {
                 // The twin, which has the other sign of the root that is 0, is the same here.
                 let is_twin = number & (1 << square) != 0;
                 if branch.miss.abs() <= at_end && !is_twin {
@@ -130,15 +150,17 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
     /// near its end.
     fn near_end(&mut self, number: usize, end: Place<T>, far: Place<T>) -> ControlFlow<(), bool> {
         let mut is_found = false;
-        let (mut to, mut share) = (far, T::ONE);
-        for _ in 0..5 {
+        let (mut last, mut here, mut share) = (None, far, T::ONE);
+        for part in 0..PARTS {
             share *= T::from_f64(0.25);
             let t = end.0 + (far.0 - end.0) * share;
-            let from = (t, self.branches.branch(number, t));
-            is_found |= self.change(number, from, to)?;
-            to = from;
+            let next = if part + 1 < PARTS { (t, self.branches.branch(number, t)) } else { end };
+            is_found |= self.change(number, here, next)?;
+            if let Some(last) = last {
+                is_found |= self.turning(number, [last, here, next])?.is_found();
+            }
+            (last, here) = (Some(here), next);
         }
-        is_found |= self.change(number, end, to)?;
         ControlFlow::Continue(is_found)
     }
 
@@ -152,11 +174,11 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
         ControlFlow::Continue(is_found)
     }
 
-    /// The roots of a branch that turns towards 0 and back between three places where it has one sign: three parabolas
+    /// The roots of a branch that turns towards 0 and back between three places where it has one sign: four parabolas
     /// through the places nearest to the turn.
     pub(super) fn turning(&mut self, number: usize, places: [Place<T>; 3]) -> ControlFlow<(), Turn<T>> {
         let [mut from, mut middle, mut to] = places;
-        let is_turning = places.iter().all(|(_, branch)| branch.is_real())
+        let is_turning = places.iter().all(|(_, branch)| branch.is_nearly_real())
             && from.1.miss * middle.1.miss > T::ZERO
             && to.1.miss * middle.1.miss > T::ZERO
             && middle.1.miss.abs() <= from.1.miss.abs()
@@ -164,7 +186,7 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
         if !is_turning {
             return ControlFlow::Continue(Turn::None);
         }
-        for _ in 0..3 {
+        for _ in 0..4 {
             let (left, right) = (slope(from, middle), slope(middle, to));
             let bend = (right - left) / (to.0 - from.0);
             let t = T::HALF * (from.0 + middle.0 - left / bend);
@@ -187,6 +209,11 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
                 (false, true) => from = place,
                 (false, false) => to = place,
             }
+        }
+        if middle.1.miss.abs() <= T::from_f64(AT_TURN) {
+            // A double root is known to half of the digits.
+            self.offer_once(middle.0, number, true, T::EPSILON.sqrt())?;
+            return ControlFlow::Continue(Turn::Found);
         }
         ControlFlow::Continue(Turn::Misses(middle.0, middle.1.miss))
     }

@@ -44,6 +44,13 @@ impl<T: Scalar> Branch<T> {
         first > T::ZERO && second > T::ZERO
     }
 
+    /// Returns true if both roots are real or 0 to rounding.
+    #[inline(always)]
+    fn is_nearly_real(&self) -> bool {
+        let least = -T::EPSILON.sqrt() / T::from_f64(16.0);
+        self.squares.iter().all(|square| *square >= least)
+    }
+
     /// Returns true if a root is 0 that has the negative sign: the twin is the same branch here.
     #[inline(always)]
     fn is_repeated(&self, number: usize) -> bool {
@@ -124,10 +131,14 @@ impl<'a, 'v, T: Scalar, B: Branches<T>> Stream<'a, 'v, T, B> {
 
     /// A branch at an angle.
     fn offer(&mut self, t: T, number: usize, is_doubtful: bool) -> ControlFlow<()> {
+        self.offer_once(t, number, is_doubtful, T::from_f64(REPEATED))
+    }
+
+    /// A branch at an angle that is known to `least`.
+    fn offer_once(&mut self, t: T, number: usize, is_doubtful: bool, least: T) -> ControlFlow<()> {
         if self.is_covered && self.branches.is_singular(t) {
             return ControlFlow::Continue(());
         }
-        let least = T::from_f64(REPEATED);
         if self.offered.iter().any(|(other, branch)| *branch == number && (t - *other).abs() <= least) {
             return ControlFlow::Continue(());
         }
