@@ -137,9 +137,13 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
             (false, true, [Some(end), _] | [None, Some(end)]) => is_found |= self.near_end(number, end, to)?,
             // Real between its two ends.
             (false, false, [Some(first), Some(second)]) => {
-                let t = T::HALF * (first.0 + second.0);
-                let middle = (t, self.branches.branch(number, t));
+                let at = |share: f64| {
+                    let t = first.0 + (second.0 - first.0) * T::from_f64(share);
+                    (t, self.branches.branch(number, t))
+                };
+                let [left, middle, right] = [0.125, 0.5, 0.875].map(at);
                 is_found |= self.near_end(number, first, middle)? | self.near_end(number, second, middle)?;
+                is_found |= self.turning(number, [left, middle, right])?.is_found();
             }
             _ => {}
         }
