@@ -131,6 +131,13 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
                 *end = Some((t, branch));
             }
         }
+        // Where both roots end, the branch ends with the one that is nearer to the place where it is real.
+        let real = if from.1.is_real() { from.0 } else { to.0 };
+        if let [Some(first), Some(second)] = ends
+            && (second.0 - real).abs() < (first.0 - real).abs()
+        {
+            ends = [Some(second), Some(first)];
+        }
         match (from.1.is_real(), to.1.is_real(), ends) {
             (true, true, _) => is_found |= self.change(number, from, to)?,
             (true, false, [Some(end), _] | [None, Some(end)]) => is_found |= self.near_end(number, end, from)?,
@@ -178,7 +185,7 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
         ControlFlow::Continue(is_found)
     }
 
-    /// The roots of a branch that turns towards 0 and back between three places where it has one sign: four parabolas
+    /// The roots of a branch that turns towards 0 and back between three places where it has one sign: eight parabolas
     /// through the places nearest to the turn.
     pub(super) fn turning(&mut self, number: usize, places: [Place<T>; 3]) -> ControlFlow<(), Turn<T>> {
         let [mut from, mut middle, mut to] = places;
@@ -190,7 +197,7 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
         if !is_turning {
             return ControlFlow::Continue(Turn::None);
         }
-        for _ in 0..4 {
+        for _ in 0..8 {
             let (left, right) = (slope(from, middle), slope(middle, to));
             let bend = (right - left) / (to.0 - from.0);
             let t = T::HALF * (from.0 + middle.0 - left / bend);

@@ -77,7 +77,7 @@ fn roots_of_order_four_and_their_neighborhood_are_resolved() {
 fn few_joint_vectors_beside_round_ones_are_lost() {
     for (name, chain) in arms::meet() {
         let arm = Arm::of(chain);
-        for (step, most) in [(30.0, 4), (90.0, 10)] {
+        for (step, most) in [(30.0, 1), (90.0, 7)] {
             for digits in 2..10 {
                 let mut random = Random(1234 + digits);
                 let offset = 0.1_f64.powi(i32::try_from(digits).unwrap());

@@ -120,7 +120,9 @@ fn folds_are_found_and_part_into_two_solutions_on_one_side() {
                 missed += usize::from(counts == [0, 0]);
             }
             println!("{name}, pushed by {push:.0e}: two on one side {two}, none on both {missed}, far {far}");
-            assert!(two >= 56 && missed <= 1, "{name} {push:.0e}: {two} {missed}");
+            // Far off, the two solutions may have left the neighborhood of a flat fold.
+            let least = if push < 1e-6 { 57 } else { 53 };
+            assert!(two >= least && missed == 0, "{name} {push:.0e}: {two} {missed}");
             assert!(far <= if push < 1e-6 { 1 } else { 8 }, "{name} {push:.0e}: {far}");
         }
     }
