@@ -15,7 +15,7 @@ const DOUBTFUL_OPEN: f64 = 0.05;
 /// A branch that misses by more after its steps has no simple root here.
 const SURE: f64 = 1e-11;
 /// Another branch that misses so little may have a root beside.
-const BESIDE: f64 = 5e-3;
+const BESIDE: f64 = 1e-4;
 
 impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
     /// All candidates.
