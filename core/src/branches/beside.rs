@@ -7,7 +7,7 @@
 use core::ops::ControlFlow;
 
 use super::{Branch, Branches, COUNT, Stream};
-use crate::math::Scalar;
+use crate::math::{Scalar, sin_cos};
 
 /// The distances: `3e-7 4^k` rad.
 const NEAREST: f64 = 3e-7;
@@ -56,7 +56,7 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
 
     /// Branches that are real at one angle alone, where v^2 or w^2 is 0 and negative on both sides.
     fn point(&mut self, t: f64) -> ControlFlow<()> {
-        for (number, branch) in self.branches.all(t).iter().enumerate() {
+        for (number, branch) in self.branches.all(sin_cos(t)).iter().enumerate() {
             let is_point = branch.is_nearly_real() && branch.squares.iter().any(|square| *square <= POINT);
             if is_point && branch.miss.abs() <= AT_POINT {
                 self.offer_once(t, number, true, POINT)?;
@@ -68,12 +68,12 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
     /// The roots of all branches about an angle. Gives the branches that have one near it.
     fn beside(&mut self, angle: f64) -> ControlFlow<(), [bool; COUNT]> {
         let mut is_found = [false; COUNT];
-        let middle = (angle, self.branches.all(angle));
+        let middle = (angle, self.branches.all(sin_cos(angle)));
         for side in [1.0, -1.0] {
             let mut step = side * NEAREST;
             let (mut last, mut here) = (None, middle);
             for place in 0..PLACES {
-                let next = (angle + step, self.branches.all(angle + step));
+                let next = (angle + step, self.branches.all(sin_cos(angle + step)));
                 for (number, is_found) in is_found.iter_mut().enumerate() {
                     let at = |(t, branches): (f64, [Branch<f64>; COUNT])| branches.get(number).map(|b| (t, *b));
                     let (Some(from), Some(to)) = (at(here), at(next)) else { continue };

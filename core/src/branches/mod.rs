@@ -71,8 +71,8 @@ pub(crate) trait Branches<T: Scalar>: Sized {
     /// cosine of the held joint.
     fn product(&self, turn: (T, T)) -> (T, T);
 
-    /// All branches at an angle.
-    fn all(&self, t: T) -> [Branch<T>; COUNT];
+    /// All branches at an angle, of its sine and cosine.
+    fn all(&self, turn: (T, T)) -> [Branch<T>; COUNT];
 
     /// One branch at an angle.
     fn branch(&self, number: usize, t: T) -> Branch<T>;
@@ -88,9 +88,11 @@ pub(crate) trait Branches<T: Scalar>: Sized {
 
     /// Candidates near an angle where the closed form is singular.
     ///
+    /// `turn`: the sine and the cosine of the angle `t`.
+    ///
     /// Gives the angle where it is most so, if there is one, and true if all solutions at that angle are among the
     /// candidates and `t` is a root because of them.
-    fn singular(stream: &mut Stream<'_, '_, T, Self>, t: T) -> ControlFlow<(), Option<(T, bool)>>;
+    fn singular(stream: &mut Stream<'_, '_, T, Self>, t: T, turn: (T, T)) -> ControlFlow<(), Option<(T, bool)>>;
 }
 
 /// Offers that are remembered.

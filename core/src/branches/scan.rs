@@ -5,7 +5,7 @@ use core::ops::ControlFlow;
 use super::beside::Turn;
 use super::{Branches, COUNT, Stream};
 use crate::held_joint::Outcome;
-use crate::math::Scalar;
+use crate::math::{Scalar, sin_cos};
 
 /// Angles of the held joint at which the branches are looked at.
 const PLACES: u16 = 96;
@@ -31,7 +31,8 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
         let mut greatest = [T::ZERO; COUNT];
         for place in 0..=FAMILY_PLACES {
             let t = reference + T::TAU * number(place) / number(FAMILY_PLACES);
-            for ((branch, listed), greatest) in self.branches.all(t).iter().zip(&mut listed).zip(&mut greatest) {
+            for ((branch, listed), greatest) in self.branches.all(sin_cos(t)).iter().zip(&mut listed).zip(&mut greatest)
+            {
                 if branch.is_real() {
                     listed.get_or_insert(t);
                     *greatest = greatest.max(branch.miss.abs());
@@ -47,7 +48,7 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
             self.offer_joints(self.branches.joints(branch, t), branch, 1 << held, true)?;
             self.root = self.root.saturating_add(1);
         }
-        B::singular(self, reference)?;
+        B::singular(self, reference, sin_cos(reference))?;
         self.around(listed.map(|family| family.is_some()))
     }
 
@@ -55,11 +56,11 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
     fn around(&mut self, is_family: [bool; COUNT]) -> ControlFlow<()> {
         let step = T::TAU / number(PLACES);
         let angle = |place: u16| T::from_f64(FIRST) + step * number(place);
-        let mut before = self.branches.all(angle(0) - step);
-        let mut here = self.branches.all(angle(0));
+        let mut before = self.branches.all(sin_cos(angle(0) - step));
+        let mut here = self.branches.all(sin_cos(angle(0)));
         for place in 0..PLACES {
             let (t, next) = (angle(place), angle(place + 1));
-            let after = self.branches.all(next);
+            let after = self.branches.all(sin_cos(next));
             let trios = before.iter().zip(&here).zip(&after).zip(is_family).enumerate();
             for (branch, (((a, b), c), is_family)) in trios {
                 if is_family {

@@ -2,7 +2,7 @@
 
 use core::ops::ControlFlow;
 
-use super::{Branches, COUNT, Stream};
+use super::{Branch, Branches, COUNT, Stream};
 use crate::held_joint::Outcome;
 use crate::trig_polynomial::{Fit, Root};
 
@@ -12,8 +12,12 @@ const FREE: f64 = 1e-11;
 const OPEN: f64 = 1e-3;
 /// The same at a doubtful root, which is known to some 1e-4 rad only.
 const DOUBTFUL_OPEN: f64 = 0.05;
+/// A branch that misses by no more has no use for another step.
+const CLOSED: f64 = 1e-15;
 /// A branch that misses by more after its steps has no simple root here.
 const SURE: f64 = 1e-11;
+/// A branch whose squares are less is near its end.
+const NEAR_END: f64 = 1e-6;
 /// Another branch that misses so little may have a root beside.
 const BESIDE: f64 = 1e-4;
 
@@ -43,14 +47,14 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
 
     /// All branches that close at a root.
     fn at(&mut self, root: &Root) -> ControlFlow<()> {
-        let branches = self.branches.all(root.angle);
+        let branches = self.branches.all(root.sin_cos);
         let misses = branches.map(|branch| branch.miss.abs());
         let least = misses.iter().fold(f64::MAX, |least, miss| least.min(*miss));
         // A twin that is the same branch, or nearly, is no other one.
         let is_beside = |miss: &f64| *miss < BESIDE && *miss > 1e3 * least + 1e-9;
         let is_doubtful = root.is_double || root.is_doubtful || misses.iter().any(is_beside);
         let limit = if is_doubtful { DOUBTFUL_OPEN } else { OPEN }.max(least);
-        let singular = B::singular(self, root.angle)?;
+        let singular = B::singular(self, root.angle, root.sin_cos)?;
         self.is_covered = singular.is_some_and(|(_, is_complete)| is_complete);
         let mut found = [false; COUNT];
         if is_doubtful {
@@ -67,32 +71,36 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
             if is_doubtful {
                 self.offer(root.angle, number, true)?;
             } else {
-                let (t, miss) = self.sharpened(number, root.angle, branch.miss);
-                self.offer(t, number, miss.abs() > SURE)?;
+                let (t, branch) = self.sharpened(number, root.angle, branch);
+                // A root near 0 has fewer digits than its square.
+                let is_sure = branch.miss.abs() <= SURE && branch.squares.iter().all(|square| *square >= NEAR_END);
+                self.offer(t, number, !is_sure)?;
             }
         }
         ControlFlow::Continue(())
     }
 
-    /// A simple root of a branch that is nearly known: two steps of the secant method on the branch, which has all its
-    /// digits where the polynomial, a product of small numbers, has few.
+    /// A simple root of a branch that is nearly known: one to three steps of the secant method on the branch, which has all
+    /// its digits where the polynomial, a product of small numbers, has few.
     ///
-    /// Gives the root and what the branch misses there.
-    fn sharpened(&self, number: usize, start: f64, miss: f64) -> (f64, f64) {
+    /// Gives the root and the branch there.
+    fn sharpened(&self, number: usize, start: f64, branch: &Branch<f64>) -> (f64, Branch<f64>) {
         const STEP: f64 = 1e-6;
-        let at = |t: f64| self.branches.branch(number, t).miss;
-        let (mut near, mut near_miss) = (start, miss);
-        let (mut far, mut far_miss) = (start + STEP, at(start + STEP));
-        for _ in 0..2 {
-            let t = near - near_miss * (far - near) / (far_miss - near_miss);
+        let (mut near, mut at_near) = (start, *branch);
+        let (mut far, mut at_far) = (start + STEP, self.branches.branch(number, start + STEP));
+        for _ in 0..3 {
+            let t = near - at_near.miss * (far - near) / (at_far.miss - at_near.miss);
             // False for a quotient that is not a number, too.
             let is_near = (t - start).abs() < 1e-3;
             if !is_near {
                 break;
             }
-            (far, far_miss) = (near, near_miss);
-            (near, near_miss) = (t, at(t));
+            (far, at_far) = (near, at_near);
+            (near, at_near) = (t, self.branches.branch(number, t));
+            if at_near.miss.abs() <= CLOSED {
+                break;
+            }
         }
-        (near, near_miss)
+        (near, at_near)
     }
 }

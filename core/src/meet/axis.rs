@@ -25,14 +25,25 @@ type Candidates<'a, 'v, 'm, T> = Stream<'a, 'v, T, Posed<'m, T>>;
 /// turns: `n . Rz(x2) d = cos alpha`. On the axis of x3 the elbow is folded, and x3 turns the direction of u.
 ///
 /// Gives the angle where W is nearest to the axis, and true if W is on it to rounding and nearly so at the root.
-pub(super) fn on_axes<T: Scalar>(stream: &mut Candidates<'_, '_, '_, T>, t: T) -> ControlFlow<(), Option<(T, bool)>> {
+pub(super) fn on_axes<T: Scalar>(
+    stream: &mut Candidates<'_, '_, '_, T>,
+    t: T,
+    turn: (T, T),
+) -> ControlFlow<(), Option<(T, bool)>> {
     let posed = stream.branches;
     let square = |share: f64| {
         let length = T::from_f64(share) * posed.meet.reach;
         length * length
     };
+    let beside = square(BESIDE);
+    let parts = posed.parts(turn);
+    let distance2 = |parts: &Parts<T>, number: usize| parts.distance2.at(posed.signed(parts, number).v);
+    let nearest2 = parts.rho2.min(distance2(&parts, 0)).min(distance2(&parts, 1));
+    if nearest2 > beside {
+        return ControlFlow::Continue(None);
+    }
     let rounding = T::from_f64(ROUNDINGS) * T::EPSILON * posed.meet.reach;
-    let (beside, on, exact) = (square(BESIDE), square(ON), rounding * rounding);
+    let (on, exact) = (square(ON), rounding * rounding);
     let mut nearest = None;
     let from_x2 = |t: T| posed.parts(sin_cos(t)).rho2;
     let at_root = from_x2(t);
@@ -55,10 +66,7 @@ pub(super) fn on_axes<T: Scalar>(stream: &mut Candidates<'_, '_, '_, T>, t: T) -
         }
     }
     for number in [0, 1] {
-        let from_x3 = |t: T| {
-            let parts = posed.parts(sin_cos(t));
-            parts.distance2.at(posed.signed(&parts, number).v)
-        };
+        let from_x3 = |t: T| distance2(&posed.parts(sin_cos(t)), number);
         if from_x3(t) <= beside {
             let t = lowest(from_x3, t);
             nearest = nearest.or(Some((t, false)));

@@ -55,8 +55,8 @@ impl<T: Scalar> Branches<T> for Posed<'_, T> {
         self.product_at(turn)
     }
 
-    fn all(&self, t: T) -> [Branch<T>; COUNT] {
-        let parts = self.parts(sin_cos(t));
+    fn all(&self, turn: (T, T)) -> [Branch<T>; COUNT] {
+        let parts = self.parts(turn);
         core::array::from_fn(|number| self.signed(&parts, number).branch)
     }
 
@@ -79,7 +79,7 @@ impl<T: Scalar> Branches<T> for Posed<'_, T> {
         super::axis::is_on_x2(self, t)
     }
 
-    fn singular(stream: &mut Stream<'_, '_, T, Self>, t: T) -> ControlFlow<(), Option<(T, bool)>> {
-        super::axis::on_axes(stream, t)
+    fn singular(stream: &mut Stream<'_, '_, T, Self>, t: T, turn: (T, T)) -> ControlFlow<(), Option<(T, bool)>> {
+        super::axis::on_axes(stream, t, turn)
     }
 }

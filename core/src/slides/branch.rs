@@ -198,8 +198,8 @@ impl<T: Scalar> Branches<T> for Posed<'_, T> {
         (p.miss.norm(p.w2) * p.across2, p.across2)
     }
 
-    fn all(&self, t: T) -> [Branch<T>; COUNT] {
-        let parts = self.parts(sin_cos(t));
+    fn all(&self, turn: (T, T)) -> [Branch<T>; COUNT] {
+        let parts = self.parts(turn);
         [self.signed(&parts, 0), self.signed(&parts, 1), Branch::NONE, Branch::NONE]
     }
 
@@ -243,7 +243,7 @@ impl<T: Scalar> Branches<T> for Posed<'_, T> {
         false
     }
 
-    fn singular(_stream: &mut Stream<'_, '_, T, Self>, _t: T) -> ControlFlow<(), Option<(T, bool)>> {
+    fn singular(_stream: &mut Stream<'_, '_, T, Self>, _t: T, _turn: (T, T)) -> ControlFlow<(), Option<(T, bool)>> {
         ControlFlow::Continue(None)
     }
 }
