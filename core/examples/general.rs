@@ -223,6 +223,44 @@ fn main() {
             }
         }
     }
+    let mut seven = (0, 0, 0, vec![]);
+    for number in 0..arms / 2 {
+        let rows: Vec<[f64; 4]> =
+            (0..7).map(|_| [rng.within(-1.0, 1.0), rng.within(-180.0, 180.0), rng.within(-1.0, 1.0), 0.0]).collect();
+        let table = tables::Table { name: "", is_modified: false, rows: Box::leak(rows.into_boxed_slice()) };
+        let given = (rng.unit() * 7.0) as usize;
+        let Some(arm) = Arm::given(&table, given, 0.0) else {
+            seven.0 += 1;
+            continue;
+        };
+        for _ in 0..10 {
+            let arm = Arm { chain: chain(&table, given, rng.angle()).gathered(), ..arm };
+            let joints = rng.joints();
+            let target = arm.chain.pose(&joints);
+            let start = Instant::now();
+            let solutions = black_box(arm.solve_anew(black_box(&target)));
+            seven.3.push(start.elapsed().as_nanos() as f64);
+            seven.2 += 1;
+            if solutions.distance(&arm.chain, &joints) > SAME {
+                seven.1 += 1;
+                println!(
+                    "seven {number} lost {:.0e} sigma {:.0e}",
+                    solutions.distance(&arm.chain, &joints),
+                    least_singular_value(&arm.chain, &joints)
+                );
+            }
+        }
+    }
+    println!(
+        "{} arms of seven: no cut {} lost {} of {} us {:.1} p99 {:.0} max {:.0}",
+        arms / 2,
+        seven.0,
+        seven.1,
+        seven.2,
+        at(&mut seven.3, 0.5) / 1e3,
+        at(&mut seven.3, 0.99) / 1e3,
+        at(&mut seven.3, 1.0) / 1e3
+    );
     println!(
         "{arms} arms x 20: lost {lost} found {found} residual {worst:.0e} us {:.1} p99 {:.0} max {:.0} choice ms {:.0} max {:.0}",
         at(&mut times, 0.5) / 1e3,

@@ -77,7 +77,14 @@ fn round_poses_lose_nothing() {
                     println!("DBG evals {} complete {}", found.evaluations, found.is_complete);
                     for c in candidates(&arm, &target) {
                         let r = arm.chain.refined(&c.joints, &target, 15);
-                        println!("DBG {} {} residual {:.1e} refined {:.1e} {}", c.root, c.is_doubtful, arm.chain.residual(&c.joints, &target), r.residual, r.evaluations);
+                        println!(
+                            "DBG {} {} residual {:.1e} refined {:.1e} {}",
+                            c.root,
+                            c.is_doubtful,
+                            arm.chain.residual(&c.joints, &target),
+                            r.residual,
+                            r.evaluations
+                        );
                     }
                 }
                 assert!(!found.list.is_empty(), "{name} {joints:?}");

@@ -11,6 +11,9 @@ pub(super) type System = [[f64; PRODUCTS]; 6];
 /// Entries of a pivot below this share of the greatest are none at a root.
 const DEPENDENT: f64 = 1e-6;
 
+/// Squares of sine and cosine add up to 1 within twice this.
+const SOUND: f64 = 1e-2;
+
 /// Six equations `(cos c) A + (sin c) B + C` in the products of `(cos e, sin e, 1)` and `(cos f, sin f, 1)`, entry
 /// `3 e + f`. A prismatic joint has `(q^2, q, 1)` instead.
 #[derive(Clone, Copy)]
@@ -35,6 +38,9 @@ pub(super) struct Pairs {
     pub(super) len: usize,
     /// Nothing depends on f.
     pub(super) is_free: bool,
+    /// The sines and cosines are those of angles: by more than a hundredth they are not where the eliminated products
+    /// depend on each other, and so do not follow from f.
+    pub(super) is_sound: bool,
 }
 
 /// With `phi = (cos f, sin f, 1)`: `cos e phi = C phi` and `sin e phi = S phi`.
@@ -144,7 +150,8 @@ impl Equations {
             let square = dot(vector, vector);
             (normal, height) = if square > height { (vector, square) } else { (normal, height) };
         }
-        let mut pairs = Pairs { list: [(Position::Slide(0.0), Position::Slide(0.0)); 2], len: 1, is_free: false };
+        let mut pairs =
+            Pairs { list: [(Position::Slide(0.0), Position::Slide(0.0)); 2], len: 1, is_free: false, is_sound: true };
         let mut phis = [normal; 2];
         // The entries of C and S are of the order of 1 at a solution.
         if length < DEPENDENT * DEPENDENT {
@@ -158,24 +165,27 @@ impl Equations {
             pairs.len = 2;
         }
         for (pair, phi) in pairs.list.iter_mut().zip(phis).take(pairs.len) {
-            *pair = (self.eliminated(&reduced, phi), self.other(phi));
+            let (x, y) = (dot(reduced.c.map(|row| dot(row, phi)), phi), dot(reduced.s.map(|row| dot(row, phi)), phi));
+            let [slides_e, slides_f] = self.is_prismatic;
+            let (e, sound_e) = position(slides_e, x, y, dot(phi, phi));
+            let [x, y, z] = phi;
+            let (f, sound_f) = position(slides_f, x, y, z);
+            *pair = (e, f);
+            pairs.is_sound &= sound_e && sound_f;
         }
         pairs
     }
+}
 
-    /// Joint e: the Rayleigh quotients of C and S.
-    fn eliminated(&self, reduced: &Reduced<f64>, phi: [f64; 3]) -> Position {
-        let (cos, sin) = (dot(reduced.c.map(|row| dot(row, phi)), phi), dot(reduced.s.map(|row| dot(row, phi)), phi));
-        if self.is_prismatic[0] { Position::Slide(sin / dot(phi, phi)) } else { Position::direction(sin, cos) }
+/// The joint whose monomials are in proportion to x, y and z, and if they are the monomials of a joint.
+fn position(is_prismatic: bool, x: f64, y: f64, z: f64) -> (Position, bool) {
+    if is_prismatic {
+        let q = y / z;
+        return (Position::Slide(q), (x / z - q * q).abs() < SOUND * (1.0 + q * q));
     }
-
-    /// Joint f.
-    fn other(&self, [x, y, z]: [f64; 3]) -> Position {
-        if self.is_prismatic[1] {
-            return Position::Slide(y / z);
-        }
-        if z < 0.0 { Position::direction(-y, -x) } else { Position::direction(y, x) }
-    }
+    let length = sqrt(x * x + y * y);
+    let signed = if z < 0.0 { -length } else { length };
+    (Position::direction(y * signed, x * signed), (signed / z - 1.0).abs() < SOUND)
 }
 
 impl Position {
@@ -207,6 +217,7 @@ fn on_parabola([a, b, c]: [f64; 3]) -> [[f64; 3]; 2] {
 
 /// Step K of the elimination: the greatest entry of column K is the pivot.
 #[inline(always)]
+#[allow(clippy::needless_range_loop, reason = "loops over constant ranges are unrolled, iterators with `skip` are not")]
 fn eliminate<L: Lanes, const K: usize>(m: &mut [[L; PRODUCTS]; 6], determinant: &mut L) {
     // Magnitudes as integers, with the row in the last three bits: no branch depends on the target.
     let mut greatest = 0;

@@ -3,7 +3,7 @@
 use core::ops::ControlFlow::{self, Continue};
 
 use super::elimination::{Closed, Elimination};
-use super::equations::{Equations, Position};
+use super::equations::{Equations, Pairs, Position};
 use super::lanes::Two;
 use crate::Transform;
 use crate::held_joint::{Candidate, MOST_CANDIDATES, Visitor};
@@ -17,8 +17,12 @@ pub(super) const USELESS: f64 = 1e-5;
 /// About a doubtful root the function is sampled anew, on an arc that ends at these half-angle tangents. If the root is
 /// doubtful there as well, the next arc is shorter.
 const ARCS: [f64; 4] = [0.12, 1.5e-2, 7e-4, 3e-5];
+/// An arc about a root that is somewhere on a piece is longer than the piece.
+const WIDER: f64 = 1.2;
 /// Roots within this part of an arc are known from its samples.
 const INNER: f64 = 0.9;
+/// The values on a shorter arc have to be better by this factor.
+const BETTER: f64 = 0.3;
 /// The most arcs of one cut.
 const MOST_ARCS: usize = 32;
 /// Where a free joint's reference has no member of the family, these are tried, rad beside it.
@@ -38,6 +42,8 @@ struct Search<'a, 'v> {
     arcs: usize,
     /// A list was full or a bound was reached.
     is_full: bool,
+    /// At a simple root the other joints did not follow.
+    is_unsound: bool,
     reference: &'a [f64; 6],
     visit: &'a mut Visitor<'v, f64>,
     root: u8,
@@ -104,6 +110,7 @@ impl Elimination {
             other: None,
             arcs: 0,
             is_full: false,
+            is_unsound: false,
             reference,
             visit,
             root: (part.number * MOST_CANDIDATES) as u8,
@@ -119,36 +126,37 @@ impl Elimination {
         }
         let roots = fit.roots();
         rest.is_useless = wrong > USELESS;
-        rest.is_doubtful = rest.is_useless || roots.as_slice().iter().any(|root| root.is_doubtful);
         rest.is_ended = search.all(&roots, &ARCS).is_break();
+        let has_doubts = roots.as_slice().iter().any(|root| is_doubtful(&roots, root));
+        rest.is_doubtful = rest.is_useless || has_doubts || search.is_unsound;
         rest.is_complete = !search.is_full;
         rest
     }
 }
 
 impl Search<'_, '_> {
-    /// Solutions with the held joint at this angle.
-    fn at(&mut self, held: (f64, f64)) -> ControlFlow<()> {
+    /// Solutions with the held joint at this angle. Returns true if the other joints follow from the root.
+    fn at(&mut self, held: (f64, f64)) -> ControlFlow<(), bool> {
         let [e, f] = if self.closed.elimination.cut.is_swapped { [5, 4] } else { [4, 5] };
         let pairs = self.closed.equations.pairs(held, self.reference_of(f));
+        self.visit_pairs(held, &pairs, e, f)
+    }
+
+    /// As [`Search::at`] with the roles of e and f exchanged: two solutions may share c and f.
+    fn at_other(&mut self, held: (f64, f64)) -> ControlFlow<(), bool> {
+        let [e, f] = if self.closed.elimination.cut.is_swapped { [4, 5] } else { [5, 4] };
+        let reference = self.reference_of(f);
+        let pairs = self.other.get_or_insert_with(|| self.closed.equations.swapped()).pairs(held, reference);
+        self.visit_pairs(held, &pairs, e, f)
+    }
+
+    /// Visits pairs of the joints at places e and f of the cut.
+    fn visit_pairs(&mut self, held: (f64, f64), pairs: &Pairs, e: usize, f: usize) -> ControlFlow<(), bool> {
         let free = if pairs.is_free { self.bit(f) } else { 0 };
         for (first, second) in pairs.list.into_iter().take(pairs.len) {
             self.visit(held, first, second, e < f, free)?;
         }
-        Continue(())
-    }
-
-    /// As [`Search::at`] with the roles of e and f exchanged: two solutions may share c and f.
-    fn at_other(&mut self, held: (f64, f64)) -> ControlFlow<()> {
-        let f = if self.closed.elimination.cut.is_swapped { 5 } else { 4 };
-        let reference = self.reference_of(f);
-        let other = self.other.get_or_insert_with(|| self.closed.equations.swapped());
-        let pairs = other.pairs(held, reference);
-        let free = if pairs.is_free { self.bit(f) } else { 0 };
-        for (first, second) in pairs.list.into_iter().take(pairs.len) {
-            self.visit(held, first, second, f == 5, free)?;
-        }
-        Continue(())
+        Continue(pairs.is_sound)
     }
 
     /// Visits the joints, with e and f or f and e.
@@ -179,42 +187,42 @@ impl Search<'_, '_> {
     /// roots are near: about a doubtful root the function is sampled anew, on the first of `arcs`.
     fn all(&mut self, roots: &Roots, arcs: &[f64]) -> ControlFlow<()> {
         self.is_full |= !roots.is_complete;
-        let roots = roots.as_slice();
-        // The middles of the arcs.
-        let (mut middles, mut len) = ([0.0; MOST_ARCS], 0);
         let [half, shorter @ ..] = arcs else {
-            return roots.iter().try_for_each(|root| self.one(root));
+            return roots.as_slice().iter().try_for_each(|root| self.one(root));
         };
-        let reach = INNER * 2.0 * half;
-        for root in roots.iter().filter(|root| root.is_doubtful) {
-            if is_near(root, &middles[..len], reach) {
+        // The middles of the arcs, and what is known about them, rad.
+        let (mut known, mut len) = ([(0.0, 0.0); MOST_ARCS], 0);
+        for root in roots.as_slice().iter().filter(|root| is_doubtful(roots, root)) {
+            if is_near(root, known.get(..len)) {
                 continue;
             }
             self.is_full |= self.arcs >= MOST_ARCS;
-            let inner = if self.arcs < MOST_ARCS { self.sampled_about(root, *half) } else { None };
-            match inner {
-                Some(inner) => {
-                    middles[len] = root.angle;
+            let half = half.max(WIDER * root.spread);
+            let inner = if self.arcs < MOST_ARCS { self.sampled_about(root, half, roots.rounding) } else { None };
+            match (inner, known.get_mut(len)) {
+                (Some(inner), Some(place)) => {
+                    *place = (root.angle, INNER * 2.0 * half);
                     len += 1;
                     self.all(&inner, shorter)?;
                 }
-                None => self.one(root)?,
+                _ => self.one(root)?,
             }
         }
-        for root in roots.iter().filter(|root| !root.is_doubtful) {
-            if !is_near(root, &middles[..len], reach) {
+        for root in roots.as_slice().iter().filter(|root| !is_doubtful(roots, root)) {
+            if !is_near(root, known.get(..len)) {
                 self.one(root)?;
             }
         }
         Continue(())
     }
 
-    /// The roots on an arc about a root. None if there are none, or if the samples tell nothing.
-    fn sampled_about(&mut self, root: &Root, half: f64) -> Option<Roots> {
+    /// The roots on an arc about a root. None if there are none, or if the samples tell no more than those before, whose
+    /// values are `rounding` off.
+    fn sampled_about(&mut self, root: &Root, half: f64, rounding: f64) -> Option<Roots> {
         self.arcs += 1;
         let equations = &self.closed.equations;
         let local = Local::sampled_in_pairs(root.sin_cos, half, |sin, cos| values(equations, sin, cos));
-        if local.wrong > USELESS {
+        if local.wrong > USELESS || local.rounding > BETTER * rounding {
             return None;
         }
         let roots = local.roots();
@@ -224,10 +232,13 @@ impl Search<'_, '_> {
     /// Solutions at one root.
     fn one(&mut self, root: &Root) -> ControlFlow<()> {
         self.is_doubtful = root.is_doubtful;
-        let flow = self.at(root.sin_cos);
-        let flow = if root.is_doubtful && flow.is_continue() { self.at_other(root.sin_cos) } else { flow };
+        let is_sound = self.at(root.sin_cos)?;
+        self.is_unsound |= !is_sound;
+        if root.is_doubtful || !is_sound {
+            self.at_other(root.sin_cos)?;
+        }
         self.root = self.root.saturating_add(1);
-        flow
+        Continue(())
     }
 
     /// The polynomial is zero. If the held joint is free, members of the family at its reference are visited, or beside
@@ -270,6 +281,11 @@ impl Search<'_, '_> {
     }
 }
 
+/// Returns true for a root that is not known, or not known apart from the others.
+fn is_doubtful(roots: &Roots, root: &Root) -> bool {
+    root.is_doubtful && !roots.is_apart(root)
+}
+
 /// Two values of the function.
 #[inline]
 fn values(equations: &Equations, sin: [f64; 2], cos: [f64; 2]) -> [f64; 2] {
@@ -277,7 +293,7 @@ fn values(equations: &Equations, sin: [f64; 2], cos: [f64; 2]) -> [f64; 2] {
     values
 }
 
-/// Returns true if a root is at most `reach` rad from one of the angles.
-fn is_near(root: &Root, angles: &[f64], reach: f64) -> bool {
-    angles.iter().any(|angle| wrap(root.angle - angle).abs() <= reach)
+/// Returns true if a root is on one of the arcs, given by their middles and half lengths, rad.
+fn is_near(root: &Root, arcs: Option<&[(f64, f64)]>) -> bool {
+    arcs.is_some_and(|arcs| arcs.iter().any(|(middle, reach)| wrap(root.angle - middle).abs() <= *reach))
 }

@@ -6,7 +6,7 @@
 
 use super::tables::{EVEN, HALF_ARC, ODD};
 use super::{DEGREE, SAMPLES, TrigPolynomial, value_and_slope};
-use crate::math::angle;
+use crate::math::{angle, wrap};
 
 /// The most roots of a list. A polynomial has 16; a multiple root may be listed in several pieces.
 pub const MOST_ROOTS: usize = 24;
@@ -19,8 +19,12 @@ const STACK: usize = DEPTH as usize + 2;
 /// A piece narrower than this, in x, whose halves have no change of sign, has a pair of roots which rounding or a
 /// target just out of reach has made complex.
 const NEAR: f64 = 0.1;
+/// Pieces narrower than this part of the half arc are not halved because of their ends.
+const NARROW: f64 = 0.02;
 /// A root is doubtful if rounding may move it by more, rad.
 const UNCERTAIN: f64 = 1e-7;
+/// No root counts as farther from the others, rad.
+const WIDEST: f64 = 0.1;
 /// The most steps of Newton's method for one root.
 const STEPS: usize = 12;
 
@@ -35,6 +39,8 @@ pub struct Root {
     pub slope: f64,
     /// Two roots that meet, or nearly so: rounding decides how many there are.
     pub is_double: bool,
+    /// A double root is somewhere within this half-angle tangent of the angle: all along the polynomial may be rounding.
+    pub spread: f64,
     /// Double, or moved by rounding by more than 1e-7 rad.
     pub is_doubtful: bool,
 }
@@ -44,6 +50,8 @@ pub struct Root {
 pub struct Roots {
     list: [Root; MOST_ROOTS],
     len: usize,
+    /// Values of the polynomial are so far off.
+    pub rounding: f64,
     /// The number of pieces that were looked at, at most [`MOST_NODES`].
     pub nodes: usize,
     /// False if the list was full or [`MOST_NODES`] was reached: roots may be missing.
@@ -51,18 +59,26 @@ pub struct Roots {
 }
 
 impl Roots {
-    /// No root.
-    pub const NONE: Self = Self {
-        list: [Root { angle: 0.0, sin_cos: (0.0, 1.0), slope: 0.0, is_double: false, is_doubtful: false }; MOST_ROOTS],
-        len: 0,
-        nodes: 0,
-        is_complete: true,
-    };
+    /// No root yet, of a polynomial whose values are `rounding` off.
+    pub(super) const fn none(rounding: f64) -> Self {
+        const NONE: Root =
+            Root { angle: 0.0, sin_cos: (0.0, 1.0), slope: 0.0, is_double: false, spread: 0.0, is_doubtful: false };
+        Self { list: [NONE; MOST_ROOTS], len: 0, rounding, nodes: 0, is_complete: true }
+    }
 
     /// The roots that were found.
     #[inline]
     pub fn as_slice(&self) -> &[Root] {
         self.list.get(..self.len).unwrap_or(&self.list)
+    }
+
+    /// Returns true for a root that rounding moves by less than a thousandth of its distance from the others.
+    pub fn is_apart(&self, root: &Root) -> bool {
+        let mut gap = WIDEST;
+        for other in self.as_slice().iter().filter(|other| *other != root) {
+            gap = gap.min(wrap(other.angle - root.angle).abs());
+        }
+        !root.is_double && self.rounding <= 1e-3 * gap * root.slope.abs()
     }
 
     fn push(&mut self, root: Root) {
@@ -102,38 +118,42 @@ struct Arc {
 pub(super) trait Curve {
     /// Value and derivative, both times one positive number.
     fn at(&self, x: f64) -> (f64, f64);
-    /// The root at x.
-    fn root(&self, x: f64, is_double: bool) -> Root;
+    /// The root at x, a double one with its spread.
+    fn root(&self, x: f64, spread: Option<f64>) -> Root;
 }
 
 /// The roots of a polynomial. Coefficients up to `rounding` have no sign. A root is doubtful if values that are so far
 /// off move it by more than 1e-7 rad.
 pub(super) fn roots(polynomial: &TrigPolynomial, rounding: f64) -> Roots {
-    let mut out = Roots::NONE;
+    let mut out = Roots::none(rounding);
     for quarters in 0..4 {
         let arc = Arc::of(polynomial, quarters, rounding);
-        isolate(&arc, arc.bernstein(), HALF_ARC, NEAR, rounding, &mut out);
+        isolate(&arc, arc.bernstein(), Range { half: HALF_ARC, near: NEAR, depth: 0 }, &mut out);
     }
     out
 }
 
-/// Lists the roots with x in `[-half, half]`, from the Bernstein coefficients there. `near`: see [`NEAR`].
-pub(super) fn isolate(
-    curve: &impl Curve,
-    bernstein: [f64; SAMPLES],
-    half: f64,
-    near: f64,
-    floor: f64,
-    out: &mut Roots,
-) {
-    let first = Piece { b: bernstein, low: -half, width: 2.0 * half, depth: 0 };
+/// What is looked at.
+#[derive(Clone, Copy)]
+pub(super) struct Range {
+    /// x is in `[-half, half]`.
+    pub(super) half: f64,
+    /// See [`NEAR`].
+    pub(super) near: f64,
+    /// Pieces that have been halved less often have coefficients whose signs are not known.
+    pub(super) depth: u8,
+}
+
+/// Lists the roots in a range, from the Bernstein coefficients there.
+pub(super) fn isolate(curve: &impl Curve, bernstein: [f64; SAMPLES], range: Range, out: &mut Roots) {
+    let first = Piece { b: bernstein, low: -range.half, width: 2.0 * range.half, depth: 0 };
     let mut stack = [first; STACK];
     let mut waiting = 1;
     while waiting > 0 && out.nodes < MOST_NODES {
         waiting -= 1;
         let piece = stack[waiting];
         out.nodes += 1;
-        if let Some((left, right)) = look_at(&piece, curve, near, floor, out)
+        if let Some((left, right)) = look_at(&piece, curve, range, out)
             && waiting + 2 <= STACK
         {
             stack[waiting] = right;
@@ -148,38 +168,51 @@ pub(super) fn isolate(
 
 /// Lists the roots of a piece, or gives its halves.
 #[inline(always)]
-fn look_at(piece: &Piece, curve: &impl Curve, near: f64, floor: f64, out: &mut Roots) -> Option<(Piece, Piece)> {
+fn look_at(piece: &Piece, curve: &impl Curve, range: Range, out: &mut Roots) -> Option<(Piece, Piece)> {
     let Piece { b, low, width, depth } = piece;
-    let middle = low + 0.5 * width;
+    let (middle, floor) = (low + 0.5 * width, out.rounding);
+    if *depth < range.depth {
+        return Some(piece.halved());
+    }
     let signs = Signs::of(b, floor);
     if signs.is_quiet {
-        out.push(curve.root(middle, true));
+        out.push(curve.root(middle, Some(0.5 * width)));
         return None;
     }
     // A root where two pieces meet has no change of sign in either: the first coefficient tells.
-    if signs.changes <= 1 && b[0].abs() <= floor {
-        out.push(curve.root(*low, true));
+    let is_narrow = *width < NARROW * range.half;
+    let is_known = !signs.hides && (!signs.ends_quietly || is_narrow);
+    if is_known && signs.changes <= 1 && b[0].abs() <= floor {
+        out.push(curve.root(*low, Some(*width)));
     }
-    if !signs.hides {
+    if is_known {
         if signs.changes == 0 {
             return None;
         }
         if signs.changes == 1 {
-            out.push(curve.root(refined(piece, curve), false));
+            out.push(curve.root(refined(piece, curve), None));
             return None;
         }
     }
     if *depth >= DEPTH {
-        out.push(curve.root(middle, true));
+        out.push(curve.root(middle, Some(0.5 * width)));
         return None;
     }
-    let (left, right) = halves(b);
-    if *width < near && Signs::of(&left, floor).are_equal() && Signs::of(&right, floor).are_equal() {
-        out.push(curve.root(middle, true));
+    let (left, right) = piece.halved();
+    if *width < range.near && [&left, &right].iter().all(|half| Signs::of(&half.b, floor).are_equal()) {
+        out.push(curve.root(middle, Some(0.5 * width)));
         return None;
     }
-    let (width, depth) = (0.5 * width, depth + 1);
-    Some((Piece { b: left, low: *low, width, depth }, Piece { b: right, low: middle, width, depth }))
+    Some((left, right))
+}
+
+impl Piece {
+    #[inline(always)]
+    fn halved(&self) -> (Self, Self) {
+        let (left, right) = halves(&self.b);
+        let (width, depth) = (0.5 * self.width, self.depth + 1);
+        (Self { b: left, low: self.low, width, depth }, Self { b: right, low: self.low + width, width, depth })
+    }
 }
 
 /// Signs of the coefficients of a piece.
@@ -188,6 +221,8 @@ struct Signs {
     changes: u32,
     /// Between two of them stand coefficients without a sign, whose true signs could add two changes: a multiple root.
     hides: bool,
+    /// Two coefficients or more without a sign stand at an end: a multiple root near it.
+    ends_quietly: bool,
     /// No coefficient has a sign.
     is_quiet: bool,
 }
@@ -196,7 +231,7 @@ impl Signs {
     /// Coefficients up to `floor` have no sign. One that is not a number has none either.
     #[inline(always)]
     fn of(b: &[f64; SAMPLES], floor: f64) -> Self {
-        let (mut changes, mut hides, mut last, mut quiet) = (0, false, 0, 0);
+        let (mut changes, mut hides, mut ends_quietly, mut last, mut quiet) = (0, false, false, 0, 0);
         for x in b {
             let sign = i32::from(*x > floor) - i32::from(*x < -floor);
             if sign == 0 {
@@ -206,13 +241,14 @@ impl Signs {
             let is_change = sign * last < 0;
             changes += u32::from(is_change);
             hides |= last != 0 && quiet > u32::from(is_change);
+            ends_quietly |= last == 0 && quiet > 1;
             (last, quiet) = (sign, 0);
         }
-        Self { changes, hides, is_quiet: last == 0 }
+        Self { changes, hides, ends_quietly: ends_quietly || quiet > 1, is_quiet: last == 0 }
     }
 
     fn are_equal(&self) -> bool {
-        self.changes == 0 && !self.hides && !self.is_quiet
+        self.changes == 0 && !self.hides && !self.ends_quietly && !self.is_quiet
     }
 }
 
@@ -269,7 +305,7 @@ impl Curve for Arc {
         (value, 2.0 * k * slope)
     }
 
-    fn root(&self, x: f64, is_double: bool) -> Root {
+    fn root(&self, x: f64, spread: Option<f64>) -> Root {
         let (sin, cos) = direction(x);
         let (_, slope) = value_and_slope(&self.cosines, &self.sines, (sin, cos));
         let (sin, cos) = match self.quarters % 4 {
@@ -278,16 +314,18 @@ impl Curve for Arc {
             2 => (-sin, -cos),
             _ => (-cos, sin),
         };
-        Root::new(turned((sin, cos), self.offset_sin_cos), slope, is_double, self.rounding)
+        Root::new(turned((sin, cos), self.offset_sin_cos), slope, spread, self.rounding)
     }
 }
 
 impl Root {
     /// A root of a function whose values are `rounding` off.
-    pub(super) fn new((sin, cos): (f64, f64), slope: f64, is_double: bool, rounding: f64) -> Self {
+    pub(super) fn new((sin, cos): (f64, f64), slope: f64, spread: Option<f64>, rounding: f64) -> Self {
         let is_certain = rounding <= UNCERTAIN * slope.abs();
+        let is_double = spread.is_some();
         let is_doubtful = is_double || !is_certain;
-        Self { angle: angle(sin, cos), sin_cos: (sin, cos), slope, is_double, is_doubtful }
+        let spread = spread.unwrap_or(0.0);
+        Self { angle: angle(sin, cos), sin_cos: (sin, cos), slope, is_double, spread, is_doubtful }
     }
 }
 
