@@ -258,10 +258,12 @@ pub(super) fn crossing<T: Scalar>(value: impl Fn(T) -> T, (mut a, mut at_a): (T,
     b
 }
 
-/// Where a function is lowest or highest, near an angle: three parabolas through three angles each.
+/// Where a function is lowest or highest, near an angle: parabolas through three angles each.
 pub(crate) fn lowest<T: Scalar>(value: impl Fn(T) -> T, mut t: T) -> T {
-    let step = T::EPSILON.sqrt().sqrt().sqrt();
-    for step in [step, step * step, step * step * step] {
+    let wide = T::EPSILON.sqrt().sqrt().sqrt();
+    let (middle, narrow) = (wide * wide, wide * wide * wide);
+    // Far from a double root a parabola is none yet, and each step leaves a part of the distance.
+    for step in [wide, middle, middle, middle, middle, narrow, narrow] {
         let (before, here, after) = (value(t - step), value(t), value(t + step));
         let moved = T::HALF * step * (before - after) / (before + after - here - here);
         // False for a quotient that is not a number, too.
