@@ -236,7 +236,7 @@ fn slope<T: Scalar>(from: Place<T>, to: Place<T>) -> T {
 }
 
 /// Where a continuous function changes its sign: regula falsi with halved values (Illinois), at most 20 steps.
-pub(super) fn crossing<T: Scalar>(value: impl Fn(T) -> T, (mut a, mut at_a): (T, T), (mut b, mut at_b): (T, T)) -> T {
+pub(crate) fn crossing<T: Scalar>(value: impl Fn(T) -> T, (mut a, mut at_a): (T, T), (mut b, mut at_b): (T, T)) -> T {
     let small = T::from_f64(16.0) * T::EPSILON;
     let least = small * at_a.abs().max(at_b.abs());
     for _ in 0..20 {

@@ -12,7 +12,7 @@ mod beside;
 mod scan;
 mod search;
 
-pub(crate) use beside::lowest;
+pub(crate) use beside::{crossing, lowest};
 
 use core::ops::ControlFlow;
 

@@ -27,9 +27,9 @@ enum Arrow<T> {
 /// An arm with its target.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Posed<'a, T> {
-    slides: &'a Slides<T>,
+    pub slides: &'a Slides<T>,
     /// T0, T1, T2, T3.
-    links: [Transform<T>; 4],
+    pub links: [Transform<T>; 4],
     /// `alpha cos y + beta sin y + constant = M_zz`
     alpha: T,
     beta: T,
@@ -48,21 +48,33 @@ pub(super) struct Posed<'a, T> {
 
 /// All at one angle of the held joint.
 #[derive(Clone, Copy, Debug)]
-struct Parts<T> {
+pub(super) struct Parts<T> {
     /// `1 - M_zz^2`
-    across2: T,
+    pub across2: T,
     w2: T,
     /// Cosine and sine of y.
-    y: [Pair<T>; 2],
+    pub y: [Pair<T>; 2],
     /// Cosine and sine of x.
     x: [Pair<T>; 2],
+    closure: Closure<T>,
+}
+
+/// What is left of the position.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Closure<T> {
     gap: Pairs<T>,
     axes: [Pairs<T>; 2],
     /// g over the sum of the lengths of the links.
-    miss: Pair<T>,
+    pub miss: Pair<T>,
 }
 
 impl<'a, T: Scalar> Posed<'a, T> {
+    /// `1 - M_zz^2` at an angle.
+    pub fn across2(&self, t: T) -> T {
+        let [x, y, _] = self.column.at(sin_cos(t));
+        x * x + y * y
+    }
+
     /// `None` for a target that is not finite.
     pub fn of(slides: &'a Slides<T>, target: &Transform<T>) -> Option<Self> {
         let [base, .., tip] = &slides.links;
@@ -122,7 +134,7 @@ impl<'a, T: Scalar> Posed<'a, T> {
     }
 
     #[inline(always)]
-    fn parts(&self, turn: (T, T)) -> Parts<T> {
+    pub fn parts(&self, turn: (T, T)) -> Parts<T> {
         let [mx, my, mz] = self.column.at(turn);
         let level = mz - self.constant;
         let w2 = self.length2 - level * level;
@@ -137,11 +149,18 @@ impl<'a, T: Scalar> Posed<'a, T> {
         let across2 = mx * mx + my * my;
         let over = T::ONE / across2;
         let x = [yx.scaled(mx).plus(yy.scaled(my)).scaled(over), yx.scaled(my).minus(yy.scaled(mx)).scaled(over)];
+        Parts { across2, w2, y, x, closure: self.closure(turn, &x, &y, w2) }
+    }
+
+    /// The gap and the slides, of the cosines and sines of x and y.
+    #[inline(always)]
+    pub fn closure(&self, turn: (T, T), x: &[Pair<T>; 2], y: &[Pair<T>; 2], w2: T) -> Closure<T> {
+        let [_, t1, ..] = &self.links;
         let seen = |arrow: &Arrow<T>| match arrow {
             Arrow::AfterX(vector) => vector.map(|entry| Pair::new(entry, T::ZERO)),
-            Arrow::AfterY(vector) => after_y(t1, *vector, &y),
+            Arrow::AfterY(vector) => after_y(t1, *vector, y),
             Arrow::BeforeX(wave) => {
-                let ([vx, vy, vz], [cos, sin]) = (wave.at(turn), &x);
+                let ([vx, vy, vz], [cos, sin]) = (wave.at(turn), x);
                 let (ahead, aside) = (cos.scaled(vx).plus(sin.scaled(vy)), cos.scaled(vy).minus(sin.scaled(vx)));
                 [ahead, aside, Pair::new(vz, T::ZERO)]
             }
@@ -156,7 +175,25 @@ impl<'a, T: Scalar> Posed<'a, T> {
             .times(area(ay, az, by, bz), w2)
             .plus(gy.times(area(az, ax, bz, bx), w2))
             .plus(gz.times(area(ax, ay, bx, by), w2));
-        Parts { across2, w2, y, x, gap, axes, miss: volume.scaled(self.unit) }
+        Closure { gap, axes, miss: volume.scaled(self.unit) }
+    }
+
+    /// The joint vector of the angles t, x, y, z.
+    pub fn in_chain_order(&self, angles: [T; 4], closure: &Closure<T>, w: T) -> [T; 6] {
+        let at = |pair: Pair<T>| pair.at(w);
+        // The displacements that leave the least gap.
+        let (gap, [a, b]) = (closure.gap.map(at), closure.axes.map(|axis| axis.map(at)));
+        let normal = cross(a, b);
+        let area2 = dot(normal, normal);
+        let slides = [dot(cross(b, gap), normal) / area2, -dot(cross(a, gap), normal) / area2];
+        let mut joints = [T::ZERO; 6];
+        let turning = self.slides.turning.iter().zip(angles);
+        for (at, value) in turning.chain(self.slides.prismatic.iter().zip(slides)) {
+            if let Some(joint) = joints.get_mut(*at) {
+                *joint = value;
+            }
+        }
+        joints
     }
 
     /// The root w with its sign; 0 where it is imaginary.
@@ -168,7 +205,7 @@ impl<'a, T: Scalar> Posed<'a, T> {
 
     #[inline(always)]
     fn signed(&self, p: &Parts<T>, number: usize) -> Branch<T> {
-        Branch { miss: p.miss.at(Self::root(p, number)), squares: [p.w2 / self.length2, T::ONE] }
+        Branch { miss: p.closure.miss.at(Self::root(p, number)), squares: [p.w2 / self.length2, T::ONE] }
     }
 }
 
@@ -195,7 +232,7 @@ impl<T: Scalar> Branches<T> for Posed<'_, T> {
     #[inline(always)]
     fn product(&self, turn: (T, T)) -> (T, T) {
         let p = self.parts(turn);
-        (p.miss.norm(p.w2) * p.across2, p.across2)
+        (p.closure.miss.norm(p.w2) * p.across2, p.across2)
     }
 
     fn all(&self, turn: (T, T)) -> [Branch<T>; COUNT] {
@@ -220,30 +257,18 @@ impl<T: Scalar> Branches<T> for Posed<'_, T> {
         let ([rx, ry, rz], (sin, cos)) = (t0.z(), turn);
         let [mx, my, _] = t3.turn([rx * cos - ry * sin, ry * cos + rx * sin, rz]);
         let angles = [wrap(t), atan2(sin_x, cos_x), atan2(sin_y, cos_y), atan2(mx * by - my * bx, mx * bx + my * by)];
-        // The displacements that leave the least gap.
-        let (gap, [a, b]) = (p.gap.map(at), p.axes.map(|axis| axis.map(at)));
-        let normal = cross(a, b);
-        let area2 = dot(normal, normal);
-        let slides = [dot(cross(b, gap), normal) / area2, -dot(cross(a, gap), normal) / area2];
-        let mut joints = [T::ZERO; 6];
-        let turning = self.slides.turning.iter().zip(angles);
-        for (at, value) in turning.chain(self.slides.prismatic.iter().zip(slides)) {
-            if let Some(joint) = joints.get_mut(*at) {
-                *joint = value;
-            }
-        }
-        joints
+        self.in_chain_order(angles, &p.closure, w)
     }
 
     fn signs(_number: usize) -> Option<(bool, bool)> {
         None
     }
 
-    fn is_singular(&self, _t: T) -> bool {
-        false
+    fn is_singular(&self, t: T) -> bool {
+        self.across2(t) <= T::EPSILON
     }
 
-    fn singular(_stream: &mut Stream<'_, '_, T, Self>, _t: T, _turn: (T, T)) -> ControlFlow<(), Option<(T, bool)>> {
-        ControlFlow::Continue(None)
+    fn singular(stream: &mut Stream<'_, '_, T, Self>, t: T, _turn: (T, T)) -> ControlFlow<(), Option<(T, bool)>> {
+        super::singular::parallel(stream, t)
     }
 }

@@ -20,6 +20,7 @@
 //! for the roots of each branch by itself.
 
 mod branch;
+mod singular;
 mod structure;
 
 pub use structure::Slides;
