@@ -22,5 +22,7 @@
 mod branch;
 mod singular;
 mod structure;
+#[cfg(test)]
+mod tests;
 
 pub use structure::Slides;

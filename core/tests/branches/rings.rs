@@ -112,7 +112,7 @@ fn made_up_rings_lose_nothing() {
             let [k1, ..] = ring;
             let found = solutions(&chain, &target, |visit| meet.search(&k1, &[0.0; 6], visit));
             let distance = found.distance(&chain, &joints);
-            assert!(distance < 1e-6 && found.list.len() % 2 == 0, "{arm}: {joints:?} {distance:.0e}");
+            assert!(distance < 1e-6 && found.list.len().is_multiple_of(2), "{arm}: {joints:?} {distance:.0e}");
         }
     }
     // Three of six places leave K2, K3 or K5 to the target.
