@@ -6,12 +6,14 @@
 
 use core::ops::ControlFlow;
 
-use super::{Branch, Branches, COUNT, Stream};
+use super::{Branch, Branches, CENTERS, COUNT, Stream};
 use crate::math::{Scalar, sin_cos};
 
 /// The distances: `3e-7 4^k` rad.
 const NEAREST: f64 = 3e-7;
 const PLACES: usize = 10;
+/// The neighborhoods of angles that are nearer than this are the same, rad.
+const SAME_CENTER: f64 = 1e-9;
 /// A root beyond the first places may belong to another root of the polynomial.
 const NEAR_PLACES: usize = 8;
 /// A branch that misses by no more at its end may close there.
@@ -67,6 +69,9 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
 
     /// The roots of all branches about an angle. Gives the branches that have one near it.
     fn beside(&mut self, angle: f64) -> ControlFlow<(), [bool; COUNT]> {
+        if let Some((_, found)) = self.centers.iter().find(|(center, _)| (angle - *center).abs() <= SAME_CENTER) {
+            return ControlFlow::Continue(*found);
+        }
         let mut is_found = [false; COUNT];
         let middle = (angle, self.branches.all(sin_cos(angle)));
         for side in [1.0, -1.0] {
@@ -87,6 +92,10 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
                 step *= 4.0;
             }
         }
+        if let Some(slot) = self.centers.get_mut(self.center_count % CENTERS) {
+            *slot = (angle, is_found);
+        }
+        self.center_count += 1;
         ControlFlow::Continue(is_found)
     }
 }

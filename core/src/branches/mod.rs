@@ -97,6 +97,8 @@ pub(crate) trait Branches<T: Scalar>: Sized {
 
 /// Offers that are remembered.
 const REPEATS: usize = 24;
+/// Neighborhoods that are remembered.
+const CENTERS: usize = 8;
 /// Offers of a branch at angles nearer than this are repeats, rad.
 const REPEATED: f64 = 1e-13;
 
@@ -111,6 +113,10 @@ pub(crate) struct Stream<'a, 'v, T, B> {
     offered: [(T, usize); REPEATS],
     /// How many there were.
     count: usize,
+    /// The last angles whose neighborhood was looked at, with the branches that have a root there.
+    centers: [(T, [bool; COUNT]); CENTERS],
+    /// How many there were.
+    center_count: usize,
     /// The last angle at which the closed form was singular.
     place: T,
     /// True if all solutions are known at angles where the closed form is singular to rounding.
@@ -126,6 +132,8 @@ impl<'a, 'v, T: Scalar, B: Branches<T>> Stream<'a, 'v, T, B> {
             root: 0,
             offered: [(T::NAN, 0); REPEATS],
             count: 0,
+            centers: [(T::NAN, [false; COUNT]); CENTERS],
+            center_count: 0,
             place: T::NAN,
             is_covered: false,
         }
