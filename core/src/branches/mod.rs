@@ -71,8 +71,17 @@ pub(crate) trait Branches<T: Scalar>: Sized {
     /// cosine of the held joint.
     fn product(&self, turn: (T, T)) -> (T, T);
 
+    /// All branches at an angle, of its sine and cosine, and what clears their denominators.
+    fn all_scaled(&self, turn: (T, T)) -> ([Branch<T>; COUNT], T);
+
     /// All branches at an angle, of its sine and cosine.
-    fn all(&self, turn: (T, T)) -> [Branch<T>; COUNT];
+    fn all(&self, turn: (T, T)) -> [Branch<T>; COUNT] {
+        let (branches, _) = self.all_scaled(turn);
+        branches
+    }
+
+    /// The branches whose product with the given one, and with what clears the denominators, is the polynomial.
+    fn partners(&self, number: usize) -> &'static [usize];
 
     /// One branch at an angle.
     fn branch(&self, number: usize, t: T) -> Branch<T>;

@@ -9,7 +9,7 @@ use crate::trig_polynomial::{Fit, Root};
 /// A polynomial whose greatest sample is below this share of its usual size is zero everywhere.
 const FREE: f64 = 1e-11;
 /// A branch that misses by no more has a root at a simple root of the polynomial.
-const OPEN: f64 = 1e-3;
+const OPEN: f64 = 1e-5;
 /// The same at a doubtful root, which is known to some 1e-4 rad only.
 const DOUBTFUL_OPEN: f64 = 0.05;
 /// A branch that misses by no more has no use for another step.
@@ -47,7 +47,7 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
 
     /// All branches that close at a root.
     fn at(&mut self, root: &Root) -> ControlFlow<()> {
-        let branches = self.branches.all(root.sin_cos);
+        let (branches, scale) = self.branches.all_scaled(root.sin_cos);
         let misses = branches.map(|branch| branch.miss.abs());
         let least = misses.iter().fold(f64::MAX, |least, miss| least.min(*miss));
         // A twin that is the same branch, or nearly, is no other one.
@@ -71,7 +71,11 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
             if is_doubtful {
                 self.offer(root.angle, number, true)?;
             } else {
-                let (t, branch) = self.sharpened(number, root.angle, branch);
+                // The polynomial is the product of the branches: its slope tells that of the one that vanishes.
+                let partners = self.branches.partners(number).iter();
+                let others =
+                    partners.filter_map(|other| branches.get(*other)).fold(scale, |all, other| all * other.miss);
+                let (t, branch) = self.sharpened(number, root.angle, branch, root.slope / others);
                 // A root near 0 has fewer digits than its square.
                 let is_sure = branch.miss.abs() <= SURE && branch.squares.iter().all(|square| *square >= NEAR_END);
                 self.offer(t, number, !is_sure)?;
@@ -80,27 +84,26 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
         ControlFlow::Continue(())
     }
 
-    /// A simple root of a branch that is nearly known: one to three steps of the secant method on the branch, which has all
-    /// its digits where the polynomial, a product of small numbers, has few.
+    /// A simple root of a branch that is nearly known: a step of Newton's method and up to two of the secant method on the
+    /// branch, which has all its digits where the polynomial, a product of small numbers, has few.
     ///
     /// Gives the root and the branch there.
-    fn sharpened(&self, number: usize, start: f64, branch: &Branch<f64>) -> (f64, Branch<f64>) {
-        const STEP: f64 = 1e-6;
-        let (mut near, mut at_near) = (start, *branch);
-        let (mut far, mut at_far) = (start + STEP, self.branches.branch(number, start + STEP));
-        for _ in 0..3 {
-            let t = near - at_near.miss * (far - near) / (at_far.miss - at_near.miss);
-            // False for a quotient that is not a number, too.
-            let is_near = (t - start).abs() < 1e-3;
-            if !is_near {
+    fn sharpened(&self, number: usize, start: f64, branch: &Branch<f64>, slope: f64) -> (f64, Branch<f64>) {
+        // False for a quotient that is not a number, too.
+        let is_near = |t: f64| (t - start).abs() < 1e-3;
+        let at = |t: f64| (t, self.branches.branch(number, t));
+        let (mut far, newton) = ((start, *branch), start - branch.miss / slope);
+        let mut near = at(if is_near(newton) { newton } else { start + 1e-6 });
+        for _ in 0..2 {
+            if near.1.miss.abs() <= CLOSED {
                 break;
             }
-            (far, at_far) = (near, at_near);
-            (near, at_near) = (t, self.branches.branch(number, t));
-            if at_near.miss.abs() <= CLOSED {
+            let t = near.0 - near.1.miss * (far.0 - near.0) / (far.1.miss - near.1.miss);
+            if !is_near(t) {
                 break;
             }
+            (far, near) = (near, at(t));
         }
-        (near, at_near)
+        if near.1.miss.abs() <= far.1.miss.abs() { near } else { far }
     }
 }

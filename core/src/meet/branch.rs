@@ -101,13 +101,15 @@ impl<'a, T: Scalar> Posed<'a, T> {
         let p = self.parts(turn);
         let squares = p.second.times(p.second, p.v2).times(p.w2, p.v2);
         let norm = p.first.times(p.first, p.v2).minus(squares);
-        if self.meet.has_equal_pairs {
-            let size = p.rho2 * p.distance2.even;
-            (norm.even / size, size.abs())
-        } else {
-            let size = p.rho2 * p.rho2 * p.distance2.norm(p.v2);
-            (norm.norm(p.v2) / size, size.abs())
-        }
+        let size = self.cleared(&p);
+        (if self.meet.has_equal_pairs { norm.even } else { norm.norm(p.v2) } / size, size.abs())
+    }
+
+    /// What clears the denominators of the product of the branches: `rho2^2 distance2(v) distance2(-v)`, or its square
+    /// root for equal pairs.
+    #[inline(always)]
+    pub fn cleared(&self, p: &Parts<T>) -> T {
+        if self.meet.has_equal_pairs { p.rho2 * p.distance2.even } else { p.rho2 * p.rho2 * p.distance2.norm(p.v2) }
     }
 
     /// One branch, of what all have in common. Bit 0 of its number is set for a negative v and bit 1 for a negative w.

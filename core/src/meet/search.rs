@@ -55,9 +55,23 @@ impl<T: Scalar> Branches<T> for Posed<'_, T> {
         self.product_at(turn)
     }
 
-    fn all(&self, turn: (T, T)) -> [Branch<T>; COUNT] {
+    fn all_scaled(&self, turn: (T, T)) -> ([Branch<T>; COUNT], T) {
         let parts = self.parts(turn);
-        core::array::from_fn(|number| self.signed(&parts, number).branch)
+        (core::array::from_fn(|number| self.signed(&parts, number).branch), self.cleared(&parts))
+    }
+
+    fn partners(&self, number: usize) -> &'static [usize] {
+        match (self.meet.has_equal_pairs, number) {
+            // The branch with the other sign of w; those with the other sign of v are the same.
+            (true, 0) => &[2],
+            (true, 1) => &[3],
+            (true, 2) => &[0],
+            (true, _) => &[1],
+            (false, 0) => &[1, 2, 3],
+            (false, 1) => &[0, 2, 3],
+            (false, 2) => &[0, 1, 3],
+            (false, _) => &[0, 1, 2],
+        }
     }
 
     fn branch(&self, number: usize, t: T) -> Branch<T> {

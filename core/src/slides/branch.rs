@@ -235,9 +235,13 @@ impl<T: Scalar> Branches<T> for Posed<'_, T> {
         (p.closure.miss.norm(p.w2) * p.across2, p.across2)
     }
 
-    fn all(&self, turn: (T, T)) -> [Branch<T>; COUNT] {
+    fn all_scaled(&self, turn: (T, T)) -> ([Branch<T>; COUNT], T) {
         let parts = self.parts(turn);
-        [self.signed(&parts, 0), self.signed(&parts, 1), Branch::NONE, Branch::NONE]
+        ([self.signed(&parts, 0), self.signed(&parts, 1), Branch::NONE, Branch::NONE], parts.across2)
+    }
+
+    fn partners(&self, number: usize) -> &'static [usize] {
+        if number == 0 { &[1] } else { &[0] }
     }
 
     fn branch(&self, number: usize, t: T) -> Branch<T> {

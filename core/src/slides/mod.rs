@@ -16,6 +16,9 @@
 //! `g = gap . (a x b) = g0 + g1 w`. The product of both branches, `(g0^2 - g1^2 w^2) (1 - M_zz^2)`, is a trigonometric
 //! polynomial of degree 4 in t, so there are at most 8 solutions. The displacements close the gap.
 //!
+//! Where the axes of x and z are parallel (M_zz = 1 or -1), the rotation gives the sum of x and z alone. Then x follows from
+//! the gap, or is free.
+//!
 //! [`Slides`] holds the constants. [`Slides::search`] of `f64` takes the real roots of the polynomial; of `f32` it looks
 //! for the roots of each branch by itself.
 

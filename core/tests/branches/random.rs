@@ -31,8 +31,8 @@ fn no_joint_vector_is_lost() {
             sure[POSES - 1]
         );
         assert_eq!((lost, odd, incomplete), (0, 0, 0), "{name}");
-        assert!(sure[POSES / 2] < 2e-15 && sure[POSES - 1] < 1e-10, "{name}");
-        assert!(most <= 250 && evaluations < 14 * POSES, "{name}");
+        assert!(sure[POSES / 2] < 2e-15 && sure[POSES - 1] < 1e-11, "{name}");
+        assert!(most <= 250 && evaluations < 10 * POSES, "{name}");
     }
 }
 
