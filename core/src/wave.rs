@@ -22,7 +22,7 @@ impl<T: Scalar> Wave<T> {
         }
     }
 
-    /// The same with a vector added.
+    /// This vector with a constant one added.
     pub fn plus(self, [dx, dy, dz]: Vector<T>) -> Self {
         let [x, y, z] = self.constant;
         Self { constant: [x + dx, y + dy, z + dz], ..self }

@@ -18,7 +18,7 @@ const SAME_CENTER: f64 = 1e-9;
 const NEAR_PLACES: usize = 8;
 /// A branch that misses by no more at its end may close there.
 const AT_END: f64 = 1e-6;
-/// The same where it is real at one angle alone, which is known to half of the digits.
+/// A branch that is real at one angle alone, known to half of the digits, may close there if it misses by no more.
 const AT_POINT: f64 = 1e-4;
 /// The parts of a branch near its end.
 const PARTS: usize = 6;
@@ -153,11 +153,11 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
             (false, true, [Some(end), _] | [None, Some(end)]) => is_found |= self.near_end(number, end, to)?,
             // Real between its two ends.
             (false, false, [Some(first), Some(second)]) => {
-                let at = |share: f64| {
-                    let t = first.0 + (second.0 - first.0) * T::from_f64(share);
+                let at = |share: T| {
+                    let t = first.0 + (second.0 - first.0) * share;
                     (t, self.branches.branch(number, t))
                 };
-                let [left, middle, right] = [0.125, 0.5, 0.875].map(at);
+                let [left, middle, right] = [T::from_f64(0.125), T::HALF, T::from_f64(0.875)].map(at);
                 is_found |= self.near_end(number, first, middle)? | self.near_end(number, second, middle)?;
                 is_found |= self.turning(number, [left, middle, right])?.is_found();
             }

@@ -186,3 +186,8 @@ impl<'a, 'v, T: Scalar, B: Branches<T>> Stream<'a, 'v, T, B> {
         self.reference.get(joint).copied().filter(|angle| angle.is_finite()).unwrap_or(T::ZERO)
     }
 }
+
+/// The bit of a joint of the chain.
+pub(crate) fn bit(joint: usize) -> u8 {
+    (0..6_u8).fold(0, |bits, other| if usize::from(other) == joint { bits | (1 << other) } else { bits })
+}

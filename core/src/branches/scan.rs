@@ -3,7 +3,7 @@
 use core::ops::ControlFlow;
 
 use super::beside::Turn;
-use super::{Branches, COUNT, Stream};
+use super::{Branches, COUNT, Stream, bit};
 use crate::held_joint::Outcome;
 use crate::math::{Scalar, sin_cos};
 
@@ -45,7 +45,7 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
                 *listed = None;
                 continue;
             };
-            self.offer_joints(self.branches.joints(branch, t), branch, 1 << held, true)?;
+            self.offer_joints(self.branches.joints(branch, t), branch, bit(held), true)?;
             self.root = self.root.saturating_add(1);
         }
         B::singular(self, reference, sin_cos(reference))?;
@@ -70,9 +70,9 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
                 if let Turn::Misses(at, miss) = self.turning(branch, [(t - step, *a), (t, *b), (next, *c)])?
                     && miss.abs() <= T::from_f64(TOUCH)
                 {
-                    for side in [-0.3, 0.3] {
-                        self.offer(at + T::from_f64(side) * step, branch, true)?;
-                    }
+                    let aside = T::from_f64(0.3) * step;
+                    self.offer(at - aside, branch, true)?;
+                    self.offer(at + aside, branch, true)?;
                 }
             }
             (before, here) = (here, after);

@@ -10,7 +10,7 @@ use crate::trig_polynomial::{Fit, Root};
 const FREE: f64 = 1e-11;
 /// A branch that misses by no more has a root at a simple root of the polynomial.
 const OPEN: f64 = 1e-5;
-/// The same at a doubtful root, which is known to some 1e-4 rad only.
+/// A branch that misses by no more may have one at a doubtful root, which is known to some 1e-4 rad only.
 const DOUBTFUL_OPEN: f64 = 0.05;
 /// A branch that misses by no more has no use for another step.
 const CLOSED: f64 = 1e-15;

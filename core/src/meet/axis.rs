@@ -4,7 +4,7 @@ use core::ops::ControlFlow;
 
 use super::branch::{Parts, Posed, Signed};
 use super::joints::turned_back;
-use crate::branches::{Stream, lowest};
+use crate::branches::{Stream, bit, lowest};
 use crate::math::{Scalar, atan2, hypot, sin_cos};
 
 /// W is looked for on an axis if it is nearer than this share of the reach.
@@ -114,7 +114,7 @@ fn on_x2<T: Scalar>(
         }),
         None => {
             let joints = joints(posed, stream.reference_of(joint));
-            stream.offer_joints(joints, number, 1 << joint, true)
+            stream.offer_joints(joints, number, bit(joint), true)
         }
     }
 }
@@ -137,7 +137,7 @@ fn on_x3<T: Scalar>(stream: &mut Candidates<'_, '_, '_, T>, t: T, p: &Parts<T>, 
         }),
         None => {
             let joints = joints(posed, stream.reference_of(joint) + m.x3_offset);
-            stream.offer_joints(joints, number, 1 << joint, true)
+            stream.offer_joints(joints, number, bit(joint), true)
         }
     }
 }

@@ -22,7 +22,7 @@ pub(super) struct Posed<'a, T> {
 /// A branch with its two roots.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Signed<T> {
-    /// What it misses is g: the cosine of the angle between the axes of u and v, less what it has to be. Its squares are
+    /// It misses by g: the cosine of the angle between the axes of u and v, less cos alpha. Its squares are
     /// v^2 in units of a y, and w^2 in those of the square of a y.
     pub branch: Branch<T>,
     /// The root v with its sign; 0 where it is imaginary.
@@ -31,7 +31,7 @@ pub(super) struct Signed<T> {
     pub w: T,
 }
 
-/// What the branches have in common at one angle; pairs are numbers `even + odd v`.
+/// All that the branches have in common at one angle; pairs are numbers `even + odd v`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Parts<T> {
     /// The distance of W from the axis of x2, squared.
@@ -105,7 +105,7 @@ impl<'a, T: Scalar> Posed<'a, T> {
         (if self.meet.has_equal_pairs { norm.even } else { norm.norm(p.v2) } / size, size.abs())
     }
 
-    /// What clears the denominators of the product of the branches: `rho2^2 distance2(v) distance2(-v)`, or its square
+    /// The factor that clears the denominators of the product of the branches: `rho2^2 distance2(v) distance2(-v)`, or its square
     /// root for equal pairs.
     #[inline(always)]
     pub fn cleared(&self, p: &Parts<T>) -> T {

@@ -56,7 +56,7 @@ impl Structure {
                 if sine(k5) < LEAST_SINE || sine(k2) < LEAST_SINE {
                     return None;
                 }
-                // What is not known has no say in what degenerates.
+                // Unknown constants have no say in this.
                 let degenerates = is_constant && Meet::of(&structure, &ring).is_none();
                 (!degenerates).then_some(structure)
             })

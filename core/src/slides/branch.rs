@@ -59,7 +59,7 @@ pub(super) struct Parts<T> {
     closure: Closure<T>,
 }
 
-/// What is left of the position.
+/// The gap that is left of the position.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Closure<T> {
     gap: Pairs<T>,

@@ -12,7 +12,7 @@
 //! alpha cos y + beta sin y = level      n = alpha^2 + beta^2      w^2 = n - level^2
 //! cos y = (alpha level - beta w) / n    sin y = (beta level + alpha w) / n
 //! ```
-//! What is left of the position is a gap. It has to lie in the plane of the directions a and b of the two slides:
+//! Of the position a gap is left. It has to lie in the plane of the directions a and b of the two slides:
 //! `g = gap . (a x b) = g0 + g1 w`. The product of both branches, `(g0^2 - g1^2 w^2) (1 - M_zz^2)`, is a trigonometric
 //! polynomial of degree 4 in t, so there are at most 8 solutions. The displacements close the gap.
 //!

@@ -3,7 +3,7 @@
 use core::ops::ControlFlow;
 
 use super::branch::Posed;
-use crate::branches::{Stream, crossing, lowest};
+use crate::branches::{Stream, bit, crossing, lowest};
 use crate::math::{Scalar, atan2, sin_cos, wrap};
 use crate::pair::Pair;
 
@@ -68,7 +68,7 @@ pub(super) fn parallel<T: Scalar>(
     let greatest = (0..PLACES).fold(T::ZERO, |greatest, place| greatest.max(miss(angle(place)).abs()));
     if greatest <= T::from_f64(FREE_ROUNDINGS) * T::EPSILON {
         let [_, joint, ..] = posed.slides.turning;
-        stream.offer_joints(joints(stream.reference_of(joint)), 0, 1 << joint, true)?;
+        stream.offer_joints(joints(stream.reference_of(joint)), 0, bit(joint), true)?;
         return ControlFlow::Continue(Some((t, is_complete)));
     }
     for place in 0..PLACES {

@@ -1,4 +1,4 @@
-//! The same ring cut open elsewhere, and run through backwards.
+//! A ring cut open elsewhere, and run through backwards.
 
 use denhart_core::math::sin_cos;
 use denhart_core::meet::Structure;
