@@ -22,6 +22,50 @@ fn at(v: &mut [f64], p: f64) -> f64 {
 const GENERAL: [&str; 6] = ["gen6r_a", "manseur_doty_16", "two_parallel_6r", "baxter_left", "sawyer", "ufactory_xarm7"];
 
 fn main() {
+    if std::env::var("SPECIAL").is_ok() {
+        for name in ["sawyer", "baxter_left", "ufactory_xarm7"] {
+            for given in (0..7).filter(|x| names_given().is_none_or(|y| *x == y)) {
+                for value in [0.0, 45.0, 90.0, 180.0, -90.0, 0.001, 1e-6] {
+                    let arm = Arm::of(&chain(table(name), given, f64::to_radians(value)));
+                    let general = Arm::given(table(name), given, 0.0);
+                    let mut lost = [0; 2];
+                    let mut rng = Random(3);
+                    for _ in 0..200 {
+                        let joints = rng.joints();
+                        if let Some(arm) = &arm {
+                            lost[0] +=
+                                usize::from(arm.solve(&arm.chain.pose(&joints)).distance(&arm.chain, &joints) > SAME);
+                        }
+                        if let Some(general) = &general {
+                            let arm =
+                                Arm { chain: chain(table(name), given, f64::to_radians(value)).gathered(), ..*general };
+                            let x = arm.solve_anew(&arm.chain.pose(&joints));
+                            let is_lost = x.distance(&arm.chain, &joints) > SAME;
+                            lost[1] += usize::from(is_lost);
+                            if is_lost {
+                                println!(
+                                    "  lost found {} evals {} candidates {} sigma {:.1e}",
+                                    x.list.len(),
+                                    x.evaluations,
+                                    x.candidates,
+                                    least_singular_value(&arm.chain, &joints)
+                                );
+                            }
+                        }
+                    }
+                    println!(
+                        "{name} q{} = {value}: own {:?} lost {} general {:?} lost {}",
+                        given + 1,
+                        arm.as_ref().map(|x| x.cuts.first.cut.held()),
+                        lost[0],
+                        general.as_ref().map(|x| x.cuts.first.cut.held()),
+                        lost[1]
+                    );
+                }
+            }
+        }
+        return;
+    }
     let names: Vec<String> = std::env::args().skip(3).collect();
     let mut arguments = std::env::args().skip(1).take(2).map(|x| x.parse::<usize>().unwrap());
     let (poses, arms) = (arguments.next().unwrap_or(1000), arguments.next().unwrap_or(200));
@@ -269,4 +313,8 @@ fn main() {
         at(&mut choices, 0.5),
         at(&mut choices, 1.0)
     );
+}
+
+fn names_given() -> Option<usize> {
+    std::env::var("GIVEN").ok()?.parse().ok()
 }

@@ -12,8 +12,6 @@ use crate::math::wrap;
 const POSES: usize = 120;
 /// Rounds of poses. After the first one the useless cuts go, after the others the worse one of each joint.
 const ROUNDS: [Range<usize>; 3] = [0..16, 16..40, 40..POSES];
-/// Each cut is judged by itself.
-const ALONE: Part = Part { number: 0, has_families: true, takes_all: false };
 /// The poses with random angles: every other one.
 const RANDOM: u128 = u128::MAX / 3;
 /// A joint vector that differs by less, in rad or reaches, is found.
@@ -112,7 +110,8 @@ type Make<'a> = dyn Fn(&mut dyn FnMut() -> f64) -> Chain<f64> + 'a;
 /// At 120 poses, half of them with round angles, each cut is asked for the joint vector that made the pose. The first
 /// cut is the one that loses the fewest random poses, misses the fewest of all, and leaves the least residual before
 /// refinement. The second and the third one hold other joints, and find what those before them lose. A cut is given up
-/// as soon as it loses a quarter of the random poses, and if another one that holds the same joint is better.
+/// as soon as it loses a quarter of the random poses, and if another one that holds the same joint is better. Where
+/// none serves, the cuts are asked for solutions of chains beside the arm's own, as they are at special targets.
 pub fn choose(chain: &Chain<f64>) -> Option<Cuts> {
     choose_given(&|_| *chain)
 }
@@ -120,6 +119,11 @@ pub fn choose(chain: &Chain<f64>) -> Option<Cuts> {
 /// As [`choose`] for a chain with given joints: `chain` makes it of their values, and takes each as an angle in rad from
 /// its argument. Every other pose has round angles.
 pub fn choose_given(chain: &Make) -> Option<Cuts> {
+    [false, true].into_iter().find_map(|is_moved| chosen(chain, is_moved))
+}
+
+/// The choice on the chain itself, or on chains beside it.
+fn chosen(chain: &Make, is_moved: bool) -> Option<Cuts> {
     let none = [f64::INFINITY; POSES];
     let mut all = Cut::ALL.map(|cut| Judgment {
         cut,
@@ -132,7 +136,7 @@ pub fn choose_given(chain: &Make) -> Option<Cuts> {
     });
     for (round, poses) in ROUNDS.into_iter().enumerate() {
         for judgment in all.iter_mut().filter(|judgment| judgment.is_open) {
-            judgment.is_open = judge(judgment, poses.clone(), chain).is_some() && judgment.serves();
+            judgment.is_open = judge(judgment, poses.clone(), chain, is_moved).is_some() && judgment.serves();
         }
         if round > 0 {
             keep_the_best_of_each_joint(&mut all);
@@ -168,7 +172,9 @@ fn keep_the_best_of_each_joint(all: &mut [Judgment; 12]) {
 }
 
 /// Asks a cut for the joint vectors of some poses. None if it has no constants for a chain.
-fn judge(judgment: &mut Judgment, poses: Range<usize>, chain: &Make) -> Option<()> {
+fn judge(judgment: &mut Judgment, poses: Range<usize>, chain: &Make, is_moved: bool) -> Option<()> {
+    // Each cut by itself.
+    let part = Part { number: 0, has_families: true, is_moved };
     for pose in poses {
         let mut random = Random::of(pose);
         let chain = chain(&mut || random.angle()).gathered();
@@ -185,7 +191,7 @@ fn judge(judgment: &mut Judgment, poses: Range<usize>, chain: &Make) -> Option<(
         };
         let target = chain.pose(&joints);
         let (mut nearest, mut least, mut count) = (joints, f64::INFINITY, 0);
-        let rest = elimination.search(&target, &joints, ALONE, &mut |candidate| {
+        let rest = elimination.search(&target, &joints, part, &mut |candidate| {
             count += 1;
             let near = distance(&candidate.joints);
             if near < least {

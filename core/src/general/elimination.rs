@@ -4,8 +4,11 @@ use super::Cut;
 use super::constant_side::{ConstantSide, EQUATIONS, SINGLES};
 use super::equations::{Equations, Position};
 use super::line::{COORDINATES, Move, VECTORS, line, moved_twice};
-use crate::math::{angle, wrap};
+use crate::math::{angle, sin_cos, wrap};
 use crate::{Chain, Transform};
+
+/// A neighbor of a ring differs by about this, in rad and in the ring's unit of length.
+const MOVED: f64 = 1e-5;
 
 /// One cut of a ring of six joints, with all that does not depend on the target.
 ///
@@ -70,22 +73,49 @@ impl Elimination {
         // Five constants between the joints of the chain; after the last joint stands the one with the target.
         let ring = core::array::from_fn(|i| inner.get((d + i) % 6).copied().unwrap_or(Transform::IDENTITY));
         let is_prismatic = cut.order().map(|joint| chain.is_prismatic.get(joint).copied().unwrap_or(false));
-        let [slides_d, slides_a, slides_b, slides_c, ..] = is_prismatic;
+        let [slides_d, _, _, slides_c, ..] = is_prismatic;
         if slides_d || slides_c {
             return None;
         }
-        let [k0, k1, k2, ..]: [Transform<f64>; 6] = ring;
+        let (null, pseudo) = ([[0.0; COORDINATES]; EQUATIONS], [[0.0; COORDINATES]; SINGLES]);
+        let (null_level, pseudo_level) = ([0.0; EQUATIONS], [0.0; SINGLES]);
+        Self { cut, ring, before, behind, is_prismatic, unit, null, null_level, pseudo, pseudo_level, scale: 1.0 }
+            .eliminated()
+    }
+
+    /// With null space and pseudo-inverse of the ring's constants.
+    fn eliminated(mut self) -> Option<Self> {
+        let [k0, k1, k2, ..] = &self.ring;
+        let [_, slides_a, slides_b, ..] = self.is_prismatic;
         let [a, b] = [slides_a, slides_b].map(|is_prismatic| Move { is_prismatic, sign: -1.0 });
         let sums = moved_twice(&k0.inverse(), a, &k1.inverse(), b, &k2.inverse());
         let ConstantSide { null, pseudo } = ConstantSide::of(&sums)?;
-        let constant = sums.map(|row| {
-            let [.., last] = row;
-            last
-        });
-        let level = |row: [f64; COORDINATES]| product(&row, &constant);
-        let (null_level, pseudo_level) = (null.map(level), pseudo.map(level));
-        let scale = 1.0;
-        Some(Self { cut, ring, before, behind, is_prismatic, unit, null, null_level, pseudo, pseudo_level, scale })
+        let mut constant = [0.0; COORDINATES];
+        for (entry, [.., last]) in constant.iter_mut().zip(sums) {
+            *entry = last;
+        }
+        for (level, row) in self.null_level.iter_mut().zip(&null) {
+            *level = product(row, &constant);
+        }
+        for (level, row) in self.pseudo_level.iter_mut().zip(&pseudo) {
+            *level = product(row, &constant);
+        }
+        (self.null, self.pseudo) = (null, pseudo);
+        Some(self)
+    }
+
+    /// The same cut of a ring whose constants differ by some 1e-5. At a target or a given joint where axes fall together
+    /// the polynomial of the ring itself may be zero. That of its neighbor is not, and its solutions are near.
+    pub(super) fn moved(&self) -> Option<Self> {
+        let mut out = *self;
+        for (i, link) in out.ring.iter_mut().chain([&mut out.before]).enumerate() {
+            let step = MOVED * (1.0 + 0.37 * i as f64);
+            let (sin, cos) = sin_cos(-0.61 * step);
+            let rotation = [[1.0, 0.0, 0.0], [0.0, cos, -sin], [0.0, sin, cos]];
+            let translation = [0.83 * step, -0.57 * step, 0.71 * step];
+            *link = link.then_turn(sin_cos(step)) * Transform { rotation, translation };
+        }
+        out.eliminated()
     }
 
     /// The equations at a target.

@@ -65,6 +65,11 @@ impl Equations {
         Self { cos: turned(&self.cos), sin: turned(&self.sin), one: turned(&self.one), is_prismatic: [f, e] }
     }
 
+    /// Returns true if all coefficients are numbers.
+    pub(super) fn is_finite(&self) -> bool {
+        self.cos.iter().chain(&self.sin).chain(&self.one).flatten().all(|x| x.is_finite())
+    }
+
     /// Each equation divided by the length of its coefficients.
     #[inline(always)]
     pub(super) fn normalize(&mut self) {

@@ -108,7 +108,7 @@ impl General {
     /// `reference` has the value of a joint that may take any value. A target that is not finite has no candidates.
     pub fn search(&self, target: &Transform<f64>, reference: &[f64; 6], visit: &mut Visitor<'_, f64>) -> Outcome {
         let cuts = [Some(&self.first), self.second.as_ref(), self.third.as_ref()];
-        along(|part| Some(cuts.get(part.number)?.as_ref()?.search(target, reference, part, visit)))
+        along(MOST_CUTS, |part| Some(cuts.get(part.number)?.as_ref()?.search(target, reference, part, visit)))
     }
 }
 
@@ -129,25 +129,33 @@ impl Cuts {
         reference: &[f64; 6],
         visit: &mut Visitor<'_, f64>,
     ) -> Outcome {
-        let cuts = [Some(self.first), self.second, self.third];
-        along(|part| Some(cuts.get(part.number)?.as_ref()?.of(chain)?.search(target, reference, part, visit)))
+        let own = [Some(self.first), self.second, self.third];
+        let others = Cut::ALL.map(|cut| Some(ScaledCut { cut, scale: 1.0 }));
+        along(MOST_CUTS + others.len(), |part| {
+            let cut = own.iter().chain(&others).nth(part.number)?.as_ref()?;
+            Some(cut.of(chain)?.search(target, reference, part, visit))
+        })
     }
 }
 
 /// The most cuts of an arm.
 const MOST_CUTS: usize = 3;
 
-/// Searches along the cuts until one serves and leaves no doubt, or two have served. Where none serves, the roots of
-/// polynomials that tell nothing are better than none.
-fn along(mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome {
+/// Searches along the cuts until one serves and leaves no doubt, or two have served. Where none serves, rings beside the
+/// arm's own are solved.
+fn along(count: usize, mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome {
     let (mut is_complete, mut has_families, mut served) = (true, true, 0);
-    for takes_all in [false, true] {
-        for number in 0..MOST_CUTS {
-            let Some(rest) = search(Part { number, has_families, takes_all }) else { continue };
+    for is_moved in [false, true] {
+        for number in 0..count {
+            if number >= MOST_CUTS && served > 0 && !is_moved {
+                break;
+            }
+            let Some(rest) = search(Part { number, has_families, is_moved }) else { continue };
             is_complete &= rest.is_complete && !rest.is_ended;
             has_families &= !rest.has_families;
             served += usize::from(!rest.is_useless);
-            if rest.is_ended || served == 2 || (served == 1 && !rest.is_doubtful) {
+            let enough = if is_moved { 4 } else { 2 };
+            if rest.is_ended || served == enough || (served == 1 && !rest.is_doubtful) {
                 return Outcome { is_complete };
             }
         }

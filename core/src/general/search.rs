@@ -10,8 +10,6 @@ use crate::held_joint::{Candidate, MOST_CANDIDATES, Visitor};
 use crate::math::{sin_cos, wrap};
 use crate::trig_polynomial::{Fit, Local, Root, Roots};
 
-/// A polynomial below this share of its usual size is zero everywhere.
-const FREE: f64 = 1e-11;
 /// Samples that are farther from a polynomial than this, as a share of the greatest, tell nothing.
 pub(super) const USELESS: f64 = 1e-5;
 /// About a doubtful root the function is sampled anew, on an arc that ends at these half-angle tangents. If the root is
@@ -27,9 +25,13 @@ const BETTER: f64 = 0.3;
 const MOST_ARCS: usize = 32;
 /// Where a free joint's reference has no member of the family, these are tried, rad beside it.
 const ELSEWHERE: [f64; 8] = [0.0, 2.1, -2.1, 0.7, -0.7, 1.4, -1.4, 2.8];
-/// A candidate that closes to this belongs to a family.
-const CLOSES: f64 = 1e-3;
+/// A joint is free if the ring closes to this ..
+const CLOSES: f64 = 1e-6;
+/// .. at an angle and so far beside it, rad.
+const ASIDE: f64 = 0.01;
 
+/// Further cuts share the numbers of their roots.
+const MOST_NUMBERED: usize = 8;
 /// The place of the held joint in the order of the cut.
 const HELD: usize = 3;
 
@@ -48,8 +50,10 @@ struct Search<'a, 'v> {
     visit: &'a mut Visitor<'v, f64>,
     root: u8,
     is_doubtful: bool,
-    /// The held joint is taken to be free: only joint vectors that close the ring are visited.
-    is_family: bool,
+    /// Joint vectors are not visited, only the least distance from closing the ring is kept.
+    is_probe: bool,
+    least: f64,
+    /// The held joint is free.
     has_members: bool,
 }
 
@@ -77,8 +81,8 @@ pub(crate) struct Part {
     pub(crate) number: usize,
     /// A polynomial that is zero everywhere lists members of a family.
     pub(crate) has_families: bool,
-    /// The roots of a polynomial that tells nothing are taken as well: no cut serves.
-    pub(crate) takes_all: bool,
+    /// A ring beside the arm's own is solved, see [`Elimination::moved`]: no cut serves.
+    pub(crate) is_moved: bool,
 }
 
 impl Elimination {
@@ -90,19 +94,18 @@ impl Elimination {
         part: Part,
         visit: &mut Visitor<'_, f64>,
     ) -> Rest {
-        let closed = self.closed(target);
+        let moved = if part.is_moved { self.moved() } else { None };
+        let closed = moved.as_ref().unwrap_or(self).closed(target);
         let fit = Fit::sampled_in_pairs(|sin, cos| values(&closed.equations, sin, cos));
-        let Fit { greatest, wrong, .. } = fit;
         let mut rest = Rest {
             is_doubtful: true,
             is_useless: true,
             has_families: false,
             is_complete: true,
             is_ended: false,
-            greatest,
+            greatest: fit.greatest,
         };
-        let is_known = wrong.is_finite();
-        if !is_known || (wrong > USELESS && !part.takes_all) {
+        if !closed.equations.is_finite() {
             return rest;
         }
         let mut search = Search {
@@ -113,22 +116,23 @@ impl Elimination {
             is_unsound: false,
             reference,
             visit,
-            root: (part.number * MOST_CANDIDATES) as u8,
+            root: (part.number.min(MOST_NUMBERED) * MOST_CANDIDATES) as u8,
             is_doubtful: false,
-            is_family: false,
+            is_probe: false,
+            least: f64::INFINITY,
             has_members: false,
         };
-        let is_somewhere = fit.polynomial.size() > FREE * self.scale;
-        if !is_somewhere {
+        let is_known = fit.greatest > 0.0 && fit.wrong <= USELESS;
+        if !is_known {
             rest.is_ended = part.has_families && search.family().is_break();
             rest.has_families = search.has_members;
             return rest;
         }
         let roots = fit.roots();
-        rest.is_useless = wrong > USELESS;
+        rest.is_useless = false;
         rest.is_ended = search.all(&roots, &ARCS).is_break();
         let has_doubts = roots.as_slice().iter().any(|root| is_doubtful(&roots, root));
-        rest.is_doubtful = rest.is_useless || has_doubts || search.is_unsound;
+        rest.is_doubtful = has_doubts || search.is_unsound || part.is_moved;
         rest.is_complete = !search.is_full;
         rest
     }
@@ -170,15 +174,11 @@ impl Search<'_, '_> {
     ) -> ControlFlow<()> {
         let (e, f) = if is_in_order { (first, second) } else { (second, first) };
         let joints = self.closed.joints(held, e, f);
-        let mut free = free;
-        if self.is_family {
-            let is_member = self.closed.residual(&joints) < CLOSES;
-            if !is_member {
-                return Continue(());
-            }
-            self.has_members = true;
-            free |= 1 << self.closed.elimination.cut.held();
+        if self.is_probe {
+            self.least = self.least.min(self.closed.residual(&joints));
+            return Continue(());
         }
+        let free = if self.has_members { free | 1 << self.closed.elimination.cut.held() } else { free };
         let candidate = Candidate { joints, root: self.root, signs: None, free, is_doubtful: self.is_doubtful };
         if candidate.is_finite() { (self.visit)(&candidate) } else { Continue(()) }
     }
@@ -241,21 +241,32 @@ impl Search<'_, '_> {
         Continue(())
     }
 
-    /// The polynomial is zero. If the held joint is free, members of the family at its reference are visited, or beside
-    /// it where the family has none. Where two axes fall together the polynomial may be zero without that: then the ring
-    /// closes nowhere, and nothing is visited.
+    /// The polynomial is zero, so that its samples are rounding. If the held joint is free, members of the family at its
+    /// reference are visited, or beside it where the family has none. Where two axes fall together the polynomial may be
+    /// zero without that: then the ring closes nowhere, and nothing is visited.
     fn family(&mut self) -> ControlFlow<()> {
         let reference = self.value_of(HELD);
-        (self.is_doubtful, self.is_family) = (true, true);
+        self.is_doubtful = true;
         for distance in ELSEWHERE {
-            let place = sin_cos(reference + distance);
-            self.at(place)?;
-            self.at_other(place)?;
+            let angle = reference + distance;
+            self.has_members = self.least_at(angle) < CLOSES && self.least_at(angle + ASIDE) < CLOSES;
             if self.has_members {
+                self.at(sin_cos(angle))?;
+                self.at_other(sin_cos(angle))?;
                 break;
             }
         }
         Continue(())
+    }
+
+    /// The least distance from closing the ring, over the joint vectors with the held joint at this angle.
+    fn least_at(&mut self, angle: f64) -> f64 {
+        (self.is_probe, self.least) = (true, f64::INFINITY);
+        // A probe visits nothing, so nothing ends it.
+        let _ = self.at(sin_cos(angle));
+        let _ = self.at_other(sin_cos(angle));
+        self.is_probe = false;
+        self.least
     }
 
     /// The value of a joint's reference, in the sense of the cut.
