@@ -184,7 +184,9 @@ impl<'a, T: Scalar> Posed<'a, T> {
         // The displacements that leave the least gap.
         let (gap, [a, b]) = (closure.gap.map(at), closure.axes.map(|axis| axis.map(at)));
         let normal = cross(a, b);
+        // Slides that are parallel close no gap: not a number.
         let area2 = dot(normal, normal);
+        let area2 = if area2 > T::EPSILON { area2 } else { T::NAN };
         let slides = [dot(cross(b, gap), normal) / area2, -dot(cross(a, gap), normal) / area2];
         let mut joints = [T::ZERO; 6];
         let turning = self.slides.turning.iter().zip(angles);
@@ -203,9 +205,15 @@ impl<'a, T: Scalar> Posed<'a, T> {
         if number & 1 == 0 { w } else { -w }
     }
 
+    /// A branch, and the sine of the angle between the slides. The branch misses by the distance of the gap from the plane
+    /// of the slides: g over that sine.
     #[inline(always)]
-    fn signed(&self, p: &Parts<T>, number: usize) -> Branch<T> {
-        Branch { miss: p.closure.miss.at(Self::root(p, number)), squares: [p.w2 / self.length2, T::ONE] }
+    fn signed(&self, p: &Parts<T>, number: usize) -> (Branch<T>, T) {
+        let w = Self::root(p, number);
+        let [a, b] = p.closure.axes.map(|axis| axis.map(|entry| entry.at(w)));
+        let normal = cross(a, b);
+        let sine = dot(normal, normal).sqrt();
+        (Branch { miss: p.closure.miss.at(w) / sine, squares: [p.w2 / self.length2, T::ONE] }, sine)
     }
 }
 
@@ -237,7 +245,8 @@ impl<T: Scalar> Branches<T> for Posed<'_, T> {
 
     fn all_scaled(&self, turn: (T, T)) -> ([Branch<T>; COUNT], T) {
         let parts = self.parts(turn);
-        ([self.signed(&parts, 0), self.signed(&parts, 1), Branch::NONE, Branch::NONE], parts.across2)
+        let [(first, first_sine), (second, second_sine)] = [0, 1].map(|number| self.signed(&parts, number));
+        ([first, second, Branch::NONE, Branch::NONE], parts.across2 * first_sine * second_sine)
     }
 
     fn partners(&self, number: usize) -> &'static [usize] {
@@ -245,7 +254,8 @@ impl<T: Scalar> Branches<T> for Posed<'_, T> {
     }
 
     fn branch(&self, number: usize, t: T) -> Branch<T> {
-        self.signed(&self.parts(sin_cos(t)), number)
+        let (branch, _) = self.signed(&self.parts(sin_cos(t)), number);
+        branch
     }
 
     fn joints(&self, number: usize, t: T) -> [T; 6] {
