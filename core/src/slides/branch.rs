@@ -184,10 +184,13 @@ impl<'a, T: Scalar> Posed<'a, T> {
         // The displacements that leave the least gap.
         let (gap, [a, b]) = (closure.gap.map(at), closure.axes.map(|axis| axis.map(at)));
         let normal = cross(a, b);
-        // Slides that are parallel close no gap: not a number.
         let area2 = dot(normal, normal);
-        let area2 = if area2 > T::EPSILON { area2 } else { T::NAN };
-        let slides = [dot(cross(b, gap), normal) / area2, -dot(cross(a, gap), normal) / area2];
+        let slides = if area2 > T::EPSILON {
+            [dot(cross(b, gap), normal) / area2, -dot(cross(a, gap), normal) / area2]
+        } else {
+            // Parallel slides share the displacement.
+            [-dot(gap, a) * T::HALF, -dot(gap, b) * T::HALF]
+        };
         let mut joints = [T::ZERO; 6];
         let turning = self.slides.turning.iter().zip(angles);
         for (at, value) in turning.chain(self.slides.prismatic.iter().zip(slides)) {
