@@ -56,9 +56,9 @@ fn main() {
                     println!(
                         "{name} q{} = {value}: own {:?} lost {} general {:?} lost {}",
                         given + 1,
-                        arm.as_ref().map(|x| x.cuts.first.cut.held()),
+                        arm.as_ref().map(|x| x.cuts.first.held()),
                         lost[0],
-                        general.as_ref().map(|x| x.cuts.first.cut.held()),
+                        general.as_ref().map(|x| x.cuts.first.held()),
                         lost[1]
                     );
                 }
@@ -149,8 +149,8 @@ fn main() {
         println!(
             "{:20} choice {choice:.0} ms {:?}/{:?} lost {lost}/{poses} found {:.1} evals {:.0} most {most} open {open} doubts {doubts} before {:.0e} {:.0e} | us {:.1} p99 {:.0} max {:.0} search {:.1} | ratio {:.0} worst/median {:.0}",
             table.name,
-            arm.cuts.first.cut.order(),
-            [arm.cuts.second, arm.cuts.third].map(|x| x.map_or(9, |x| x.cut.held())),
+            arm.cuts.first.order(),
+            [arm.cuts.second, arm.cuts.third].map(|x| x.map_or(9, |x| x.held())),
             found as f64 / poses as f64,
             evaluations as f64 / poses as f64,
             at(&mut before, 0.5),

@@ -5,7 +5,7 @@ use core::ops::ControlFlow::{Break, Continue};
 use core::ops::Range;
 
 use crate::Chain;
-use crate::general::{Cut, Cuts, Elimination, Part, ScaledCut};
+use crate::general::{Cut, Cuts, Elimination, MOVED, Part};
 use crate::math::wrap;
 
 /// Poses at which the cuts are compared.
@@ -63,18 +63,12 @@ struct Judgment {
     missed: u32,
     /// Of the candidate nearest to the joint vector, before refinement.
     residuals: [f64; POSES],
-    /// The greatest samples.
-    scales: [f64; POSES],
 }
 
 impl Judgment {
     /// The 90th percentile of the residuals.
     fn residual(&self) -> f64 {
         quantile(self.residuals, self.poses, 9)
-    }
-
-    fn scaled(&self) -> ScaledCut {
-        ScaledCut { cut: self.cut, scale: quantile(self.scales, self.poses, 5) }
     }
 
     /// Returns true for a cut that holds the first joint or the last one. With the last axis on the first, these are free,
@@ -119,24 +113,16 @@ pub fn choose(chain: &Chain<f64>) -> Option<Cuts> {
 /// As [`choose`] for a chain with given joints: `chain` makes it of their values, and takes each as an angle in rad from
 /// its argument. Every other pose has round angles.
 pub fn choose_given(chain: &Make) -> Option<Cuts> {
-    [false, true].into_iter().find_map(|is_moved| chosen(chain, is_moved))
+    [0.0, MOVED].into_iter().find_map(|moved| chosen(chain, moved))
 }
 
 /// The choice on the chain itself, or on chains beside it.
-fn chosen(chain: &Make, is_moved: bool) -> Option<Cuts> {
+fn chosen(chain: &Make, moved: f64) -> Option<Cuts> {
     let none = [f64::INFINITY; POSES];
-    let mut all = Cut::ALL.map(|cut| Judgment {
-        cut,
-        is_open: true,
-        poses: 0,
-        lost: 0,
-        missed: 0,
-        residuals: none,
-        scales: none,
-    });
+    let mut all = Cut::ALL.map(|cut| Judgment { cut, is_open: true, poses: 0, lost: 0, missed: 0, residuals: none });
     for (round, poses) in ROUNDS.into_iter().enumerate() {
         for judgment in all.iter_mut().filter(|judgment| judgment.is_open) {
-            judgment.is_open = judge(judgment, poses.clone(), chain, is_moved).is_some() && judgment.serves();
+            judgment.is_open = judge(judgment, poses.clone(), chain, moved).is_some() && judgment.serves();
         }
         if round > 0 {
             keep_the_best_of_each_joint(&mut all);
@@ -157,7 +143,8 @@ fn chosen(chain: &Make, is_moved: bool) -> Option<Cuts> {
         let at_end = if has_an_end { None } else { next(lost, &held, true) };
         at_end.or_else(|| next(lost, &held, false))
     });
-    Some(Cuts { first: first.scaled(), second: second.map(Judgment::scaled), third: third.map(Judgment::scaled) })
+    let [second, third] = [second, third].map(|x| x.map(|x| x.cut));
+    Some(Cuts { first: first.cut, second, third, is_special: moved != 0.0 })
 }
 
 /// Of two cuts that hold the same joint the worse one is given up.
@@ -172,13 +159,13 @@ fn keep_the_best_of_each_joint(all: &mut [Judgment; 12]) {
 }
 
 /// Asks a cut for the joint vectors of some poses. None if it has no constants for a chain.
-fn judge(judgment: &mut Judgment, poses: Range<usize>, chain: &Make, is_moved: bool) -> Option<()> {
+fn judge(judgment: &mut Judgment, poses: Range<usize>, chain: &Make, moved: f64) -> Option<()> {
     // Each cut by itself.
-    let part = Part { number: 0, has_families: true, is_moved };
+    let part = Part { number: 0, has_families: true, moved };
     for pose in poses {
         let mut random = Random::of(pose);
         let chain = chain(&mut || random.angle()).gathered();
-        let elimination = Elimination { scale: 0.0, ..Elimination::of(&chain, judgment.cut)? };
+        let elimination = Elimination::of(&chain, judgment.cut)?;
         let joints = chain
             .is_prismatic
             .map(|slides| random.angle() * if slides { 0.5 * chain.reach / core::f64::consts::PI } else { 1.0 });
@@ -204,11 +191,8 @@ fn judge(judgment: &mut Judgment, poses: Range<usize>, chain: &Make, is_moved: b
         let is_lost = !is_found || !rest.is_complete || (!random.is_round && rest.is_useless);
         judgment.lost |= u128::from(is_lost) << pose;
         judgment.missed += u32::from(is_lost || rest.is_useless);
-        if let (Some(residual), Some(scale)) =
-            (judgment.residuals.get_mut(judgment.poses), judgment.scales.get_mut(judgment.poses))
-        {
+        if let Some(residual) = judgment.residuals.get_mut(judgment.poses) {
             *residual = if is_found { chain.residual(&nearest, &target) } else { f64::INFINITY };
-            *scale = rest.greatest;
             judgment.poses += 1;
         }
     }

@@ -142,7 +142,8 @@ fn given_joints_lose_nothing() {
     let mut rng = Random(17);
     for name in SEVEN {
         for given in 0..7 {
-            let Some(arm) = Arm::given(table(name), given, 0.0) else { continue };
+            // Others have three axes that meet or are parallel, or are solved beside.
+            let Some(arm) = Arm::given(table(name), given, 0.0).filter(|arm| !arm.cuts.is_special) else { continue };
             for _ in 0..40 {
                 let arm = Arm { chain: chain(table(name), given, rng.angle()).gathered(), ..arm };
                 let joints = rng.joints();

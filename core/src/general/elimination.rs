@@ -7,9 +7,6 @@ use super::line::{COORDINATES, Move, VECTORS, line, moved_twice};
 use crate::math::{angle, sin_cos, wrap};
 use crate::{Chain, Transform};
 
-/// A neighbor of a ring differs by about this, in rad and in the ring's unit of length.
-const MOVED: f64 = 1e-5;
-
 /// One cut of a ring of six joints, with all that does not depend on the target.
 ///
 /// The chain and its target close a ring, `M_d K0 M_a K1 M_b K2 M_c K3 M_e K4 M_f K5 = 1`, where M is a joint and K a
@@ -41,8 +38,6 @@ pub struct Elimination {
     pub pseudo: [[f64; COORDINATES]; SINGLES],
     /// `pseudo constant`.
     pub pseudo_level: [f64; SINGLES],
-    /// The median over poses of the greatest sample of the polynomial. A polynomial that is smaller by 1e-11 is zero.
-    pub scale: f64,
 }
 
 /// The ring closed by one target.
@@ -54,7 +49,7 @@ pub(super) struct Closed<'a> {
 
 impl Elimination {
     /// The constants of a cut. None if joint d or c is prismatic, or if the lines on the side of a and b are too special:
-    /// the coefficients of the eight products depend on each other. `scale` is 1 then still to be measured.
+    /// the coefficients of the eight products depend on each other.
     ///
     /// The frames of the chain should be [gathered](Chain::gathered). The result depends on nothing but its arguments:
     /// the same bits on every processor.
@@ -79,8 +74,7 @@ impl Elimination {
         }
         let (null, pseudo) = ([[0.0; COORDINATES]; EQUATIONS], [[0.0; COORDINATES]; SINGLES]);
         let (null_level, pseudo_level) = ([0.0; EQUATIONS], [0.0; SINGLES]);
-        Self { cut, ring, before, behind, is_prismatic, unit, null, null_level, pseudo, pseudo_level, scale: 1.0 }
-            .eliminated()
+        Self { cut, ring, before, behind, is_prismatic, unit, null, null_level, pseudo, pseudo_level }.eliminated()
     }
 
     /// With null space and pseudo-inverse of the ring's constants.
@@ -104,12 +98,12 @@ impl Elimination {
         Some(self)
     }
 
-    /// The same cut of a ring whose constants differ by some 1e-5. At a target or a given joint where axes fall together
+    /// This cut of a ring whose constants differ by about `distance`, in rad and in `unit`. At a target or a given joint where axes fall together
     /// the polynomial of the ring itself may be zero. That of its neighbor is not, and its solutions are near.
-    pub(super) fn moved(&self) -> Option<Self> {
+    pub(super) fn moved(&self, distance: f64) -> Option<Self> {
         let mut out = *self;
         for (i, link) in out.ring.iter_mut().chain([&mut out.before]).enumerate() {
-            let step = MOVED * (1.0 + 0.37 * i as f64);
+            let step = distance * (1.0 + 0.37 * i as f64);
             let (sin, cos) = sin_cos(-0.61 * step);
             let rotation = [[1.0, 0.0, 0.0], [0.0, cos, -sin], [0.0, sin, cos]];
             let translation = [0.83 * step, -0.57 * step, 0.71 * step];

@@ -12,6 +12,8 @@ use crate::trig_polynomial::{Fit, Local, Root, Roots};
 
 /// Samples that are farther from a polynomial than this, as a share of the greatest, tell nothing.
 pub(super) const USELESS: f64 = 1e-5;
+/// Below this the rounding of the equations may be all that a polynomial tells.
+const SMALL: f64 = 1e-15;
 /// About a doubtful root the function is sampled anew, on an arc that ends at these half-angle tangents. If the root is
 /// doubtful there as well, the next arc is shorter.
 const ARCS: [f64; 4] = [0.12, 1.5e-2, 7e-4, 3e-5];
@@ -19,6 +21,10 @@ const ARCS: [f64; 4] = [0.12, 1.5e-2, 7e-4, 3e-5];
 const WIDER: f64 = 1.2;
 /// Roots within this part of an arc are known from its samples.
 const INNER: f64 = 0.9;
+/// A root that is not doubtful is known so far, rad.
+const KNOWN: f64 = 3e-7;
+/// Joints that do not follow from their root are left out unless the ring closes to this.
+const NEAR: f64 = 0.1;
 /// The values on a shorter arc have to be better by this factor.
 const BETTER: f64 = 0.3;
 /// The most arcs of one cut.
@@ -26,7 +32,7 @@ const MOST_ARCS: usize = 32;
 /// Where a free joint's reference has no member of the family, these are tried, rad beside it.
 const ELSEWHERE: [f64; 8] = [0.0, 2.1, -2.1, 0.7, -0.7, 1.4, -1.4, 2.8];
 /// A joint is free if the ring closes to this ..
-const CLOSES: f64 = 1e-6;
+const CLOSES: f64 = 1e-5;
 /// .. at an angle and so far beside it, rad.
 const ASIDE: f64 = 0.01;
 
@@ -70,8 +76,6 @@ pub(crate) struct Rest {
     pub(crate) is_complete: bool,
     /// The visitor ended the search.
     pub(crate) is_ended: bool,
-    /// The greatest sample.
-    pub(crate) greatest: f64,
 }
 
 /// The part that a cut has in a search.
@@ -81,8 +85,8 @@ pub(crate) struct Part {
     pub(crate) number: usize,
     /// A polynomial that is zero everywhere lists members of a family.
     pub(crate) has_families: bool,
-    /// A ring beside the arm's own is solved, see [`Elimination::moved`]: no cut serves.
-    pub(crate) is_moved: bool,
+    /// If not 0, a ring beside the arm's own is solved, see [`Elimination::moved`]: no cut serves.
+    pub(crate) moved: f64,
 }
 
 impl Elimination {
@@ -94,17 +98,11 @@ impl Elimination {
         part: Part,
         visit: &mut Visitor<'_, f64>,
     ) -> Rest {
-        let moved = if part.is_moved { self.moved() } else { None };
+        let moved = if part.moved == 0.0 { None } else { self.moved(part.moved) };
         let closed = moved.as_ref().unwrap_or(self).closed(target);
         let fit = Fit::sampled_in_pairs(|sin, cos| values(&closed.equations, sin, cos));
-        let mut rest = Rest {
-            is_doubtful: true,
-            is_useless: true,
-            has_families: false,
-            is_complete: true,
-            is_ended: false,
-            greatest: fit.greatest,
-        };
+        let mut rest =
+            Rest { is_doubtful: true, is_useless: true, has_families: false, is_complete: true, is_ended: false };
         if !closed.equations.is_finite() {
             return rest;
         }
@@ -123,16 +121,20 @@ impl Elimination {
             has_members: false,
         };
         let is_known = fit.greatest > 0.0 && fit.wrong <= USELESS;
-        if !is_known {
+        // The equations are normalized: a polynomial this small may be that of their rounding.
+        let is_small = fit.polynomial.size() < SMALL;
+        if !is_known || is_small {
             rest.is_ended = part.has_families && search.family().is_break();
             rest.has_families = search.has_members;
-            return rest;
+            if !is_known || rest.is_ended || rest.has_families {
+                return rest;
+            }
         }
         let roots = fit.roots();
-        rest.is_useless = false;
-        rest.is_ended = search.all(&roots, &ARCS).is_break();
+        rest.is_useless = is_small;
+        rest.is_ended = search.all(&roots, None, &ARCS).is_break();
         let has_doubts = roots.as_slice().iter().any(|root| is_doubtful(&roots, root));
-        rest.is_doubtful = has_doubts || search.is_unsound || part.is_moved;
+        rest.is_doubtful = has_doubts || search.is_unsound || is_small || moved.is_some();
         rest.is_complete = !search.is_full;
         rest
     }
@@ -158,7 +160,7 @@ impl Search<'_, '_> {
     fn visit_pairs(&mut self, held: (f64, f64), pairs: &Pairs, e: usize, f: usize) -> ControlFlow<(), bool> {
         let free = if pairs.is_free { self.bit(f) } else { 0 };
         for (first, second) in pairs.list.into_iter().take(pairs.len) {
-            self.visit(held, first, second, e < f, free)?;
+            self.visit(held, first, second, e < f, free, pairs.is_sound)?;
         }
         Continue(pairs.is_sound)
     }
@@ -171,11 +173,15 @@ impl Search<'_, '_> {
         second: Position,
         is_in_order: bool,
         free: u8,
+        is_sound: bool,
     ) -> ControlFlow<()> {
         let (e, f) = if is_in_order { (first, second) } else { (second, first) };
         let joints = self.closed.joints(held, e, f);
         if self.is_probe {
             self.least = self.least.min(self.closed.residual(&joints));
+            return Continue(());
+        }
+        if !is_sound && self.closed.residual(&joints) > NEAR {
             return Continue(());
         }
         let free = if self.has_members { free | 1 << self.closed.elimination.cut.held() } else { free };
@@ -184,12 +190,20 @@ impl Search<'_, '_> {
     }
 
     /// Solutions at a list of roots. Each value of the function is known far better than its polynomial where several
-    /// roots are near: about a doubtful root the function is sampled anew, on the first of `arcs`.
-    fn all(&mut self, roots: &Roots, arcs: &[f64]) -> ControlFlow<()> {
+    /// roots are near: about a doubtful root the function is sampled anew, on the first of `arcs`. `outer` has the roots on
+    /// the arc before.
+    fn all(&mut self, roots: &Roots, outer: Option<&Roots>, arcs: &[f64]) -> ControlFlow<()> {
         self.is_full |= !roots.is_complete;
         let [half, shorter @ ..] = arcs else {
             return roots.as_slice().iter().try_for_each(|root| self.one(root));
         };
+        // Those that are known come first: what a doubtful root gives may cost the visitor much.
+        for root in roots.as_slice().iter().filter(|root| !is_doubtful(roots, root)) {
+            let is_new = outer.is_none_or(|outer| !outer.as_slice().iter().any(|other| is_same(outer, other, root)));
+            if is_new {
+                self.one(root)?;
+            }
+        }
         // The middles of the arcs, and what is known about them, rad.
         let (mut known, mut len) = ([(0.0, 0.0); MOST_ARCS], 0);
         for root in roots.as_slice().iter().filter(|root| is_doubtful(roots, root)) {
@@ -203,14 +217,9 @@ impl Search<'_, '_> {
                 (Some(inner), Some(place)) => {
                     *place = (root.angle, INNER * 2.0 * half);
                     len += 1;
-                    self.all(&inner, shorter)?;
+                    self.all(&inner, Some(roots), shorter)?;
                 }
                 _ => self.one(root)?,
-            }
-        }
-        for root in roots.as_slice().iter().filter(|root| !is_doubtful(roots, root)) {
-            if !is_near(root, known.get(..len)) {
-                self.one(root)?;
             }
         }
         Continue(())
@@ -295,6 +304,11 @@ impl Search<'_, '_> {
 /// Returns true for a root that is not known, or not known apart from the others.
 fn is_doubtful(roots: &Roots, root: &Root) -> bool {
     root.is_doubtful && !roots.is_apart(root)
+}
+
+/// Returns true if a root is one that was known from the samples before.
+fn is_same(outer: &Roots, other: &Root, root: &Root) -> bool {
+    !is_doubtful(outer, other) && wrap(other.angle - root.angle).abs() < KNOWN
 }
 
 /// Two values of the function.
