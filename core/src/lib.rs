@@ -12,14 +12,19 @@
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
+mod branches;
 pub mod chain;
 pub mod choice;
 pub mod general;
 pub mod held_joint;
 pub mod math;
+pub mod meet;
+mod pair;
 pub mod refine;
+pub mod slides;
 pub mod transform;
 pub mod trig_polynomial;
+mod wave;
 
 pub use chain::Chain;
 pub use held_joint::{Candidate, Outcome, Visitor};

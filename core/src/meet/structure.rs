@@ -1,0 +1,131 @@
+//! Finds the ring of a chain.
+
+use super::Meet;
+use crate::Transform;
+use crate::chain::Chain;
+use crate::math::{Scalar, hypot};
+
+/// Where a chain has its two axes that meet and its two parallel axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Structure {
+    /// The joints x1, x2, x3, x4, u, v of the ring, numbered from 0 as in the chain. x1 is the held joint.
+    pub joints: [usize; 6],
+    /// True if the ring runs from the tip to the base: joint numbers fall.
+    pub is_mirrored: bool,
+    /// True if x3 and x4 point in opposite directions.
+    pub is_antiparallel: bool,
+    /// True if K1 is the only constant of the ring that is not known before the call: [`Meet`] is a constant of the arm
+    /// then. Otherwise [`Structure::ring`] and [`Meet::of`] run in every call.
+    pub is_constant: bool,
+}
+
+impl Structure {
+    /// The ring of a chain; `None` if the chain has none.
+    ///
+    /// `known`: the links C0 to C6 of `chain` that are the same in every call. Links that are not are not read. A given
+    /// joint leaves the link unknown into which it is drawn. The target is unknown always.
+    ///
+    /// The rings are tried in a fixed order: those with all that is unknown in K1 first, then with some of it in K6 or K4;
+    /// each forward, then mirrored. The first one is taken. K2, K3 and K5 have to be known: they hold the angles between
+    /// the axes. Axes are parallel within 1e-9 rad and meet within 1e-9 of the reach. The axes that meet, and those of x2
+    /// and x3, are at an angle of at least 6 degrees: less is badly conditioned, and the chain is one for
+    /// [`general`](crate::general).
+    #[must_use]
+    pub fn of(chain: &Chain<f64>, known: [bool; 7]) -> Option<Self> {
+        if chain.is_prismatic.contains(&true) {
+            return None;
+        }
+        // The link after joint i, counted from 0, is C(i+1). The last one closes the ring and has the target.
+        let is_known = |link: usize| link < 5 && known.get(link + 1).is_some_and(|is_known| *is_known);
+        let rings = || (0..6).flat_map(|start| [(start, false), (start, true)]).map(Self::order);
+        let unknown = |joints: &[usize; 6], is_mirrored: bool| {
+            joints.map(|joint| !is_known(if is_mirrored { (joint + 5) % 6 } else { joint }))
+        };
+        let is_possible = |(joints, is_mirrored): &([usize; 6], bool), constant: bool| {
+            let [_, k2, k3, k4, k5, k6] = unknown(joints, *is_mirrored);
+            !k2 && !k3 && !k5 && constant != (k4 || k6)
+        };
+        [true, false].into_iter().find_map(|is_constant| {
+            rings().filter(|ring| is_possible(ring, is_constant)).find_map(|(joints, is_mirrored)| {
+                let structure = Self { joints, is_mirrored, is_antiparallel: false, is_constant };
+                let ring = structure.ring(&chain.links, &Transform::IDENTITY);
+                let [_, k2, k3, _, k5, _] = &ring;
+                let is_antiparallel = parallel(k3)?;
+                meeting_point(k5, chain.reach)?;
+                let structure = Self { is_antiparallel, ..structure };
+                if sine(k5) < LEAST_SINE || sine(k2) < LEAST_SINE {
+                    return None;
+                }
+                // Unknown constants have no say in this.
+                let degenerates = is_constant && Meet::of(&structure, &ring).is_none();
+                (!degenerates).then_some(structure)
+            })
+        })
+    }
+
+    fn order((start, is_mirrored): (usize, bool)) -> ([usize; 6], bool) {
+        // Forward from the last joint, mirrored from the first one: K1 holds the target for `start` 0.
+        let joints = core::array::from_fn(|i| {
+            let step = (start + i) % 6;
+            if is_mirrored { (12 - step) % 6 } else { (5 + step) % 6 }
+        });
+        (joints, is_mirrored)
+    }
+
+    /// The constants K1 to K6 of the ring, of the links C0 to C6 of the chain and of the target.
+    ///
+    /// The mirrored ring is the inverse of the ring, each constant turned by Rx(pi) from both sides:
+    /// `Rz(-q) = Rx(pi) Rz(q) Rx(pi)`, so the joints keep their signs.
+    #[must_use]
+    pub fn ring<T: Scalar>(&self, links: &[Transform<T>; 7], target: &Transform<T>) -> [Transform<T>; 6] {
+        let [base, a, b, c, d, e, tip] = links;
+        let closing = *tip * target.inverse() * *base;
+        let after = [*a, *b, *c, *d, *e, closing];
+        let link = |joint: usize| after.get(joint).copied().unwrap_or(closing);
+        self.joints.map(
+            |joint| {
+                if self.is_mirrored { half_turned(&link((joint + 5) % 6).inverse()) } else { link(joint) }
+            },
+        )
+    }
+}
+
+/// `Rx(pi) link Rx(pi)`
+fn half_turned<T: Scalar>(link: &Transform<T>) -> Transform<T> {
+    let [[a, b, c], [d, e, f], [g, h, i]] = link.rotation;
+    let [x, y, z] = link.translation;
+    Transform { rotation: [[a, -b, -c], [-d, e, f], [-g, h, i]], translation: [x, -y, -z] }
+}
+
+/// Lengths and angles below this are zero, rad and of the reach.
+pub(super) const ZERO: f64 = 1e-9;
+
+/// Axes at a lesser angle are too nearly parallel: the roots crowd into a part of the circle.
+const LEAST_SINE: f64 = 0.1;
+
+/// The sine of the angle between the z axes before and after the link.
+fn sine(link: &Transform<f64>) -> f64 {
+    let [x, y, _] = link.z();
+    hypot(x, y)
+}
+
+/// True for opposite directions; `None` if the z axes before and after the link are not parallel.
+fn parallel(link: &Transform<f64>) -> Option<bool> {
+    let [x, y, z] = link.z();
+    (x.abs() <= ZERO && y.abs() <= ZERO).then_some(z < 0.0)
+}
+
+/// Where the z axes before and after the link meet: along the one and along the other; `None` if they do not.
+pub(super) fn meeting_point<T: Scalar>(link: &Transform<T>, reach: T) -> Option<(T, T)> {
+    let ([dx, dy, dz], [ox, oy, oz]) = (link.z(), link.translation);
+    // z x d = (-dy, dx, 0)
+    let sine2 = dx * dx + dy * dy;
+    let gap = dx * oy - dy * ox;
+    let zero = T::from_f64(ZERO);
+    if !(sine2 >= zero && gap.abs() <= zero * reach * sine2.sqrt()) {
+        return None;
+    }
+    // The point (0, 0, along_z) = o + along_d d, by its part across z.
+    let along_d = -(ox * dx + oy * dy) / sine2;
+    Some((oz + along_d * dz, along_d))
+}
