@@ -7,6 +7,7 @@
 //! # Features
 //! `std`, `libm` and `fpu` choose the square root, as the features of `denhart` with the same names do.
 
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![no_std]
 
 #[cfg(any(feature = "std", test))]

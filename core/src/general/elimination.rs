@@ -63,7 +63,7 @@ impl Elimination {
         } else {
             links
         };
-        let [behind, inner @ .., before] = links;
+        let [behind, inner @ .., before] = links.map(|link| cleaned(&link));
         let d = usize::from(cut.d);
         // Five constants between the joints of the chain; after the last joint stands the one with the target.
         let ring = core::array::from_fn(|i| inner.get((d + i) % 6).copied().unwrap_or(Transform::IDENTITY));
@@ -241,6 +241,12 @@ fn turned((sin, cos): (f64, f64), [x, y, z]: [f64; 3]) -> [f64; 3] {
 /// Lengths multiplied by `factor`.
 fn scaled(transform: &Transform<f64>, factor: f64) -> Transform<f64> {
     Transform { rotation: transform.rotation, translation: transform.translation.map(|x| x * factor) }
+}
+
+/// Without the rounding of zeros: generated code has these numbers.
+fn cleaned(link: &Transform<f64>) -> Transform<f64> {
+    let clean = |x: f64| if x.abs() < 1e-12 { 0.0 } else { x };
+    Transform { rotation: link.rotation.map(|row| row.map(clean)), translation: link.translation.map(clean) }
 }
 
 #[inline(always)]

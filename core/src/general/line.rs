@@ -6,6 +6,19 @@ use crate::transform::{cross, dot};
 /// Point p, direction l, `p.p`, `p.l`, `p x l`, `(p.p) l - 2 (p.l) p`, in this order.
 pub const COORDINATES: usize = 14;
 
+/// A row over the coordinates, from its entries for p, for l, for `p.p` and `p.l`, for `p x l`, and for
+/// `(p.p) l - 2 (p.l) p`. Generated code has its rows so: one line a vector.
+#[inline]
+pub const fn row(
+    [px, py, pz]: [f64; 3],
+    [lx, ly, lz]: [f64; 3],
+    [square, product]: [f64; 2],
+    [mx, my, mz]: [f64; 3],
+    [ix, iy, iz]: [f64; 3],
+) -> [f64; COORDINATES] {
+    [px, py, pz, lx, ly, lz, square, product, mx, my, mz, ix, iy, iz]
+}
+
 /// Where the four vectors begin: these turn with the line, the two other numbers stay.
 pub(super) const VECTORS: [usize; 4] = [0, 3, 8, 11];
 

@@ -18,9 +18,10 @@ mod search;
 
 pub use constant_side::{EQUATIONS, SINGLES};
 pub use elimination::Elimination;
-pub use line::COORDINATES;
+pub use line::{COORDINATES, row};
 
 use crate::held_joint::Visitor;
+use crate::meet::{Meet, Structure};
 use crate::{Chain, Outcome, Transform};
 pub(crate) use search::Part;
 use search::Rest;
@@ -102,27 +103,50 @@ impl General {
     /// `reference` has the value of a joint that may take any value. A target that is not finite has no candidates.
     pub fn search(&self, target: &Transform<f64>, reference: &[f64; 6], visit: &mut Visitor<'_, f64>) -> Outcome {
         let cuts = [Some(&self.first), self.second.as_ref(), self.third.as_ref()];
-        along(MOST_CUTS, |part| Some(cuts.get(part.number)?.as_ref()?.search(target, reference, part, visit)))
+        along(MOST_CUTS, false, |part| Some(cuts.get(part.number)?.as_ref()?.search(target, reference, part, visit)))
     }
 }
 
 impl Cuts {
     /// As [`General::search`], of a chain whose constants are known in the call only. Those of further cuts are computed
     /// where they are needed. Not complete if no cut has constants for this chain.
+    ///
+    /// A given joint may have a value at which two neighboring axes meet and two are parallel. [`Meet`] solves that chain:
+    /// structured arms lose some of the roots of the determinant. `is_square`: a given joint turns by a multiple of a right
+    /// angle from one common normal of the axes to the next, so axes may be parallel that are not elsewhere. Then most cuts
+    /// lose roots at which their elimination fails, and all of them are searched.
     pub fn search(
         &self,
         chain: &Chain<f64>,
+        is_square: bool,
         target: &Transform<f64>,
         reference: &[f64; 6],
         visit: &mut Visitor<'_, f64>,
     ) -> Outcome {
+        if let Some(structure) = Structure::of(chain, [true; 7]) {
+            let ring = structure.ring(&chain.links, target);
+            let [k1, ..] = &ring;
+            if let Some(meet) = Meet::of(&structure, &ring) {
+                return meet.search(k1, reference, visit);
+            }
+        }
         let own = [Some(self.first), self.second, self.third];
         let others = Cut::ALL.map(Some);
-        along(MOST_CUTS + others.len(), |part| {
+        along(MOST_CUTS + others.len(), is_square, |part| {
             let cut = own.into_iter().chain(others).nth(part.number)??;
+            let is_known = own.contains(&Some(cut)) && part.number >= MOST_CUTS;
+            if is_known {
+                return None;
+            }
             Some(Elimination::of(chain, cut)?.search(target, reference, part, visit))
         })
     }
+}
+
+/// Returns true for an angle within 1e-6 rad of a multiple of a right angle.
+#[must_use]
+pub fn is_square((sin, cos): (f64, f64)) -> bool {
+    (sin * cos).abs() < 1e-6
 }
 
 /// The most cuts of an arm.
@@ -132,15 +156,16 @@ const MOST_CUTS: usize = 3;
 /// are gone on one side.
 pub(crate) const MOVED: f64 = 1e-5;
 
-/// Searches along the cuts until one serves and leaves no doubt, or two have served. Where none serves, rings beside the
-/// arm's own are solved.
-fn along(count: usize, mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome {
+/// Searches along the cuts until one serves and leaves no doubt, or two have served; along `all` of them if so asked. Where
+/// none serves, rings beside the arm's own are solved.
+fn along(count: usize, all: bool, mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome {
     let (mut is_complete, mut has_families, mut is_served) = (true, true, false);
     for moved in [0.0, MOVED, -MOVED] {
         let (is_moved, mut served) = (moved != 0.0, 0);
         let enough = if is_moved { 4 } else { 2 };
         for number in 0..count {
-            if number >= MOST_CUTS && served > 0 && !is_moved {
+            let all = all && !is_moved;
+            if number >= MOST_CUTS && served > 0 && !is_moved && !all {
                 break;
             }
             let Some(rest) = search(Part { number, has_families, moved }) else { continue };
@@ -150,7 +175,7 @@ fn along(count: usize, mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome 
             if rest.is_ended {
                 return Outcome { is_complete };
             }
-            if served == enough || (served == 1 && !rest.is_doubtful) {
+            if !all && (served == enough || (served == 1 && !rest.is_doubtful)) {
                 break;
             }
         }
