@@ -174,10 +174,12 @@ pub trait Arm<T, const N: usize> {
 /// Inverse kinematics in closed form of an arm with `N` joints in scalar `T`.
 ///
 /// # The longest call
-/// A call of [`inverse`](Self::inverse), [`inverse_near`](Self::inverse_near) or [`inverse_branch`](Self::inverse_branch)
-/// takes at most 12 cascades and 200 evaluations of [`forward_and_jacobian`](Arm::forward_and_jacobian). That holds for
-/// arguments of any bits. A cascade is one run of the closed form through all branches. An ordinary target takes one
-/// cascade and no evaluation. See [`effort`](crate::effort).
+/// A call of [`inverse`](Self::inverse), [`inverse_near`](Self::inverse_near) or
+/// [`inverse_branch`](InverseBranch::inverse_branch) takes at most 12 cascades and 200 evaluations of
+/// [`forward_and_jacobian`](Arm::forward_and_jacobian). That holds for arguments of any bits. A cascade is one run of the
+/// closed form through all branches. An ordinary target takes one cascade and no evaluation. An arm without three
+/// consecutive axes that meet or are parallel holds a joint instead, and takes at most 57 places of it and 300
+/// evaluations. See [`effort`](crate::effort).
 ///
 /// # Targets
 /// A target that is not finite gives [`Status::BadTarget`]. A rotation that is off by more than rounding and by at most
@@ -243,20 +245,6 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
         *solutions = self.inverse_near(target, q_ref);
     }
 
-    /// The solution of [`inverse`](Self::inverse) on one branch, without computing the others, also at singular poses.
-    /// The method is meant for control loops that stay on a branch. [`Solution::next_to`] puts the solution on the turn
-    /// next to where the arm is.
-    ///
-    /// Where two branches meet they are one solution, flagged [`BOUNDARY`](crate::Flags::BOUNDARY): the answer to
-    /// either. Components unset in `branch` match any value. The first such solution is returned, an exact one if there
-    /// is one. Components that the arm does not have are ignored. The number of a root
-    /// ([`Branch::root`](crate::Branch::root)) means a branch at one target only: roots are numbered anew at the next.
-    ///
-    /// # Errors
-    /// [`Status::BadTarget`], or [`Status::Unreachable`] with the gap at which the branch ends; the reach of the arm where
-    /// the target has no such branch.
-    fn inverse_branch(&self, target: &Self::Target, branch: Branch) -> OneSolution<T, N>;
-
     /// Residual of `q` for the target, by the arm's own `forward`. Only the components that the target gives count.
     #[must_use]
     fn residual(&self, q: &[T; N], target: &Self::Target) -> Residual<T>;
@@ -271,4 +259,31 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
     /// Outcome of the call that gave `solutions`.
     #[must_use]
     fn status(solutions: &Self::Solutions) -> Status<T>;
+
+    /// Returns false if a bound of the call that gave `solutions` was reached: further solutions may exist. See
+    /// [`Solutions::is_complete`](crate::Solutions::is_complete).
+    #[must_use]
+    fn is_complete(_solutions: &Self::Solutions) -> bool {
+        true
+    }
+}
+
+/// The inverse on one branch, of an arm whose branches have names that mean the same at the next target.
+///
+/// Arms with three consecutive axes that meet or are parallel have it. An arm whose inverse holds a joint numbers its
+/// solutions anew at each target, and has none.
+pub trait InverseBranch<T, const N: usize>: InverseKinematics<T, N> {
+    /// The solution of [`inverse`](InverseKinematics::inverse) on one branch, without computing the others, also at singular poses.
+    /// The method is meant for control loops that stay on a branch. [`Solution::next_to`] puts the solution on the turn
+    /// next to where the arm is.
+    ///
+    /// Where two branches meet they are one solution, flagged [`BOUNDARY`](crate::Flags::BOUNDARY): the answer to
+    /// either. Components unset in `branch` match any value. The first such solution is returned, an exact one if there
+    /// is one. Components that the arm does not have are ignored. The number of a root
+    /// ([`Branch::root`](crate::Branch::root)) means a branch at one target only: roots are numbered anew at the next.
+    ///
+    /// # Errors
+    /// [`Status::BadTarget`], or [`Status::Unreachable`] with the gap at which the branch ends; the reach of the arm where
+    /// the target has no such branch.
+    fn inverse_branch(&self, target: &Self::Target, branch: Branch) -> OneSolution<T, N>;
 }

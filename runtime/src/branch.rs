@@ -73,11 +73,11 @@ impl Branch {
     /// A branch without a name.
     pub const NONE: Self = Self { labels: 0, root: 0 };
 
-    /// Returns the branch with the number of a root, given its index from 0.
+    /// Returns the branch with the number of a root, given its index from 0 to 15; without one beyond.
     #[inline]
     #[must_use]
     pub const fn with_root_index(self, index: usize) -> Self {
-        self.with_root(if index < 15 { index as u8 + 1 } else { 0 })
+        self.with_root(if index < 16 { index as u8 + 1 } else { 0 })
     }
 
     const ELBOW: u8 = 2;

@@ -41,10 +41,6 @@ macro_rules! delegate_inverse {
         fn inverse_into(&self, target: &Self::Target, solutions: &mut Self::Solutions) {
             $name::inverse_into(self, target, solutions)
         }
-        #[inline]
-        fn inverse_branch(&self, target: &Self::Target, branch: $crate::Branch) -> $crate::OneSolution<$scalar, $n> {
-            $name::inverse_branch(self, target, branch)
-        }
         fn inverse_near(&self, target: &Self::Target, q_ref: &[$scalar; $n]) -> Self::Solutions {
             $name::inverse_near(self, target, q_ref)
         }
@@ -70,10 +66,6 @@ macro_rules! delegate_inverse {
         fn inverse_into(&self, target: &Self::Target, solutions: &mut Self::Solutions) {
             $name::inverse_into(self, &target.0, target.1, solutions)
         }
-        #[inline]
-        fn inverse_branch(&self, target: &Self::Target, branch: $crate::Branch) -> $crate::OneSolution<$scalar, $n> {
-            $name::inverse_branch(self, &target.0, target.1, branch)
-        }
         fn inverse_near(&self, target: &Self::Target, q_ref: &[$scalar; $n]) -> Self::Solutions {
             $name::inverse_near(self, &target.0, q_ref)
         }
@@ -95,6 +87,35 @@ macro_rules! delegate_inverse {
         const MAX_SOLUTIONS: ::core::primitive::usize = $m;
         fn status(solutions: &Self::Solutions) -> $crate::Status<$scalar> {
             solutions.status()
+        }
+        fn is_complete(solutions: &Self::Solutions) -> ::core::primitive::bool {
+            solutions.is_complete()
+        }
+    };
+}
+
+/// The items of an `impl InverseBranch` for a generated arm; `given`: a value comes with the target.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! delegate_branch {
+    ($name:ident, $scalar:ty, $n:literal) => {
+        #[inline]
+        fn inverse_branch(
+            &self,
+            target: &<Self as $crate::InverseKinematics<$scalar, $n>>::Target,
+            branch: $crate::Branch,
+        ) -> $crate::OneSolution<$scalar, $n> {
+            $name::inverse_branch(self, target, branch)
+        }
+    };
+    ($name:ident, $scalar:ty, $n:literal, given) => {
+        #[inline]
+        fn inverse_branch(
+            &self,
+            target: &<Self as $crate::InverseKinematics<$scalar, $n>>::Target,
+            branch: $crate::Branch,
+        ) -> $crate::OneSolution<$scalar, $n> {
+            $name::inverse_branch(self, &target.0, target.1, branch)
         }
     };
 }

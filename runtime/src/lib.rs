@@ -40,6 +40,7 @@ mod delegate;
 mod dh;
 pub mod effort;
 mod flags;
+pub mod held_joint;
 mod jacobian;
 mod limits;
 mod manipulability;
@@ -59,7 +60,7 @@ mod windings;
 
 pub use actuator::{Actuator, Quantized};
 pub use analytic::AnalyticJacobian;
-pub use arm::{Arm, InverseKinematics};
+pub use arm::{Arm, InverseBranch, InverseKinematics};
 pub use branch::{Branch, Elbow, Shoulder, Wrist};
 #[cfg(all(feature = "nalgebra", feature = "std"))]
 pub use chain::{Chain, ChainError};

@@ -12,6 +12,11 @@ use crate::target::Target;
 
 mod sort;
 
+/// A branch needed more than the closed form: the pose is singular or on a boundary for it.
+const AWKWARD: u8 = 1;
+/// A bound was reached before every place was looked at.
+const INCOMPLETE: u8 = 2;
+
 /// The solutions of one call, at most `M`, of an arm with `N` joints, and the status of the call.
 ///
 /// Derefs to a slice of [`Solution`]. `inverse` lists the branches in the order that its documentation states,
@@ -22,8 +27,8 @@ pub struct Solutions<T, const N: usize, const M: usize> {
     items: [Solution<T, N>; M],
     len: usize,
     status: Status<T>,
-    /// A branch needed more than the closed form: the pose is singular or on a boundary for it.
-    awkward: bool,
+    /// Bits: [`AWKWARD`], [`INCOMPLETE`].
+    notes: u8,
     deviation: T,
 }
 
@@ -31,7 +36,7 @@ impl<T: Scalar, const N: usize, const M: usize> Solutions<T, N, M> {
     /// One constant, all bits zero, so that making a list is a single fill of memory. (Struct update from it would
     /// compile to a slower copy of read-only data.)
     const EMPTY: Self =
-        Self { items: [Solution::EMPTY; M], len: 0, status: Status::Reachable, awkward: false, deviation: T::ZERO };
+        Self { items: [Solution::EMPTY; M], len: 0, status: Status::Reachable, notes: 0, deviation: T::ZERO };
 
     /// An empty list.
     #[inline]
@@ -45,7 +50,7 @@ impl<T: Scalar, const N: usize, const M: usize> Solutions<T, N, M> {
     /// Empties the list: what [`new`](Self::new) makes, without filling the places of the solutions.
     #[inline]
     pub const fn reset(&mut self, status: Status<T>) {
-        (self.len, self.status, self.awkward, self.deviation) = (0, status, false, T::ZERO);
+        (self.len, self.status, self.notes, self.deviation) = (0, status, 0, T::ZERO);
     }
 
     /// The residual of every solution, in order, from the arm's own `forward`.
@@ -98,13 +103,29 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
     /// Returns true if a branch needed more than the closed form.
     #[inline]
     pub(crate) const fn is_awkward(&self) -> bool {
-        self.awkward
+        self.notes & AWKWARD != 0
     }
 
     /// Notes that a branch needs more than the closed form.
     #[inline]
     pub(crate) const fn mark_awkward(&mut self) {
-        self.awkward = true;
+        self.notes |= AWKWARD;
+    }
+
+    /// Returns false if a bound of the call was reached, or the list was full: further solutions may exist.
+    ///
+    /// Only an arm whose inverse holds a joint can give such a list. The inverse of an arm with a triple of axes that meet
+    /// or are parallel lists every branch within its bound.
+    #[inline]
+    #[must_use]
+    pub const fn is_complete(&self) -> bool {
+        self.notes & INCOMPLETE == 0
+    }
+
+    /// Notes that further solutions may exist.
+    #[inline]
+    pub(crate) const fn mark_incomplete(&mut self) {
+        self.notes |= INCOMPLETE;
     }
 
     /// Deviation of the target's matrix from a rotation, of the order of the Frobenius distance to the nearest

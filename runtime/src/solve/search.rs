@@ -292,6 +292,12 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
                 break;
             }
         }
+        self.finish(constants, near);
+    }
+
+    /// Unwinds and sorts next to a reference, marks limits, and sets the status.
+    #[inline(always)]
+    pub(super) fn finish(&mut self, constants: &ArmConstants<'_, T, N>, near: Option<&[T; N]>) {
         if let Some(near) = near {
             self.next_to(near);
         }

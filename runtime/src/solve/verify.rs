@@ -227,7 +227,11 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
 
 /// Returns true if two joint vectors are one solution.
 #[inline(never)]
-fn coincident<T: Tolerances, const N: usize>(constants: &ArmConstants<T, N>, a: &[T; N], b: &[T; N]) -> bool {
+pub(super) fn coincident<T: Tolerances, const N: usize>(
+    constants: &ArmConstants<T, N>,
+    a: &[T; N],
+    b: &[T; N],
+) -> bool {
     a.iter()
         .zip(b)
         .zip(0..)
@@ -236,6 +240,6 @@ fn coincident<T: Tolerances, const N: usize>(constants: &ArmConstants<T, N>, a: 
 
 /// How far apart two values of a joint are: a distance in reaches, or the angle, whichever way round is shorter.
 #[inline(never)]
-fn apart<T: Tolerances>(difference: T, slides: bool, reach: T) -> T {
+pub(super) fn apart<T: Tolerances>(difference: T, slides: bool, reach: T) -> T {
     if slides { (difference / reach).abs() } else { wrap(difference).abs() }
 }

@@ -1,0 +1,214 @@
+//! The search of an arm whose inverse holds a joint: candidates become solutions.
+//!
+//! A kernel of [`denhart_core`] gives candidates: joint vectors near solutions. Each is evaluated, refined by damped
+//! least squares where it misses by more than rounding, compared with those that are listed, and listed. A candidate
+//! that several roots share is in doubt: its solution may be one that is listed, or lie where branches meet.
+
+use core::ops::ControlFlow;
+
+use denhart_core::held_joint::{Candidate, Outcome};
+
+use super::arm_constants::ArmConstants;
+use super::kernel::tolerances::Tolerances;
+use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
+use super::passes::Decoupled;
+use super::search::Search;
+use super::smallest_pivot::smallest_pivot;
+use super::verify::{apart, coincident};
+use crate::effort::MOST_HELD_JOINT_EVALUATIONS;
+use crate::{Branch, Elbow, Flags, JointMask, Shoulder, Solution};
+
+/// The search of an arm with `N` joints and at most `M` solutions whose inverse holds a joint.
+pub type HeldJointSearch<'a, T, const N: usize, const M: usize> = Search<'a, T, N, M, 1, Decoupled>;
+
+/// Evaluations kept for the reference of `inverse_near`: the first one, and its steps.
+const RESERVED: usize = MOST_STEPS + 1;
+
+/// Two solutions in doubt that are no further apart than this, in rad and reaches, may be one. A fourfold root is known to
+/// the fourth root of rounding.
+const NEIGHBORS: f64 = 0.01;
+
+impl<T: Tolerances, const N: usize, const M: usize> HeldJointSearch<'_, T, N, M> {
+    /// Where each joint stays if the target leaves it free: its reference value; without one 0, or the limit nearest to 0.
+    #[inline]
+    pub fn defaults(&self) -> [T; N] {
+        self.defaults
+    }
+
+    /// Lists the solutions that `solve` gives candidates for, numbers them, and ends the call as
+    /// [`run`](Search::run) does.
+    ///
+    /// `solve` passes each candidate on and stops where that breaks; `place` puts the values of the six joints in the
+    /// places of the arm's joints, and the given ones beside them. A call takes at most
+    /// [`MOST_HELD_JOINT_EVALUATIONS`].
+    #[inline]
+    pub fn run_held_joint(
+        &mut self,
+        constants: &ArmConstants<'_, T, N>,
+        near: Option<&[T; N]>,
+        place: impl Fn([T; 6]) -> [T; N],
+        solve: impl FnOnce(&mut dyn FnMut(&Candidate<T>) -> ControlFlow<()>) -> Outcome,
+    ) {
+        self.left = MOST_HELD_JOINT_EVALUATIONS;
+        let outcome = solve(&mut |candidate| self.consider(candidate, place(candidate.joints)));
+        if !outcome.is_complete {
+            self.solutions.mark_incomplete();
+        }
+        self.number_roots();
+        self.finish(constants, near);
+    }
+
+    /// Makes a candidate a solution, if it closes. Breaks without evaluations left.
+    #[inline(never)]
+    fn consider(&mut self, candidate: &Candidate<T>, mut q: [T; N]) -> ControlFlow<()> {
+        if !q.iter().all(|value| value.is_finite()) {
+            return ControlFlow::Continue(());
+        }
+        let Some(mut left) = self.left.checked_sub(RESERVED + 1) else {
+            self.solutions.mark_incomplete();
+            return ControlFlow::Break(());
+        };
+        let (constants, given) = (self.constants, self.goal.given());
+        wrap_angles(&mut q, given, constants.prismatic);
+        let mut iterate = Iterate::at(q);
+        iterate.evaluate(constants, self.goal, self.arm);
+        if !(constants.relative(&iterate.residual) <= T::ROUNDING) {
+            refine(constants, self.goal, self.arm, &mut iterate, &mut left);
+        }
+        self.left = left + RESERVED;
+        let mut solution = Solution::exact(iterate.q, name(candidate.signs));
+        solution.residual = iterate.residual;
+        let is_exact = constants.relative(&solution.residual) <= T::EXACT;
+        if !is_exact {
+            self.misses_by(&solution.residual);
+            if !constants.tolerates(&solution.residual) {
+                return ControlFlow::Continue(());
+            }
+            solution.flags = Flags::APPROXIMATE;
+        }
+        solution.free = self.in_places_of_the_arm(candidate.free);
+        if !solution.free.is_empty() {
+            solution.flags |= Flags::FREE;
+        }
+        let is_doubtful = candidate.is_doubtful || !is_exact;
+        if is_doubtful || !solution.free.is_empty() {
+            self.solutions.mark_awkward();
+        }
+        let twin = match is_doubtful {
+            true => self.neighbor(&solution),
+            false => self.solutions.iter().position(|other| coincident(constants, &other.q, &solution.q)),
+        };
+        if is_doubtful && twin.is_none() && solution.free.is_empty() && self.is_singular(&solution.q) {
+            solution.flags |= Flags::BOUNDARY;
+        }
+        self.keep(solution, twin);
+        ControlFlow::Continue(())
+    }
+
+    /// The listed solution that a doubtful one cannot be told from: halfway between them the target is missed by no more
+    /// than at the two.
+    fn neighbor(&mut self, solution: &Solution<T, N>) -> Option<usize> {
+        let constants = self.constants;
+        let mut place = 0;
+        while let Some(other) = self.solutions.get(place) {
+            let (mut far, mut between) = (T::ZERO, solution.q);
+            for (joint, (value, other)) in between.iter_mut().zip(&other.q).enumerate() {
+                let slides = constants.prismatic.contains(joint);
+                let to = if slides { *other - *value } else { crate::math::wrap(*other - *value) };
+                far = far.max(apart(to, slides, constants.reach));
+                *value += to * T::HALF;
+            }
+            if far <= T::COINCIDENT {
+                return Some(place);
+            }
+            if far <= T::from_f64(NEIGHBORS) && self.left > RESERVED {
+                self.left -= 1;
+                let mut iterate = Iterate::at(between);
+                iterate.evaluate(constants, self.goal, self.arm);
+                let residuals = constants.relative(&solution.residual).max(constants.relative(&other.residual));
+                let bound = residuals * T::TWO + T::EPSILON * T::from_f64(4.0);
+                if constants.relative(&iterate.residual) <= bound {
+                    return Some(place);
+                }
+            }
+            place += 1;
+        }
+        None
+    }
+
+    /// Returns true if the target leaves a combination of the joints undetermined at `q`.
+    fn is_singular(&mut self, q: &[T; N]) -> bool {
+        if self.left <= RESERVED {
+            return false;
+        }
+        self.left -= 1;
+        let (pose, mut jacobian) = self.arm.evaluate(q);
+        self.goal.restrict(&pose, &mut jacobian);
+        smallest_pivot(self.constants, self.goal.given(), &jacobian) <= T::WEAK
+    }
+
+    /// Lists a solution, or of two that are one the better.
+    fn keep(&mut self, solution: Solution<T, N>, twin: Option<usize>) {
+        let constants = self.constants;
+        let better = |other: &Solution<T, N>| {
+            let (own, listed) = (constants.relative(&solution.residual), constants.relative(&other.residual));
+            // Of exact ones that leaves the joint where it is wanted.
+            let is_family = other.is_exact() && !other.free.is_empty();
+            let becomes_one = solution.is_exact() && other.free.is_empty() && !solution.free.is_empty();
+            own < listed && !is_family || becomes_one
+        };
+        if let Some(other) = twin.and_then(|place| self.solutions.as_mut_slice().get_mut(place)) {
+            if better(other) {
+                let boundary = other.flags.contains(Flags::BOUNDARY);
+                *other = solution;
+                other.flags |= if boundary { Flags::BOUNDARY } else { Flags::default() };
+                // The better one may be a third one, too.
+                let mut is_first = true;
+                self.solutions.retain(|other| {
+                    let is_same = coincident(constants, &other.q, &solution.q);
+                    let keep = !is_same || is_first;
+                    is_first &= !is_same;
+                    keep
+                });
+            }
+            return;
+        }
+        if !self.solutions.push(solution) {
+            self.solutions.mark_incomplete();
+            let worse = self.solutions.as_mut_slice().iter_mut().find(|other| !other.is_exact());
+            if let Some(worse) = worse.filter(|_| solution.is_exact()) {
+                *worse = solution;
+            }
+        }
+    }
+
+    /// A mask of the six joints as one of the arm's joints, among which those that are given have a place.
+    fn in_places_of_the_arm(&self, six: u8) -> JointMask {
+        let given = self.goal.given();
+        let solved = (0..N).filter(|joint| !given.contains(*joint));
+        let free = solved.enumerate().filter(|(place, _)| six >> *place & 1 == 1);
+        free.fold(JointMask::NONE, |mask, (_, joint)| mask | JointMask::single(joint))
+    }
+
+    /// Numbers the solutions with the same signs in the order of the held joint's roots.
+    fn number_roots(&mut self) {
+        let mut place = 0;
+        while let Some(solution) = self.solutions.get(place) {
+            let name = solution.branch;
+            let before = self.solutions.iter().take(place).filter(|other| other.branch.with_root(0) == name).count();
+            if let Some(solution) = self.solutions.as_mut_slice().get_mut(place) {
+                solution.branch = name.with_root_index(before);
+            }
+            place += 1;
+        }
+    }
+}
+
+/// The signs of a branch as its shoulder and elbow.
+fn name(signs: Option<(bool, bool)>) -> Branch {
+    let side = |is_positive: bool| usize::from(!is_positive);
+    match signs {
+        Some((v, w)) => Branch::NONE.with_shoulder(Shoulder::of_root(side(v))).with_elbow(Elbow::of_root(side(w))),
+        None => Branch::NONE,
+    }
+}
