@@ -7,7 +7,7 @@ use crate::model::chain::Chain;
 use crate::model::geometry::{Geometry, geometry};
 use crate::model::{self, Bound, Model, Parameter, Sizes};
 use crate::report::Report;
-use crate::solve::{Plan, Unsupported, plan};
+use crate::solve::{self, InversePlan, Unsupported, plan};
 use crate::{ScalarKind, spec, stages};
 use proc_macro2::TokenStream;
 use quote::ToTokens;
@@ -75,7 +75,7 @@ struct Analyzed {
     chain: Chain,
     geometry: Geometry,
     functions: Functions,
-    inverse: Result<Plan, Unsupported>,
+    inverse: Result<InversePlan, Unsupported>,
     warnings: Vec<Diagnostic>,
 }
 
@@ -92,11 +92,36 @@ fn analyze(text: &str, file: &str, bound: &Bound, scalar: ScalarKind) -> Result<
     let model = model.bind(bound);
     let chain = Chain::of(&model);
     let geometry = geometry(&model, &chain);
-    let inverse = plan(&model, &chain, &geometry);
-    warnings.extend(model.inverse.changed_task(&model.joints, inverse.as_ref().ok().map(|plan| plan.task.goal.task())));
+    let inverse = plan(&model, &chain, &geometry).and_then(|plan| fits(plan, scalar));
+    warnings.extend(
+        model.inverse.changed_task(&model.joints, inverse.as_ref().ok().map(|plan| plan.outline().task.goal.task())),
+    );
     warnings.extend(inverse.as_ref().err().and_then(|unsupported| unmet(&spec, &model, unsupported)));
+    warnings.extend(inverse.as_ref().ok().and_then(doubted));
     let functions = Functions::of(&chain, model.joints.len());
     Ok(Analyzed { model, parameters, chain, geometry, functions, inverse, warnings })
+}
+
+/// The inverse, unless the scalar has too few digits for it.
+fn fits(plan: InversePlan, scalar: ScalarKind) -> Result<InversePlan, Unsupported> {
+    match plan {
+        InversePlan::HeldJoint(plan) if scalar == ScalarKind::F32 && !plan.fits_single() => {
+            let why = "f32 has too few digits for the equation of degree 8 that holds a joint: f64 has enough";
+            // The requests that have a closed form stand behind the reason.
+            let Unsupported { alone, reason, .. } = &plan.no_stages;
+            let others = reason.strip_prefix(alone.as_str()).unwrap_or_default();
+            let reason = format!("{alone}; {why}{others}");
+            Err(Unsupported { reason, ..plan.no_stages })
+        }
+        plan => Ok(plan),
+    }
+}
+
+/// The warning of a table that is probably meant otherwise, although there is an inverse that holds a joint.
+fn doubted(plan: &InversePlan) -> Option<Diagnostic> {
+    let InversePlan::HeldJoint(plan) = plan else { return None };
+    let hint = plan.no_stages.hint.clone()?;
+    Some(Diagnostic::warning(format!("{}: the inverse holds a joint, and is slow", plan.no_stages.alone)).help(hint))
 }
 
 /// The warning of a file that names a task or a joint to give, for which there is no inverse. One that requires an
@@ -188,7 +213,7 @@ pub fn program(text: &str, file: &str) -> Result<Program, Errors> {
     let plan = inverse.as_ref();
     Ok(Program {
         functions,
-        margins: plan.ok().and_then(lower::margins),
+        margins: plan.ok().and_then(InversePlan::stages).and_then(lower::margins),
         inverse: plan.map(|plan| lower::inverse(&model, plan)).map_err(|unsupported| unsupported.reason.clone()),
         linked: lower::linked(&model),
         warnings,
@@ -202,6 +227,19 @@ pub fn program(text: &str, file: &str) -> Result<Program, Errors> {
 /// Every mistake in the file, with its place.
 pub fn check(text: &str, file: &str) -> Result<Report, Errors> {
     Ok(analyze(text, file, &Bound::None, ScalarKind::F64)?.report())
+}
+
+/// Returns true if the inverse of an arm takes a choice of the joints that are held, which takes a tenth of a second or a
+/// second: for tests of many files, no contract.
+#[doc(hidden)]
+#[must_use]
+pub fn takes_a_choice(text: &str, file: &str, bound: &Bound) -> bool {
+    let model = spec::read(text, file).and_then(|(spec, _)| model::check(&spec));
+    model.is_ok_and(|model| {
+        let model = model.bind(bound);
+        let chain = Chain::of(&model);
+        solve::takes_a_choice(&model, &chain, &geometry(&model, &chain))
+    })
 }
 
 /// Results of the stages before code with the parameters bound so, as text. For the tests of this repository: no

@@ -31,8 +31,8 @@ pub use arm_file::{ReadError, decode, read as read_file};
 pub use builder::{BuildError, Builder};
 pub use emit::{Scalar as ScalarKind, UnknownScalar};
 pub use error::{Diagnostic, Errors, Location, Severity};
-#[doc(hidden)]
-pub use generate::stages_text;
 pub use generate::{Generated, Options, Program, check, generate, program};
+#[doc(hidden)]
+pub use generate::{stages_text, takes_a_choice};
 pub use model::Bound;
 pub use report::Report;

@@ -4,7 +4,7 @@ use crate::error::Diagnostic;
 use crate::model::geometry::{Geometry, Relation};
 use crate::model::{JointKind, Model, Parameter, Task, joint_sum};
 use crate::settings::{self, short};
-use crate::solve::{Goal, Plan, Unsupported, describe};
+use crate::solve::{Goal, InversePlan, PlanTask, Unsupported, describe};
 use crate::symbolic::Cost;
 use std::fmt;
 
@@ -40,7 +40,7 @@ impl Report {
         parameters: &[Parameter],
         geometry: &Geometry,
         costs: [Cost; 3],
-        inverse: &Result<Plan, Unsupported>,
+        inverse: &Result<InversePlan, Unsupported>,
         warnings: Vec<Diagnostic>,
     ) -> Report {
         let mut lines = vec![summary(model)];
@@ -59,12 +59,17 @@ impl Report {
         }
         match inverse {
             Ok(plan) => {
-                let most = plan.max_solutions();
+                let outline = plan.outline();
+                let (most, task) = (outline.capacity, outline.task);
                 let plural = if most == 1 { "" } else { "s" };
-                lines.push(format!("inverse (task {}): at most {most} solution{plural}", plan.task.name()));
-                lines.extend(chosen(model, plan).map(|why| format!("  {why}")));
-                lines.extend(angle(plan).map(|angle| format!("  the angle asked for is {angle}")));
-                lines.extend(describe(plan).into_iter().map(|line| format!("  {line}")));
+                lines.push(format!("inverse (task {}): at most {most} solution{plural}", task.name()));
+                lines.extend(chosen(model, task).map(|why| format!("  {why}")));
+                lines.extend(angle(task).map(|angle| format!("  the angle asked for is {angle}")));
+                let described = match plan {
+                    InversePlan::Stages(plan) => describe(plan),
+                    InversePlan::HeldJoint(plan) => plan.describe(),
+                };
+                lines.extend(described.into_iter().map(|line| format!("  {line}")));
             }
             Err(unsupported) => {
                 lines.push(format!("no inverse: {}", unsupported.reason));
@@ -75,8 +80,8 @@ impl Report {
         Report {
             name: model.name.clone(),
             dof: model.joints.len(),
-            task: inverse.as_ref().ok().map(|plan| plan.task.name()),
-            max_solutions: inverse.as_ref().ok().map(Plan::max_solutions),
+            task: inverse.as_ref().ok().map(|plan| plan.outline().task.name()),
+            max_solutions: inverse.as_ref().ok().map(|plan| plan.outline().capacity),
             unsupported: inverse.as_ref().err().map(|unsupported| unsupported.reason.clone()),
             hint: inverse.as_ref().err().and_then(|unsupported| unsupported.hint.clone()),
             instead: inverse.as_ref().err().map(|unsupported| unsupported.instead.clone()).unwrap_or_default(),
@@ -89,11 +94,11 @@ impl Report {
 }
 
 /// Why this is the task of an arm with four or five joints whose file names none, and this the axis that points.
-fn chosen(model: &Model, plan: &Plan) -> Option<String> {
-    let task = plan.task.goal.task().name();
-    match (model.inverse.task, &plan.task.passed_over) {
+fn chosen(model: &Model, asked: &PlanTask) -> Option<String> {
+    let task = asked.goal.task().name();
+    match (model.inverse.task, &asked.passed_over) {
         (_, Some(passed_over)) => Some(passed_over.clone()),
-        (None, None) if model.joints.len() == 5 && plan.task.goal.task() == Task::PositionAxis => Some(format!(
+        (None, None) if model.joints.len() == 5 && asked.goal.task() == Task::PositionAxis => Some(format!(
             "the file names no task: `{task}` along the tool's z axis, because these five joints have no `pose`"
         )),
         (None, None) if matches!(model.joints.len(), 4 | 5) => {
@@ -104,8 +109,8 @@ fn chosen(model: &Model, plan: &Plan) -> Option<String> {
 }
 
 /// The angle of `position_angle`, as a sum of joints.
-fn angle(plan: &Plan) -> Option<String> {
-    let Goal::PositionAngle { signs, offset: constant } = &plan.task.goal else { return None };
+fn angle(task: &PlanTask) -> Option<String> {
+    let Goal::PositionAngle { signs, offset: constant } = &task.goal else { return None };
     let constant = (!constant.is_zero()).then(|| format!("{} deg", short(constant.rad().to_degrees())));
     Some(joint_sum(signs, constant, short))
 }

@@ -5,12 +5,12 @@ use crate::lower::Block;
 use crate::model::chain::{Chain, Elementary};
 use crate::model::geometry::Geometry;
 use crate::model::{Angle, Length, Model};
-use crate::solve::{Plan, PlanStep, Stage, Unsupported};
+use crate::solve::{InversePlan, Plan, PlanStep, Stage, Unsupported};
 use crate::symbolic::{ConstantAngle, Dimension, Expr, Symbol};
 use std::fmt::Write;
 
 /// Model, factors of the chain, triples and plan; one item a line.
-pub fn text(model: &Model, chain: &Chain, geometry: &Geometry, inverse: &Result<Plan, Unsupported>) -> String {
+pub fn text(model: &Model, chain: &Chain, geometry: &Geometry, inverse: &Result<InversePlan, Unsupported>) -> String {
     let mut out = String::from("joints\n");
     for joint in &model.joints {
         let limits = joint.limits.map_or("without limits".into(), |[low, high]| format!("{low:?} to {high:?}"));
@@ -25,7 +25,11 @@ pub fn text(model: &Model, chain: &Chain, geometry: &Geometry, inverse: &Result<
         line(&mut out, format!("{}: {:?}", triple.first + 1, triple.kind));
     }
     match inverse {
-        Ok(plan) => solution(&mut out, plan),
+        Ok(InversePlan::Stages(plan)) => solution(&mut out, plan),
+        Ok(InversePlan::HeldJoint(plan)) => {
+            out += "plan\n";
+            plan.describe().into_iter().for_each(|text| line(&mut out, text));
+        }
         Err(unsupported) => {
             out += "no plan\n";
             line(&mut out, unsupported.reason.clone());

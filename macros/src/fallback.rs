@@ -242,13 +242,6 @@ fn traits(name: &Ident, outline: &Outline, krate: &Path, number: &TokenStream) -
             fn inverse(&self, _: &Self::Target) -> Self::Solutions {
                 #krate::Solutions::new(#krate::Status::BadTarget)
             }
-            fn inverse_branch(
-                &self,
-                _: &Self::Target,
-                _: #krate::Branch,
-            ) -> ::core::result::Result<#krate::Solution<#number, #q>, #krate::Status<#number>> {
-                ::core::result::Result::Err(#krate::Status::BadTarget)
-            }
             fn inverse_near(&self, _: &Self::Target, _: &[#number; #q]) -> Self::Solutions {
                 #krate::Solutions::new(#krate::Status::BadTarget)
             }
@@ -260,6 +253,16 @@ fn traits(name: &Ident, outline: &Outline, krate: &Path, number: &TokenStream) -
             }
             fn status(_: &Self::Solutions) -> #krate::Status<#number> {
                 #krate::Status::BadTarget
+            }
+        }
+        #[automatically_derived]
+        impl #any #krate::InverseBranch<#number, #q> for #name {
+            fn inverse_branch(
+                &self,
+                _: &#krate::Pose<#number>,
+                _: #krate::Branch,
+            ) -> ::core::result::Result<#krate::Solution<#number, #q>, #krate::Status<#number>> {
+                ::core::result::Result::Err(#krate::Status::BadTarget)
             }
         }
     }

@@ -1,6 +1,7 @@
 //! The whole of an arm: constants, methods and trait impls.
 
 use super::constants::Dimensions;
+use super::held_joint::held_joint;
 use super::inverse::{Inverse as InverseCode, inverse};
 use super::margins::margins;
 use super::target_at::target_at;
@@ -8,12 +9,12 @@ use super::tokens::integer;
 use super::{Target, actuator, combined_limits, coupling, docs, kinematics, motion, parameters, paths, tables};
 use crate::lower::Functions;
 use crate::model::Model;
-use crate::solve::{Plan, Unsupported};
+use crate::solve::{InversePlan, Unsupported};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 /// The plan of the inverse, or why there is none.
-pub type Inverse = Result<Plan, Unsupported>;
+pub type Inverse = Result<InversePlan, Unsupported>;
 
 /// Everything the code is made from.
 pub struct Arm<'a> {
@@ -51,11 +52,16 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
         dimensions.collect(straight);
     }
     let inverse_code = match arm.inverse {
-        Ok(plan) => {
+        Ok(InversePlan::HeldJoint(plan)) => {
+            let mut code = held_joint(model, plan, target);
+            code.methods.extend(target_at(model, &plan.outline(), target));
+            code
+        }
+        Ok(InversePlan::Stages(plan)) => {
             dimensions.collect_from(&plan.graph, &plan.inputs());
             let margins = margins(model, plan, target, &mut dimensions);
             let mut code = inverse(model, plan, target);
-            code.methods.extend([target_at(model, plan, target), margins]);
+            code.methods.extend([target_at(model, &plan.outline(), target), margins]);
             code
         }
         Err(unsupported) => without_inverse(model, unsupported, target),
@@ -65,7 +71,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     let associated = tables::associated(model, target);
     let motors = [combined_limits::constant(model, target), linked.methods, actuator::methods(model, target)];
     let bound = parameters::methods(model, target);
-    let counted = motion::counted(model, arm.inverse.as_ref().ok());
+    let counted = motion::counted(model, arm.inverse.as_ref().ok().map(|plan| &plan.outline().task.goal));
     let arm_trait = arm_trait(model, &counted, target);
     let motion = motion::methods(model, &counted, target);
     let doc = docs::lines(&impl_doc(arm));

@@ -1,11 +1,11 @@
 //! The inverse: its program as nested loops over the roots of its stages.
 
-use super::inverse_frame::{function, inverse_trait, items, methods};
+use super::inverse_frame::{Solver, function, inverse_branch, inverse_trait, items, methods};
 use super::kernel;
 use super::nest::Nest;
 use super::task::task;
 use super::tokens::{array, bound, ident};
-use super::{Target, angle, docs};
+use super::{Target, angle, docs, parameters};
 use crate::lower::kernel::Quantity;
 use crate::lower::{self, BranchState, Branching, Call, Each, Given, Part, Root, Statement};
 use crate::model::Model;
@@ -28,15 +28,36 @@ pub struct Inverse {
 
 /// Emits the plan.
 pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
-    let program = lower::inverse(model, plan);
+    let program = lower::stages(model, plan);
     let nest = Nest { plan, target, program: &program, bound: !model.parameters.is_empty() };
     let body = nest.levels();
     let task = task(model, &program, target);
+    let outline = &plan.outline();
+    let solver = Solver {
+        bound: "The call takes at most 12 cascades and 200 evaluations of `forward_and_jacobian`, for any target.",
+        method: "Pieper (1968) and cyclic closure around three axes that meet or are parallel; the stages are\n\
+                 documented where they are solved.",
+        function: ident("branches"),
+        arguments: quote!(ALL,),
+        branch: inverse_branch(plan, target, &task),
+    };
     Inverse {
-        items: items(model, &program, target, nest.ranges()),
+        items: items(model, &program.constants, target, [measure(model, target), nest.constants()]),
         function: function(model, plan, &program, target, &task, &given_symbols(&program, target), &body),
-        methods: methods(model, plan, target, &task),
-        trait_impl: inverse_trait(plan, target, &task),
+        methods: methods(model, outline, target, &task, &solver),
+        trait_impl: inverse_trait(outline, true, target, &task),
+    }
+}
+
+/// The scale of every length comparison.
+fn measure(model: &Model, target: &Target) -> TokenStream {
+    let (krate, scalar) = (&target.krate, target.scalar.tokens());
+    if !model.parameters.is_empty() {
+        return parameters::reach(model, target);
+    }
+    quote! {
+        /// Lengths are compared relative to the reach.
+        const LENGTH: #krate::solve::Measure<#scalar> = #krate::solve::Measure::length(REACH);
     }
 }
 
@@ -55,8 +76,9 @@ fn given_symbols(program: &lower::Inverse, target: &Target) -> TokenStream {
 }
 
 impl Nest<'_> {
-    /// The constant ranges of the stages.
-    fn ranges(&self) -> TokenStream {
+    /// The selection of all branches, and the constant ranges of the stages.
+    fn constants(&self) -> TokenStream {
+        let krate = &self.target.krate;
         let statements = self.program.levels.iter().flat_map(|level| &level.body);
         let mut calls: Vec<&Call> = statements
             .filter_map(|statement| match statement {
@@ -65,7 +87,11 @@ impl Nest<'_> {
             })
             .collect();
         calls.sort_by_key(|call| call.stage);
-        calls.into_iter().map(|call| kernel::range_item(self, call)).collect()
+        let ranges = calls.into_iter().map(|call| kernel::range_item(self, call));
+        quote! {
+            const ALL: #krate::solve::Every = #krate::solve::Every;
+            #(#ranges)*
+        }
     }
 
     fn levels(&self) -> TokenStream {

@@ -3,17 +3,21 @@
 use super::task::TaskCode;
 use super::tokens::{array, ident, integer, number};
 use super::{Target, combined_limits, docs, parameters, worked_out};
-use crate::lower::Inverse;
+use crate::lower::{ArmConstants, Inverse};
 use crate::model::{JointKind, Model};
-use crate::solve::{Given, Goal, Plan};
+use crate::solve::{Given, Goal, Outline, Plan};
 use crate::symbolic::Input;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-/// Reach, tolerances and limits as constants.
-pub(super) fn items(model: &Model, program: &Inverse, target: &Target, ranges: TokenStream) -> TokenStream {
+/// Reach, tolerances and limits as constants; `measure` and `own` are those of the solver.
+pub(super) fn items(
+    model: &Model,
+    constants: &ArmConstants,
+    target: &Target,
+    [measure, own]: [TokenStream; 2],
+) -> TokenStream {
     let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
-    let constants = &program.constants;
     let reach = worked_out::reach(constants.reach, model, target);
     let limited = constants.limited;
     let sliding = constants
@@ -39,15 +43,10 @@ pub(super) fn items(model: &Model, program: &Inverse, target: &Target, ranges: T
         }
         None => quote!(::core::option::Option::None),
     };
-    let (measure, constants_doc) = if model.parameters.is_empty() {
-        let measure = quote! {
-            /// Lengths are compared relative to the reach.
-            const LENGTH: #krate::solve::Measure<#scalar> = #krate::solve::Measure::length(REACH);
-        };
-        (measure, " Constants of the arm for the search.")
+    let constants_doc = if model.parameters.is_empty() {
+        " Constants of the arm for the search."
     } else {
-        let reach = parameters::reach(model, target);
-        (reach, " Constants of the arm for the search; the reach is that of the file's lengths.")
+        " Constants of the arm for the search; the reach is that of the file's lengths."
     };
     quote! {
         #[doc = #reach_doc]
@@ -65,23 +64,47 @@ pub(super) fn items(model: &Model, program: &Inverse, target: &Target, ranges: T
             reach: REACH,
             tolerance: #krate::Residual { position: #length, orientation: #angle },
         };
-        const ALL: #krate::solve::Every = #krate::solve::Every;
-        #ranges
+        #own
     }
 }
 
-pub(super) fn solutions(plan: &Plan, target: &Target) -> TokenStream {
+pub(super) fn solutions(outline: &Outline, target: &Target) -> TokenStream {
     let (krate, scalar, n, m) =
-        (&target.krate, target.scalar.tokens(), integer(plan.joints()), integer(plan.max_solutions()));
+        (&target.krate, target.scalar.tokens(), integer(outline.joints), integer(outline.capacity));
     quote!(#krate::Solutions<#scalar, #n, #m>)
 }
 
 /// The argument that is given beside the target.
-pub(super) fn given(plan: &Plan) -> Option<Ident> {
-    plan.task.given.map(|given| match given {
+pub(super) fn given(outline: &Outline) -> Option<Ident> {
+    outline.task.given.map(|given| match given {
         Given::ArmAngle => ident("arm_angle"),
         Given::Joint { joint, .. } => ident(&Input::Given(joint).name()),
     })
+}
+
+/// The statements that bind what is searched for, and its name.
+pub(super) struct Sought {
+    pub(super) bind: TokenStream,
+    pub(super) name: Ident,
+}
+
+/// The goal of a search, and its name.
+pub(super) fn sought(outline: &Outline, task: &TaskCode, target: &Target) -> Sought {
+    let krate = &target.krate;
+    let goal = &task.goal;
+    let mut bind = match outline.task.goal {
+        Goal::Pose => quote! {
+            let mut nearest = ::core::option::Option::None;
+            let goal = #krate::solve::nearest_rotation(target, &mut nearest, solutions);
+        },
+        _ => quote!(let goal = #goal;),
+    };
+    if let Some(q) = given(outline) {
+        // The arm angle holds no joint: a number beyond the last.
+        let joint = integer(outline.task.given_joint().unwrap_or(outline.joints));
+        bind = quote!(#bind let locked = &#krate::solve::Locked::new(goal, #joint, #q););
+    }
+    Sought { bind, name: ident(if given(outline).is_some() { "locked" } else { "goal" }) }
 }
 
 /// The function around the loops.
@@ -96,26 +119,14 @@ pub(super) fn function(
 ) -> TokenStream {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
     let (n, m) = (integer(plan.joints()), integer(plan.max_solutions()));
-    let solutions = solutions(plan, target);
+    let outline = &plan.outline();
+    let solutions = solutions(outline, target);
     let type_name = &target.type_name;
     let lines: Vec<String> = crate::solve::describe(plan).into_iter().map(|line| format!("- {line}")).collect();
     let doc = docs::lines(&format!("All branches of the inverse, or those that are wanted.\n\n{}", lines.join("\n")));
     let (target_type, unpack) = (&task.target, &task.unpack);
-    let argument = given(plan).map(|q| quote!(#q: #scalar,));
-    let goal = &task.goal;
-    let mut goal = match plan.task.goal {
-        Goal::Pose => quote! {
-            let mut nearest = ::core::option::Option::None;
-            let goal = #krate::solve::nearest_rotation(target, &mut nearest, solutions);
-        },
-        _ => quote!(let goal = #goal;),
-    };
-    if let Some(q) = given(plan) {
-        // The arm angle holds no joint: a number beyond the last.
-        let joint = integer(plan.task.given_joint().unwrap_or(plan.joints()));
-        goal = quote!(#goal let locked = &#krate::solve::Locked::new(goal, #joint, #q););
-    }
-    let sought = ident(if given(plan).is_some() { "locked" } else { "goal" });
+    let argument = given(outline).map(|q| quote!(#q: #scalar,));
+    let Sought { bind: goal, name: sought } = sought(outline, task, target);
     let (constants, sizes) = if model.parameters.is_empty() {
         (quote!(&CONSTANTS), TokenStream::new())
     } else {
@@ -171,13 +182,34 @@ pub(super) fn function(
     }
 }
 
+/// Docs and calls by which the methods of a closed form differ from those of a held joint.
+pub(super) struct Solver<'a> {
+    /// The bound of a call, a sentence.
+    pub(super) bound: &'a str,
+    /// The method and its source.
+    pub(super) method: &'a str,
+    /// The function that fills a list.
+    pub(super) function: Ident,
+    /// Its arguments behind the reference.
+    pub(super) arguments: TokenStream,
+    /// The method `inverse_branch`.
+    pub(super) branch: TokenStream,
+}
+
 /// `inverse`, `inverse_near`, both into a list of the caller, `inverse_branch` and `residual`.
-pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCode) -> TokenStream {
+pub(super) fn methods(
+    model: &Model,
+    outline: &Outline,
+    target: &Target,
+    task: &TaskCode,
+    solver: &Solver,
+) -> TokenStream {
     let (krate, scalar, n, m) =
-        (&target.krate, target.scalar.tokens(), integer(plan.joints()), integer(plan.max_solutions()));
-    let solutions = solutions(plan, target);
-    let q = given(plan);
-    let fixed = q.as_ref().map(|q| match plan.task.swivel {
+        (&target.krate, target.scalar.tokens(), integer(outline.joints), integer(outline.capacity));
+    let solutions = solutions(outline, target);
+    let Solver { bound, method, function, arguments, branch } = solver;
+    let q = given(outline);
+    let fixed = q.as_ref().map(|q| match outline.task.swivel {
         Some(_) => {
             "`arm_angle`: how far the elbow is swung about the line from shoulder to wrist, rad; see `arm_angle()`.\n"
                 .to_string()
@@ -190,10 +222,9 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
          A joint that a singular target leaves free stays at 0 (or its limit nearest to 0) and is named in `free`.\n\
          Status: `Reachable`, `Unreachable` with the least gap of an equation without a root, or `BadTarget` if the \
          target {}{}. The gap is not the distance to the workspace; `numeric` finds that.\n\
-         The call takes at most 12 cascades and 200 evaluations of `forward_and_jacobian`, for any target.\n\
+         {bound}\n\
          Limits only set a flag; filter with `within_limits()`.\n\n\
-         Method: Pieper (1968) and cyclic closure around three axes that meet or are parallel; the stages are\n\
-         documented where they are solved.",
+         Method: {method}",
         task.doc,
         fixed.unwrap_or_default(),
         task.bad,
@@ -202,18 +233,16 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
     let (target_type, goal) = (&task.target, &task.goal);
     let argument = q.as_ref().map(|q| quote!(, #q: #scalar));
     let pass = q.as_ref().map(|q| quote!(#q,));
-    // Sums with a given angle lose no digits to its turns.
-    let turns = matches!(plan.task.given, Some(Given::Joint { revolute: true, .. }));
-    let pass_wrapped = if turns { q.as_ref().map(|q| quote!(#krate::solve::wrap(#q),)) } else { pass.clone() };
-    let from_reference = plan.task.given.map(|given| match given {
+    let pass_wrapped = wrapped(outline, target);
+    let from_reference = outline.task.given.map(|given| match given {
         Given::ArmAngle => quote!(let arm_angle = self.arm_angle(q_ref);),
         Given::Joint { joint, .. } => {
             let before = (0..joint).map(|_| quote!(_,));
             quote!(let [#(#before)* #q, ..] = *q_ref;)
         }
     });
-    let arm_angle = arm_angle(plan, target);
-    let sample = sample_redundancy(model, plan, target, task);
+    let arm_angle = arm_angle(outline, target);
+    let sample = sample_redundancy(model, outline, target, task);
     let held = q.as_ref().map_or_else(
         || "a free joint stays at its value".into(),
         |q| format!("`{q}` and free joints stay at their value"),
@@ -225,14 +254,6 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
          `BadTarget`.",
         distance(model)
     ));
-    let branch = docs::lines(
-        "The solution of `inverse` on one branch, without computing the others; or the status that says why there is none \
-         (`Unreachable` with the gap at which the branch ends). Where branches meet, either gives the one solution, \
-         flagged `BOUNDARY`. Components unset in `branch` match any value.",
-    );
-    // Without a flip only the branch is followed.
-    let one =
-        if plan.flip().is_some() { quote!(solutions.one_on(branch)) } else { quote!(solutions.first_or_status()) };
     let list = quote!(let mut solutions = #krate::Solutions::new(#krate::Status::BadTarget););
     quote! {
         #arm_angle
@@ -254,21 +275,10 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
         #[inline(always)]
         pub fn inverse_into(&self, target: &#target_type #argument, solutions: &mut #solutions) {
             solutions.reset(#krate::Status::BadTarget);
-            branches(self, target, #pass_wrapped ::core::option::Option::None, ALL, solutions);
+            #function(self, target, #pass_wrapped ::core::option::Option::None, #arguments solutions);
         }
 
         #branch
-        #[inline]
-        pub fn inverse_branch(
-            &self,
-            target: &#target_type
-            #argument,
-            branch: #krate::Branch,
-        ) -> #krate::OneSolution<#scalar, #n> {
-            #list
-            branches(self, target, #pass_wrapped ::core::option::Option::None, branch, &mut solutions);
-            #one
-        }
 
         #near
         #[inline(always)]
@@ -284,7 +294,7 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
         pub fn inverse_near_into(&self, target: &#target_type, q_ref: &[#scalar; #n], solutions: &mut #solutions) {
             #from_reference
             solutions.reset(#krate::Status::BadTarget);
-            branches(self, target, #pass ::core::option::Option::Some(q_ref), ALL, solutions);
+            #function(self, target, #pass ::core::option::Option::Some(q_ref), #arguments solutions);
         }
 
         /// Residual of `q` for the target, by `forward`.
@@ -295,10 +305,49 @@ pub(super) fn methods(model: &Model, plan: &Plan, target: &Target, task: &TaskCo
     }
 }
 
+/// The given value as it is passed on: sums with a given angle lose no digits to its turns.
+fn wrapped(outline: &Outline, target: &Target) -> Option<TokenStream> {
+    let krate = &target.krate;
+    let turns = matches!(outline.task.given, Some(Given::Joint { revolute: true, .. }));
+    let pass = |q: Ident| if turns { quote!(#krate::solve::wrap(#q),) } else { quote!(#q,) };
+    given(outline).map(pass)
+}
+
+/// The method `inverse_branch` of an arm whose branches have names.
+pub(super) fn inverse_branch(plan: &Plan, target: &Target, task: &TaskCode) -> TokenStream {
+    let outline = &plan.outline();
+    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(outline.joints));
+    let target_type = &task.target;
+    let argument = given(outline).map(|q| quote!(, #q: #scalar));
+    let pass = wrapped(outline, target);
+    let doc = docs::lines(
+        "The solution of `inverse` on one branch, without computing the others; or the status that says why there is none \
+         (`Unreachable` with the gap at which the branch ends). Where branches meet, either gives the one solution, \
+         flagged `BOUNDARY`. Components unset in `branch` match any value.",
+    );
+    // Without a flip only the branch is followed.
+    let one =
+        if plan.flip().is_some() { quote!(solutions.one_on(branch)) } else { quote!(solutions.first_or_status()) };
+    quote! {
+        #doc
+        #[inline]
+        pub fn inverse_branch(
+            &self,
+            target: &#target_type
+            #argument,
+            branch: #krate::Branch,
+        ) -> #krate::OneSolution<#scalar, #n> {
+            let mut solutions = #krate::Solutions::new(#krate::Status::BadTarget);
+            branches(self, target, #pass ::core::option::Option::None, branch, &mut solutions);
+            #one
+        }
+    }
+}
+
 /// The arm angle of a joint vector.
-fn arm_angle(plan: &Plan, target: &Target) -> Option<TokenStream> {
-    let constants = plan.task.swivel.as_ref()?;
-    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(plan.joints()));
+fn arm_angle(outline: &Outline, target: &Target) -> Option<TokenStream> {
+    let constants = outline.task.swivel.as_ref()?;
+    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(outline.joints));
     let vector = |v: [f64; 3]| array(v.map(number));
     let rows = array(constants.shoulder.r.map(vector));
     let (origin, wrist, axis, elbow) =
@@ -323,10 +372,10 @@ fn arm_angle(plan: &Plan, target: &Target) -> Option<TokenStream> {
 }
 
 /// A walk over the values of a redundant joint.
-fn sample_redundancy(model: &Model, plan: &Plan, target: &Target, task: &TaskCode) -> Option<TokenStream> {
+fn sample_redundancy(model: &Model, outline: &Outline, target: &Target, task: &TaskCode) -> Option<TokenStream> {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
-    let (solutions, target_type) = (solutions(plan, target), &task.target);
-    let (joint, revolute) = match plan.task.given? {
+    let (solutions, target_type) = (solutions(outline, target), &task.target);
+    let (joint, revolute) = match outline.task.given? {
         Given::Joint { joint, revolute } => (joint, revolute),
         Given::ArmAngle => {
             return Some(quote! {
@@ -368,16 +417,25 @@ fn sample_redundancy(model: &Model, plan: &Plan, target: &Target, task: &TaskCod
     })
 }
 
-/// The trait impl, whose target includes the value of a redundant joint.
-pub(super) fn inverse_trait(plan: &Plan, target: &Target, task: &TaskCode) -> TokenStream {
+/// The trait impl, whose target includes the value of a redundant joint; `branches`: they have names.
+pub(super) fn inverse_trait(outline: &Outline, branches: bool, target: &Target, task: &TaskCode) -> TokenStream {
     let (krate, scalar, name) = (&target.krate, target.scalar.tokens(), &target.type_name);
-    let (n, m) = (integer(plan.joints()), integer(plan.max_solutions()));
+    let (n, m) = (integer(outline.joints), integer(outline.capacity));
     let target_type = &task.target;
-    let given = plan.task.given.map(|given| match given {
+    let takes_value = outline.task.given.map(|_| quote!(, given));
+    let given = outline.task.given.map(|given| match given {
         Given::ArmAngle => quote!(, given |arm, q| arm.arm_angle(q)),
         Given::Joint { joint, .. } => {
             let joint = integer(joint);
             quote!(, given |_arm, q| q[#joint])
+        }
+    });
+    let branch = branches.then(|| {
+        quote! {
+            #[automatically_derived]
+            impl #krate::InverseBranch<#scalar, #n> for #name {
+                #krate::delegate_branch!(#name, #scalar, #n #takes_value);
+            }
         }
     });
     quote! {
@@ -385,6 +443,7 @@ pub(super) fn inverse_trait(plan: &Plan, target: &Target, task: &TaskCode) -> To
         impl #krate::InverseKinematics<#scalar, #n> for #name {
             #krate::delegate_inverse!(#name, #scalar, #n, #m, #target_type #given);
         }
+        #branch
     }
 }
 

@@ -3,7 +3,7 @@
 use super::tokens::{integer, number};
 use super::{Target, docs};
 use crate::model::{Axis, Model, Task};
-use crate::solve::{Goal, Plan};
+use crate::solve::Goal;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -21,8 +21,8 @@ pub enum Counted {
 }
 
 /// The part counted by the task of the arm's inverse, else by the task that its file names.
-pub fn counted(model: &Model, plan: Option<&Plan>) -> Counted {
-    match (plan.map(|plan| &plan.task.goal), plan.map(|plan| plan.task.goal.task()).or(model.inverse.task)) {
+pub fn counted(model: &Model, goal: Option<&Goal>) -> Counted {
+    match (goal, goal.map(Goal::task).or(model.inverse.task)) {
         (_, Some(Task::Position)) => {
             Counted::Rows([true, true, true, false, false, false], "`vx vy vz` of the Jacobian")
         }
@@ -35,7 +35,7 @@ pub fn counted(model: &Model, plan: Option<&Plan>) -> Counted {
         (Some(Goal::PositionAxis { column }), _) => Counted::Axis(*column),
         (_, Some(Task::PositionAxis)) => Counted::Axis(model.inverse.axis.unwrap_or(Axis::Z).column()),
         (Some(Goal::PositionAngle { signs, .. }), _) => Counted::Angle(signs.clone()),
-        // Without a plan the signs are not known.
+        // Without an inverse the signs are not known.
         (_, Some(Task::PositionAngle | Task::Pose) | None) => Counted::All,
     }
 }

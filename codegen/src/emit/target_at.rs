@@ -6,16 +6,16 @@ use super::tokens::{bound, ident, integer};
 use super::{Target, angle, docs};
 use crate::lower::Goal;
 use crate::model::Model;
-use crate::solve::Plan;
+use crate::solve::Outline;
 use crate::symbolic::AngleSum;
 use proc_macro2::TokenStream;
 use quote::quote;
 
 /// The method.
-pub fn target_at(model: &Model, plan: &Plan, target: &Target) -> TokenStream {
-    let (scalar, n, goal) = (target.scalar.tokens(), integer(plan.joints()), &plan.task.goal);
-    let (target_type, body) = (target_type(goal, target), body(plan, target));
-    let call = given(plan).map_or_else(
+pub fn target_at(model: &Model, outline: &Outline, target: &Target) -> TokenStream {
+    let (scalar, n, goal) = (target.scalar.tokens(), integer(outline.joints), &outline.task.goal);
+    let (target_type, body) = (target_type(goal, target), body(outline, target));
+    let call = given(outline).map_or_else(
         || "`inverse(&target)`".to_owned(),
         |given| format!("`inverse(&target, {given})` with the `{given}` of `q`"),
     );
@@ -35,9 +35,9 @@ pub fn target_at(model: &Model, plan: &Plan, target: &Target) -> TokenStream {
     }
 }
 
-fn body(plan: &Plan, target: &Target) -> TokenStream {
+fn body(outline: &Outline, target: &Target) -> TokenStream {
     let krate = &target.krate;
-    match &plan.task.goal {
+    match &outline.task.goal {
         Goal::Pose => quote!(self.forward(q)),
         Goal::Position => quote!(self.forward(q).translation),
         Goal::PositionAxis { column } => {
@@ -51,7 +51,7 @@ fn body(plan: &Plan, target: &Target) -> TokenStream {
             let sum = goal.angle_sum().unwrap_or_else(AngleSum::zero);
             let turns = |joint: usize| sum.terms.iter().any(|(term, _)| *term == joint);
             let name = |joint: usize| format!("q{}", joint + 1);
-            let joints = (0..plan.joints()).map(|joint| bound(&name(joint), turns(joint)));
+            let joints = (0..outline.joints).map(|joint| bound(&name(joint), turns(joint)));
             let terms = sum.terms.iter().map(|(joint, negative)| (ident(&name(*joint)), *negative));
             let angle = angle::sum(terms, sum.constant, target);
             quote! {

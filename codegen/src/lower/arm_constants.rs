@@ -1,7 +1,6 @@
 //! The arm constants of the search.
 
 use crate::model::{DEFAULT_TOLERANCE, JointKind, Model};
-use crate::solve::Plan;
 
 /// The numbers of the runtime's `ArmConstants`, of the arm with the lengths of its file.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,8 +28,8 @@ pub struct ArmConstants {
 }
 
 impl ArmConstants {
-    /// Arm constants of an arm and its plan.
-    pub fn of(model: &Model, plan: &Plan) -> ArmConstants {
+    /// Arm constants of an arm without virtual joints and wrist flips.
+    pub fn of(model: &Model, reach: f64) -> ArmConstants {
         let joints = || model.joints.iter();
         ArmConstants {
             limits: limits(model),
@@ -42,10 +41,10 @@ impl ArmConstants {
                 .filter(|(_, joint)| joint.kind == JointKind::Prismatic)
                 .map(|(i, _)| i)
                 .collect(),
-            stands_for: plan.has_virtual_joint().then(|| plan.last_solved()),
-            wrist: plan.flip(),
-            reach: plan.reach,
-            length: model.inverse.tolerance_length.unwrap_or(DEFAULT_TOLERANCE * plan.reach),
+            stands_for: None,
+            wrist: None,
+            reach,
+            length: model.inverse.tolerance_length.unwrap_or(DEFAULT_TOLERANCE * reach),
             angle: model.inverse.tolerance_angle.unwrap_or(DEFAULT_TOLERANCE),
         }
     }

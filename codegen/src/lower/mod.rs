@@ -26,12 +26,12 @@ pub use call::{Call, Counted, DefaultValue, RootRange};
 pub use coupling::{Linear, Linked, linked};
 pub use function::{Function, Functions};
 pub use margins::{Margins, Plane, Variable, constant, margins};
-pub use nest::inverse;
+pub use nest::{held_joint, inverse, stages};
 pub use program::{BranchState, Each, Inverse, Level, Root, Statement};
 pub use straight::Straight;
 
 pub use crate::solve::kernel::{self, Kernel, Unit};
-pub use crate::solve::{Branching, Factor, Given, Goal, SwivelConstants};
+pub use crate::solve::{Branching, Factor, Given, Goal, HeldJointPlan, Link, Method, SixJoints, SwivelConstants};
 pub use crate::symbolic::{AngleSum, BoundAngle, Dimension, Expr, Graph, Input, Node, Part};
 
 /// A value of a program: a leaf or an expression of its graph.

@@ -1,9 +1,9 @@
 //! The inverse: the plan as nested loops over the roots of its stages.
 
 use super::stage::call;
-use super::{ArmConstants, Block, BranchState, Each, Inverse, Level, Root, Slot, Statement};
+use super::{ArmConstants, Block, BranchState, Each, Inverse, Level, Names, Root, Slot, Statement};
 use crate::model::Model;
-use crate::solve::{Plan, PlanStep, Stage, Unit};
+use crate::solve::{HeldJointPlan, InversePlan, Plan, PlanStep, Stage, Unit};
 use crate::symbolic::{Graph, Input, Mat3, Node, Part, Symbol, Unknown};
 use std::collections::{HashMap, HashSet};
 
@@ -19,8 +19,38 @@ struct Nest<'a> {
     agreements: usize,
 }
 
+/// The program of an inverse.
+pub fn inverse(model: &Model, plan: &InversePlan) -> Inverse {
+    match plan {
+        InversePlan::Stages(plan) => stages(model, plan),
+        InversePlan::HeldJoint(plan) => held_joint(model, plan),
+    }
+}
+
+/// The program of a plan that holds a joint: no statements.
+pub fn held_joint(model: &Model, plan: &HeldJointPlan) -> Inverse {
+    let outline = plan.outline();
+    Inverse {
+        graph: Graph::default(),
+        names: Names::default(),
+        constants: ArmConstants::of(model, outline.reach),
+        goal: outline.task.goal.clone(),
+        given: outline.task.given,
+        swivel: None,
+        inputs: Vec::new(),
+        levels: Vec::new(),
+        stages: 0,
+        agreements: 0,
+        joints: outline.joints,
+        capacity: outline.capacity,
+        decoupled: false,
+        in_doubt: false,
+        held_joint: Some(plan.clone()),
+    }
+}
+
 /// The program of a plan.
-pub fn inverse(model: &Model, plan: &Plan) -> Inverse {
+pub fn stages(model: &Model, plan: &Plan) -> Inverse {
     let read = plan.inputs();
     // Leaves that only a joint value is made from are not in the plan's graph.
     let mut graph = plan.graph.clone();
@@ -67,7 +97,11 @@ pub fn inverse(model: &Model, plan: &Plan) -> Inverse {
     Inverse {
         graph,
         names: block.bound,
-        constants: ArmConstants::of(model, plan),
+        constants: ArmConstants {
+            stands_for: plan.has_virtual_joint().then(|| plan.last_solved()),
+            wrist: plan.flip(),
+            ..ArmConstants::of(model, plan.reach)
+        },
         goal: plan.task.goal.clone(),
         given: plan.task.given,
         swivel: plan.task.swivel.clone(),
@@ -79,6 +113,7 @@ pub fn inverse(model: &Model, plan: &Plan) -> Inverse {
         capacity: plan.max_solutions(),
         decoupled: plan.is_decoupled(),
         in_doubt: plan.missed.is_some(),
+        held_joint: None,
     }
 }
 

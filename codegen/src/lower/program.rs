@@ -3,7 +3,7 @@
 use super::{ArmConstants, Call, Names, Slot};
 use crate::model::Angle;
 use crate::solve::kernel::{ConeRange, ElbowRange, Phase};
-use crate::solve::{Branching, Given, Goal, SwivelConstants, Unit};
+use crate::solve::{Branching, Given, Goal, HeldJointPlan, SwivelConstants, Unit};
 use crate::symbolic::{Graph, Input, Part};
 
 /// The inverse as a program.
@@ -39,6 +39,8 @@ pub struct Inverse {
     pub decoupled: bool,
     /// True if every branch is verified, because the arm misses the structure by more than rounding.
     pub in_doubt: bool,
+    /// The solver of an arm without stages: it holds a joint, and there are no statements.
+    pub held_joint: Option<HeldJointPlan>,
 }
 
 impl Inverse {

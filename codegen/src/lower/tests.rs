@@ -122,6 +122,11 @@ fn everything_has_a_value_before_it_is_read() {
     let mut inverses = 0;
     for (name, program) in programs() {
         let Ok(inverse) = &program.inverse else { continue };
+        // An inverse that holds a joint has no statements.
+        if inverse.held_joint.is_some() {
+            assert!(inverse.levels.is_empty(), "{name}");
+            continue;
+        }
         inverses += 1;
         let mut known = Known::default();
         known.slots.extend(inverse.inputs.iter().map(|(slot, _)| *slot));

@@ -2,7 +2,7 @@
 
 use super::kernel::{Kernel, Unit, Variables};
 use super::loop_chain::LoopJoint;
-use super::task::{Given, PlanTask};
+use super::task::{Given, Outline, PlanTask};
 use crate::model::Angle;
 use crate::model::geometry::{Triple, TripleKind};
 use crate::symbolic::{Expr, Graph, Input, Label, Mat3, Part, Symbol, Unknown, Vec3};
@@ -90,6 +90,11 @@ impl Plan {
         };
         let joints: Option<Vec<usize>> = joints.iter().map(|slot| self.joint(*slot)).collect();
         joints.filter(|_| exact)?.try_into().ok()
+    }
+
+    /// Task, joints, capacity and reach.
+    pub fn outline(&self) -> Outline<'_> {
+        Outline { task: &self.task, joints: self.joints(), capacity: self.max_solutions(), reach: self.reach }
     }
 
     /// The number of the arm's moving joints.

@@ -19,6 +19,19 @@ pub struct PlanTask {
     pub swivel: Option<SwivelConstants>,
 }
 
+/// Task, joints, capacity and reach.
+#[derive(Debug, Clone, Copy)]
+pub struct Outline<'a> {
+    /// The task, with what is given beside the target.
+    pub task: &'a PlanTask,
+    /// The number of the arm's joints.
+    pub joints: usize,
+    /// The largest number of solutions.
+    pub capacity: usize,
+    /// Reach of the arm, length unit.
+    pub reach: f64,
+}
+
 /// A task with its numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Goal {

@@ -1,4 +1,4 @@
-//! No three consecutive axes of this arm meet or are parallel.
+//! Axes 5 and 6 of this arm are one line: it is singular everywhere.
 
 use denhart::{Arm, Solutions, Status};
 
@@ -12,7 +12,7 @@ joints:
   - {type: revolute, a: 0.4, alpha: 50, d: 0.2, theta: 0}
   - {type: revolute, a: 0.2, alpha: 40, d: 0.3, theta: 0}
   - {type: revolute, a: 0.1, alpha: 80, d: 0.4, theta: 0}
-  - {type: revolute, a: 0.3, alpha: 60, d: 0.1, theta: 0}
+  - {type: revolute, a: 0, alpha: 0, d: 0.1, theta: 0}
   - {type: revolute, a: 0.2, alpha: 30, d: 0.2, theta: 0}
 ")]
 struct General;

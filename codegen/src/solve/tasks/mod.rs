@@ -8,6 +8,8 @@ mod position_angle;
 mod position_axis;
 mod yaw;
 
+use super::held_joint;
+use super::inverse_plan::InversePlan;
 use super::loop_chain::LoopChain;
 use super::plan::Plan;
 use super::rank;
@@ -18,8 +20,25 @@ use crate::model::chain::Chain;
 use crate::model::geometry::{self, Geometry};
 use crate::model::{Convention, Model, Task};
 
-/// The plan for the task of the file, or for the most specific task the arm can do.
-pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, Unsupported> {
+/// The plan for the task of the file, or for the most specific task the arm can do. A pose of six joints that has no stages
+/// is solved with one joint held.
+pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<InversePlan, Unsupported> {
+    match in_stages(model, chain, geometry) {
+        Ok(plan) => Ok(InversePlan::Stages(Box::new(plan))),
+        Err(unsupported) => {
+            let plan = held_joint::plan(model, chain, geometry, unsupported)?;
+            Ok(InversePlan::HeldJoint(Box::new(plan)))
+        }
+    }
+}
+
+/// Returns true if the plan takes a choice of the joints that are held, which takes a tenth of a second.
+pub fn takes_a_choice(model: &Model, chain: &Chain, geometry: &Geometry) -> bool {
+    held_joint::takes_a_choice(model, chain, geometry) && in_stages(model, chain, geometry).is_err()
+}
+
+/// The plan in stages.
+fn in_stages(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, Unsupported> {
     let request = &model.inverse;
     let joints = LoopChain::new(model, chain, geometry.reach, request.redundant);
     if request.arm_angle {
@@ -58,7 +77,11 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, U
     {
         return Err(Unsupported { hint: Some(hint), ..failed });
     }
-    let alternatives = alternatives(model, chain, geometry);
+    let mut alternatives = alternatives(model, chain, geometry);
+    let is_pose = matches!(request.task, None | Some(Task::Pose));
+    if alternatives.is_empty() && is_pose && unsupported::is_one_more(model, request.task) {
+        alternatives = givable(model, chain, geometry);
+    }
     if alternatives.is_empty() && unsupported::is_one_more(model, request.task) {
         return Err(unsupported::none_to_spare(model, request.task));
     }
@@ -126,6 +149,17 @@ fn spared(model: &Model, chain: &Chain, geometry: &Geometry) -> Option<Unsupport
     let task =
         most_specific_first(&joints).into_iter().find(|task| attempt(*task, model, geometry, &joints).is_ok())?;
     unsupported::not_to_spare(model, task).map(Unsupported::new)
+}
+
+/// The joints that leave a chain of six whose inverse holds a joint, where a value is to be given.
+fn givable(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<Alternative> {
+    let others = model.joints.iter().enumerate().filter(|(joint, _)| Some(*joint) != model.inverse.redundant);
+    let leaves = |joint: &usize| {
+        let joints = LoopChain::new(model, chain, geometry.reach, Some(*joint));
+        held_joint::can_hold_a_joint(model, &joints)
+    };
+    let found = others.filter(|(joint, _)| leaves(joint));
+    found.map(|(_, joint)| Alternative::new(format!("`redundant: {}`", joint.name), None, Some(&joint.name))).collect()
 }
 
 /// The tasks, or the joints to give, with which this arm has an inverse.

@@ -1,0 +1,237 @@
+//! The inverse that holds a joint: the constants of its solver, and the call.
+
+use super::inverse::Inverse;
+use super::inverse_frame::{Solver, Sought, given, inverse_trait, items, methods, solutions, sought};
+use super::solver_constants::{chain_constants, cuts, general, meet, structure};
+use super::task::{TaskCode, task};
+use super::tokens::{array, ident, integer};
+use super::{Target, angle, docs};
+use crate::lower;
+use crate::model::Model;
+use crate::solve::{HeldJointPlan, Link, Method};
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+/// The code of the inverse.
+pub fn held_joint(model: &Model, plan: &HeldJointPlan, target: &Target) -> Inverse {
+    let program = lower::held_joint(model, plan);
+    let task = task(model, &program, target);
+    let outline = &plan.outline();
+    let no_branch = NoBranch::of(plan, target, &task);
+    let solver = Solver {
+        bound: "The call takes at most 57 places of each of two held joints and 300 evaluations of `forward_and_jacobian`, \
+                for any target; `is_complete()` of the solutions is false where that is not enough.",
+        method: "one joint is held at the real roots of a polynomial; see the function `solve`.",
+        function: ident("solve"),
+        arguments: TokenStream::new(),
+        branch: no_branch.method,
+    };
+    let (constants, item) = (solver_constants(plan, target), no_branch.item);
+    Inverse {
+        items: items(model, &program.constants, target, [TokenStream::new(), quote!(#constants #item)]),
+        function: function(plan, target, &task),
+        methods: methods(model, outline, target, &task, &solver),
+        trait_impl: inverse_trait(outline, false, target, &task),
+    }
+}
+
+/// The method `inverse_branch`, whose call does not compile, and the trait whose message says why.
+struct NoBranch {
+    item: TokenStream,
+    method: TokenStream,
+}
+
+impl NoBranch {
+    fn of(plan: &HeldJointPlan, target: &Target, task: &TaskCode) -> Self {
+        let outline = &plan.outline();
+        let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(outline.joints));
+        let name = &target.type_name;
+        let (named, target_type) = (format_ident!("{name}NamesItsBranches"), &task.target);
+        let argument = given(outline).map(|_| quote!(, _given: #scalar));
+        let message =
+            format!("the solutions of `{name}` are numbered anew at every target: no branch can be asked for");
+        NoBranch {
+            item: quote! {
+                /// Implemented by nothing: its message says why no branch can be asked for.
+                #[diagnostic::on_unimplemented(
+                    message = #message,
+                    label = "this arm has no branches with names",
+                    note = "`inverse_near` lists the solution nearest to a joint vector first"
+                )]
+                pub trait #named {}
+            },
+            method: quote! {
+                /// Does not compile: the solutions are numbered anew at every target.
+                pub fn inverse_branch<Named: #named>(
+                    &self,
+                    _target: &#target_type
+                    #argument,
+                    _branch: Named,
+                ) -> #krate::OneSolution<#scalar, #n> {
+                    ::core::result::Result::Err(#krate::Status::BadTarget)
+                }
+            },
+        }
+    }
+}
+
+/// The constants of the solver, as items.
+fn solver_constants(plan: &HeldJointPlan, target: &Target) -> TokenStream {
+    let krate = &target.krate;
+    let links = chain_constants(&plan.chain, target);
+    match &plan.method {
+        Method::Meet { structure: found, constants: Some(constants) } => {
+            let (value, structure) = (meet(constants, target), structure(found, target));
+            let scalar = target.scalar.tokens();
+            quote! {
+                #links
+                /// The axes that meet and the axes that are parallel.
+                const STRUCTURE: #krate::held_joint::meet::Structure = #structure;
+                /// Constants of the ring that begins with the held joint.
+                const MEET: #krate::held_joint::meet::Meet<#scalar> = #value;
+            }
+        }
+        Method::Meet { structure: found, constants: None } => {
+            let structure = structure(found, target);
+            quote! {
+                #links
+                /// The axes that meet and the axes that are parallel.
+                const STRUCTURE: #krate::held_joint::meet::Structure = #structure;
+            }
+        }
+        Method::Slides { .. } => links,
+        Method::General { constants: Some(constants), .. } => general(constants, target),
+        Method::General { cuts: chosen, constants: None } => {
+            let value = cuts(chosen, target);
+            quote! {
+                #links
+                /// The joints that are held, chosen when this code was generated.
+                const CUTS: #krate::held_joint::general::Cuts = #value;
+            }
+        }
+    }
+}
+
+/// The function that fills a list.
+fn function(plan: &HeldJointPlan, target: &Target, task: &TaskCode) -> TokenStream {
+    let outline = &plan.outline();
+    let (krate, scalar, type_name) = (&target.krate, target.scalar.tokens(), &target.type_name);
+    let (n, m) = (integer(outline.joints), integer(outline.capacity));
+    let solutions = solutions(outline, target);
+    let target_type = &task.target;
+    let argument = given(outline).map(|q| quote!(#q: #scalar,));
+    let Sought { bind, name: sought } = sought(outline, task, target);
+    let lines: Vec<String> = plan.describe().into_iter().map(|line| format!("- {line}")).collect();
+    let doc = docs::lines(&format!("All solutions.\n\n{}", lines.join("\n")));
+    let joint = |joint: usize| ident(&format!("q{}", joint + 1));
+    let all: Vec<Ident> = (0..outline.joints).map(joint).collect();
+    let six: Vec<Ident> = plan.chain.solved.iter().map(|number| joint(*number)).collect();
+    let defaults = (0..outline.joints).map(|number| match plan.chain.solved.contains(&number) {
+        true => joint(number),
+        false => ident("_"),
+    });
+    let defaults = defaults.map(|name| if name == "_" { quote!(_) } else { quote!(#name) });
+    let (prepare, search) = search(plan, target);
+    quote! {
+        #doc
+        fn solve(
+            arm: &#type_name,
+            target: &#target_type,
+            #argument
+            near: ::core::option::Option<&[#scalar; #n]>,
+            solutions: &mut #solutions,
+        ) {
+            #bind
+            let mut search =
+                #krate::held_joint::HeldJointSearch::<'_, #scalar, #n, #m>::new(&CONSTANTS, arm, #sought, near, solutions);
+            if search.begins(near) {
+                let target = #krate::held_joint::Transform { rotation: goal.rotation, translation: goal.translation };
+                let [#(#defaults),*] = search.defaults();
+                let reference = [#(#six),*];
+                #prepare
+                search.run_held_joint(&CONSTANTS, near, |[#(#six),*]| [#(#all),*], |visit| #search);
+            }
+        }
+    }
+}
+
+/// Statements before the search, and the call of the solver.
+fn search(plan: &HeldJointPlan, target: &Target) -> (TokenStream, TokenStream) {
+    let krate = &target.krate;
+    let links = plan.chain.links.iter().enumerate().map(|(place, link)| self::link(place, link, target));
+    let links = array(links);
+    match &plan.method {
+        Method::Meet { constants: Some(_), .. } => {
+            let prepare = quote! {
+                let [k1, ..] = STRUCTURE.ring(&#links, &target);
+            };
+            (prepare, quote!(MEET.search(&k1, &reference, visit)))
+        }
+        Method::Meet { constants: None, .. } => {
+            let prepare = quote! {
+                let ring = STRUCTURE.ring(&#links, &target);
+                let meet = #krate::held_joint::meet::Meet::of(&STRUCTURE, &ring);
+                let [k1, ..] = ring;
+            };
+            let search = quote! {
+                match &meet {
+                    ::core::option::Option::Some(meet) => meet.search(&k1, &reference, visit),
+                    ::core::option::Option::None => #krate::held_joint::Outcome { is_complete: false },
+                }
+            };
+            (prepare, search)
+        }
+        Method::Slides { turning, prismatic } => {
+            let [turning, prismatic] =
+                [&turning[..], &prismatic[..]].map(|joints| array(joints.iter().map(|joint| integer(*joint))));
+            let prepare = quote! {
+                let slides = #krate::held_joint::slides::Slides {
+                    links: #links,
+                    turning: #turning,
+                    prismatic: #prismatic,
+                };
+            };
+            (prepare, quote!(slides.search(&target, &reference, visit)))
+        }
+        Method::General { constants: Some(_), .. } => {
+            (TokenStream::new(), quote!(GENERAL.search(&target, &reference, visit)))
+        }
+        Method::General { constants: None, .. } => {
+            let is_prismatic = array(plan.chain.is_prismatic.iter());
+            let given = plan.chain.links.iter().flat_map(|link| &link.given).filter(|joint| !joint.is_prismatic);
+            let squares: Vec<TokenStream> = given
+                .map(|joint| {
+                    let q = ident(&format!("q{}", joint.joint + 1));
+                    let offset = (!joint.offset.is_zero()).then(|| {
+                        let offset = angle::tokens(joint.offset, target);
+                        quote!(+ #offset)
+                    });
+                    quote!(#krate::held_joint::general::is_square(#krate::math::sin_cos(#q #offset)))
+                })
+                .collect();
+            let square = match squares.as_slice() {
+                [] => quote!(false),
+                [first, others @ ..] => quote!(#first #(|| #others)*),
+            };
+            let prepare = quote! {
+                let chain = #krate::held_joint::Chain::new(#links, #is_prismatic).gathered();
+                let is_square = #square;
+            };
+            (prepare, quote!(CUTS.search(&chain, is_square, &target, &reference, visit)))
+        }
+    }
+}
+
+/// A link: its constant, with the joints that are given.
+fn link(place: usize, link: &Link, target: &Target) -> TokenStream {
+    let krate = &target.krate;
+    let first = format_ident!("C{place}");
+    let mut product = quote!(#first);
+    for (number, joint) in link.given.iter().enumerate() {
+        let after = format_ident!("C{place}_{}", number + 1);
+        let (q, is_prismatic) = (ident(&format!("q{}", joint.joint + 1)), joint.is_prismatic);
+        let _ = krate;
+        product = quote!(#product.then_move(#is_prismatic, #q) * #after);
+    }
+    product
+}

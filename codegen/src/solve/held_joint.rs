@@ -1,0 +1,306 @@
+//! Six joints of any structure: one joint is held at the real roots of a polynomial, the other five follow.
+//!
+//! An arm without three consecutive axes that meet or are parallel has no closed form in stages. Its chain goes as numbers
+//! to the solvers of [`denhart_core`], which generated code calls as well.
+
+use std::f64::consts::PI;
+
+use denhart_core::general::{self, Cuts, General};
+use denhart_core::meet::{Meet, Structure};
+use denhart_core::slides::Slides;
+use denhart_core::{Chain as NumericChain, Transform as NumericTransform, choice, math};
+
+use super::loop_chain::LoopChain;
+use super::rank::{self, ToolMotion};
+use super::task::{Given, Goal, Outline, PlanTask};
+use super::unsupported::Unsupported;
+use crate::model::chain::Chain;
+use crate::model::geometry::Geometry;
+use crate::model::numeric::Transform;
+use crate::model::{Angle, JointKind, Model, Task};
+
+/// An inverse that holds a joint.
+#[derive(Debug, Clone)]
+pub struct HeldJointPlan {
+    /// The task, with what is given beside the target.
+    pub task: PlanTask,
+    /// The number of the arm's joints.
+    pub joints: usize,
+    /// Reach of the arm, length unit.
+    pub reach: f64,
+    /// The six joints that are solved, between their links.
+    pub chain: SixJoints,
+    /// The solver.
+    pub method: Method,
+    /// Why there is no closed form in stages.
+    pub no_stages: Unsupported,
+}
+
+/// The solver of an inverse that holds a joint.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Method {
+    /// Two neighboring axes meet, two neighboring axes are parallel.
+    Meet {
+        /// Which ones.
+        structure: Structure,
+        /// The constants; none where a link that they depend on is known in the call only.
+        constants: Option<Box<Meet<f64>>>,
+    },
+    /// Two of the six joints slide.
+    Slides {
+        /// The joints t, x, y, z that turn, in the order of the ring. The first one is held.
+        turning: [usize; 4],
+        /// The joints that slide, in the order of the ring.
+        prismatic: [usize; 2],
+    },
+    /// Any structure, of which one joint may slide.
+    General {
+        /// Which joints are held.
+        cuts: Cuts,
+        /// The constants; none where a link is known in the call only.
+        constants: Option<Box<General>>,
+    },
+}
+
+/// `T = C0 M1 C1 M2 C2 .. M6 C6` of the six joints that are solved. A joint whose value is given is a part of a link.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SixJoints {
+    /// C0 to C6.
+    pub links: Vec<Link>,
+    /// The joints of the arm that are solved, from 0.
+    pub solved: Vec<usize>,
+    /// Which of them slide.
+    pub is_prismatic: [bool; 6],
+}
+
+/// `first M(q) after M(q) after ..` of the joints whose value is given, if any.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Link {
+    /// Before the first given joint.
+    pub first: Transform,
+    /// The given joints in order.
+    pub given: Vec<GivenJoint>,
+}
+
+/// A joint whose value is given, and the constant behind it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GivenJoint {
+    /// The joint of the arm, from 0.
+    pub joint: usize,
+    /// True for a joint that slides.
+    pub is_prismatic: bool,
+    /// The row's theta: added to the value of a joint that turns, it is the angle between two common normals.
+    pub offset: Angle,
+    /// The constant transform behind it.
+    pub after: Transform,
+}
+
+/// The value of given joints, rad or the file's unit, at which a structure is looked at: special for no arm.
+const GENERIC: f64 = 0.7;
+
+/// The plan of an arm for which there are no stages.
+///
+/// # Errors
+/// `no_stages`, if the arm has not six joints left for a pose, is singular everywhere, or has lengths that are known at run
+/// time only.
+pub fn plan(
+    model: &Model,
+    chain: &Chain,
+    geometry: &Geometry,
+    no_stages: Unsupported,
+) -> Result<HeldJointPlan, Unsupported> {
+    let six = asked(model, chain, geometry);
+    let Some((given, six, method)) = six.and_then(|(given, six)| Some((given, six.clone(), Method::of(&six)?))) else {
+        return Err(no_stages);
+    };
+    Ok(HeldJointPlan {
+        task: PlanTask::new(Goal::Pose, given),
+        joints: model.joints.len(),
+        reach: geometry.reach,
+        chain: six,
+        method,
+        no_stages,
+    })
+}
+
+/// The six joints whose pose the file asks for, and what is given beside it; `None` if no joint of them can be held.
+fn asked(model: &Model, chain: &Chain, geometry: &Geometry) -> Option<(Option<Given>, SixJoints)> {
+    let request = &model.inverse;
+    let asks_for_pose = matches!(request.task, None | Some(Task::Pose)) && !request.arm_angle;
+    let joints = LoopChain::new(model, chain, geometry.reach, request.redundant);
+    if !asks_for_pose || !can_hold_a_joint(model, &joints) {
+        return None;
+    }
+    let six = SixJoints::of(model, chain, geometry, request.redundant)?;
+    Some((joints.given, six.gathered()))
+}
+
+/// Returns true if a plan that holds a joint takes a choice of that joint.
+pub fn takes_a_choice(model: &Model, chain: &Chain, geometry: &Geometry) -> bool {
+    asked(model, chain, geometry).is_some_and(|(_, six)| {
+        let slides = six.is_prismatic.iter().filter(|slides| **slides).count();
+        slides < 2 && Structure::of(&six.at(&[]), six.known()).is_none()
+    })
+}
+
+/// Returns true for a chain of six joints with constant links that is not singular everywhere.
+pub fn can_hold_a_joint(model: &Model, joints: &LoopChain) -> bool {
+    let slides = joints.loop_joints.iter().filter(|slot| !slot.revolute).count();
+    model.parameters.is_empty()
+        && joints.loop_joints.len() == 6
+        && slides <= 2
+        && rank::check(joints, ToolMotion::Pose).is_ok()
+}
+
+impl Method {
+    /// The solver of a chain; `None` if no joint can be held.
+    fn of(six: &SixJoints) -> Option<Self> {
+        let chain = six.at(&[]);
+        if six.is_prismatic.iter().filter(|slides| **slides).count() == 2 {
+            let somewhere = six.at(&vec![GENERIC; six.given()]);
+            let Slides { turning, prismatic, .. } = Slides::of(&somewhere)?;
+            return Some(Method::Slides { turning, prismatic });
+        }
+        let is_constant = six.given() == 0;
+        if let Some(structure) = Structure::of(&chain, six.known()) {
+            let ring = structure.ring(&chain.links, &NumericTransform::IDENTITY);
+            let constants = structure.is_constant.then(|| Meet::of(&structure, &ring)).flatten().map(Box::new);
+            return Some(Method::Meet { structure, constants });
+        }
+        let slides: Vec<bool> = six.links.iter().flat_map(|link| &link.given).map(|joint| joint.is_prismatic).collect();
+        let cuts = choice::choose_given(&|angle| {
+            // A given displacement is a part of the reach, as an angle is a part of half a turn.
+            let values: Vec<f64> =
+                slides.iter().map(|slides| angle() * if *slides { 0.5 * chain.reach / PI } else { 1.0 }).collect();
+            six.at(&values)
+        })?;
+        let constants = if is_constant { Some(Box::new(General::of(&chain, &cuts)?)) } else { None };
+        Some(Method::General { cuts, constants })
+    }
+}
+
+impl HeldJointPlan {
+    /// Task, joints, capacity and reach.
+    pub fn outline(&self) -> Outline<'_> {
+        let capacity = if matches!(self.method, Method::Slides { .. }) { 8 } else { 16 };
+        Outline { task: &self.task, joints: self.joints, capacity, reach: self.reach }
+    }
+
+    /// Returns true if `f32` has enough digits for the solver.
+    pub fn fits_single(&self) -> bool {
+        matches!(self.method, Method::Meet { .. } | Method::Slides { .. })
+    }
+
+    /// The structure in words, one line a fact.
+    pub fn describe(&self) -> Vec<String> {
+        let held = |joint: usize| self.chain.solved.get(joint).map_or(0, |joint| joint + 1);
+        let structure = match &self.method {
+            Method::Meet { structure, .. } => {
+                let [x1, _, x3, x4, u, v] = structure.joints.map(held);
+                format!("axes {u} and {v} meet, axes {x3} and {x4} are parallel: one equation of degree 8 in q{x1}")
+            }
+            Method::Slides { turning: [first, ..], prismatic } => {
+                let [a, b] = prismatic.map(held);
+                format!("joints {} and {} slide: one equation of degree 4 in q{}", a.min(b), a.max(b), held(*first))
+            }
+            Method::General { cuts, .. } => {
+                let first = held(cuts.first.held());
+                let others = cuts.second.into_iter().chain(cuts.third).map(|cut| held(cut.held()));
+                let others: Vec<String> = others.map(|joint| format!(", in q{joint} where its roots meet")).collect();
+                format!("one equation of degree 8 in q{first}{}", others.concat())
+            }
+        };
+        let slower =
+            "slower than a closed form, whose equations are of degree 2: roots are isolated, solutions verified";
+        let mut lines = vec![self.no_stages.alone.clone(), structure, slower.to_owned()];
+        if !self.no_stages.instead.is_empty() {
+            lines.push(format!("in closed form: `{}`", self.no_stages.instead.join("`, `")));
+        }
+        lines
+    }
+}
+
+/// Numbers below this, of lengths over reach too, are the rounding of 0.
+const ROUNDING: f64 = 1e-12;
+
+/// A link without the rounding of zeros.
+fn cleaned(link: &Transform, reach: f64) -> Transform {
+    let clean = |x: f64, unit: f64| if x.abs() < ROUNDING * unit { 0.0 } else { x };
+    Transform { r: link.r.map(|row| row.map(|x| clean(x, 1.0))), p: link.p.map(|x| clean(x, reach)) }
+}
+
+impl SixJoints {
+    /// The chain of an arm, with one joint given or none.
+    pub fn of(model: &Model, chain: &Chain, geometry: &Geometry, given: Option<usize>) -> Option<Self> {
+        let whole = LoopChain::new(model, chain, geometry.reach, None);
+        let sample = whole.generic.samples().first()?;
+        let mut six = SixJoints { links: Vec::new(), solved: Vec::new(), is_prismatic: [false; 6] };
+        six.links.push(Link { first: cleaned(&whole.numeric(0, sample), geometry.reach), given: Vec::new() });
+        for (joint, (slot, checked)) in whole.loop_joints.iter().zip(&model.joints).enumerate() {
+            let is_prismatic = checked.kind == JointKind::Prismatic;
+            // The row's theta is a part of the link behind the joint.
+            let offset = Transform::rotate_z(slot.offset.sin(), slot.offset.cos());
+            let after = cleaned(&offset.then(&whole.numeric(joint + 1, sample)), geometry.reach);
+            if given == Some(joint) {
+                six.links.last_mut()?.given.push(GivenJoint { joint, is_prismatic, offset: slot.offset, after });
+            } else {
+                *six.is_prismatic.get_mut(six.solved.len())? = is_prismatic;
+                six.solved.push(joint);
+                six.links.push(Link { first: after, given: Vec::new() });
+            }
+        }
+        (six.links.len() == 7).then_some(six)
+    }
+
+    /// The chain with the given joints at their values, in order.
+    pub fn at(&self, given: &[f64]) -> NumericChain<f64> {
+        let mut values = given.iter().copied();
+        let mut links = [NumericTransform::IDENTITY; 7];
+        for (place, link) in links.iter_mut().zip(&self.links) {
+            *place = core(&link.first);
+            for joint in &link.given {
+                let value = values.next().unwrap_or(0.0);
+                *place = place.then_move(joint.is_prismatic, value) * core(&joint.after);
+            }
+        }
+        NumericChain::new(links, self.is_prismatic)
+    }
+
+    /// With the frame of each joint slid along its axis next to the frame before. No joint value changes, and lengths that
+    /// cancel are gone. Links that depend on a given joint stay as they are: so do the others.
+    fn gathered(mut self) -> Self {
+        if self.given() == 0 {
+            let chain = self.at(&[]).gathered();
+            for (link, gathered) in self.links.iter_mut().zip(chain.links) {
+                link.first = cleaned(&Transform { r: gathered.rotation, p: gathered.translation }, chain.reach);
+            }
+        }
+        self
+    }
+
+    /// The links that no given joint is a part of.
+    pub fn known(&self) -> [bool; 7] {
+        let mut known = [true; 7];
+        for (known, link) in known.iter_mut().zip(&self.links) {
+            *known = link.given.is_empty();
+        }
+        known
+    }
+
+    /// Returns true if a given joint turns by a multiple of a right angle.
+    pub fn is_square(&self, given: &[f64]) -> bool {
+        let joints = self.links.iter().flat_map(|link| &link.given).zip(given);
+        let mut turning = joints.filter(|(joint, _)| !joint.is_prismatic);
+        turning.any(|(joint, value)| general::is_square(math::sin_cos(*value + joint.offset.rad())))
+    }
+
+    /// The number of given joints.
+    pub fn given(&self) -> usize {
+        self.links.iter().map(|link| link.given.len()).sum()
+    }
+}
+
+/// A transform as the solvers have it.
+pub fn core(transform: &Transform) -> NumericTransform<f64> {
+    NumericTransform { rotation: transform.r, translation: transform.p }
+}
