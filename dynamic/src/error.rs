@@ -37,6 +37,9 @@ pub enum DynamicError {
     /// The inverse takes no value beside the target.
     #[error("the inverse takes no value beside the target")]
     NothingGiven,
+    /// A branch is asked for, of an arm whose inverse holds a joint.
+    #[error("the solutions of this arm are numbered anew at every target: no branch can be asked for")]
+    NoBranches,
     /// An arm that generated code supports and this crate cannot evaluate.
     #[error("not supported at run time: {0}; the generated code (`denhart expand`, `#[derive(Arm)]`) has it")]
     Unsupported(String),

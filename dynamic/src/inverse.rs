@@ -92,6 +92,9 @@ impl DynamicArm {
         given: Option<f64>,
         branch: Branch,
     ) -> Result<Result<DynamicSolution, Status<f64>>, DynamicError> {
+        if self.inverse_program()?.held_joint.is_some() {
+            return Err(DynamicError::NoBranches);
+        }
         let given = self.beside(given)?;
         Ok(self.solver(target)?.one(&Asked { target, given, near: None, branch: Some(branch) }))
     }

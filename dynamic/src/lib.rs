@@ -39,6 +39,7 @@ mod arm_constants;
 mod branches;
 mod error;
 mod function;
+mod held_joint;
 mod inverse;
 mod joints;
 mod kernel;

@@ -48,9 +48,16 @@ pub struct DynamicSolutions {
     solutions: Vec<DynamicSolution>,
     status: Status<f64>,
     deviation: f64,
+    is_complete: bool,
 }
 
 impl DynamicSolutions {
+    /// Returns false if further solutions may exist, see [`Solutions::is_complete`].
+    #[must_use]
+    pub const fn is_complete(&self) -> bool {
+        self.is_complete
+    }
+
     /// Outcome of the call.
     #[must_use]
     pub const fn status(&self) -> Status<f64> {
@@ -75,6 +82,7 @@ impl<const N: usize, const M: usize> From<&Solutions<f64, N, M>> for DynamicSolu
             solutions: solutions.iter().map(DynamicSolution::from).collect(),
             status: solutions.status(),
             deviation: solutions.deviation(),
+            is_complete: solutions.is_complete(),
         }
     }
 }

@@ -9,6 +9,7 @@ use denhart_codegen::lower::{self, Input, Inverse};
 
 use crate::arm_constants::ArmConstants;
 use crate::function::Straight;
+use crate::held_joint::HeldJointSolver;
 use crate::kernel::MOST_DOUBTS;
 use crate::nest::Nest;
 use crate::run::Run;
@@ -53,6 +54,16 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
             }
         };
     }
+    if let Some(plan) = &program.held_joint {
+        let solver = match (program.joints, program.capacity) {
+            (6, 8) => HeldJointSolver::<6, 8>::boxed(plan, program, both),
+            (6, 16) => HeldJointSolver::<6, 16>::boxed(plan, program, both),
+            (7, 8) => HeldJointSolver::<7, 8>::boxed(plan, program, both),
+            (7, 16) => HeldJointSolver::<7, 16>::boxed(plan, program, both),
+            _ => None,
+        };
+        return solver.ok_or_else(unsupported);
+    }
     if program.most_doubts() > MOST_DOUBTS {
         return Err(unsupported());
     }
@@ -86,7 +97,7 @@ struct Solver<const N: usize, const M: usize, P> {
 
 /// Pose and Jacobian for the verification of solutions.
 #[derive(Debug)]
-struct Evaluator<const N: usize>(Straight);
+pub struct Evaluator<const N: usize>(pub Straight);
 
 impl<const N: usize> Evaluate<f64, N> for Evaluator<N> {
     fn evaluate(&self, q: &[f64; N]) -> (Pose<f64>, Jacobian<f64, N>) {

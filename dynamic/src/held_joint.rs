@@ -1,0 +1,121 @@
+//! The inverse of an arm with `N` joints and at most `M` solutions that holds a joint.
+
+use denhart::held_joint::meet::Meet;
+use denhart::held_joint::slides::Slides;
+use denhart::held_joint::{HeldJointSearch, Outcome, Transform, Visitor};
+use denhart::solve::{Goal, Locked, nearest_rotation};
+use denhart::{Pose, Residual, Solutions, Status};
+use denhart_codegen::lower::{Given, HeldJointPlan, Inverse, Method};
+
+use crate::arm_constants::ArmConstants;
+use crate::function::Straight;
+use crate::solver::{Asked, Evaluator, Solve};
+use crate::{DynamicSolution, DynamicSolutions, DynamicTarget};
+
+/// The solver of a plan.
+#[derive(Debug)]
+pub struct HeldJointSolver<const N: usize, const M: usize> {
+    plan: HeldJointPlan,
+    constants: ArmConstants<N>,
+    both: Evaluator<N>,
+}
+
+impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
+    /// The solver of a program; `None` if its arm has another number of joints.
+    pub fn boxed(plan: &HeldJointPlan, program: &Inverse, both: &Straight) -> Option<Box<dyn Solve>> {
+        let constants = ArmConstants::of(&program.constants)?;
+        Some(Box::new(Self { plan: plan.clone(), constants, both: Evaluator(both.clone()) }))
+    }
+
+    fn solutions(&self, asked: &Asked) -> Solutions<f64, N, M> {
+        let mut solutions = Solutions::new(Status::BadTarget);
+        // The arm has compared the tasks.
+        if let DynamicTarget::Pose(target) = asked.target {
+            let mut nearest = None;
+            let goal = nearest_rotation(target, &mut nearest, &mut solutions);
+            match self.plan.task.given {
+                Some(Given::Joint { joint, .. }) => {
+                    let locked = Locked::new(goal, joint, asked.given);
+                    self.search(&locked, goal, asked, &mut solutions);
+                }
+                _ => self.search(goal, goal, asked, &mut solutions),
+            }
+        }
+        solutions
+    }
+
+    fn search(&self, goal: &dyn Goal<f64, N>, pose: &Pose<f64>, asked: &Asked, solutions: &mut Solutions<f64, N, M>) {
+        let Ok(near) = asked.near.map(<&[f64; N]>::try_from).transpose() else { return };
+        let constants = self.constants.get();
+        let mut search = HeldJointSearch::<f64, N, M>::new(&constants, &self.both, goal, near, solutions);
+        if !search.begins(near) {
+            return;
+        }
+        let target = Transform { rotation: pose.rotation, translation: pose.translation };
+        let solved = &self.plan.chain.solved;
+        let defaults = search.defaults();
+        let mut reference = [0.0; 6];
+        for (value, joint) in reference.iter_mut().zip(solved) {
+            *value = defaults.get(*joint).copied().unwrap_or(f64::NAN);
+        }
+        let place = |six: [f64; 6]| {
+            let mut q = [asked.given; N];
+            for (joint, value) in solved.iter().zip(six) {
+                if let Some(place) = q.get_mut(*joint) {
+                    *place = value;
+                }
+            }
+            q
+        };
+        let given = if self.plan.task.given.is_some() { &[asked.given][..] } else { &[] };
+        search.run_held_joint(&constants, near, place, |visit| self.candidates(given, &target, &reference, visit));
+    }
+
+    fn candidates(
+        &self,
+        given: &[f64],
+        target: &Transform<f64>,
+        reference: &[f64; 6],
+        visit: &mut Visitor<'_, f64>,
+    ) -> Outcome {
+        let chain = self.plan.chain.at(given);
+        match &self.plan.method {
+            Method::Meet { structure, constants } => {
+                let ring = structure.ring(&chain.links, target);
+                let [k1, ..] = &ring;
+                match constants {
+                    Some(meet) => meet.search(k1, reference, visit),
+                    None => match Meet::of(structure, &ring) {
+                        Some(meet) => meet.search(k1, reference, visit),
+                        None => Outcome { is_complete: false },
+                    },
+                }
+            }
+            Method::Slides { turning, prismatic } => {
+                let slides = Slides { links: chain.links, turning: *turning, prismatic: *prismatic };
+                slides.search(target, reference, visit)
+            }
+            Method::General { constants: Some(general), .. } => general.search(target, reference, visit),
+            Method::General { cuts, constants: None } => {
+                cuts.search(&chain.gathered(), self.plan.chain.is_square(given), target, reference, visit)
+            }
+        }
+    }
+}
+
+impl<const N: usize, const M: usize> Solve for HeldJointSolver<N, M> {
+    fn solve(&self, asked: &Asked) -> DynamicSolutions {
+        DynamicSolutions::from(&self.solutions(asked))
+    }
+
+    fn one(&self, asked: &Asked) -> Result<DynamicSolution, Status<f64>> {
+        self.solutions(asked).first_or_status().as_ref().map(DynamicSolution::from).map_err(|status| *status)
+    }
+
+    fn residual(&self, q: &[f64], target: &DynamicTarget, pose: &Pose<f64>) -> Residual<f64> {
+        match (<&[f64; N]>::try_from(q), target) {
+            (Ok(q), DynamicTarget::Pose(target)) => Goal::residual(target, q, pose),
+            _ => Residual { position: f64::NAN, orientation: f64::NAN },
+        }
+    }
+}
