@@ -129,6 +129,9 @@ impl<'a> Answer<'a> {
                 self.free(free)
             ));
         }
+        if !self.solutions.is_complete() {
+            hints.push("the bound of the call was reached: further solutions may exist".to_owned());
+        }
         if !self.solutions.status().is_reachable()
             && let Ok(inverse) = &self.arm.program().inverse
         {
@@ -300,6 +303,7 @@ impl<'a> Answer<'a> {
         Ok(json!({
             "given": self.given()?,
             "status": self.status(),
+            "complete": self.solutions.is_complete(),
             "found": self.solutions.len(),
             "found_within_limits": self.within_limits(),
             "solutions": solutions,

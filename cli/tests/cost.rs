@@ -113,7 +113,7 @@ fn an_arm_is_compared_with_one_of_its_kind() {
         assert_eq!(own["measured"], found["measured"], "{arm}");
     }
     // The last one has the task and the kernels of salman_rrr, but links the search for places of free joints.
-    for arm in ["polar_rrp", "kinova_jaco", "../tests/arms/position/rrr_first_parallel"] {
+    for arm in ["polar_rrp", "kinova_jaco", "singular_6r", "../tests/arms/position/rrr_first_parallel"] {
         let functions = json(arm)["measured"]["functions"].clone();
         let names: Vec<&String> = functions.as_object().unwrap().keys().collect();
         assert_eq!(json!(names), json!(["forward", "forward_and_jacobian"]), "{arm}");
@@ -122,7 +122,7 @@ fn an_arm_is_compared_with_one_of_its_kind() {
 
 #[test]
 fn the_sheet_is_printed_for_people() {
-    let text = check(&[], &["ur10", "kinova_jaco", "polar_rrp"]);
+    let text = check(&[], &["ur10", "singular_6r", "polar_rrp", "kinova_jaco"]);
     for says in [
         "on a Cortex-M4F, in f32, opt-level 3, feature `fpu`:\n  inverse: at most 8 branches\n",
         "  calls of kernels for an ordinary target: align 8, distance 4, flip 2, offset 1\n",
@@ -132,10 +132,12 @@ fn the_sheet_is_printed_for_people() {
         "    inverse_branch: ",
         "    one program without inverse_branch: ",
         ", the nearest arm by operations:\n",
+        "  inverse: at most 16 solutions, a joint held\n",
+        "  bound of any call: 57 places of each held joint, 300 evaluations of forward_and_jacobian\n",
         "; no arm of the same kind of plan is measured:\n",
     ] {
         assert!(text.contains(says), "{text}");
     }
-    assert_eq!(text.matches("    forward: ").count(), 3, "{text}");
+    assert_eq!(text.matches("    forward: ").count(), 4, "{text}");
     assert_eq!(text.matches("    inverse: ").count(), 1, "{text}");
 }

@@ -184,9 +184,9 @@ fn wrong_arguments_have_status_2_and_wrong_files_status_1() {
             "2 numbers, but the task `pose` needs 6: \"x y z roll pitch yaw\"\nhelp: write --pose",
         ),
         (&["inverse", "specs/ur5.yaml", "--pose", "1 2 3 4 5 6", "--q", "0"], 2, "cannot be used with"),
-        (&["inverse", "specs/gen6r_a.yaml", "--q", "0 0 0 0 0 0"], 1, "no inverse kinematics: "),
+        (&["inverse", "specs/singular_6r.yaml", "--q", "0 0 0 0 0 0"], 1, "no inverse kinematics: "),
         (
-            &["inverse", "specs/kinova_jaco.yaml", "--q", "0 0 0 0 0 0"],
+            &["inverse", "specs/singular_6r.yaml", "--q", "0 0 0 0 0 0"],
             1,
             "`denhart::numeric` solves any arm by iteration",
         ),
@@ -280,7 +280,7 @@ fn an_arm_without_inverse_is_told_what_it_can_do() {
         let asked = file("rppr_asked.yaml", "inverse: {task: position, redundant: q1}\n");
         assert!(shown(&["inverse", &asked, "--q", "0 0 0 0"]).contains("task position"));
     }
-    let none = denhart(&["inverse", "specs/gen6r_a.yaml", "--q", "0 0 0 0 0 0"]);
+    let none = denhart(&["inverse", "specs/singular_6r.yaml", "--q", "0 0 0 0 0 0"]);
     assert!(said(&none.stderr).contains("\nhelp: this arm has a closed form for no task"), "{none:?}");
 }
 

@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use clap::ValueEnum;
-use denhart::effort::{MOST_CASCADES, MOST_EVALUATIONS};
+use denhart::effort::{MOST_CASCADES, MOST_EVALUATIONS, MOST_HELD_JOINT_EVALUATIONS, MOST_PLACES};
 use denhart_codegen::Program;
 use denhart_codegen::lower::{Inverse, Statement};
 use serde_json::{Map, Value, json};
@@ -46,6 +46,7 @@ struct Kind {
     task: &'static str,
     kernels: BTreeMap<&'static str, usize>,
     decoupled: bool,
+    holds_a_joint: bool,
 }
 
 impl Kind {
@@ -53,7 +54,8 @@ impl Kind {
         let inverse = program.inverse.as_ref().ok();
         let task = inverse.map_or("", |inverse| inverse.goal.task().name());
         let decoupled = inverse.is_some_and(|inverse| inverse.decoupled);
-        Self { task, kernels: inverse.map(kernels).unwrap_or_default(), decoupled }
+        let holds_a_joint = inverse.is_some_and(|inverse| inverse.held_joint.is_some());
+        Self { task, kernels: inverse.map(kernels).unwrap_or_default(), decoupled, holds_a_joint }
     }
 }
 
@@ -88,14 +90,21 @@ impl Cost {
     /// The lines for people.
     pub fn text(&self) -> String {
         let mut lines = vec!["on a Cortex-M4F, in f32, opt-level 3, feature `fpu`:".to_owned()];
-        if self.branches > 0 {
+        let [places, evaluations] = self.bound();
+        if self.kind.holds_a_joint {
+            lines.push(format!("  inverse: at most {} solutions, a joint held", self.branches));
+            lines.push(format!(
+                "  bound of any call: {places} places of each held joint, {evaluations} evaluations of \
+                 forward_and_jacobian"
+            ));
+        } else if self.branches > 0 {
             let plural = if self.branches == 1 { "" } else { "es" };
             lines.push(format!("  inverse: at most {} branch{plural}", self.branches));
             let kernels: Vec<String> =
                 self.kind.kernels.iter().map(|(name, calls)| format!("{name} {calls}")).collect();
             lines.push(format!("  calls of kernels for an ordinary target: {}", kernels.join(", ")));
             lines.push(format!(
-                "  bound of any call: {MOST_CASCADES} cascades, {MOST_EVALUATIONS} evaluations of forward_and_jacobian"
+                "  bound of any call: {places} cascades, {evaluations} evaluations of forward_and_jacobian"
             ));
         }
         if let Some((arm, alike)) = self.measured {
@@ -115,6 +124,14 @@ impl Cost {
         lines.join("\n")
     }
 
+    /// The bound of a call: runs of the cascade, or places of each held joint; evaluations of the arm.
+    fn bound(&self) -> [usize; 2] {
+        match self.kind.holds_a_joint {
+            true => [MOST_PLACES, MOST_HELD_JOINT_EVALUATIONS],
+            false => [MOST_CASCADES, MOST_EVALUATIONS],
+        }
+    }
+
     /// Branches, kernels, bound and measured arm as JSON.
     pub fn json(&self) -> Value {
         let functions = self.functions().map(|(function, values)| {
@@ -124,10 +141,12 @@ impl Cost {
             (function.to_owned(), Value::Object(values.collect()))
         });
         let functions: Map<String, Value> = functions.collect();
+        let [places, evaluations] = self.bound();
+        let runs = if self.kind.holds_a_joint { "places" } else { "cascades" };
         json!({
             "branches": self.branches,
             "kernels": self.kind.kernels,
-            "bound": {"cascades": MOST_CASCADES, "evaluations": MOST_EVALUATIONS},
+            "bound": {runs: places, "evaluations": evaluations},
             "measured": self.measured.map(|(arm, _)| json!({"arm": arm, "functions": functions})),
         })
     }

@@ -30,6 +30,9 @@ pub struct Inverse {
     pub given: Option<(String, String)>,
     /// The largest number of solutions.
     pub most: usize,
+    /// True for an arm whose inverse holds a joint: its solutions may be incomplete, and its branches have no names that
+    /// last.
+    pub holds_a_joint: bool,
 }
 
 impl<'p> Arm<'p> {
@@ -51,6 +54,7 @@ impl<'p> Arm<'p> {
             goal: inverse.goal.clone(),
             given: inverse.given.map(|given| self::given(given, model)),
             most: inverse.capacity,
+            holds_a_joint: inverse.held_joint.is_some(),
         });
         Ok(Self { model, prefix, scalar, inverse })
     }

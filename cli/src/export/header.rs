@@ -11,7 +11,11 @@ pub fn text(arm: &Arm<'_>) -> String {
     text += KINEMATICS;
     match &arm.inverse {
         Some(inverse) => {
-            let reserved = if arm.is_single() { "" } else { RESERVED };
+            let reserved = match (inverse.holds_a_joint, arm.is_single()) {
+                (true, _) => INCOMPLETE,
+                (false, true) => "",
+                (false, false) => RESERVED,
+            };
             text += &self::inverse(inverse).replace("@reserved@", reserved);
             if inverse.given.as_ref().is_some_and(|(name, _)| name == ARM_ANGLE) {
                 text += ANGLE;
@@ -90,6 +94,7 @@ fn inverse(inverse: &Inverse) -> String {
         None => "; the arm angle is that of q_ref".to_owned(),
     });
     INVERSE
+        .replace("@inverse_branch@", if inverse.holds_a_joint { "" } else { INVERSE_BRANCH })
         .replace("@target_type@", &kind.replace("@angle@", &angle_sum(&inverse.goal)))
         .replace("@target@", target)
         .replace("@beside@", &given.map_or_else(String::new, |(name, _)| format!(", without the {name} of q")))
@@ -115,8 +120,9 @@ fn sizes(arm: &Arm<'_>) -> String {
     let mut sizes = vec![("pose", 12 * real), ("jacobian", 6 * joints * real)];
     if let Some(inverse) = &arm.inverse {
         let solution = joints * real + 2 * real + 8;
-        // The count, with what is reserved behind it, takes a whole place of the number type.
-        sizes.extend([("branch", 4), ("solution", solution), ("solutions", 3 * real + inverse.most * solution)]);
+        // The count, with what stands behind it, takes whole places of the number type.
+        let places = if inverse.holds_a_joint && arm.is_single() { 4 } else { 3 };
+        sizes.extend([("branch", 4), ("solution", solution), ("solutions", places * real + inverse.most * solution)]);
     }
     let lines: String = sizes
         .iter()
@@ -231,6 +237,11 @@ const RESERVED: &str = "
     /** 0. */
     int32_t reserved;";
 
+/// In its place for an arm whose inverse holds a joint.
+const INCOMPLETE: &str = "
+    /** 1 if a bound of the call was reached, so that further solutions may exist; else 0. */
+    int32_t incomplete;";
+
 const INVERSE: &str = r"
 /** Largest number of solutions of one target. */
 #define @PREFIX@_MAX_SOLUTIONS @most@
@@ -300,7 +311,11 @@ int32_t @prefix@_inverse(const @target@,@given@ @prefix@_solutions_t *solutions)
 int32_t @prefix@_inverse_near(const @target@, const @prefix@_real_t q_ref[@PREFIX@_JOINTS],
     @prefix@_solutions_t *solutions);
 
-/**
+@inverse_branch@/** The target of the tool at joint values q@beside@. */
+int32_t @prefix@_target_at(const @prefix@_real_t q[@PREFIX@_JOINTS], @target@);
+";
+
+const INVERSE_BRANCH: &str = r"/**
  * The solution on one branch, without computing the others. Where two branches meet, either name gives the one solution,
  * flagged @PREFIX@_BOUNDARY.
  *
@@ -310,8 +325,6 @@ int32_t @prefix@_inverse_near(const @target@, const @prefix@_real_t q_ref[@PREFI
 int32_t @prefix@_inverse_branch(const @target@,@given@ const @prefix@_branch_t *branch,
     @prefix@_solution_t *solution, @prefix@_real_t *gap);
 
-/** The target of the tool at joint values q@beside@. */
-int32_t @prefix@_target_at(const @prefix@_real_t q[@PREFIX@_JOINTS], @target@);
 ";
 
 const ANGLE: &str = r"

@@ -90,7 +90,7 @@ fn arms_lists_the_arms_that_new_knows() {
     assert_eq!((&ur5["joints"], &ur5["task"]), (&"RRRRRR".into(), &"pose".into()));
     assert!(ur5["source"].as_str().unwrap().starts_with("Universal Robots DH table"), "{ur5}");
     assert_eq!(of("scara_rrrp_325_275")["joints"], "RRRP");
-    assert_eq!(of("kinova_jaco")["task"], serde_json::Value::Null);
+    assert_eq!(of("singular_6r")["task"], serde_json::Value::Null);
     let shown = text(&denhart(&["arms"]).stdout);
     let line = shown.lines().find(|line| line.starts_with("franka_panda ")).unwrap();
     let words: Vec<&str> = line.split("  ").filter(|word| !word.is_empty()).map(str::trim).collect();

@@ -111,7 +111,7 @@ fn kinematics() -> Vec<Function> {
     ]
 }
 
-fn inverse(inverse: &Inverse) -> [Function; 4] {
+fn inverse(inverse: &Inverse) -> Vec<Function> {
     // The types of a target in C and in Rust; both structs have the same fields.
     let (kind, rust, fields) = match inverse.goal {
         Goal::Pose => ("Pose", "denhart::Pose", &["rotation", "translation"][..]),
@@ -140,7 +140,9 @@ fn inverse(inverse: &Inverse) -> [Function; 4] {
     let one = Function::new("inverse_branch", &[target, ("branch", "Branch")], &[("solution", "Solution")], &one);
     let at = format!("let at = Robot.target_at(&q);\ntarget.write({});\nOK", made(kind, "at"));
     let at = Function::new("target_at", &[Q], &[target], &at);
-    [Function { given: given.clone(), ..all }, near, Function { given, optional: Some(("gap", "Real")), ..one }, at]
+    let one = Function { given: given.clone(), optional: Some(("gap", "Real")), ..one };
+    let one = (!inverse.holds_a_joint).then_some(one);
+    [Function { given, ..all }, near].into_iter().chain(one).chain([at]).collect()
 }
 
 const BRANCH: &str = "let Some(branch) = branch.named() else { return BAD_ARGUMENT };

@@ -12,9 +12,15 @@ pub fn text(arm: &Arm<'_>) -> String {
         text += BITS;
     }
     if let Some(inverse) = &arm.inverse {
+        let (field, value) = match (inverse.holds_a_joint, arm.is_single()) {
+            (true, _) => ("\n    incomplete: i32,", ", incomplete: i32::from(!found.is_complete())"),
+            (false, true) => ("", ""),
+            (false, false) => ("\n    reserved: i32,", ", reserved: 0"),
+        };
         text += &SOLUTIONS
-            .replace("@reserved@", if arm.is_single() { "" } else { "\n    reserved: i32," })
-            .replace("@zero@", if arm.is_single() { "" } else { ", reserved: 0" });
+            .replace("@reserved@", field)
+            .replace("@reserved_value@", value)
+            .replace("@named@", if inverse.holds_a_joint { "" } else { NAMED });
         text += &match &inverse.goal {
             Goal::Pose | Goal::Position | Goal::PlanarPosition => String::new(),
             Goal::PositionAxis { .. } => target("point: [Real; 3], axis: [Real; 3]"),
@@ -112,32 +118,7 @@ impl Branch {
             root: branch.root().unwrap_or(0),
         }
     }
-
-    /// `None` for a part that has no such number.
-    fn named(self) -> Option<denhart::Branch> {
-        use denhart::{Elbow, Shoulder, Wrist};
-        let mut branch = denhart::Branch::NONE.with_root(self.root);
-        match self.shoulder {
-            0 => {}
-            1 => branch = branch.with_shoulder(Shoulder::Left),
-            2 => branch = branch.with_shoulder(Shoulder::Right),
-            _ => return None,
-        }
-        match self.elbow {
-            0 => {}
-            1 => branch = branch.with_elbow(Elbow::Up),
-            2 => branch = branch.with_elbow(Elbow::Down),
-            _ => return None,
-        }
-        match self.wrist {
-            0 => {}
-            1 => branch = branch.with_wrist(Wrist::NoFlip),
-            2 => branch = branch.with_wrist(Wrist::Flip),
-            _ => return None,
-        }
-        Some(branch)
-    }
-}
+@named@}
 
 /// `@prefix@_solution_t`.
 #[repr(C)]
@@ -195,7 +176,7 @@ impl Solutions {
         }
         // At most MAX_SOLUTIONS, a few.
         let count = found.len() as i32;
-        Self { count@zero@, gap: status(found.status()).1, deviation: found.deviation(), items }
+        Self { count@reserved_value@, gap: status(found.status()).1, deviation: found.deviation(), items }
     }
 }
 
@@ -207,4 +188,32 @@ fn status(of: denhart::Status<Real>) -> (i32, Real) {
         denhart::Status::BadTarget => (BAD_TARGET, 0.0),
     }
 }
+"#;
+
+/// A branch that is asked for.
+const NAMED: &str = r#"
+    /// `None` for a part that has no such number.
+    fn named(self) -> Option<denhart::Branch> {
+        use denhart::{Elbow, Shoulder, Wrist};
+        let mut branch = denhart::Branch::NONE.with_root(self.root);
+        match self.shoulder {
+            0 => {}
+            1 => branch = branch.with_shoulder(Shoulder::Left),
+            2 => branch = branch.with_shoulder(Shoulder::Right),
+            _ => return None,
+        }
+        match self.elbow {
+            0 => {}
+            1 => branch = branch.with_elbow(Elbow::Up),
+            2 => branch = branch.with_elbow(Elbow::Down),
+            _ => return None,
+        }
+        match self.wrist {
+            0 => {}
+            1 => branch = branch.with_wrist(Wrist::NoFlip),
+            2 => branch = branch.with_wrist(Wrist::Flip),
+            _ => return None,
+        }
+        Some(branch)
+    }
 "#;
