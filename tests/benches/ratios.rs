@@ -20,6 +20,29 @@ struct Ur5;
 #[arm(spec = "../specs/abb_irb2400.yaml")]
 struct AbbIrb2400;
 
+/// Arms that hold a joint: name and file.
+macro_rules! holding_a_joint {
+    ($($Type:ident $file:literal;)*) => {$(
+        #[derive(Arm)]
+        #[arm(spec = $file)]
+        struct $Type;
+    )*};
+}
+
+holding_a_joint! {
+    FanucCrx10ial "../specs/fanuc_crx10ial.yaml";
+    UfactoryXarm6 "../specs/ufactory_xarm6.yaml";
+    KinovaJaco "../specs/kinova_jaco.yaml";
+    KinovaGen3Lite "../specs/kinova_gen3_lite.yaml";
+    Gen6rA "../specs/gen6r_a.yaml";
+    TwoParallel6r "../specs/two_parallel_6r.yaml";
+    ManseurDoty16 "../specs/manseur_doty_16.yaml";
+    SlidesRprrpr "arms/held_joint/slides_rprrpr.yaml";
+    SawyerQ3 "arms/held_joint/sawyer_q3.yaml";
+    Xarm7Q3 "arms/held_joint/xarm7_q3.yaml";
+    BaxterLeft "../specs/baxter_left.yaml";
+}
+
 /// More than a branch predictor learns by heart.
 const INPUTS: usize = 2048;
 
@@ -53,10 +76,45 @@ macro_rules! table {
     }};
 }
 
+/// The inverse of an arm that holds a joint; the joint that is given, from 0.
+macro_rules! held {
+    ($Type:ident, $rounds:ident, $repeat:ident) => {{
+        let q = joints(stringify!($Type));
+        let targets: Vec<Pose<f64>> = q.iter().map(|q| $Type.forward(q)).collect();
+        let cases = vec![
+            Case::new("six f64::sin_cos", &q, $repeat, |q| q.map(f64::sin_cos)),
+            Case::new("inverse, every solution", &targets, $repeat, |target| $Type.inverse(target)),
+        ];
+        println!("{}", compare(stringify!($Type), cases, $rounds));
+    }};
+    ($Type:ident, $rounds:ident, $repeat:ident, given $given:literal) => {{
+        let q = joints(stringify!($Type));
+        let whole = |q: &[f64; 6]| -> [f64; 7] { std::array::from_fn(|joint| q[joint % 6]) };
+        let targets: Vec<(Pose<f64>, f64)> = q.iter().map(|q| ($Type.forward(&whole(q)), whole(q)[$given])).collect();
+        let cases = vec![
+            Case::new("six f64::sin_cos", &q, $repeat, |q| q.map(f64::sin_cos)),
+            Case::new("inverse, every solution", &targets, $repeat, |(target, given)| $Type.inverse(target, *given)),
+        ];
+        println!("{}", compare(stringify!($Type), cases, $rounds));
+    }};
+}
+
 fn main() {
     // `cargo test --benches` passes --test: one short round shows that it runs.
     let (rounds, repeat) = if std::env::args().any(|argument| argument == "--test") { (1, 1) } else { (51, 2) };
     table!(Puma560, rounds, repeat);
     table!(Ur5, rounds, repeat);
     table!(AbbIrb2400, rounds, repeat);
+    let (rounds, repeat) = (rounds.min(9), 1);
+    held!(FanucCrx10ial, rounds, repeat);
+    held!(UfactoryXarm6, rounds, repeat);
+    held!(KinovaJaco, rounds, repeat);
+    held!(KinovaGen3Lite, rounds, repeat);
+    held!(Gen6rA, rounds, repeat);
+    held!(TwoParallel6r, rounds, repeat);
+    held!(ManseurDoty16, rounds, repeat);
+    held!(SlidesRprrpr, rounds, repeat);
+    held!(SawyerQ3, rounds, repeat, given 2);
+    held!(Xarm7Q3, rounds, repeat, given 2);
+    held!(BaxterLeft, rounds, repeat, given 2);
 }

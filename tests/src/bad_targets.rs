@@ -224,7 +224,7 @@ where
     let subject = Subject::new::<A>();
     let mut report = Report::new(&subject.name);
     let mut random = Random::named(&subject.name);
-    let inverse = Derived { arm: A::default(), kind: A::TASK.kind };
+    let inverse = Derived { arm: A::default(), kind: A::TASK.kind, one_branch: None };
     check_some(&subject, &inverse, POSES, &mut random, &mut report);
     report.assert_empty();
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Debug};
 
-use denhart::{Branch, InverseKinematics, OneSolution, Residual, Solution, Status};
+use denhart::{Branch, InverseBranch, InverseKinematics, OneSolution, Residual, Solution, Status};
 use denhart_dynamic::{DynamicArm, DynamicError, DynamicSolution, DynamicSolutions, DynamicTarget};
 
 use crate::effort;
@@ -46,8 +46,8 @@ pub trait Inverse<const N: usize>: Send + Sync {
     fn near(&self, target: &Self::Target, q_ref: &[f64; N]) -> Answer<N>;
     /// [`near`](Self::near) and [`all`](Self::all) into one list, one after the other.
     fn kept(&self, target: &Self::Target, q_ref: &[f64; N]) -> [Answer<N>; 2];
-    /// The solution on one branch.
-    fn branch(&self, target: &Self::Target, branch: Branch) -> OneSolution<f64, N>;
+    /// The solution on one branch; `None` where branches have no names that last.
+    fn branch(&self, target: &Self::Target, branch: Branch) -> Option<OneSolution<f64, N>>;
     /// Residual of a joint vector.
     fn residual(&self, target: &Self::Target, q: &[f64; N]) -> Residual<f64>;
     /// The target at a joint vector.
@@ -72,14 +72,50 @@ impl<I: Inverse<N>, const N: usize> Solver<N> for I {
     }
 }
 
-/// The generated inverse of the arm `A`.
-#[derive(Debug)]
-pub struct Derived<A> {
-    pub arm: A,
-    pub kind: Kind,
+/// The function `inverse_branch` of an arm `A`.
+pub type OneBranch<A, const N: usize> =
+    fn(&A, &<A as InverseKinematics<f64, N>>::Target, Branch) -> OneSolution<f64, N>;
+
+/// An arm whose branches have names: preferred to [`Unnamed`] by [`branch_of`](crate::branch_of).
+pub trait Named<const N: usize>: InverseBranch<f64, N> + Sized {
+    fn one_branch(&self) -> Option<OneBranch<Self, N>> {
+        Some(Self::inverse_branch)
+    }
 }
 
-impl<A, const N: usize> Inverse<N> for Derived<A>
+impl<A: InverseBranch<f64, N>, const N: usize> Named<N> for A {}
+
+/// An arm whose solutions have numbers.
+pub trait Unnamed<const N: usize> {
+    type Arm: InverseKinematics<f64, N>;
+
+    fn one_branch(&self) -> Option<OneBranch<Self::Arm, N>> {
+        None
+    }
+}
+
+impl<A: InverseKinematics<f64, N>, const N: usize> Unnamed<N> for &A {
+    type Arm = A;
+}
+
+/// The function `inverse_branch` of an arm by its type, where it has one.
+#[macro_export]
+macro_rules! branch_of {
+    ($Type:ty) => {{
+        #[allow(unused_imports)]
+        use $crate::inverse::{Named as _, Unnamed as _};
+        (&<$Type>::default()).one_branch()
+    }};
+}
+
+/// The generated inverse of the arm `A`.
+pub struct Derived<A: InverseKinematics<f64, N>, const N: usize> {
+    pub arm: A,
+    pub kind: Kind,
+    pub one_branch: Option<OneBranch<A, N>>,
+}
+
+impl<A, const N: usize> Inverse<N> for Derived<A, N>
 where
     A: InverseKinematics<f64, N, Target: Asked> + Send + Sync,
 {
@@ -106,8 +142,8 @@ where
         [near, listed::<A, N>(&solutions)]
     }
 
-    fn branch(&self, target: &A::Target, branch: Branch) -> OneSolution<f64, N> {
-        self.arm.inverse_branch(target, branch)
+    fn branch(&self, target: &A::Target, branch: Branch) -> Option<OneSolution<f64, N>> {
+        self.one_branch.map(|one| one(&self.arm, target, branch))
     }
 
     fn residual(&self, target: &A::Target, q: &[f64; N]) -> Residual<f64> {
@@ -180,8 +216,9 @@ impl<const N: usize> Inverse<N> for Evaluated {
         [self.near(request, q_ref), self.all(request)]
     }
 
-    fn branch(&self, Request { target, given }: &Request, branch: Branch) -> OneSolution<f64, N> {
-        self.arm.inverse_branch(target, *given, branch).expect("as above").map(|solution| sized(&solution))
+    fn branch(&self, Request { target, given }: &Request, branch: Branch) -> Option<OneSolution<f64, N>> {
+        let one = self.arm.inverse_branch(target, *given, branch).ok()?;
+        Some(one.map(|solution| sized(&solution)))
     }
 
     fn residual(&self, Request { target, .. }: &Request, q: &[f64; N]) -> Residual<f64> {

@@ -14,7 +14,12 @@ pub struct Report {
     /// The joint vector of the pose that is being checked.
     at: Vec<f64>,
     failures: BTreeMap<(&'static str, &'static str), Failures>,
+    /// Failures that are allowed at one pose in [`RARE`].
+    rare: BTreeMap<(&'static str, &'static str), Failures>,
 }
+
+/// A rare failure happens at no more than one pose in so many.
+const RARE: usize = 500;
 
 /// Failures of one family and rule.
 #[derive(Debug, Default)]
@@ -37,7 +42,7 @@ pub struct Shown {
 impl Report {
     /// An empty report.
     pub fn new(arm: &str) -> Self {
-        Self { arm: arm.to_owned(), poses: 0, at: Vec::new(), failures: BTreeMap::new() }
+        Self { arm: arm.to_owned(), poses: 0, at: Vec::new(), failures: BTreeMap::new(), rare: BTreeMap::new() }
     }
 
     /// Counts a pose that is being checked: that of a joint vector, or a target made from it.
@@ -63,11 +68,12 @@ impl Report {
 
     /// Records that `rule` does not hold for a pose of `family`.
     pub fn fail(&mut self, family: &'static str, rule: &'static str, detail: impl FnOnce() -> String) {
-        let failures = self.failures.entry((family, rule)).or_default();
-        failures.count += 1;
-        if failures.shown.len() < SHOWN {
-            failures.shown.push(Shown { q: self.at.clone(), detail: detail() });
-        }
+        self.failures.entry((family, rule)).or_default().add(&self.at, detail);
+    }
+
+    /// Records that `rule`, which may be broken at one pose in 500, does not hold for a pose of `family`.
+    pub fn rarely(&mut self, family: &'static str, rule: &'static str, detail: impl FnOnce() -> String) {
+        self.rare.entry((family, rule)).or_default().add(&self.at, detail);
     }
 
     /// Number of failures.
@@ -78,15 +84,31 @@ impl Report {
     /// Panics with the whole report if anything failed; also if nothing was checked at all.
     #[track_caller]
     pub fn assert_empty(&self) {
+        self.assert_at_most(0);
+    }
+
+    /// Panics with the whole report if more failed than is known, or if nothing was checked at all.
+    #[track_caller]
+    pub fn assert_at_most(&self, known: usize) {
         assert!(self.poses > 0, "{}: no pose was checked", self.arm);
-        assert!(self.failures.is_empty(), "{self}");
+        let rare: usize = self.rare.values().map(|failures| failures.count).sum();
+        assert!(self.failed() <= known && rare * RARE <= self.poses, "{self}");
+    }
+}
+
+impl Failures {
+    fn add(&mut self, at: &[f64], detail: impl FnOnce() -> String) {
+        self.count += 1;
+        if self.shown.len() < SHOWN {
+            self.shown.push(Shown { q: at.to_vec(), detail: detail() });
+        }
     }
 }
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}: {} failures in {} poses", self.arm, self.failed(), self.poses)?;
-        for ((family, rule), failures) in &self.failures {
+        for ((family, rule), failures) in self.failures.iter().chain(&self.rare) {
             writeln!(f, "  {:>7} x {family}: {rule}", failures.count)?;
             for Shown { detail, .. } in &failures.shown {
                 writeln!(f, "    {detail}")?;

@@ -40,7 +40,7 @@ impl<const N: usize> Subject<N> {
     where
         A: Specified<N> + InverseKinematics<f64, N, Target: Asked>,
     {
-        let inverse = Derived { arm: A::default(), kind: A::TASK.kind };
+        let inverse = Derived { arm: A::default(), kind: A::TASK.kind, one_branch: None };
         let reach = reach(&A::TABLE, &A::LIMITS);
         Self::of(A::NAME, Chain::from(A::TABLE), reach, A::LIMITS, A::TASK, A::MAX_SOLUTIONS, inverse)
     }

@@ -29,17 +29,31 @@ pub struct Task {
     pub kind: Kind,
     /// The joint whose value is an argument, from 0.
     pub given: Option<usize>,
+    /// True for an inverse that holds a joint: see [`recover::check`](crate::recover::check).
+    pub holds_a_joint: bool,
+    /// So many poses of a suite may fail: those of docs/known-gaps.md.
+    pub known_losses: usize,
 }
 
 impl Task {
     /// A task without a joint whose value is given.
     pub const fn new(kind: Kind) -> Self {
-        Self { kind, given: None }
+        Self { kind, given: None, holds_a_joint: false, known_losses: 0 }
+    }
+
+    /// The task of an inverse that holds a joint.
+    pub const fn holding_a_joint(self) -> Self {
+        Self { holds_a_joint: true, ..self }
     }
 
     /// Adds the value of joint `number`, counted from 1 as in arm files, as an argument.
     pub const fn redundant(self, number: usize) -> Self {
         Self { given: Some(number - 1), ..self }
+    }
+
+    /// The task of an arm that fails at so many poses of a suite, as docs/known-gaps.md says.
+    pub const fn losing(self, known_losses: usize) -> Self {
+        Self { known_losses, ..self }
     }
 
     /// Number of equations, the given joint's among them.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use denhart::{Arm, Chain, Flags, InverseKinematics, JointKind, Pose, Status};
+use denhart::{Arm, Chain, Flags, InverseBranch, InverseKinematics, JointKind, Pose, Status};
 use denhart_tests::poses::Space;
 use denhart_tests::random::Random;
 
@@ -52,7 +52,7 @@ fn apart(a: &[f64; 7], b: &[f64; 7]) -> f64 {
 /// Every joint vector comes back with its arm angle; everything exact closes by the chain and has the angle asked for.
 fn check<A>(table: denhart::DhTable, reach: f64, angle: impl Fn(&A, &[f64; 7]) -> f64)
 where
-    A: Arm<f64, 7> + InverseKinematics<f64, 7, Target = (Pose<f64>, f64)> + Default,
+    A: Arm<f64, 7> + InverseBranch<f64, 7> + InverseKinematics<f64, 7, Target = (Pose<f64>, f64)> + Default,
 {
     let (arm, chain) = (A::default(), Chain::from(table));
     let mut random = Random::named("arm angle");
@@ -108,7 +108,7 @@ struct Equal;
 /// `inverse_near` contains the joint vector, and `inverse` does where shoulder, elbow and wrist are bent.
 fn check_awkward<A>(table: denhart::DhTable, reach: f64, angle: impl Fn(&A, &[f64; 7]) -> f64)
 where
-    A: Arm<f64, 7> + InverseKinematics<f64, 7, Target = (Pose<f64>, f64)> + Default,
+    A: Arm<f64, 7> + InverseBranch<f64, 7> + InverseKinematics<f64, 7, Target = (Pose<f64>, f64)> + Default,
 {
     let (arm, chain) = (A::default(), Chain::from(table));
     let mut random = Random::named("awkward arm angle");

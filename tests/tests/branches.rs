@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use denhart::{Branch, Elbow, Flags, InverseKinematics, Pose, Shoulder, Solution, Status, Wrist};
+use denhart::{Branch, Elbow, Flags, InverseBranch, InverseKinematics, Pose, Shoulder, Solution, Status, Wrist};
 use denhart_tests::arms::*;
 use denhart_tests::poses::Space;
 use denhart_tests::random::Random;
@@ -10,7 +10,7 @@ use denhart_tests::subject::{Specified, Subject};
 
 fn same_as_among_all<A>()
 where
-    A: Specified<6> + InverseKinematics<f64, 6, Target = Pose<f64>>,
+    A: Specified<6> + InverseBranch<f64, 6> + InverseKinematics<f64, 6, Target = Pose<f64>>,
 {
     let (arm, subject) = (A::default(), Subject::new::<A>());
     let (space, mut random) = (Space::of(&subject), Random::named(&subject.name));

@@ -18,7 +18,7 @@ macro_rules! found {
 
             #[test]
             fn evaluated() {
-                denhart_tests::evaluated::inverse::<Found, $dof>($file, denhart_tests::margins_of!(Found));
+                denhart_tests::evaluated::inverse::<Found, $dof>($file, denhart_tests::margins_of!(Found), denhart_tests::branch_of!(Found));
             }
         }
     )*};

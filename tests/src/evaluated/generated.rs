@@ -6,7 +6,7 @@ use denhart::{Arm, Branch, InverseKinematics, Jacobian, Margin, PlanarPose, Poin
 use denhart_dynamic::{DynamicArm, DynamicTarget};
 
 use super::bits::{self, Answer, Bits};
-use crate::inverse::{self, Derived};
+use crate::inverse::{self, Derived, OneBranch};
 use crate::sweep::arm;
 use crate::task;
 
@@ -28,7 +28,7 @@ pub(super) trait Inverse {
     fn near(&self, target: &DynamicTarget, given: Option<f64>, q_ref: &[f64]) -> Answer;
     /// `near` and `all` into one list, one after the other.
     fn kept(&self, target: &DynamicTarget, given: Option<f64>, q_ref: &[f64]) -> [Answer; 2];
-    fn branch(&self, target: &DynamicTarget, given: Option<f64>, branch: Branch) -> Result<Bits, (u8, u64)>;
+    fn branch(&self, target: &DynamicTarget, given: Option<f64>, branch: Branch) -> Option<Result<Bits, (u8, u64)>>;
     fn residual(&self, target: &DynamicTarget, given: Option<f64>, q: &[f64]) -> [u64; 2];
     /// The numbers of the target at `q`, and of the target that is expected there.
     fn target_at(&self, target: &DynamicTarget, given: Option<f64>, q: &[f64]) -> [Vec<u64>; 2];
@@ -103,9 +103,9 @@ impl<T: Typed, const N: usize> Inverse for OfSize<T, N> {
         self.0.kept(&T::typed(target, given), array(q_ref)).map(|answer| bits::answer(&answer))
     }
 
-    fn branch(&self, target: &DynamicTarget, given: Option<f64>, branch: Branch) -> Result<Bits, (u8, u64)> {
-        let one = self.0.branch(&T::typed(target, given), branch);
-        one.map(|solution| bits::solution(&solution)).map_err(bits::status)
+    fn branch(&self, target: &DynamicTarget, given: Option<f64>, branch: Branch) -> Option<Result<Bits, (u8, u64)>> {
+        let one = self.0.branch(&T::typed(target, given), branch)?;
+        Some(one.map(|solution| bits::solution(&solution)).map_err(bits::status))
     }
 
     fn residual(&self, target: &DynamicTarget, given: Option<f64>, q: &[f64]) -> [u64; 2] {
@@ -138,12 +138,16 @@ impl Generated {
     }
 
     /// Kinematics and inverse of `A`, with the task of `arm`.
-    pub fn with_inverse<A, const N: usize>(arm: &DynamicArm, margins: fn(&[f64; N]) -> Vec<Margin<f64>>) -> Self
+    pub fn with_inverse<A, const N: usize>(
+        arm: &DynamicArm,
+        margins: fn(&[f64; N]) -> Vec<Margin<f64>>,
+        one_branch: Option<OneBranch<A, N>>,
+    ) -> Self
     where
         A: InverseKinematics<f64, N, Target: task::Asked + Typed> + Default + Send + Sync + 'static,
     {
         let kind = arm::kind(arm).expect("an arm with inverse");
-        let inverse = OfSize::<A::Target, N>(Box::new(Derived { arm: A::default(), kind }));
+        let inverse = OfSize::<A::Target, N>(Box::new(Derived { arm: A::default(), kind, one_branch }));
         Self { inverse: Some(Box::new(inverse)), ..Self::kinematics::<A, N>(margins) }
     }
 }

@@ -60,10 +60,11 @@ fn inverse(arm: &DynamicArm) -> Option<&Inverse> {
 
 /// The task of an arm whose value beside the target is that of a joint, if any.
 pub fn task(arm: &DynamicArm) -> Option<Task> {
-    let kind = kind(arm)?;
-    match inverse(arm)?.given {
-        None => Some(Task::new(kind)),
-        Some(Given::Joint { joint, .. }) => Some(Task { kind, given: Some(joint) }),
+    let (kind, inverse) = (kind(arm)?, inverse(arm)?);
+    let task = Task { holds_a_joint: inverse.held_joint.is_some(), ..Task::new(kind) };
+    match inverse.given {
+        None => Some(task),
+        Some(Given::Joint { joint, .. }) => Some(Task { given: Some(joint), ..task }),
         Some(Given::ArmAngle) => None,
     }
 }

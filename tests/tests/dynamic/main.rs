@@ -24,7 +24,7 @@ macro_rules! equal {
         #[test]
         fn $name() {
             use denhart_tests::arms::$Type as Tested;
-            evaluated::inverse::<Tested, $dof>($file, margins_of!(Tested));
+            evaluated::inverse::<Tested, $dof>($file, margins_of!(Tested), denhart_tests::branch_of!(Tested));
         }
     };
     (@inverse $name:ident $Type:ident $dof:tt $file:literal) => {};

@@ -43,7 +43,11 @@ combined_limits:
 #[test]
 fn linked_motors_and_limits_of_sums() {
     let arm = DynamicArm::from_yaml(LINKED).unwrap();
-    compare("linked", &arm, &Generated::with_inverse::<Linked, 4>(&arm, margins_of!(Linked)));
+    compare(
+        "linked",
+        &arm,
+        &Generated::with_inverse::<Linked, 4>(&arm, margins_of!(Linked), denhart_tests::branch_of!(Linked)),
+    );
     let mut seed = Random::named("linked motors");
     for _ in 0..50 {
         let q = random(&mut seed);
@@ -75,7 +79,11 @@ joints:
 #[test]
 fn arm_angle() {
     let arm = DynamicArm::from_yaml(SWUNG).unwrap();
-    compare("swung", &arm, &Generated::with_inverse::<Swung, 7>(&arm, margins_of!(Swung)));
+    compare(
+        "swung",
+        &arm,
+        &Generated::with_inverse::<Swung, 7>(&arm, margins_of!(Swung), denhart_tests::branch_of!(Swung)),
+    );
     let mut seed = Random::named("arm angle");
     for _ in 0..50 {
         let q = random(&mut seed);

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use denhart::{Branch, InverseKinematics, JointKind, Solutions};
+use denhart::{Branch, InverseBranch, InverseKinematics, JointKind, Solutions};
 use denhart_tests::random::Random;
 
 use crate::bits::{Real, parts, pose, shown, solution, solutions, status};
@@ -26,7 +26,7 @@ pub struct Task<A, T, G, const N: usize, const W: usize> {
 /// Input of the C program, and what Rust says to it.
 pub fn cases<A, T, const N: usize, const M: usize, const W: usize>(task: &Task<A, T, A::Target, N, W>) -> [String; 2]
 where
-    A: InverseKinematics<T, N, Solutions = Solutions<T, N, M>>,
+    A: InverseBranch<T, N> + InverseKinematics<T, N, Solutions = Solutions<T, N, M>>,
     T: Real,
 {
     let Task { arm, .. } = task;

@@ -26,14 +26,15 @@ fn kinematics<const N: usize>(
 #[test]
 fn an_arm_without_inverse() {
     #[derive(Default, Arm)]
-    #[arm(spec = "../specs/kinova_jaco.yaml")]
-    struct Jaco;
+    #[arm(spec = "../specs/singular_6r.yaml")]
+    struct Singular;
     let Some(mut cc) = cc() else { return };
-    let folder = export("../specs/kinova_jaco.yaml", "f64", "without_inverse");
-    let library = library(&folder, "kinova_jaco", "dev");
-    let program = program(&mut cc, &folder, "kinova_jaco", &[], &library);
+    let folder = export("../specs/singular_6r.yaml", "f64", "without_inverse");
+    let library = library(&folder, "singular_6r", "dev");
+    let program = program(&mut cc, &folder, "singular_6r", &[], &library);
     let q = [0.1, -0.7, 1.3, 2.0, -1.1, 0.4];
-    let [input, expected] = kinematics(&q, (Jaco.forward(&q), Jaco.jacobian(&q)), Jaco.forward_and_jacobian(&q), "");
+    let [input, expected] =
+        kinematics(&q, (Singular.forward(&q), Singular.jacobian(&q)), Singular.forward_and_jacobian(&q), "");
     prints(&program, &input, &expected);
 }
 

@@ -22,6 +22,7 @@ macro_rules! inverse_tests {
     };
     (@forward $name:ident $Type:ident $file:literal $grids:ident) => {};
     (@task $name:ident $Type:ident $file:literal $grids:ident) => {};
+    (@held $name:ident $Type:ident $file:literal $grids:ident) => {};
     (@inverse $name:ident $Type:ident $file:literal $grids:ident) => {
         mod $name {
             use denhart_tests::arms::$Type;
@@ -55,12 +56,12 @@ macro_rules! inverse_tests {
 
             #[test]
             fn effort() {
-                denhart_tests::effort::check::<$Type, 6>();
+                denhart_tests::effort::check::<$Type, 6>(denhart_tests::branch_of!($Type));
             }
 
             #[test]
             fn evaluated() {
-                denhart_tests::evaluated::inverse::<$Type, 6>($file, denhart_tests::margins_of!($Type));
+                denhart_tests::evaluated::inverse::<$Type, 6>($file, denhart_tests::margins_of!($Type), denhart_tests::branch_of!($Type));
             }
         }
     };

@@ -4,7 +4,8 @@ use super::arms::*;
 use super::kernel_arms::*;
 use super::{joints, lengths, reach, unit};
 use denhart::{
-    Flags, InverseKinematics, JointKind, PlanarPose, PointAngle, PointAxis, Pose, Residual, Solution, Status,
+    Flags, InverseBranch, InverseKinematics, JointKind, PlanarPose, PointAngle, PointAxis, Pose, Residual, Solution,
+    Status,
 };
 use denhart_tests::evaluated::{self, Typed};
 use denhart_tests::random::Random;
@@ -230,9 +231,9 @@ where
 fn evaluated<A, const N: usize>(_: &str)
 where
     A: Parametric<N>,
-    A::Folded: InverseKinematics<f64, N, Target: task::Asked + Typed>,
+    A::Folded: InverseBranch<f64, N> + InverseKinematics<f64, N, Target: task::Asked + Typed>,
 {
-    evaluated::inverse::<A::Folded, N>(A::FILE, A::folded_margins);
+    evaluated::inverse::<A::Folded, N>(A::FILE, A::folded_margins, Some(InverseBranch::inverse_branch));
 }
 
 #[test]

@@ -40,12 +40,12 @@ macro_rules! arms {
 
             #[test]
             fn effort() {
-                denhart_tests::effort::check::<Tested, $dof>();
+                denhart_tests::effort::check::<Tested, $dof>(denhart_tests::branch_of!(Tested));
             }
 
             #[test]
             fn evaluated() {
-                denhart_tests::evaluated::inverse::<Tested, $dof>($file, denhart_tests::margins_of!(Tested));
+                denhart_tests::evaluated::inverse::<Tested, $dof>($file, denhart_tests::margins_of!(Tested), denhart_tests::branch_of!(Tested));
             }
 
             #[test]

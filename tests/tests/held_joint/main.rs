@@ -1,0 +1,93 @@
+//! Inverse kinematics of arms without three consecutive axes that meet or are parallel: nothing is lost, nothing wrong is
+//! called exact.
+//!
+//! An arm is one line of a list: its name, number of joints, the given joint, and file. The arms are of this target alone,
+//! so that `cargo test -p denhart-tests --no-default-features --test held_joint` builds without all others.
+
+use denhart_tests::suite::Grids;
+
+/// One module an arm, one test a group of joint vectors. `losing`: the failures that docs/known-gaps.md counts.
+macro_rules! arms {
+    ($($name:ident $dof:tt $(given $joint:literal)? $(losing $known:literal)? $file:literal;)*) => {$(
+        mod $name {
+            use denhart_tests::subject::Subject;
+            use denhart_tests::task::{Kind, Task};
+            use denhart_tests::{bad_targets, suite};
+
+            denhart_tests::arm!($name Tested $dof $file Task::new(Kind::Pose)$(.redundant($joint))?.holding_a_joint()$(.losing($known))?);
+
+            #[test]
+            fn random_poses() {
+                suite::random_poses(&Subject::new::<Tested>());
+            }
+
+            #[test]
+            fn grids() {
+                suite::grids(&Subject::new::<Tested>(), crate::GRIDS);
+            }
+
+            #[test]
+            fn awkward_poses() {
+                suite::awkward_poses(&Subject::new::<Tested>());
+            }
+
+            #[test]
+            fn out_of_reach() {
+                suite::out_of_reach(&Subject::new::<Tested>());
+            }
+
+            #[test]
+            fn bad_targets() {
+                bad_targets::check::<Tested, $dof>();
+            }
+
+            #[test]
+            fn effort() {
+                denhart_tests::effort::check::<Tested, $dof>(denhart_tests::branch_of!(Tested));
+            }
+
+            #[test]
+            fn evaluated() {
+                denhart_tests::evaluated::inverse::<Tested, $dof>(
+                    $file,
+                    denhart_tests::margins_of!(Tested),
+                    denhart_tests::branch_of!(Tested),
+                );
+            }
+
+            #[test]
+            fn residuals() {
+                suite::residuals::<Tested, $dof>();
+            }
+        }
+    )*};
+}
+
+/// The grid of 90 degrees in full for six joints.
+const GRIDS: Grids = Grids { complete: 4096, samples: 2000 };
+
+/// Every set of solutions of `inverse_truth.json` that belongs to an arm of this page is met.
+#[test]
+fn every_truth() {
+    let mut met = 0;
+    macro_rules! meet {
+        ($($name:ident)*) => { $(met += denhart_tests::suite::truths(&denhart_tests::subject::Subject::new::<$name::Tested>());)* };
+    }
+    meet!(fanuc_crx10ial kinova_gen3_lite kinova_jaco ufactory_xarm6 gen6r_a manseur_doty_16 two_parallel_6r);
+    assert_eq!(met, 7);
+}
+
+arms! {
+    fanuc_crx10ial 6 losing 1 "../specs/fanuc_crx10ial.yaml";
+    kinova_gen3_lite 6 "../specs/kinova_gen3_lite.yaml";
+    kinova_jaco 6 "../specs/kinova_jaco.yaml";
+    ufactory_xarm6 6 "../specs/ufactory_xarm6.yaml";
+    gen6r_a 6 "../specs/gen6r_a.yaml";
+    manseur_doty_16 6 losing 1 "../specs/manseur_doty_16.yaml";
+    two_parallel_6r 6 losing 1 "../specs/two_parallel_6r.yaml";
+    sawyer_q3 7 given 3 losing 31 "arms/held_joint/sawyer_q3.yaml";
+    baxter_left 7 given 3 losing 15 "../specs/baxter_left.yaml";
+    slides_rprrpr 6 "arms/held_joint/slides_rprrpr.yaml";
+    slide_rrprrr 6 "arms/held_joint/slide_rrprrr.yaml";
+    xarm7_q3 7 given 3 losing 22 "arms/held_joint/xarm7_q3.yaml";
+}
