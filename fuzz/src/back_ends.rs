@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use denhart_codegen::{Options, generate};
+use denhart_codegen::{Bound, Options, generate, takes_a_choice};
 use denhart_dynamic::DynamicArm;
 
 use crate::bytes::Bytes;
@@ -10,6 +10,9 @@ use crate::bytes::Bytes;
 /// Bytes as a table, most often one that is an arm.
 pub fn run(data: &[u8]) {
     let text = text(&mut Bytes::new(data));
+    if takes_a_choice(&text, "fuzz.yaml", &Bound::None) {
+        return;
+    }
     let generated = generate(&text, "fuzz.yaml", &Options::new("Fuzzed"));
     let evaluated = DynamicArm::from_yaml(&text);
     match (generated, evaluated) {
