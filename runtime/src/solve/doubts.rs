@@ -21,10 +21,16 @@ pub(super) struct Doubts<T> {
     pub(super) missed: bool,
     /// A stage is missed by more than rounding, and the joints before it are what they have to be.
     pub(super) clamped: bool,
-    /// The first joint that is free or weak.
-    pub(super) first: JointMask,
-    /// The level of the last stage, if a joint before it is free or weak.
-    pub(super) level: LevelOf<T>,
+    /// The way to the last stage: tells the stages on the branches of one run apart, and is the same in every run.
+    pub(super) way: u32,
+    /// The way to the first stage that is missed, and the joints before it that may be elsewhere.
+    pub(super) missed_at: u32,
+    pub(super) missed_for: JointMask,
+    /// Its level, NaN if unknown, and the largest level for which it has roots.
+    pub(super) level: T,
+    pub(super) range: T,
+    /// A slide has been solved behind a joint that is free or weak: later levels are no cosines of that joint.
+    slides: bool,
 }
 
 impl<T: Tolerances> Doubts<T> {
@@ -38,8 +44,12 @@ impl<T: Tolerances> Doubts<T> {
         closes: true,
         missed: false,
         clamped: false,
-        first: JointMask::NONE,
-        level: LevelOf::Nothing,
+        way: 1,
+        missed_at: 0,
+        missed_for: JointMask::NONE,
+        level: T::NAN,
+        range: T::ONE,
+        slides: false,
     };
 
     /// The joints so far that may be elsewhere.
@@ -54,9 +64,17 @@ impl<T: Tolerances> Doubts<T> {
         self.closes && self.free.is_empty() && self.amplitude >= T::VANISHING * T::DOUBTFUL
     }
 
+    /// The level of the stage that follows the joints `loose`; NaN if it is none, or not known to be a cosine of a joint.
+    pub(super) fn level_behind(&mut self, loose: JointMask, level: LevelOf<T>) -> T {
+        self.slides |= !loose.is_empty() && level == LevelOf::Slide;
+        match level {
+            LevelOf::Cosine(level) | LevelOf::Zero(level) if !loose.is_empty() && !self.slides => level,
+            _ => T::NAN,
+        }
+    }
+
     /// Adds the doubt of a stage.
-    pub(super) fn note(&mut self, doubt: Option<Doubt<T>>, level: LevelOf<T>) {
-        self.level = if self.loose().is_empty() { LevelOf::Nothing } else { level };
+    pub(super) fn note(&mut self, doubt: Option<Doubt<T>>) {
         let Some(Doubt { gap, angular, amplitude, closes, weak, boundary, free }) = doubt else { return };
         self.closes &= closes;
         // The next stage magnifies the uncertainty that a stage leaves. Where nothing but uncertainty is left of an
@@ -67,9 +85,6 @@ impl<T: Tolerances> Doubts<T> {
         let free = if settled && product < T::VANISHING * T::DOUBTFUL { weak } else { free };
         self.amplitude = product.max(T::EPSILON * T::EPSILON);
         self.weak |= weak;
-        if self.first.is_empty() {
-            self.first = free | weak;
-        }
         if angular {
             self.gap.orientation += gap;
         } else {
