@@ -16,19 +16,24 @@ use crate::{Branch, JointMask, Solution};
 /// three tell a level.
 const MULTIPLES: [i32; MOST_CASCADES] = [0, 1, -1, 3, 4, 5, 6, 7, 8, 9, 10, 11];
 const LEVELS: usize = 3;
-/// The steps of several free joints, in turns. The inverse roots of `x^k = x + 1`, for k = 2 the golden number: multiples
-/// of the first few fill a torus evenly.
-const STEPS: [f64; 4] = [0.618_033_988_749_895, 0.754_877_666_246_693, 0.819_172_513_396_164, 0.856_674_883_854_503];
+
+/// The step of a free joint, rad, if so many `before` it move too. In turns it is the inverse root of `x^k = x + 1`, for
+/// k = 2 the golden number: multiples of the first few fill a torus evenly.
+fn step<T: Tolerances>(before: usize) -> T {
+    T::TAU
+        * match before {
+            0 => T::from_f64(0.618_033_988_749_895),
+            1 => T::from_f64(0.754_877_666_246_693),
+            2 => T::from_f64(0.819_172_513_396_164),
+            _ => T::from_f64(0.856_674_883_854_503),
+        }
+}
+
 /// A slide is moved by up to half of so many reaches either way.
 const STROKE: f64 = 1.75;
 
 /// From this run on the place of the one free joint of a branch is narrowed down by the least misses so far.
 const NARROWING: usize = 8;
-
-/// The step of a free joint, rad, if so many `before` it move too.
-fn step<T: Tolerances>(before: usize) -> T {
-    T::TAU * T::from_f64(STEPS.get(before).copied().unwrap_or(0.5))
-}
 
 /// Memory of a call whose target needs further runs: at most `S` open branches.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,6 +73,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Retry<T, N, 
 
 impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'_, T, N, M, D, S> {
     #[inline(never)]
+    #[allow(clippy::unnecessary_lazy_evaluations, reason = "the memory is large, and most calls find it made")]
     fn retry(&mut self) -> &mut Retry<T, N, M, S> {
         let defaults = self.defaults;
         self.retry.get_or_insert_with(|| Retry {

@@ -136,42 +136,30 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     fn list(&mut self, solution: &Solution<T, N>, found: Found) {
         let constants = self.constants;
         let again = self.is_again();
-        let coincides = |other: &&mut Solution<T, N>| {
+        let coincides = |(_, other): &(usize, &Solution<T, N>)| {
             coincident(constants, &other.q, &solution.q)
                 // What did not close with the free joint at its default.
                 || again && other.branch == solution.branch && other.flags.contains(Flags::APPROXIMATE | Flags::FREE)
         };
-        let twin = match found {
-            Found::Distinct => None,
-            _ => self.solutions.as_mut_slice().iter_mut().find(coincides),
-        };
-        let Some(twin) = twin else {
+        let mut twins = self.solutions.iter().enumerate().filter(coincides).map(|(index, _)| index);
+        let first = if found == Found::Distinct { None } else { twins.next() };
+        // In the place of one of two solutions that are just apart it would coincide with the other.
+        let several = first.is_some() && twins.next().is_some();
+        let Some(twin) = first.and_then(|index| self.solutions.as_mut_slice().get_mut(index)) else {
             self.solutions.push(*solution);
             return;
         };
         if found == Found::Guess && twin.is_exact() {
             return;
         }
-        if constants.relative(&solution.residual) < constants.relative(&twin.residual) {
+        let stays = several && twin.is_exact();
+        if !stays && constants.relative(&solution.residual) < constants.relative(&twin.residual) {
             *twin = *solution;
         }
-        let kept = twin.q;
         // One branch that is found again is no two roots.
         if !(again && twin.branch == solution.branch) {
             twin.flags |= Flags::BOUNDARY;
         }
-        // Of two solutions just apart the better one may be close to both.
-        self.keep_one(&kept);
-    }
-
-    /// Of the solutions that coincide with `q`, which is listed, keeps this one alone.
-    fn keep_one(&mut self, q: &[T; N]) {
-        let (constants, mut first) = (self.constants, true);
-        self.solutions.retain(|other| {
-            let keep = other.q == *q && first || !coincident(constants, &other.q, q);
-            first &= other.q != *q;
-            keep
-        });
     }
 
     /// Unwinds the joints next to the reference (inside the limits where some turn is), and sorts nearest first. The
@@ -229,7 +217,12 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             (same.q, same.residual) = (q, residual);
             same.flags.remove(Flags::APPROXIMATE);
             same.flags |= Flags::EXACT;
-            self.keep_one(&q);
+            let mut first = true;
+            self.solutions.retain(|other| {
+                let keep = other.q == q && first || !coincident(constants, &other.q, &q);
+                first &= other.q != q;
+                keep
+            });
             return;
         }
         let nearest = self.solutions.as_mut_slice().iter_mut().min_by(nearer);
