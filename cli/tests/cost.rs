@@ -133,7 +133,7 @@ fn the_sheet_is_printed_for_people() {
         "    one program without inverse_branch: ",
         ", the nearest arm by operations:\n",
         "  inverse: at most 16 solutions, a joint held\n",
-        "  bound of any call: 57 places of each held joint, 300 evaluations of forward_and_jacobian\n",
+        "  bound of any call: 300 evaluations of forward_and_jacobian; 57 places of a held joint for its polynomial\n",
         "; no arm of the same kind of plan is measured:\n",
     ] {
         assert!(text.contains(says), "{text}");

@@ -7,7 +7,7 @@
 mod support;
 #[path = "general/tables.rs"]
 mod tables;
-#[path = "general/truth.rs"]
+#[path = "data/truth.rs"]
 mod truth;
 
 use core::ops::ControlFlow::Continue;

@@ -178,8 +178,8 @@ pub trait Arm<T, const N: usize> {
 /// [`inverse_branch`](InverseBranch::inverse_branch) takes at most 12 cascades and 200 evaluations of
 /// [`forward_and_jacobian`](Arm::forward_and_jacobian). That holds for arguments of any bits. A cascade is one run of the
 /// closed form through all branches. An ordinary target takes one cascade and no evaluation. An arm without three
-/// consecutive axes that meet or are parallel holds a joint instead, and takes at most 57 places of it and 300
-/// evaluations. See [`effort`](crate::effort).
+/// consecutive axes that meet or are parallel holds a joint instead, and takes at most 300 evaluations. See
+/// [`effort`](crate::effort).
 ///
 /// # Targets
 /// A target that is not finite gives [`Status::BadTarget`]. A rotation that is off by more than rounding and by at most

@@ -11,8 +11,7 @@ pub const MOST_CASCADES: usize = 12;
 /// The most evaluations of `forward_and_jacobian` in one call.
 pub const MOST_EVALUATIONS: usize = 200;
 
-/// The most places of a held joint in one call, for each joint that is held in turn. At most
-/// [`MOST_CANDIDATES`] of its roots are followed.
+/// The most places of a held joint at which its polynomial is sampled, and the most of its roots that are followed.
 pub use denhart_core::held_joint::{MOST_CANDIDATES, MOST_PLACES};
 
 /// The most evaluations of `forward_and_jacobian` in one call of an inverse that holds a joint.

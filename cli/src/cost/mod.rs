@@ -94,8 +94,8 @@ impl Cost {
         if self.kind.holds_a_joint {
             lines.push(format!("  inverse: at most {} solutions, a joint held", self.branches));
             lines.push(format!(
-                "  bound of any call: {places} places of each held joint, {evaluations} evaluations of \
-                 forward_and_jacobian"
+                "  bound of any call: {evaluations} evaluations of forward_and_jacobian; {places} places of a held joint \
+                 for its polynomial"
             ));
         } else if self.branches > 0 {
             let plural = if self.branches == 1 { "" } else { "es" };

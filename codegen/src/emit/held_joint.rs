@@ -19,8 +19,9 @@ pub fn held_joint(model: &Model, plan: &HeldJointPlan, target: &Target) -> Inver
     let outline = &plan.outline();
     let no_branch = NoBranch::of(plan, target, &task);
     let solver = Solver {
-        bound: "The call takes at most 57 places of each of two held joints and 300 evaluations of `forward_and_jacobian`, \
-                for any target; `is_complete()` of the solutions is false where that is not enough.",
+        gap: "the least miss of a candidate (the reach if there is none)",
+        bound: "The call takes at most 300 evaluations of `forward_and_jacobian`, for any target; `is_complete()` of the\n\
+                solutions is false where that is not enough.",
         method: "one joint is held at the real roots of a polynomial; see the function `solve`.",
         function: ident("solve"),
         arguments: TokenStream::new(),
@@ -126,11 +127,7 @@ fn function(plan: &HeldJointPlan, target: &Target, task: &TaskCode) -> TokenStre
     let joint = |joint: usize| ident(&format!("q{}", joint + 1));
     let all: Vec<Ident> = (0..outline.joints).map(joint).collect();
     let six: Vec<Ident> = plan.chain.solved.iter().map(|number| joint(*number)).collect();
-    let defaults = (0..outline.joints).map(|number| match plan.chain.solved.contains(&number) {
-        true => joint(number),
-        false => ident("_"),
-    });
-    let defaults = defaults.map(|name| if name == "_" { quote!(_) } else { quote!(#name) });
+    let defaults = all.iter().map(|name| if six.contains(name) { quote!(#name) } else { quote!(_) });
     let (prepare, search) = search(plan, target);
     quote! {
         #doc
@@ -158,8 +155,7 @@ fn function(plan: &HeldJointPlan, target: &Target, task: &TaskCode) -> TokenStre
 /// Statements before the search, and the call of the solver.
 fn search(plan: &HeldJointPlan, target: &Target) -> (TokenStream, TokenStream) {
     let krate = &target.krate;
-    let links = plan.chain.links.iter().enumerate().map(|(place, link)| self::link(place, link, target));
-    let links = array(links);
+    let links = array(plan.chain.links.iter().enumerate().map(|(place, link)| self::link(place, link)));
     match &plan.method {
         Method::Meet { constants: Some(_), .. } => {
             let prepare = quote! {
@@ -223,14 +219,12 @@ fn search(plan: &HeldJointPlan, target: &Target) -> (TokenStream, TokenStream) {
 }
 
 /// A link: its constant, with the joints that are given.
-fn link(place: usize, link: &Link, target: &Target) -> TokenStream {
-    let krate = &target.krate;
+fn link(place: usize, link: &Link) -> TokenStream {
     let first = format_ident!("C{place}");
     let mut product = quote!(#first);
     for (number, joint) in link.given.iter().enumerate() {
         let after = format_ident!("C{place}_{}", number + 1);
         let (q, is_prismatic) = (ident(&format!("q{}", joint.joint + 1)), joint.is_prismatic);
-        let _ = krate;
         product = quote!(#product.then_move(#is_prismatic, #q) * #after);
     }
     product

@@ -34,6 +34,7 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
     let task = task(model, &program, target);
     let outline = &plan.outline();
     let solver = Solver {
+        gap: "the least gap of an equation without a root",
         bound: "The call takes at most 12 cascades and 200 evaluations of `forward_and_jacobian`, for any target.",
         method: "Pieper (1968) and cyclic closure around three axes that meet or are parallel; the stages are\n\
                  documented where they are solved.",

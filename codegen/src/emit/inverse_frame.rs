@@ -184,6 +184,8 @@ pub(super) fn function(
 
 /// Docs and calls by which the methods of a closed form differ from those of a held joint.
 pub(super) struct Solver<'a> {
+    /// The residual of `Unreachable`.
+    pub(super) gap: &'a str,
     /// The bound of a call, a sentence.
     pub(super) bound: &'a str,
     /// The method and its source.
@@ -207,7 +209,7 @@ pub(super) fn methods(
     let (krate, scalar, n, m) =
         (&target.krate, target.scalar.tokens(), integer(outline.joints), integer(outline.capacity));
     let solutions = solutions(outline, target);
-    let Solver { bound, method, function, arguments, branch } = solver;
+    let Solver { gap, bound, method, function, arguments, branch } = solver;
     let q = given(outline);
     let fixed = q.as_ref().map(|q| match outline.task.swivel {
         Some(_) => {
@@ -220,7 +222,7 @@ pub(super) fn methods(
         "Every joint vector that reaches `target`: up to {m} branches, in a fixed order.\n\n\
          {}\n{}Angles are in (-pi, pi], each solution once.\n\
          A joint that a singular target leaves free stays at 0 (or its limit nearest to 0) and is named in `free`.\n\
-         Status: `Reachable`, `Unreachable` with the least gap of an equation without a root, or `BadTarget` if the \
+         Status: `Reachable`, `Unreachable` with {gap}, or `BadTarget` if the \
          target {}{}. The gap is not the distance to the workspace; `numeric` finds that.\n\
          {bound}\n\
          Limits only set a flag; filter with `within_limits()`.\n\n\
