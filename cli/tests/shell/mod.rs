@@ -48,8 +48,12 @@ pub fn fed(arguments: &[&str], input: &str) -> Output {
 }
 
 /// A file with this text in the folder of the tests.
+///
+/// The text is written beside the file, which is then replaced: tests that run at the same time may write and read one file.
 pub fn file(name: &str, text: &str) -> String {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    std::fs::write(&path, text).unwrap();
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let (path, beside) = (folder.join(name), folder.join(format!("{name}.{:?}", std::thread::current().id())));
+    std::fs::write(&beside, text).unwrap();
+    std::fs::rename(&beside, &path).unwrap();
     path.to_str().unwrap().to_owned()
 }
