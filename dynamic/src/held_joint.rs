@@ -3,9 +3,9 @@
 use denhart::held_joint::meet::Meet;
 use denhart::held_joint::slides::Slides;
 use denhart::held_joint::{HeldJointSearch, Outcome, Transform, Visitor};
-use denhart::solve::{Goal, Locked, nearest_rotation};
+use denhart::solve::{Goal, Locked, Pointing, nearest_rotation};
 use denhart::{Pose, Residual, Solutions, Status};
-use denhart_codegen::lower::{Given, HeldJointPlan, Inverse, Method};
+use denhart_codegen::lower::{Given, Goal as Task, HeldJointPlan, Inverse, Method};
 
 use crate::arm_constants::ArmConstants;
 use crate::function::Straight;
@@ -30,18 +30,35 @@ impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
     fn solutions(&self, asked: &Asked) -> Solutions<f64, N, M> {
         let mut solutions = Solutions::new(Status::BadTarget);
         // The arm has compared the tasks.
-        if let DynamicTarget::Pose(target) = asked.target {
-            let mut nearest = None;
-            let goal = nearest_rotation(target, &mut nearest, &mut solutions);
-            match self.plan.task.given {
-                Some(Given::Joint { joint, .. }) => {
-                    let locked = Locked::new(goal, joint, asked.given);
-                    self.search(&locked, goal, asked, &mut solutions);
-                }
-                _ => self.search(goal, goal, asked, &mut solutions),
+        match (asked.target, &self.plan.task.goal) {
+            (DynamicTarget::Pose(target), _) => {
+                let mut nearest = None;
+                let goal = nearest_rotation(target, &mut nearest, &mut solutions);
+                self.search_for(goal, goal, asked, &mut solutions);
             }
+            (DynamicTarget::PositionAxis(target), Task::PositionAxis { column }) => {
+                let goal = Pointing::new(target, *column);
+                self.search_for(&goal, &goal.frame(), asked, &mut solutions);
+            }
+            _ => {}
         }
         solutions
+    }
+
+    /// Searches for a goal, with the given joint in its place; `frame` is where the chain of six joints has to end.
+    fn search_for<G: Goal<f64, N>>(
+        &self,
+        goal: &G,
+        frame: &Pose<f64>,
+        asked: &Asked,
+        solutions: &mut Solutions<f64, N, M>,
+    ) {
+        match self.plan.task.given {
+            Some(Given::Joint { joint, .. }) => {
+                self.search(&Locked::new(goal, joint, asked.given), frame, asked, solutions);
+            }
+            _ => self.search(goal, frame, asked, solutions),
+        }
     }
 
     fn search(&self, goal: &dyn Goal<f64, N>, pose: &Pose<f64>, asked: &Asked, solutions: &mut Solutions<f64, N, M>) {
@@ -54,6 +71,7 @@ impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
         let target = Transform { rotation: pose.rotation, translation: pose.translation };
         let solved = &self.plan.chain.solved;
         let defaults = search.defaults();
+        // A virtual joint stays at 0.
         let mut reference = [0.0; 6];
         for (value, joint) in reference.iter_mut().zip(solved) {
             *value = defaults.get(*joint).copied().unwrap_or(f64::NAN);
@@ -65,10 +83,11 @@ impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
                     *place = value;
                 }
             }
-            q
+            let [.., last] = six;
+            (q, if self.plan.lacks_a_turn() { last } else { 0.0 })
         };
         let given = if self.plan.task.given.is_some() { &[asked.given][..] } else { &[] };
-        search.run_held_joint(&constants, near, place, |visit| self.candidates(given, &target, &reference, visit));
+        search.run_with_turn(&constants, near, place, |visit| self.candidates(given, &target, &reference, visit));
     }
 
     fn candidates(
@@ -113,8 +132,11 @@ impl<const N: usize, const M: usize> Solve for HeldJointSolver<N, M> {
     }
 
     fn residual(&self, q: &[f64], target: &DynamicTarget, pose: &Pose<f64>) -> Residual<f64> {
-        match (<&[f64; N]>::try_from(q), target) {
-            (Ok(q), DynamicTarget::Pose(target)) => Goal::residual(target, q, pose),
+        match (<&[f64; N]>::try_from(q), target, &self.plan.task.goal) {
+            (Ok(q), DynamicTarget::Pose(target), _) => Goal::residual(target, q, pose),
+            (Ok(q), DynamicTarget::PositionAxis(target), Task::PositionAxis { column }) => {
+                Goal::residual(&Pointing::new(target, *column), q, pose)
+            }
             _ => Residual { position: f64::NAN, orientation: f64::NAN },
         }
     }

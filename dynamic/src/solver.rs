@@ -56,6 +56,8 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
     }
     if let Some(plan) = &program.held_joint {
         let solver = match (program.joints, program.capacity) {
+            (5, 8) => HeldJointSolver::<5, 8>::boxed(plan, program, both),
+            (5, 16) => HeldJointSolver::<5, 16>::boxed(plan, program, both),
             (6, 8) => HeldJointSolver::<6, 8>::boxed(plan, program, both),
             (6, 16) => HeldJointSolver::<6, 16>::boxed(plan, program, both),
             (7, 8) => HeldJointSolver::<7, 8>::boxed(plan, program, both),

@@ -8,7 +8,7 @@ use super::tokens::{array, ident, integer};
 use super::{Target, angle, docs};
 use crate::lower;
 use crate::model::Model;
-use crate::solve::{HeldJointPlan, Link, Method};
+use crate::solve::{Goal, HeldJointPlan, Link, Method};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -128,7 +128,16 @@ fn function(plan: &HeldJointPlan, target: &Target, task: &TaskCode) -> TokenStre
     let all: Vec<Ident> = (0..outline.joints).map(joint).collect();
     let six: Vec<Ident> = plan.chain.solved.iter().map(|number| joint(*number)).collect();
     let defaults = all.iter().map(|name| if six.contains(name) { quote!(#name) } else { quote!(_) });
+    let frame = if outline.task.goal == Goal::Pose { quote!(goal) } else { quote!(frame) };
+    let bind_frame = (outline.task.goal != Goal::Pose).then(|| quote!(let frame = goal.frame();));
+    let virtual_joint = |name: TokenStream| (six.len() < 6).then_some(quote!(, #name));
+    let (zero, unread) = (virtual_joint(quote!(0.0)), virtual_joint(quote!(_)));
     let (prepare, search) = search(plan, target);
+    let run = if plan.lacks_a_turn() {
+        quote!(run_with_turn(&CONSTANTS, near, |[#(#six),*, turn]| ([#(#all),*], turn), |visit| #search))
+    } else {
+        quote!(run_held_joint(&CONSTANTS, near, |[#(#six),* #unread]| [#(#all),*], |visit| #search))
+    };
     quote! {
         #doc
         fn solve(
@@ -142,11 +151,12 @@ fn function(plan: &HeldJointPlan, target: &Target, task: &TaskCode) -> TokenStre
             let mut search =
                 #krate::held_joint::HeldJointSearch::<'_, #scalar, #n, #m>::new(&CONSTANTS, arm, #sought, near, solutions);
             if search.begins(near) {
-                let target = #krate::held_joint::Transform { rotation: goal.rotation, translation: goal.translation };
+                #bind_frame
+                let target = #krate::held_joint::Transform { rotation: #frame.rotation, translation: #frame.translation };
                 let [#(#defaults),*] = search.defaults();
-                let reference = [#(#six),*];
+                let reference = [#(#six),* #zero];
                 #prepare
-                search.run_held_joint(&CONSTANTS, near, |[#(#six),*]| [#(#all),*], |visit| #search);
+                search.#run;
             }
         }
     }

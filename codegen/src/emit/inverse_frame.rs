@@ -146,10 +146,14 @@ pub(super) fn function(
     let search_doc = docs::lines(&format!("{search_doc} Its numbers: joints, solutions, stages that may be in doubt."));
     let doubts = integer(program.most_doubts());
     let nest_doc = docs::lines(nest_doc);
-    let (missed_doc, in_doubt) = plan.missed.map_or_else(Default::default, |by| {
-        let missed = format!("The axes miss the structure of the equations by {by:.0e}: every branch is verified.");
-        (docs::lines(&missed), quote!(.in_doubt()))
-    });
+    let miss = plan
+        .missed
+        .map(|by| format!("The axes miss the structure of the equations by {by:.0e}: every branch is verified."));
+    let lacking = plan
+        .lacks_a_turn()
+        .then(|| "The equations are those of a chain with a joint more, whose value has to be 0: every branch is verified.");
+    let missed_doc = miss.as_deref().or(lacking).map(docs::lines);
+    let in_doubt = program.in_doubt.then(|| quote!(.in_doubt()));
     // Without a choice between roots there is nothing to select.
     let wanted = ident(if program.capacity > 1 { "wanted" } else { "_wanted" });
     quote! {

@@ -33,7 +33,7 @@ pub fn held_joint(model: &Model, plan: &HeldJointPlan) -> Inverse {
     Inverse {
         graph: Graph::default(),
         names: Names::default(),
-        constants: ArmConstants::of(model, outline.reach),
+        constants: ArmConstants { stands_for: plan.stands_for(), ..ArmConstants::of(model, outline.reach) },
         goal: outline.task.goal.clone(),
         given: outline.task.given,
         swivel: None,
@@ -112,7 +112,7 @@ pub fn stages(model: &Model, plan: &Plan) -> Inverse {
         joints: plan.joints(),
         capacity: plan.max_solutions(),
         decoupled: plan.is_decoupled(),
-        in_doubt: plan.missed.is_some(),
+        in_doubt: plan.missed.is_some() || plan.lacks_a_turn(),
         held_joint: None,
     }
 }

@@ -10,6 +10,7 @@ pub fn describe(plan: &Plan) -> Vec<String> {
     let kind = plan.triple.kind.words(slides);
     let mut lines = vec![format!("axes {}, {}, {} {kind}", label(0), label(1), label(2))];
     lines.extend(plan.missed.map(|by| format!("the axes miss this structure by {by:.0e}: every solution is verified")));
+    lines.extend(plan.lacks_a_turn().then(|| "five joints have not every pose: every solution is verified".to_owned()));
     let steps = plan.steps.iter().filter_map(|step| match step {
         PlanStep::Stage(stage) => Some(format!("{}: {}", listed(&plan.labels(stage)), stage.kernel.form().description)),
         PlanStep::Agreement { meaning, .. } => Some(meaning.trim_end_matches('.').to_lowercase()),

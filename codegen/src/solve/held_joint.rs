@@ -1,7 +1,8 @@
 //! Six joints of any structure: one joint is held at the real roots of a polynomial, the other five follow.
 //!
 //! An arm without three consecutive axes that meet or are parallel has no closed form in stages. Its chain goes as numbers
-//! to the solvers of [`denhart_core`], which generated code calls as well.
+//! to the solvers of [`denhart_core`], which generated code calls as well. Five joints become six with a virtual one behind
+//! the tool: for a direction it turns about the tool's axis, for a pose its value has to be 0.
 
 use std::f64::consts::PI;
 
@@ -12,12 +13,13 @@ use denhart_core::{Chain as NumericChain, Transform as NumericTransform, choice,
 
 use super::loop_chain::LoopChain;
 use super::rank::{self, ToolMotion};
-use super::task::{Given, Goal, Outline, PlanTask};
+use super::task::{Goal, Outline, PlanTask};
+use super::tasks::{pose_of_five, position_axis};
 use super::unsupported::Unsupported;
 use crate::model::chain::Chain;
 use crate::model::geometry::Geometry;
 use crate::model::numeric::Transform;
-use crate::model::{Angle, JointKind, Model, Task};
+use crate::model::{Angle, Axis, Model, Task};
 
 /// An inverse that holds a joint.
 #[derive(Debug, Clone)]
@@ -67,7 +69,7 @@ pub enum Method {
 pub struct SixJoints {
     /// C0 to C6.
     pub links: Vec<Link>,
-    /// The joints of the arm that are solved, from 0.
+    /// The joints of the arm that are solved, from 0. With five of them the sixth joint of the chain is a virtual one.
     pub solved: Vec<usize>,
     /// Which of them slide.
     pub is_prismatic: [bool; 6],
@@ -101,38 +103,73 @@ const GENERIC: f64 = 0.7;
 /// The plan of an arm for which there are no stages.
 ///
 /// # Errors
-/// `no_stages`, if the arm has not six joints left for a pose, is singular everywhere, or has lengths that are known at run
-/// time only.
+/// `no_stages`, if the arm has not the joints that its task needs, is singular everywhere, or has lengths that are known at
+/// run time only.
 pub fn plan(
     model: &Model,
     chain: &Chain,
     geometry: &Geometry,
     no_stages: Unsupported,
 ) -> Result<HeldJointPlan, Unsupported> {
-    let six = asked(model, chain, geometry);
-    let Some((given, six, method)) = six.and_then(|(given, six)| Some((given, six.clone(), Method::of(&six)?))) else {
+    let asked = asked(model, chain, geometry);
+    let Some((task, six, method)) = asked.and_then(|(task, six)| Some((task, six.clone(), Method::of(&six)?))) else {
         return Err(no_stages);
     };
-    Ok(HeldJointPlan {
-        task: PlanTask::new(Goal::Pose, given),
-        joints: model.joints.len(),
-        reach: geometry.reach,
-        chain: six,
-        method,
-        no_stages,
+    Ok(HeldJointPlan { task, joints: model.joints.len(), reach: geometry.reach, chain: six, method, no_stages })
+}
+
+/// The task of the file and its six joints; `None` if no joint of them can be held.
+fn asked(model: &Model, chain: &Chain, geometry: &Geometry) -> Option<(PlanTask, SixJoints)> {
+    let redundant = model.inverse.redundant;
+    let joints = LoopChain::new(model, chain, geometry.reach, redundant);
+    let (task, joints, addition) = closed(model, joints)?;
+    let whole = addition.to(LoopChain::new(model, chain, geometry.reach, None));
+    let six = SixJoints::of(&whole, redundant, joints.reach)?;
+    Some((task, six.gathered()))
+}
+
+/// The task of the file, the chain that has six joints for it, and what was added; `None` if no joint of them can be held.
+fn closed(model: &Model, joints: LoopChain) -> Option<(PlanTask, LoopChain, Addition)> {
+    let request = &model.inverse;
+    if request.arm_angle {
+        return None;
+    }
+    let candidates = match (request.task, joints.loop_joints.len()) {
+        (None | Some(Task::Pose), 6) => vec![(PlanTask::new(Goal::Pose, joints.given), Addition::Nothing)],
+        (Some(Task::Pose), 5) => vec![(pose_of_five::task(&joints), Addition::Turn)],
+        (None | Some(Task::PositionAxis), 5) => {
+            let axes = request.axis.map_or_else(|| vec![Axis::Z, Axis::X, Axis::Y], |axis| vec![axis]);
+            let task = |axis: Axis| PlanTask::new(Goal::PositionAxis { column: axis.column() }, joints.given);
+            axes.into_iter().map(|axis| (task(axis), Addition::About(axis))).collect()
+        }
+        _ => Vec::new(),
+    };
+    candidates.into_iter().find_map(|(task, addition)| {
+        let chain = addition.to(joints.clone());
+        can_hold_a_joint(model, &chain).then_some((task, chain, addition))
     })
 }
 
-/// The six joints whose pose the file asks for, and what is given beside it; `None` if no joint of them can be held.
-fn asked(model: &Model, chain: &Chain, geometry: &Geometry) -> Option<(Option<Given>, SixJoints)> {
-    let request = &model.inverse;
-    let asks_for_pose = matches!(request.task, None | Some(Task::Pose)) && !request.arm_angle;
-    let joints = LoopChain::new(model, chain, geometry.reach, request.redundant);
-    if !asks_for_pose || !can_hold_a_joint(model, &joints) {
-        return None;
+/// Virtual joint behind the tool.
+#[derive(Debug, Clone, Copy)]
+enum Addition {
+    /// None.
+    Nothing,
+    /// A turn about an axis of the tool, which the task leaves open.
+    About(Axis),
+    /// A turn that has to be 0.
+    Turn,
+}
+
+impl Addition {
+    fn to(self, mut chain: LoopChain) -> LoopChain {
+        match self {
+            Addition::Nothing => {}
+            Addition::About(axis) => position_axis::turn(&mut chain, axis),
+            Addition::Turn => pose_of_five::turn(&mut chain),
+        }
+        chain
     }
-    let six = SixJoints::of(model, chain, geometry, request.redundant)?;
-    Some((joints.given, six.gathered()))
 }
 
 /// Returns true if a plan that holds a joint takes a choice of that joint.
@@ -143,8 +180,13 @@ pub fn takes_a_choice(model: &Model, chain: &Chain, geometry: &Geometry) -> bool
     })
 }
 
+/// Returns true if the task of the file has an inverse that holds a joint, with the given joints of `joints`.
+pub fn is_covered(model: &Model, joints: LoopChain) -> bool {
+    closed(model, joints).is_some()
+}
+
 /// Returns true for a chain of six joints with constant links that is not singular everywhere.
-pub fn can_hold_a_joint(model: &Model, joints: &LoopChain) -> bool {
+fn can_hold_a_joint(model: &Model, joints: &LoopChain) -> bool {
     let slides = joints.loop_joints.iter().filter(|slot| !slot.revolute).count();
     model.parameters.is_empty()
         && joints.loop_joints.len() == 6
@@ -186,6 +228,16 @@ impl HeldJointPlan {
         Outline { task: &self.task, joints: self.joints, capacity, reach: self.reach }
     }
 
+    /// Returns true if the sixth joint of the chain is a virtual one whose value has to be 0.
+    pub fn lacks_a_turn(&self) -> bool {
+        self.task.overdetermined
+    }
+
+    /// The joint that is named where a virtual one is free: the last that is solved.
+    pub fn stands_for(&self) -> Option<usize> {
+        self.chain.solved.last().copied().filter(|_| self.chain.solved.len() < 6)
+    }
+
     /// Returns true if `f32` has enough digits for the solver.
     pub fn fits_single(&self) -> bool {
         matches!(self.method, Method::Meet { .. } | Method::Slides { .. })
@@ -193,30 +245,55 @@ impl HeldJointPlan {
 
     /// The structure in words, one line a fact.
     pub fn describe(&self) -> Vec<String> {
-        let held = |joint: usize| self.chain.solved.get(joint).map_or(0, |joint| joint + 1);
+        let joint = |joint: usize| self.chain.solved.get(joint).map(|joint| format!("q{}", joint + 1));
+        let held = |place: usize| joint(place).unwrap_or_else(|| "the virtual turn".to_owned());
         let structure = match &self.method {
             Method::Meet { structure, .. } => {
-                let [x1, _, x3, x4, u, v] = structure.joints.map(held);
-                format!("axes {u} and {v} meet, axes {x3} and {x4} are parallel: one equation of degree 8 in q{x1}")
+                let [x1, _, x3, x4, u, v] = structure.joints;
+                let (met, parallel) = (self.axes([u, v]), self.axes([x3, x4]));
+                format!("{met} meet, {parallel} are parallel: one equation of degree 8 in {}", held(x1))
             }
-            Method::Slides { turning: [first, ..], prismatic } => {
-                let [a, b] = prismatic.map(held);
-                format!("joints {} and {} slide: one equation of degree 4 in q{}", a.min(b), a.max(b), held(*first))
+            Method::Slides { turning: [first, ..], prismatic: [a, b] } => {
+                let joints = [*a.min(b), *a.max(b)].map(|place| self.chain.solved.get(place).map_or(0, |q| q + 1));
+                let [a, b] = joints;
+                format!("joints {a} and {b} slide: one equation of degree 4 in {}", held(*first))
             }
             Method::General { cuts, .. } => {
                 let first = held(cuts.first.held());
                 let others = cuts.second.into_iter().chain(cuts.third).map(|cut| held(cut.held()));
-                let others: Vec<String> = others.map(|joint| format!(", in q{joint} where its roots meet")).collect();
-                format!("one equation of degree 8 in q{first}{}", others.concat())
+                let others: Vec<String> = others.map(|joint| format!(", in {joint} where its roots meet")).collect();
+                format!("one equation of degree 8 in {first}{}", others.concat())
             }
         };
+        let addition = (self.chain.solved.len() < 6).then(|| match &self.task.goal {
+            Goal::PositionAxis { column } => {
+                format!("a virtual joint turns the tool about its axis {}", axis_name(*column))
+            }
+            _ => "a virtual joint turns the tool: solutions are those where its value is 0".to_owned(),
+        });
         let slower =
             "slower than a closed form, whose equations are of degree 2: roots are isolated, solutions verified";
-        let mut lines = vec![self.no_stages.alone.clone(), structure, slower.to_owned()];
+        let mut lines = vec![self.no_stages.alone.clone()];
+        lines.extend(addition);
+        lines.extend([structure, slower.to_owned()]);
         if !self.no_stages.instead.is_empty() {
             lines.push(format!("in closed form: `{}`", self.no_stages.instead.join("`, `")));
         }
         lines
+    }
+
+    /// Two axes of the chain: `axes 4 and 5`, `axis 5 and the tool's axis z`.
+    fn axes(&self, places: [usize; 2]) -> String {
+        let [a, b] = places.map(|place| self.chain.solved.get(place).map(|joint| joint + 1));
+        let virtual_axis = match self.task.goal {
+            Goal::PositionAxis { column } => format!("the tool's axis {}", axis_name(column)),
+            _ => "the virtual axis".to_owned(),
+        };
+        match (a, b) {
+            (Some(a), Some(b)) => format!("axes {a} and {b}"),
+            (Some(own), None) | (None, Some(own)) => format!("axis {own} and {virtual_axis}"),
+            (None, None) => virtual_axis,
+        }
     }
 }
 
@@ -230,24 +307,27 @@ fn cleaned(link: &Transform, reach: f64) -> Transform {
 }
 
 impl SixJoints {
-    /// The chain of an arm, with one joint given or none.
-    pub fn of(model: &Model, chain: &Chain, geometry: &Geometry, given: Option<usize>) -> Option<Self> {
-        let whole = LoopChain::new(model, chain, geometry.reach, None);
+    /// The six joints of a chain, of which one is given or none.
+    fn of(whole: &LoopChain, given: Option<usize>, reach: f64) -> Option<Self> {
         let sample = whole.generic.samples().first()?;
         let mut six = SixJoints { links: Vec::new(), solved: Vec::new(), is_prismatic: [false; 6] };
-        six.links.push(Link { first: cleaned(&whole.numeric(0, sample), geometry.reach), given: Vec::new() });
-        for (joint, (slot, checked)) in whole.loop_joints.iter().zip(&model.joints).enumerate() {
-            let is_prismatic = checked.kind == JointKind::Prismatic;
+        six.links.push(Link { first: cleaned(&whole.numeric(0, sample), reach), given: Vec::new() });
+        for (place, slot) in whole.loop_joints.iter().enumerate() {
+            let is_prismatic = !slot.revolute;
             // The row's theta is a part of the link behind the joint.
             let offset = Transform::rotate_z(slot.offset.sin(), slot.offset.cos());
-            let after = cleaned(&offset.then(&whole.numeric(joint + 1, sample)), geometry.reach);
-            if given == Some(joint) {
-                six.links.last_mut()?.given.push(GivenJoint { joint, is_prismatic, offset: slot.offset, after });
-            } else {
-                *six.is_prismatic.get_mut(six.solved.len())? = is_prismatic;
-                six.solved.push(joint);
-                six.links.push(Link { first: after, given: Vec::new() });
+            let after = cleaned(&offset.then(&whole.numeric(place + 1, sample)), reach);
+            let own = slot.label.arm();
+            match own {
+                Some(joint) if given == own => {
+                    six.links.last_mut()?.given.push(GivenJoint { joint, is_prismatic, offset: slot.offset, after });
+                    continue;
+                }
+                Some(joint) => six.solved.push(joint),
+                None => {}
             }
+            *six.is_prismatic.get_mut(six.links.len() - 1)? = is_prismatic;
+            six.links.push(Link { first: after, given: Vec::new() });
         }
         (six.links.len() == 7).then_some(six)
     }
@@ -298,6 +378,11 @@ impl SixJoints {
     pub fn given(&self) -> usize {
         self.links.iter().map(|link| link.given.len()).sum()
     }
+}
+
+/// Letter of a tool axis.
+fn axis_name(column: usize) -> &'static str {
+    ["x", "y", "z"].get(column).copied().unwrap_or_default()
 }
 
 /// A transform as the solvers have it.

@@ -76,6 +76,11 @@ impl Plan {
         self.stages().flat_map(|stage| &stage.joints).any(|slot| self.joint(*slot).is_none())
     }
 
+    /// Returns true if solutions are those of a chain with a virtual joint whose value has to be 0.
+    pub fn lacks_a_turn(&self) -> bool {
+        self.task.overdetermined && self.loop_joints.iter().any(|slot| slot.label.arm().is_none())
+    }
+
     /// The joints a, b, c of the last step, where that is a spherical wrist with axes at right angles. Its roots differ by
     /// the flip `(a + pi, -b, c + pi)`, which leaves the tool where it is. `None` without such a wrist. An arm that misses
     /// the structure has no flip that is exact. A virtual joint has no value in a joint vector. A long stroke magnifies the

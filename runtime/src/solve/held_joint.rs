@@ -28,6 +28,10 @@ const RESERVED: usize = MOST_STEPS + 1;
 /// the fourth root of rounding.
 const NEIGHBORS: f64 = 0.01;
 
+/// A candidate whose virtual joint turns the tool by more than this, rad, is no solution of an arm without that joint. A
+/// fourfold root, known to the fourth root of rounding, turns by far less.
+const TURNED: f64 = 0.1;
+
 impl<T: Tolerances, const N: usize, const M: usize> HeldJointSearch<'_, T, N, M> {
     /// Where each joint stays if the target leaves it free: its reference value; without one 0, or the limit nearest to 0.
     #[inline]
@@ -49,8 +53,28 @@ impl<T: Tolerances, const N: usize, const M: usize> HeldJointSearch<'_, T, N, M>
         place: impl Fn([T; 6]) -> [T; N],
         solve: impl FnOnce(&mut dyn FnMut(&Candidate<T>) -> ControlFlow<()>) -> Outcome,
     ) {
+        self.run_with_turn(constants, near, |joints| (place(joints), T::ZERO), solve);
+    }
+
+    /// Like [`run_held_joint`](Self::run_held_joint) for a pose of five joints, whose chain has a virtual joint that turns the
+    /// tool.
+    ///
+    /// `place` gives that turn too, rad: 0 at a solution of the arm. A candidate that turns by more than a tenth of a radian
+    /// is no solution: it is evaluated, for the residual of [`Status::Unreachable`](crate::Status::Unreachable), but not
+    /// refined.
+    #[inline]
+    pub fn run_with_turn(
+        &mut self,
+        constants: &ArmConstants<'_, T, N>,
+        near: Option<&[T; N]>,
+        place: impl Fn([T; 6]) -> ([T; N], T),
+        solve: impl FnOnce(&mut dyn FnMut(&Candidate<T>) -> ControlFlow<()>) -> Outcome,
+    ) {
         self.left = MOST_HELD_JOINT_EVALUATIONS;
-        let outcome = solve(&mut |candidate| self.consider(candidate, place(candidate.joints)));
+        let outcome = solve(&mut |candidate| {
+            let (q, turn) = place(candidate.joints);
+            self.consider(candidate, q, turn.abs() <= T::from_f64(TURNED))
+        });
         if !outcome.is_complete {
             self.solutions.mark_incomplete();
         }
@@ -60,7 +84,7 @@ impl<T: Tolerances, const N: usize, const M: usize> HeldJointSearch<'_, T, N, M>
 
     /// Makes a candidate a solution, if it closes. Breaks without evaluations left.
     #[inline(never)]
-    fn consider(&mut self, candidate: &Candidate<T>, mut q: [T; N]) -> ControlFlow<()> {
+    fn consider(&mut self, candidate: &Candidate<T>, mut q: [T; N], is_near: bool) -> ControlFlow<()> {
         if !q.iter().all(|value| value.is_finite()) {
             return ControlFlow::Continue(());
         }
@@ -72,7 +96,7 @@ impl<T: Tolerances, const N: usize, const M: usize> HeldJointSearch<'_, T, N, M>
         wrap_angles(&mut q, given, constants.prismatic);
         let mut iterate = Iterate::at(q);
         iterate.evaluate(constants, self.goal, self.arm);
-        if !(constants.relative(&iterate.residual) <= T::ROUNDING) {
+        if is_near && !(constants.relative(&iterate.residual) <= T::ROUNDING) {
             refine(constants, self.goal, self.arm, &mut iterate, &mut left);
         }
         self.left = left + RESERVED;
@@ -187,7 +211,9 @@ impl<T: Tolerances, const N: usize, const M: usize> HeldJointSearch<'_, T, N, M>
         let given = self.goal.given();
         let solved = (0..N).filter(|joint| !given.contains(*joint));
         let free = solved.enumerate().filter(|(place, _)| six >> *place & 1 == 1);
-        free.fold(JointMask::NONE, |mask, (_, joint)| mask | JointMask::single(joint))
+        let own = free.fold(JointMask::NONE, |mask, (_, joint)| mask | JointMask::single(joint));
+        // A virtual joint is the last of the six.
+        if six >> 5 & 1 == 1 { own | self.constants.stands_for } else { own }
     }
 
     /// Numbers the solutions with the same signs in the order of the held joint's roots.

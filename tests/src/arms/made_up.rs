@@ -82,6 +82,8 @@ macro_rules! made_up_arms {
             gantry_offset_wrist GantryOffsetWrist 6 inverse "arms/sliding/gantry_offset_wrist.yaml";
             turned_slides TurnedSlides 6 inverse "arms/sliding/turned_slides.yaml";
             slides_on_either_side SlidesOnEitherSide 6 inverse "arms/sliding/slides_on_either_side.yaml";
+            rprprp Rprprp 6 inverse "arms/sliding/rprprp.yaml";
+            prpprr Prpprr 6 inverse "arms/sliding/prpprr.yaml";
             slide_across_wrist SlideAcrossWrist 6 inverse "arms/sliding/slide_across_wrist.yaml";
             // Made-up arms with a prismatic joint beside three parallel axes.
             prrrrr_parallel_234 PrrrrrParallel234 6 inverse "arms/sliding_parallel/prrrrr_parallel_234.yaml";

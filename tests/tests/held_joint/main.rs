@@ -1,20 +1,20 @@
 //! Inverse kinematics of arms without three consecutive axes that meet or are parallel: nothing is lost, nothing wrong is
 //! called exact.
 //!
-//! An arm is one line of a list: its name, number of joints, the given joint, and file. The arms are of this target alone,
+//! An arm is one line of a list: its name, number of joints, task, the given joint, and file. The arms are of this target alone,
 //! so that `cargo test -p denhart-tests --no-default-features --test held_joint` builds without all others.
 
 use denhart_tests::suite::Grids;
 
 /// One module an arm, one test a group of joint vectors. `losing`: the failures that docs/known-gaps.md counts.
 macro_rules! arms {
-    ($($name:ident $dof:tt $(given $joint:literal)? $(losing $known:literal)? $file:literal;)*) => {$(
+    ($($name:ident $dof:tt $kind:ident $(($axis:literal))? $(given $joint:literal)? $(losing $known:literal)? $file:literal;)*) => {$(
         mod $name {
             use denhart_tests::subject::Subject;
             use denhart_tests::task::{Kind, Task};
             use denhart_tests::{bad_targets, suite};
 
-            denhart_tests::arm!($name Tested $dof $file Task::new(Kind::Pose)$(.redundant($joint))?.holding_a_joint()$(.losing($known))?);
+            denhart_tests::arm!($name Tested $dof $file Task::new(Kind::$kind $(($axis))?)$(.redundant($joint))?.holding_a_joint()$(.losing($known))?);
 
             #[test]
             fn random_poses() {
@@ -78,16 +78,26 @@ fn every_truth() {
 }
 
 arms! {
-    fanuc_crx10ial 6 losing 1 "../specs/fanuc_crx10ial.yaml";
-    kinova_gen3_lite 6 "../specs/kinova_gen3_lite.yaml";
-    kinova_jaco 6 "../specs/kinova_jaco.yaml";
-    ufactory_xarm6 6 "../specs/ufactory_xarm6.yaml";
-    gen6r_a 6 "../specs/gen6r_a.yaml";
-    manseur_doty_16 6 losing 1 "../specs/manseur_doty_16.yaml";
-    two_parallel_6r 6 losing 1 "../specs/two_parallel_6r.yaml";
-    sawyer_q3 7 given 3 losing 31 "arms/held_joint/sawyer_q3.yaml";
-    baxter_left 7 given 3 losing 15 "../specs/baxter_left.yaml";
-    slides_rprrpr 6 "arms/held_joint/slides_rprrpr.yaml";
-    slide_rrprrr 6 "arms/held_joint/slide_rrprrr.yaml";
-    xarm7_q3 7 given 3 losing 22 "arms/held_joint/xarm7_q3.yaml";
+    fanuc_crx10ial 6 Pose losing 1 "../specs/fanuc_crx10ial.yaml";
+    kinova_gen3_lite 6 Pose "../specs/kinova_gen3_lite.yaml";
+    kinova_jaco 6 Pose "../specs/kinova_jaco.yaml";
+    ufactory_xarm6 6 Pose "../specs/ufactory_xarm6.yaml";
+    gen6r_a 6 Pose "../specs/gen6r_a.yaml";
+    manseur_doty_16 6 Pose losing 1 "../specs/manseur_doty_16.yaml";
+    two_parallel_6r 6 Pose losing 1 "../specs/two_parallel_6r.yaml";
+    sawyer_q3 7 Pose given 3 losing 31 "arms/held_joint/sawyer_q3.yaml";
+    baxter_left 7 Pose given 3 losing 15 "../specs/baxter_left.yaml";
+    slides_rprrpr 6 Pose "arms/held_joint/slides_rprrpr.yaml";
+    slide_rrprrr 6 Pose "arms/held_joint/slide_rrprrr.yaml";
+    xarm7_q3 7 Pose given 3 losing 22 "arms/held_joint/xarm7_q3.yaml";
+    axis_rrrrr 5 PositionAxis(2) "arms/held_joint/axis_rrrrr.yaml";
+    axis_square_rrrrr 5 PositionAxis(0) "arms/held_joint/axis_square_rrrrr.yaml";
+    axis_rrprr 5 PositionAxis(2) "arms/held_joint/axis_rrprr.yaml";
+    axis_rprpr 5 PositionAxis(2) "arms/held_joint/axis_rprpr.yaml";
+    axis_jaco 5 PositionAxis(2) "arms/held_joint/axis_jaco.yaml";
+    axis_rrrrrr_q1 6 PositionAxis(2) given 1 "arms/held_joint/axis_rrrrrr_q1.yaml";
+    pose_rrrrr 5 Pose "arms/held_joint/pose_rrrrr.yaml";
+    pose_square_rrrrr 5 Pose "arms/held_joint/pose_square_rrrrr.yaml";
+    pose_rrprr 5 Pose "arms/held_joint/pose_rrprr.yaml";
+    pose_rprpr 5 Pose "arms/held_joint/pose_rprpr.yaml";
 }

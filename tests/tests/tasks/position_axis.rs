@@ -26,4 +26,5 @@ arms! {
     pitches_and_offset_axis 5 PositionAxis(Z) "arms/position_axis/pitches_and_offset_axis.yaml";
     rail_and_four 5 PositionAxis(Z) "arms/position_axis/rail_and_four.yaml";
     flipped_rrprr 5 PositionAxis(X) "arms/position_axis/flipped_rrprr.yaml";
+    axis_prprp 5 PositionAxis(Z) "arms/position_axis/axis_prprp.yaml";
 }

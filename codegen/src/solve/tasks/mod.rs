@@ -3,9 +3,10 @@
 mod lower_mobility_pose;
 mod planar;
 mod pose;
+pub(super) mod pose_of_five;
 mod position;
 mod position_angle;
-mod position_axis;
+pub(super) mod position_axis;
 mod yaw;
 
 use super::held_joint;
@@ -20,8 +21,8 @@ use crate::model::chain::Chain;
 use crate::model::geometry::{self, Geometry};
 use crate::model::{Convention, Model, Task};
 
-/// The plan for the task of the file, or for the most specific task the arm can do. A pose of six joints that has no stages
-/// is solved with one joint held.
+/// The plan for the task of the file, or for the most specific task the arm can do. Without stages, six joints, virtual ones
+/// among them, are solved with one joint held.
 pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<InversePlan, Unsupported> {
     match in_stages(model, chain, geometry) {
         Ok(plan) => Ok(InversePlan::Stages(Box::new(plan))),
@@ -78,8 +79,7 @@ fn in_stages(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, 
         return Err(Unsupported { hint: Some(hint), ..failed });
     }
     let mut alternatives = alternatives(model, chain, geometry);
-    let is_pose = matches!(request.task, None | Some(Task::Pose));
-    if alternatives.is_empty() && is_pose && unsupported::is_one_more(model, request.task) {
+    if alternatives.is_empty() && unsupported::is_one_more(model, request.task) {
         alternatives = givable(model, chain, geometry);
     }
     if alternatives.is_empty() && unsupported::is_one_more(model, request.task) {
@@ -133,6 +133,8 @@ fn attempt(task: Task, model: &Model, geometry: &Geometry, joints: &LoopChain) -
         (Task::Pose, 6) => pose::plan(model, geometry, joints),
         (Task::Pose, 4 | 5) if yaw::yaws_and_pitches(&joints) => lower_mobility_pose::yawing(joints),
         (Task::Pose, 4) => lower_mobility_pose::upright(joints),
+        // Without a request most arms of five joints are better asked for a direction.
+        (Task::Pose, 5) if model.inverse.task == Some(Task::Pose) => pose_of_five::plan(joints),
         (Task::Position, 3) => position::plan(joints),
         (Task::PositionAxis, 5) => position_axis::plan(model.inverse.axis, joints),
         (Task::PositionAngle, 4) => position_angle::plan(joints),
@@ -156,7 +158,7 @@ fn givable(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<Alternative
     let others = model.joints.iter().enumerate().filter(|(joint, _)| Some(*joint) != model.inverse.redundant);
     let leaves = |joint: &usize| {
         let joints = LoopChain::new(model, chain, geometry.reach, Some(*joint));
-        held_joint::can_hold_a_joint(model, &joints)
+        held_joint::is_covered(model, joints)
     };
     let found = others.filter(|(joint, _)| leaves(joint));
     found.map(|(_, joint)| Alternative::new(format!("`redundant: {}`", joint.name), None, Some(&joint.name))).collect()

@@ -21,8 +21,7 @@ pub fn plan(axis: Option<Axis>, chain: LoopChain) -> Result<Plan, Unsupported> {
         let passed_over =
             failure.as_ref().map(|unsupported| format!("axis z cannot be asked for: {}", unsupported.reason));
         let task = PlanTask { passed_over, ..PlanTask::new(goal, chain.given) };
-        let before = onto_z(&mut chain.g, axis);
-        chain.append(LoopJoint::virtual_turn(1), before);
+        turn(&mut chain, axis);
         match structure::cheapest(&chain, &task) {
             Ok(Some(plan)) => return Ok(plan),
             Ok(None) => {
@@ -34,6 +33,12 @@ pub fn plan(axis: Option<Axis>, chain: LoopChain) -> Result<Plan, Unsupported> {
         }
     }
     Err(failure.unwrap_or_else(|| Unsupported::new("no axis of the tool can be pointed")))
+}
+
+/// Adds the virtual joint about the tool's axis.
+pub fn turn(chain: &mut LoopChain, axis: Axis) {
+    let before = onto_z(&mut chain.g, axis);
+    chain.append(LoopJoint::virtual_turn(1), before);
 }
 
 /// The frame whose z axis is the tool's axis.
