@@ -88,9 +88,9 @@ impl Fit {
         ) -> ([f64; SAMPLES], [f64; tables::CHECKS]),
     ) -> Self {
         let mut best = Self { polynomial: TrigPolynomial::ZERO, greatest: 0.0, wrong: f64::INFINITY };
-        for (place, (nodes, checks)) in NODES.iter().zip(&CHECK_NODES).enumerate() {
+        for ((nodes, checks), offset) in NODES.iter().zip(&CHECK_NODES).zip(OFFSETS.into_iter().zip(TURNS)) {
             let (samples, at_checks) = sample(nodes, checks);
-            let polynomial = TrigPolynomial::through(&samples, place);
+            let polynomial = TrigPolynomial::through(&samples, offset);
             let greatest = samples.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
             let mut error = 0.0_f64;
             for (angle, value) in CHECK_ANGLES.iter().zip(at_checks) {
@@ -134,8 +134,8 @@ impl TrigPolynomial {
     pub const ZERO: Self =
         Self { cosines: [0.0; DEGREE + 1], sines: [0.0; DEGREE + 1], offset: 0.0, offset_sin_cos: (0.0, 1.0) };
 
-    /// From samples at the angles of one of the three places: a discrete Fourier transform.
-    fn through(samples: &[f64; SAMPLES], place: usize) -> Self {
+    /// From samples at even angles from an offset, given with its sine and cosine: a discrete Fourier transform.
+    fn through(samples: &[f64; SAMPLES], (offset, offset_sin_cos): (f64, (f64, f64))) -> Self {
         let [first, others @ ..] = samples;
         let [mut cosines, mut sines] = [[0.0; DEGREE + 1]; 2];
         let row = COSINES[0].map(|weight| weight * first);
@@ -147,7 +147,7 @@ impl TrigPolynomial {
             cosines.iter_mut().zip(even).for_each(|(a, weight)| *a += weight * sum);
             sines.iter_mut().zip(odd).for_each(|(b, weight)| *b += weight * difference);
         }
-        Self { cosines, sines, offset: OFFSETS[place], offset_sin_cos: TURNS[place] }
+        Self { cosines, sines, offset, offset_sin_cos }
     }
 
     /// The sum of the magnitudes of the coefficients: no value is greater.

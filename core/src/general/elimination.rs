@@ -3,7 +3,7 @@
 use super::Cut;
 use super::constant_side::{ConstantSide, EQUATIONS, SINGLES};
 use super::equations::{Equations, Position};
-use super::line::{COORDINATES, Move, VECTORS, line, moved_twice};
+use super::line::{COORDINATES, Move, line, moved_twice, vectors};
 use crate::math::{angle, sin_cos, wrap};
 use crate::{Chain, Transform};
 
@@ -129,10 +129,9 @@ impl Elimination {
         for (((cos, sin), one), (n, level)) in
             cos.iter_mut().zip(&mut sin).zip(&mut one).zip(self.null.iter().zip(self.null_level))
         {
-            for at in VECTORS {
-                let (nx, ny, nz) = (n[at], n[at + 1], n[at + 2]);
+            for ([nx, ny, nz], [x, y, z]) in vectors(n).into_iter().zip(vectors(&sums)) {
                 for m in 0..9 {
-                    let (x, y, z) = (sums[at][m], sums[at + 1][m], sums[at + 2][m]);
+                    let (x, y, z) = (x[m], y[m], z[m]);
                     cos[m] += nx * x + ny * y;
                     sin[m] += ny * x - nx * y;
                     one[m] += nz * z;

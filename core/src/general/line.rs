@@ -22,6 +22,12 @@ pub const fn row(
 /// Where the four vectors begin: these turn with the line, the two other numbers stay.
 pub(super) const VECTORS: [usize; 4] = [0, 3, 8, 11];
 
+/// The entries of the four vectors.
+#[inline(always)]
+pub(super) fn vectors<T>([a, b, c, d, e, f, _, _, g, h, i, j, k, l]: &[T; COORDINATES]) -> [[&T; 3]; 4] {
+    [[a, b, c], [d, e, f], [g, h, i], [j, k, l]]
+}
+
 /// The coordinates of the line along z whose marked point is the origin.
 const ALONG_Z: [f64; COORDINATES] = [0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
 

@@ -148,16 +148,17 @@ pub(super) struct Range {
 pub(super) fn isolate(curve: &impl Curve, bernstein: [f64; SAMPLES], range: Range, out: &mut Roots) {
     let first = Piece { b: bernstein, low: -range.half, width: 2.0 * range.half, depth: 0 };
     let mut stack = [first; STACK];
-    let mut waiting = 1;
-    while waiting > 0 && out.nodes < MOST_NODES {
-        waiting -= 1;
-        let piece = stack[waiting];
+    let mut waiting = 1_usize;
+    while out.nodes < MOST_NODES
+        && let Some(top) = waiting.checked_sub(1)
+        && let Some(piece) = stack.get(top)
+    {
+        waiting = top;
         out.nodes += 1;
-        if let Some((left, right)) = look_at(&piece, curve, range, out)
-            && waiting + 2 <= STACK
+        if let Some((left, right)) = look_at(piece, curve, range, out)
+            && let Some([first, second]) = stack.get_mut(top..).and_then(|free| free.first_chunk_mut())
         {
-            stack[waiting] = right;
-            stack[waiting + 1] = left;
+            (*first, *second) = (right, left);
             waiting += 2;
         }
     }

@@ -36,16 +36,6 @@ pub fn all_arms() -> Result<Vec<String>, Error> {
     Ok(names)
 }
 
-/// Returns true for an arm whose inverse holds a joint.
-///
-/// # Errors
-/// The arm file is missing or refused.
-pub fn holds_a_joint(arm: &str) -> Result<bool, Error> {
-    let text = fs::read_to_string(specs().join(format!("{arm}.yaml")))?;
-    let program = denhart_codegen::program(&text, arm).map_err(|errors| errors.to_string())?;
-    Ok(program.inverse.is_ok_and(|inverse| inverse.held_joint.is_some()))
-}
-
 /// Writes `file` in `OUT_DIR`: a module `puma560_f32` for each arm and scalar.
 ///
 /// # Errors
