@@ -45,7 +45,7 @@ const ARMS: &[&str] = arms! {
     "specs/kinova_jaco.yaml"
     "specs/gen6r_a.yaml"
     "specs/fanuc_crx10ial.yaml"
-    "tests/arms/held_joint/sawyer_q3.yaml"
+    "specs/rethink_sawyer.yaml"
     "tests/arms/held_joint/slides_rprrpr.yaml"
 };
 

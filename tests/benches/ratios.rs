@@ -38,8 +38,8 @@ holding_a_joint! {
     TwoParallel6r "../specs/two_parallel_6r.yaml";
     ManseurDoty16 "../specs/manseur_doty_16.yaml";
     SlidesRprrpr "arms/held_joint/slides_rprrpr.yaml";
-    SawyerQ3 "arms/held_joint/sawyer_q3.yaml";
-    Xarm7Q3 "arms/held_joint/xarm7_q3.yaml";
+    SawyerQ3 "../specs/rethink_sawyer.yaml";
+    Xarm7Q3 "../specs/ufactory_xarm7.yaml";
     BaxterLeft "../specs/baxter_left.yaml";
 }
 

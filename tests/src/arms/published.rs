@@ -31,6 +31,7 @@ macro_rules! published_arms {
             kinova_gen3_7dof KinovaGen37dof 7 task "../specs/kinova_gen3_7dof.yaml";
             kinova_gen3_lite KinovaGen3Lite 6 held "../specs/kinova_gen3_lite.yaml";
             kinova_jaco KinovaJaco 6 held "../specs/kinova_jaco.yaml";
+            kinova_mico KinovaMico 6 held "../specs/kinova_mico.yaml";
             kuka_iiwa7_r800 KukaIiwa7R800 7 task "../specs/kuka_iiwa7_r800.yaml";
             kuka_kr5_arc KukaKr5Arc 6 inverse "../specs/kuka_kr5_arc.yaml";
             kuka_kr6_r700 KukaKr6R700 6 inverse "../specs/kuka_kr6_r700.yaml";
@@ -44,6 +45,7 @@ macro_rules! published_arms {
             planar4r_redundant Planar4rRedundant 4 task "../specs/planar4r_redundant.yaml";
             polar_rrp PolarRrp 3 task "../specs/polar_rrp.yaml";
             puma560 Puma560 6 inverse "../specs/puma560.yaml";
+            rethink_sawyer RethinkSawyer 7 held "../specs/rethink_sawyer.yaml";
             salman_rrr SalmanRrr 3 task "../specs/salman_rrr.yaml";
             salman_rrr_table1 SalmanRrrTable1 3 task "../specs/salman_rrr_table1.yaml";
             scara_rrrp_325_275 ScaraRrrp325275 4 task "../specs/scara_rrrp_325_275.yaml";
@@ -56,6 +58,7 @@ macro_rules! published_arms {
             techman_tm5_700 TechmanTm5700 6 inverse "../specs/techman_tm5_700.yaml";
             two_parallel_6r TwoParallel6r 6 held "../specs/two_parallel_6r.yaml";
             ufactory_xarm6 UfactoryXarm6 6 held "../specs/ufactory_xarm6.yaml";
+            ufactory_xarm7 UfactoryXarm7 7 held "../specs/ufactory_xarm7.yaml";
             ur10 Ur10 6 inverse "../specs/ur10.yaml";
             ur16e Ur16e 6 inverse "../specs/ur16e.yaml";
             ur3 Ur3 6 inverse "../specs/ur3.yaml";
