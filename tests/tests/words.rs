@@ -57,7 +57,7 @@ fn rank(arm: &DynamicArm, task: &Task, given: &[usize], q: &[f64]) -> usize {
     let solved: Vec<usize> = (0..q.len()).filter(|joint| !given.contains(joint)).collect();
     let axis = [0, 1, 2].map(|row| pose.rotation[row][2]);
     let columns = solved.iter().map(|joint| {
-        let mut column: Vec<f64> = (0..6).map(|row| jacobian.rows[row][*joint]).collect();
+        let mut column: Vec<f64> = (0..6).map(|row| jacobian[row][*joint]).collect();
         if task.equations == 5 {
             let about: f64 = (0..3).map(|i| column[3 + i] * axis[i]).sum();
             (0..3).for_each(|i| column[3 + i] -= about * axis[i]);

@@ -1,1 +1,0 @@
-fn main() { for f in std::env::args().skip(1) { let t = std::fs::read_to_string(&f).unwrap(); match denhart_codegen::check(&t, &f) { Ok(r) => println!("{f}: {:?}\n   {}", r.unsupported, r.to_string().lines().filter(|l| l.contains("q") ).take(12).collect::<Vec<_>>().join("\n   ")), Err(e) => println!("{f} {e:?}") } } }
