@@ -153,7 +153,8 @@ fn a_given_joint_that_the_task_cannot_spare_is_the_reason() {
     );
     assert_eq!(
         said("inverse: {task: position, redundant: q3}"),
-        "the task `position` is not covered for the 5 moving joints that `redundant: q3` leaves; `task: position_axis` works"
+        "`redundant: q3` leaves 5 joints, two more than `position` needs: name three joints; `task: position_axis`, \
+         `redundant: [q1, q3, q6]`, `redundant: [q2, q3, q6]` or `redundant: [q3, q4, q6]` work"
     );
     let planar = ["a: 1, alpha: 0, d: 0, theta: 0", "a: 1, alpha: 0, d: 0, theta: 0"];
     let alone = check("standard", &planar, "inverse: {redundant: q1}").unsupported.unwrap();

@@ -3,13 +3,13 @@
 use denhart::held_joint::meet::Meet;
 use denhart::held_joint::slides::Slides;
 use denhart::held_joint::{HeldJointSearch, Outcome, Transform, Visitor};
-use denhart::solve::{Goal, Locked, nearest_rotation};
+use denhart::solve::{AllLocked, Goal, nearest_rotation};
 use denhart::{Pose, Residual, Solutions, Status};
-use denhart_codegen::lower::{Given, HeldJointPlan, Inverse, Method};
+use denhart_codegen::lower::{HeldJointPlan, Inverse, Method};
 
 use crate::arm_constants::ArmConstants;
 use crate::function::Straight;
-use crate::solver::{Asked, Evaluator, Solve};
+use crate::solver::{Asked, Evaluator, Solve, held};
 use crate::{DynamicSolution, DynamicSolutions, DynamicTarget};
 
 /// The solver of a plan.
@@ -33,12 +33,9 @@ impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
         if let DynamicTarget::Pose(target) = asked.target {
             let mut nearest = None;
             let goal = nearest_rotation(target, &mut nearest, &mut solutions);
-            match self.plan.task.given {
-                Some(Given::Joint { joint, .. }) => {
-                    let locked = Locked::new(goal, joint, asked.given);
-                    self.search(&locked, goal, asked, &mut solutions);
-                }
-                _ => self.search(goal, goal, asked, &mut solutions),
+            match held(&self.plan.task.given, N, asked.given).as_slice() {
+                [] => self.search(goal, goal, asked, &mut solutions),
+                held => self.search(&AllLocked::new(goal, held), goal, asked, &mut solutions),
             }
         }
         solutions
@@ -58,8 +55,9 @@ impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
         for (value, joint) in reference.iter_mut().zip(solved) {
             *value = defaults.get(*joint).copied().unwrap_or(f64::NAN);
         }
+        let placed = goal.placed([f64::NAN; N]);
         let place = |six: [f64; 6]| {
-            let mut q = [asked.given; N];
+            let mut q = placed;
             for (joint, value) in solved.iter().zip(six) {
                 if let Some(place) = q.get_mut(*joint) {
                     *place = value;
@@ -67,8 +65,9 @@ impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
             }
             q
         };
-        let given = if self.plan.task.given.is_some() { &[asked.given][..] } else { &[] };
-        search.run_held_joint(&constants, near, place, |visit| self.candidates(given, &target, &reference, visit));
+        let given = self.plan.chain.given_joints().map(|given| placed.get(given.joint).copied().unwrap_or(f64::NAN));
+        let given: Vec<f64> = given.collect();
+        search.run_held_joint(&constants, near, place, |visit| self.candidates(&given, &target, &reference, visit));
     }
 
     fn candidates(

@@ -12,12 +12,12 @@ use denhart_core::{Chain as NumericChain, Transform as NumericTransform, choice,
 
 use super::loop_chain::LoopChain;
 use super::rank::{self, ToolMotion};
-use super::task::{Given, Goal, Outline, PlanTask};
+use super::task::{GivenValues, Goal, Outline, PlanTask};
 use super::unsupported::Unsupported;
 use crate::model::chain::Chain;
 use crate::model::geometry::Geometry;
 use crate::model::numeric::Transform;
-use crate::model::{Angle, JointKind, Model, Task};
+use crate::model::{Angle, JointKind, Model, Redundant, Task};
 
 /// An inverse that holds a joint.
 #[derive(Debug, Clone)]
@@ -124,14 +124,14 @@ pub fn plan(
 }
 
 /// The six joints whose pose the file asks for, and what is given beside it; `None` if no joint of them can be held.
-fn asked(model: &Model, chain: &Chain, geometry: &Geometry) -> Option<(Option<Given>, SixJoints)> {
+fn asked(model: &Model, chain: &Chain, geometry: &Geometry) -> Option<(GivenValues, SixJoints)> {
     let request = &model.inverse;
-    let asks_for_pose = matches!(request.task, None | Some(Task::Pose)) && !request.arm_angle;
-    let joints = LoopChain::new(model, chain, geometry.reach, request.redundant);
+    let asks_for_pose = matches!(request.task, None | Some(Task::Pose)) && !request.redundant.has_arm_angle();
+    let joints = LoopChain::new(model, chain, geometry.reach, &request.redundant);
     if !asks_for_pose || !can_hold_a_joint(model, &joints) {
         return None;
     }
-    let six = SixJoints::of(model, chain, geometry, request.redundant)?;
+    let six = SixJoints::of(model, chain, geometry, &request.redundant)?;
     Some((joints.given, six.gathered()))
 }
 
@@ -167,7 +167,7 @@ impl Method {
             let constants = structure.is_constant.then(|| Meet::of(&structure, &ring)).flatten().map(Box::new);
             return Some(Method::Meet { structure, constants });
         }
-        let slides: Vec<bool> = six.links.iter().flat_map(|link| &link.given).map(|joint| joint.is_prismatic).collect();
+        let slides: Vec<bool> = six.given_joints().map(|joint| joint.is_prismatic).collect();
         let cuts = choice::choose_given(&|angle| {
             // A given displacement is a part of the reach, as an angle is a part of half a turn.
             let values: Vec<f64> =
@@ -230,9 +230,9 @@ fn cleaned(link: &Transform, reach: f64) -> Transform {
 }
 
 impl SixJoints {
-    /// The chain of an arm, with one joint given or none.
-    pub fn of(model: &Model, chain: &Chain, geometry: &Geometry, given: Option<usize>) -> Option<Self> {
-        let whole = LoopChain::new(model, chain, geometry.reach, None);
+    /// The chain of an arm that has six joints beside those that are given.
+    pub fn of(model: &Model, chain: &Chain, geometry: &Geometry, given: &Redundant) -> Option<Self> {
+        let whole = LoopChain::new(model, chain, geometry.reach, &Redundant::default());
         let sample = whole.generic.samples().first()?;
         let mut six = SixJoints { links: Vec::new(), solved: Vec::new(), is_prismatic: [false; 6] };
         six.links.push(Link { first: cleaned(&whole.numeric(0, sample), geometry.reach), given: Vec::new() });
@@ -241,7 +241,7 @@ impl SixJoints {
             // The row's theta is a part of the link behind the joint.
             let offset = Transform::rotate_z(slot.offset.sin(), slot.offset.cos());
             let after = cleaned(&offset.then(&whole.numeric(joint + 1, sample)), geometry.reach);
-            if given == Some(joint) {
+            if given.holds(joint) {
                 six.links.last_mut()?.given.push(GivenJoint { joint, is_prismatic, offset: slot.offset, after });
             } else {
                 *six.is_prismatic.get_mut(six.solved.len())? = is_prismatic;
@@ -252,7 +252,7 @@ impl SixJoints {
         (six.links.len() == 7).then_some(six)
     }
 
-    /// The chain with the given joints at their values, in order.
+    /// The chain with the given joints at their values, in the order of the chain.
     pub fn at(&self, given: &[f64]) -> NumericChain<f64> {
         let mut values = given.iter().copied();
         let mut links = [NumericTransform::IDENTITY; 7];
@@ -289,14 +289,19 @@ impl SixJoints {
 
     /// Returns true if a given joint turns by a multiple of a right angle.
     pub fn is_square(&self, given: &[f64]) -> bool {
-        let joints = self.links.iter().flat_map(|link| &link.given).zip(given);
+        let joints = self.given_joints().zip(given);
         let mut turning = joints.filter(|(joint, _)| !joint.is_prismatic);
         turning.any(|(joint, value)| general::is_square(math::sin_cos(*value + joint.offset.rad())))
     }
 
     /// The number of given joints.
     pub fn given(&self) -> usize {
-        self.links.iter().map(|link| link.given.len()).sum()
+        self.given_joints().count()
+    }
+
+    /// The given joints, in the order of the chain.
+    pub fn given_joints(&self) -> impl Iterator<Item = &GivenJoint> {
+        self.links.iter().flat_map(|link| &link.given)
     }
 }
 

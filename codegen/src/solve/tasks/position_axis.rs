@@ -20,7 +20,7 @@ pub fn plan(axis: Option<Axis>, chain: LoopChain) -> Result<Plan, Unsupported> {
         let goal = Goal::PositionAxis { column: axis.column() };
         let passed_over =
             failure.as_ref().map(|unsupported| format!("axis z cannot be asked for: {}", unsupported.reason));
-        let task = PlanTask { passed_over, ..PlanTask::new(goal, chain.given) };
+        let task = PlanTask { passed_over, ..PlanTask::new(goal, chain.given.clone()) };
         let before = onto_z(&mut chain.g, axis);
         chain.append(LoopJoint::virtual_turn(1), before);
         match structure::cheapest(&chain, &task) {
