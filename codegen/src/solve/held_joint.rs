@@ -143,6 +143,29 @@ pub fn takes_a_choice(model: &Model, chain: &Chain, geometry: &Geometry) -> bool
     })
 }
 
+/// How a joint of six can be held, as far as that is known without a choice of the joint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Holding {
+    /// [`Method::Slides`].
+    Slides,
+    /// [`Method::Meet`].
+    Meet,
+    /// [`Method::General`].
+    General,
+}
+
+/// How the six joints beside those that are given are solved; `None` if no joint of them can be held.
+pub fn holding(model: &Model, chain: &Chain, geometry: &Geometry, given: &Redundant) -> Option<Holding> {
+    let joints = LoopChain::new(model, chain, geometry.reach, given);
+    let six = SixJoints::of(model, chain, geometry, given).filter(|_| can_hold_a_joint(model, &joints))?.gathered();
+    let slides = six.is_prismatic.iter().filter(|slides| **slides).count();
+    Some(match Structure::of(&six.at(&[]), six.known()) {
+        _ if slides == 2 => Holding::Slides,
+        Some(_) => Holding::Meet,
+        None => Holding::General,
+    })
+}
+
 /// Returns true for a chain of six joints with constant links that is not singular everywhere.
 pub fn can_hold_a_joint(model: &Model, joints: &LoopChain) -> bool {
     let slides = joints.loop_joints.iter().filter(|slot| !slot.revolute).count();

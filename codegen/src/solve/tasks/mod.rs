@@ -1,5 +1,6 @@
 //! The tasks: each becomes a closed chain in its own file. Here is which one an arm gets.
 
+mod choices;
 mod lists;
 mod lower_mobility_pose;
 mod planar;
@@ -8,6 +9,8 @@ mod position;
 mod position_angle;
 mod position_axis;
 mod yaw;
+
+pub use choices::{Choice, Way, choices};
 
 use super::held_joint;
 use super::inverse_plan::InversePlan;
