@@ -15,8 +15,8 @@ use crate::target::{Target, listed};
 /// The question: a target, and what stands beside it on the command line.
 pub struct Asked {
     pub target: Target,
-    /// The value of the redundant joint, or the arm angle, rad or length.
-    pub given: Option<f64>,
+    /// The values of the redundant joints, or the arm angle, rad or length.
+    pub given: Vec<f64>,
     pub near: Option<Vec<f64>>,
 }
 
@@ -44,7 +44,7 @@ impl<'a> Answer<'a> {
     pub fn new(arm: &'a DynamicArm, asked: Asked, form: Form) -> Result<Self, Failure> {
         let solutions = match &asked.near {
             Some(near) => arm.inverse_near(&asked.target.target, near)?,
-            None => arm.inverse(&asked.target.target, asked.given)?,
+            None => arm.inverse(&asked.target.target, &asked.given)?,
         };
         if solutions.status() == Status::BadTarget {
             return Err(Failure::Usage(
@@ -96,14 +96,20 @@ impl<'a> Answer<'a> {
         broken
     }
 
-    /// The value that the inverse took beside the target, in the units of the command.
-    pub fn given(&self) -> Result<Option<f64>, Failure> {
-        let held = match (self.asked.given, &self.asked.near) {
-            (None, Some(near)) => self.arm.held(near)?,
-            (given, _) => given,
+    /// The values that the inverse took beside the target, in the units of the command.
+    pub fn given(&self) -> Result<Vec<f64>, Failure> {
+        let held = match &self.asked.near {
+            Some(near) => self.arm.held(near)?,
+            None => self.asked.given.clone(),
         };
-        let slides = self.arm.given_slides()?;
-        Ok(held.map(|value| if slides { value } else { self.form.units.of(value) }))
+        let each = held.into_iter().zip(self.arm.given_slides()?);
+        Ok(each.map(|(value, slides)| if slides { value } else { self.form.units.of(value) }).collect())
+    }
+
+    /// The same for JSON: a list where the arm file has one, else a number or null.
+    fn given_json(&self) -> Result<Value, Failure> {
+        let given = self.given()?;
+        Ok(if self.arm.given_is_list()? { json!(given) } else { json!(given.first()) })
     }
 
     /// The closest approach where no solution is exact.
@@ -196,8 +202,9 @@ impl<'a> Answer<'a> {
             n => count(n, "solution"),
         };
         let mut text = self.head(&found)?;
-        if let Some(given) = self.given()? {
-            text += &format!("given: {}\n", given_words(self.arm, given, self.form.units)?);
+        let given = self.given()?;
+        if !given.is_empty() {
+            text += &format!("given: {}\n", given_words(self.arm, &given, self.form.units)?);
         }
         if !self.solutions.status().is_reachable() {
             text += &self.reason(self.closest().as_ref());
@@ -301,7 +308,7 @@ impl<'a> Answer<'a> {
             }));
         }
         Ok(json!({
-            "given": self.given()?,
+            "given": self.given_json()?,
             "status": self.status(),
             "complete": self.solutions.is_complete(),
             "found": self.solutions.len(),
@@ -336,10 +343,17 @@ impl<'a> Answer<'a> {
     }
 }
 
-/// The value that stands beside the target, with its name and unit: `q3 = 30 deg`.
-pub fn given_words(arm: &DynamicArm, value: f64, units: Units) -> Result<String, Failure> {
-    let unit = if arm.given_slides()? { arm.length_unit().to_string() } else { units.symbol().to_owned() };
-    Ok(format!("{} = {} {unit}", arm.given()?.unwrap_or_default(), short(value)))
+/// The values that stand beside the target, with names and units: `q1 = 0.5 m, q3 = 30 deg`.
+pub fn given_words(arm: &DynamicArm, values: &[f64], units: Units) -> Result<String, Failure> {
+    let each = arm.given()?.into_iter().zip(given_units(arm, units)?).zip(values);
+    let words: Vec<String> = each.map(|((name, unit), value)| format!("{name} = {} {unit}", short(*value))).collect();
+    Ok(words.join(", "))
+}
+
+/// The units of the values that stand beside the target.
+pub fn given_units(arm: &DynamicArm, units: Units) -> Result<Vec<String>, Failure> {
+    let unit = |slides: bool| if slides { arm.length_unit().to_string() } else { units.symbol().to_owned() };
+    Ok(arm.given_slides()?.into_iter().map(unit).collect())
 }
 
 /// One object with the keys of all.

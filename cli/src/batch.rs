@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 
 use crate::Failure;
 use crate::answer::{Answer, Asked, Form, merged};
+use crate::inverse::not_given;
 use crate::number_arguments::NumberList;
 use crate::numbers::{count, printed};
 use crate::progress::Progress;
@@ -22,8 +23,8 @@ const BETWEEN_LOOKS: u64 = 16;
 /// The options of a run.
 pub struct Batch<'a> {
     pub arm: &'a DynamicArm,
-    /// The value of the redundant joint, of every target.
-    pub given: Option<f64>,
+    /// The values of the redundant joints, of every target that has none of its own.
+    pub given: Vec<f64>,
     pub near: Option<Vec<f64>>,
     pub form: Form,
     pub json: bool,
@@ -96,6 +97,10 @@ impl Batch<'_> {
                 Some(lines) => lines,
                 None => {
                     let lines = &*form.insert(Lines::of(line));
+                    // Only lines of JSON may have values of their own.
+                    if !matches!(lines, Lines::Json) {
+                        self.needs(&self.given)?;
+                    }
                     if let Lines::Named(names) = lines {
                         check_columns(names, self.arm.task()?)
                             .map_err(|failure| failure.at(&format!("{name}:{number}")))?;
@@ -160,8 +165,18 @@ impl Batch<'_> {
         }
     }
 
+    /// Refuses a target without the values that the inverse takes beside it.
+    fn needs(&self, given: &[f64]) -> Result<(), Failure> {
+        match given.is_empty() && self.near.is_none() && !self.arm.given()?.is_empty() {
+            true => Err(not_given(self.arm, self.form.units, true)?),
+            false => Ok(()),
+        }
+    }
+
     fn answer(&self, target: Target) -> Result<Answer<'_>, Failure> {
-        let asked = Asked { target, given: self.given, near: self.near.clone() };
+        let given = if target.given.is_empty() { self.given.clone() } else { target.given.clone() };
+        self.needs(&given)?;
+        let asked = Asked { target, given, near: self.near.clone() };
         Answer::new(self.arm, asked, self.form)
     }
 

@@ -7,7 +7,7 @@ use clap::Args;
 use denhart::{JointKind, Pose};
 use denhart_codegen::model::Convention;
 use denhart_codegen::model::geometry::Line;
-use denhart_codegen::{Diagnostic, Report, Severity};
+use denhart_codegen::{Choice, Diagnostic, Report, Severity};
 use serde_json::{Value, json};
 
 use crate::arm::{self, Arm};
@@ -272,6 +272,9 @@ impl Found {
                 .map_or(Value::Null, |task| json!({"task": task, "max_solutions": report.max_solutions})),
         );
         put("no_inverse", json!(report.unsupported));
+        let choice =
+            |choice: &Choice| json!({"redundant": choice.names, "way": choice.way.name(), "words": choice.words});
+        put("choices", report.choices.iter().map(choice).collect());
         if let Some(cost) = cost {
             put("cortex_m4f", cost.json());
         }

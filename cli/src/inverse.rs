@@ -9,7 +9,7 @@ use denhart_dynamic::{DynamicArm, DynamicError};
 use serde_json::Value;
 
 use crate::Failure;
-use crate::answer::{Answer, Asked, Form};
+use crate::answer::{Answer, Asked, Form, given_units};
 use crate::batch::Batch;
 use crate::hints;
 use crate::number_arguments::{NumberList, joint_vector};
@@ -35,8 +35,9 @@ pub struct Options {
     /// Joint values that the solutions are to be next to, the nearest first
     #[arg(long, value_name = "VALUES", allow_hyphen_values = true)]
     near: Option<String>,
-    /// The value of the redundant joint, or the arm angle [default: that of --near, else of --q]
-    #[arg(long, value_name = "VALUE", allow_hyphen_values = true, conflicts_with = "near")]
+    /// The value of the redundant joint, or the arm angle; of several "a, b" in the order of the file [default: those of
+    /// --near, else of --q]
+    #[arg(long, value_name = "VALUES", allow_hyphen_values = true, conflicts_with = "near")]
     given: Option<String>,
     /// Solve for N values of the redundant joint over its limits, or of the arm angle over a turn
     #[arg(long, value_name = "N", conflicts_with_all = ["near", "given", "batch"], value_parser = clap::value_parser!(u32).range(1..))]
@@ -126,51 +127,83 @@ fn instead(report: &Report) -> String {
 
 /// The options beside the target.
 struct Beside {
-    given: Option<f64>,
+    given: Vec<f64>,
     near: Option<Vec<f64>>,
     hints: Vec<String>,
 }
 
-/// Reads them; a target at joint values gives the redundant joint its value.
+/// Reads them; a target at joint values, or with values of its own, gives the redundant joints theirs.
 fn beside(arm: &DynamicArm, options: &Options, target: Option<&Target>) -> Result<Beside, Failure> {
     let units = options.units;
     let near = options.near.as_ref().map(|text| joint_vector("--near", text, arm, units)).transpose()?;
     let mut hints: Vec<String> = Vec::new();
     hints.extend(near.as_deref().and_then(|near| hints::of_joints("--near", arm, near, units)));
-    let q = target.and_then(|target| target.q.as_deref());
-    let given = match (&options.given, arm.given()?) {
-        // A slide is a length; everything else that is given is an angle.
-        (Some(text), Some(_)) => {
-            let value = one("--given", text, arm, units)?;
-            let slides = arm.given_slides()?;
-            hints.extend(hints::of_angles("--given", &[value], units).filter(|_| !slides));
-            Some(if slides { value } else { units.rad(value) })
-        }
-        (Some(_), None) => {
+    let names = arm.given()?;
+    let own = target.map(|target| target.given.as_slice()).filter(|given| !given.is_empty());
+    let given = match &options.given {
+        Some(_) if names.is_empty() => {
             return Err(Failure::Usage(
                 "--given: this arm's inverse takes no such value\nhelp: leave --given out".to_owned(),
             ));
         }
-        (None, Some(name)) if q.is_none() && near.is_none() => {
-            let unit = if arm.given_slides()? { arm.model().length_unit.symbol() } else { units.symbol() };
-            return Err(Failure::Usage(format!(
-                "the target leaves {name} to choose\n\
-                 help: add --given with its value in {unit}, or --near with the joint values to be next to"
-            )));
+        Some(text) => {
+            let values = given(text, arm, &names, units)?;
+            // A slide is a length; everything else that is given is an angle.
+            let slides = arm.given_slides()?;
+            let turning = values.iter().zip(&slides).filter(|(_, slides)| !**slides);
+            let angles: Vec<f64> = turning.map(|(value, _)| *value).collect();
+            hints.extend(hints::of_angles("--given", &angles, units));
+            let each = values.into_iter().zip(slides);
+            each.map(|(value, slides)| if slides { value } else { units.rad(value) }).collect()
         }
-        (None, _) => q.map(|q| arm.held(q)).transpose()?.flatten(),
+        None => match (own, target.and_then(|target| target.q.as_deref())) {
+            (Some(own), _) => own.to_vec(),
+            (None, Some(q)) => arm.held(q)?,
+            // Each line of a batch may have its own.
+            (None, None) if names.is_empty() || near.is_some() || target.is_none() => Vec::new(),
+            (None, None) => return Err(not_given(arm, units, false)?),
+        },
     };
     Ok(Beside { given, near, hints })
 }
 
-/// One number.
-fn one(option: &str, text: &str, arm: &DynamicArm, units: Units) -> Result<f64, Failure> {
-    let list = NumberList { option, text, angle: units, length: arm.length_unit(), wanted: &[1] };
-    match list.parse()?[..] {
-        [value] => Ok(value),
-        ref values => {
-            let found = count(values.len(), "number");
-            Err(list.wrong_count(&format!("{found}, but one is needed"), &format!("write one, such as {option} 0.5")))
+/// The failure of a target without the values that the inverse takes beside it, in a line of a batch or alone.
+///
+/// # Errors
+/// An arm without inverse.
+pub fn not_given(arm: &DynamicArm, units: Units, in_batch: bool) -> Result<Failure, Failure> {
+    let (names, each) = (arm.given()?, given_units(arm, units)?);
+    let (values, in_units) = match (names.as_slice(), each.as_slice()) {
+        ([_], [unit]) => ("its value", format!("in {unit}")),
+        _ => {
+            let named = names.iter().zip(&each).map(|(name, unit)| format!("{name} in {unit}"));
+            ("values", format!("\"{}\"", named.collect::<Vec<_>>().join(", ")))
         }
+    };
+    let key = if in_batch { ", lines of JSON with `given`" } else { "" };
+    Ok(Failure::Usage(format!(
+        "the target leaves {} to choose\n\
+         help: add --given with {values} {in_units}, or --near with the joint values to be next to{key}",
+        names.join(", ")
+    )))
+}
+
+/// A number for each of these values.
+fn given(text: &str, arm: &DynamicArm, names: &[String], units: Units) -> Result<Vec<f64>, Failure> {
+    let (option, wanted) = ("--given", [names.len()]);
+    let list = NumberList { option, text, angle: units, length: arm.length_unit(), wanted: &wanted };
+    let values = list.parse()?;
+    if values.len() == names.len() {
+        return Ok(values);
     }
+    let found = count(values.len(), "number");
+    Err(match names {
+        [_] => list.wrong_count(&format!("{found}, but one is needed"), &format!("write one, such as {option} 0.5")),
+        names => {
+            let each: Vec<String> =
+                names.iter().zip(given_units(arm, units)?).map(|(name, unit)| format!("{name} in {unit}")).collect();
+            let help = format!("write a number for each: {}", each.join(", "));
+            list.wrong_count(&format!("{found}, but the inverse takes {}", names.len()), &help)
+        }
+    })
 }

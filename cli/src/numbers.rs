@@ -69,7 +69,7 @@ impl From<DynamicError> for Failure {
     fn from(error: DynamicError) -> Self {
         match error {
             DynamicError::Joints { .. } | DynamicError::Target { .. } => Self::Usage(error.to_string()),
-            DynamicError::Given(_) | DynamicError::NothingGiven => Self::Usage(error.to_string()),
+            DynamicError::Given { .. } | DynamicError::NoArmAngle => Self::Usage(error.to_string()),
             DynamicError::Mistakes(errors) => Self::Other(crate::each(&errors)),
             _ => Self::Other(error.to_string()),
         }

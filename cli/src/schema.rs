@@ -153,7 +153,13 @@ fn inverse() -> Value {
         json!({
             "task": {"enum": ["pose", "position_angle", "position_axis", "position", "planar_pose", "planar_position"]},
             "require": {"type": "boolean", "description": "An arm without inverse fails to compile."},
-            "redundant": {"type": ["string", "null"], "description": "The joint whose value is given, or arm_angle."},
+            "redundant": {
+                "anyOf": [
+                    {"type": ["string", "null"]},
+                    {"type": "array", "minItems": 1, "items": {"type": "string"}}
+                ],
+                "description": "The joint whose value is given, or arm_angle; a list of them where the arm has several joints more than its task needs."
+            },
             "axis": {"enum": ["x", "y", "z"], "description": "The tool's axis that position_axis points."},
             "tolerance": tolerance,
             "weights": {

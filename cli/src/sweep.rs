@@ -9,7 +9,7 @@ use denhart_dynamic::DynamicArm;
 use serde_json::json;
 
 use crate::Failure;
-use crate::answer::{Answer, Asked, Form, merged};
+use crate::answer::{Answer, Asked, Form, given_units, merged};
 use crate::inverse::pretty;
 use crate::numbers::{Units, count, short};
 use crate::table::{aligned, fixed};
@@ -32,10 +32,10 @@ pub fn sweep(
 ) -> Result<bool, Failure> {
     let mut answers = Vec::new();
     for value in values(arm, n)? {
-        let asked = Asked { target: target.clone(), given: Some(value), near: None };
+        let asked = Asked { target: target.clone(), given: vec![value], near: None };
         answers.push(Answer::new(arm, asked, form)?);
     }
-    let name = arm.given()?.unwrap_or_default();
+    let name = arm.given()?.concat();
     if as_json {
         writeln!(out, "{}", pretty(&json(&name, &answers)?)?)?;
     } else {
@@ -48,14 +48,23 @@ pub fn sweep(
 /// The values, rad or length.
 fn values(arm: &DynamicArm, n: u32) -> Result<impl Iterator<Item = f64>, Failure> {
     let inverse = arm.program().inverse.as_ref().ok();
-    let given = inverse.and_then(|inverse| Some((inverse.given?, inverse.constants.reach)));
-    let ([low, high], whole) = match given {
-        Some((Given::ArmAngle, _)) => ([-PI, PI], PI),
-        Some((Given::Joint { joint, revolute }, reach)) => {
+    let (given, reach) =
+        inverse.map_or((&[][..], 1.0), |inverse| (inverse.given.values.as_slice(), inverse.constants.reach));
+    let ([low, high], whole) = match *given {
+        [Given::ArmAngle] => ([-PI, PI], PI),
+        [Given::Joint { joint, revolute }] => {
             let limits = arm.limits().get(joint).copied().unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
             (limits, if revolute { PI } else { reach })
         }
-        None => {
+        [_, _, ..] => {
+            return Err(Failure::Usage(format!(
+                "--sweep walks one value, and this arm's inverse takes {}: {}\n\
+                 help: call it with --given \"a, b\" for each; `sample_redundancy` of generated code walks a grid",
+                given.len(),
+                arm.given()?.join(", ")
+            )));
+        }
+        [] => {
             return Err(Failure::Usage(
                 "--sweep: this arm's inverse takes no value beside the target\n\
                  help: leave --sweep out; `redundant` in the arm file names a joint to spare"
@@ -82,14 +91,14 @@ fn json(name: &str, answers: &[Answer]) -> Result<serde_json::Value, Failure> {
 
 fn text(arm: &DynamicArm, name: &str, answers: &[Answer], units: Units) -> Result<String, Failure> {
     let Some(first) = answers.first() else { return Ok(String::new()) };
-    let unit = if arm.given_slides()? { arm.length_unit().to_string() } else { units.symbol().to_owned() };
+    let unit = given_units(arm, units)?.concat();
     let found: usize = answers.iter().map(|answer| answer.solutions.len()).sum();
     let mut text = first.head(&count(found, "solution"))?;
     let any_free = answers.iter().any(Answer::any_free);
     let start = |cell: String, row: Vec<String>| [cell].into_iter().chain(row).collect::<Vec<String>>();
     let mut table = vec![start(format!("with {name}"), first.header(any_free))];
     for answer in answers {
-        let value = answer.given()?.unwrap_or(f64::NAN);
+        let value = one(answer)?;
         for (number, solution) in answer.listed() {
             table.push(start(fixed(value), answer.row(number, solution, any_free)?));
         }
@@ -113,14 +122,19 @@ fn text(arm: &DynamicArm, name: &str, answers: &[Answer], units: Units) -> Resul
     Ok(text)
 }
 
+/// The value that an answer was asked with.
+fn one(answer: &Answer) -> Result<f64, Failure> {
+    Ok(answer.given()?.first().copied().unwrap_or(f64::NAN))
+}
+
 /// The values for which something holds: of neighbors the first and the last.
 fn ranges(answers: &[Answer], is_so: fn(&Answer) -> bool) -> Result<Vec<String>, Failure> {
     let mut ranges = Vec::new();
     for run in answers.chunk_by(|one, next| is_so(one) == is_so(next)) {
         let ends = [run.first(), run.last()].map(|end| end.filter(|answer| is_so(answer)));
         if let [Some(first), Some(last)] = ends {
-            let [low, high] = [first, last].map(Answer::given);
-            let [low, high] = [low?, high?].map(|value| short(value.unwrap_or(f64::NAN)));
+            let [low, high] = [first, last].map(one);
+            let [low, high] = [low?, high?].map(short);
             ranges.push(if run.len() == 1 { low } else { format!("{low} to {high}") });
         }
     }

@@ -145,6 +145,8 @@ combined_limits: [{sum: {one: 1}, limits: [-90, 90 deg]}]
         &text.replace("{q2: {one: 20 per rev, q2: 1, offset: 3}}", "{matrix: [[1, 0], [1, 1]], offset: [0, 90]}"),
     )
     .unwrap();
+    check(&schema, &text.replace("redundant: null", "redundant: [one, q2]")).unwrap();
+    assert!(check(&schema, &text.replace("redundant: null", "redundant: []")).is_err());
     // Numbers may stand in quotes, and a sum of factors 1 is a list of names.
     let mut quoted = text.replace("sum: {one: 1}", "sum: [one, q2]");
     for number in ["425", "0.1", "200", "50", "80", "-1", "2"] {

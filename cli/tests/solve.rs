@@ -167,6 +167,53 @@ fn what_is_given_beside_the_target() {
 }
 
 #[test]
+fn several_values_are_given_beside_the_target() {
+    let arm = "tests/arms/given/iiwa_on_a_rail.yaml";
+    let (q, pose) = ("250, 10, 30, -17, -70, 20, 50, 5", ["inverse", arm, "--pose", "400 100 500 180 0 0"]);
+    let asked = |more: &[&'static str]| denhart(&[&pose[..], more].concat());
+    let none = asked(&[]);
+    assert_eq!(none.status.code(), Some(2));
+    assert!(
+        said(&none.stderr)
+            .contains("the target leaves q1, q4 to choose\nhelp: add --given with values \"q1 in mm, q4 in deg\"")
+    );
+    let few = asked(&["--given", "250"]);
+    assert!(
+        said(&few.stderr)
+            .contains("1 number, but the inverse takes 2\nhelp: write a number for each: q1 in mm, q4 in deg")
+    );
+    let found = json(&["inverse", arm, "--q", q, "--json"]);
+    close(&found["given"], &[250.0, -17.0]);
+    assert_eq!(found["found"], 8);
+    let given = json(&[&pose[..], &["--given", "250, 30", "--json"]].concat());
+    close(&given["given"], &[250.0, 30.0]);
+    for solution in given["solutions"].as_array().unwrap() {
+        assert!((solution["q"][0].as_f64().unwrap() - 250.0).abs() < 1e-9, "{solution}");
+        assert!((solution["q"][3].as_f64().unwrap() - 30.0).abs() < 1e-9, "{solution}");
+    }
+    assert!(said(&asked(&["--given", "250, 30"]).stdout).contains("given: q1 = 250 mm, q4 = 30 deg\n"));
+    let swept = asked(&["--sweep", "5"]);
+    assert!(
+        said(&swept.stderr).contains("--sweep walks one value, and this arm's inverse takes 2: q1, q4"),
+        "{swept:?}"
+    );
+    // Each line of a batch may have values of its own.
+    let lines = "{\"position\": [400, 100, 500], \"rpy\": [180, 0, 0], \"given\": [250, 30]}\n\
+                 {\"position\": [400, 100, 500], \"rpy\": [180, 0, 0]}\n";
+    let mut child = command(&["inverse", arm, "--batch", "-", "--json"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child.stdin.take().unwrap().write_all(lines.as_bytes()).unwrap();
+    let output = child.wait_with_output().unwrap();
+    let answers: Vec<Value> = said(&output.stdout).lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!(answers[0]["solutions"], given["solutions"]);
+    assert!(answers[1]["error"].as_str().unwrap().contains("the target leaves q1, q4 to choose"), "{output:?}");
+}
+
+#[test]
 fn wrong_arguments_have_status_2_and_wrong_files_status_1() {
     for (arguments, status, part) in [
         (

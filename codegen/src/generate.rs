@@ -226,7 +226,9 @@ pub fn program(text: &str, file: &str) -> Result<Program, Errors> {
 /// # Errors
 /// Every mistake in the file, with its place.
 pub fn check(text: &str, file: &str) -> Result<Report, Errors> {
-    Ok(analyze(text, file, &Bound::None, ScalarKind::F64)?.report())
+    let analyzed = analyze(text, file, &Bound::None, ScalarKind::F64)?;
+    let Analyzed { model, chain, geometry, .. } = &analyzed;
+    Ok(analyzed.report().with_choices(solve::choices(model, chain, geometry)))
 }
 
 /// Returns true if the inverse of an arm takes a choice of the joints that are held, which takes a tenth of a second or a

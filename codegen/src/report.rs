@@ -4,7 +4,7 @@ use crate::error::Diagnostic;
 use crate::model::geometry::{Geometry, Relation};
 use crate::model::{JointKind, Model, Parameter, Task, joint_sum};
 use crate::settings::{self, short};
-use crate::solve::{Goal, InversePlan, PlanTask, Unsupported, describe};
+use crate::solve::{Choice, Goal, InversePlan, PlanTask, Unsupported, describe};
 use crate::symbolic::Cost;
 use std::fmt;
 
@@ -25,6 +25,9 @@ pub struct Report {
     pub hint: Option<String>,
     /// Without an inverse: the requests for which there is one, as the file writes them. `inverse: {task: position}` is one.
     pub instead: Vec<String>,
+    /// The joints whose values could be given, the cheapest first; none for an arm whose task needs all of its joints. Only
+    /// [`check`](crate::check) looks for them.
+    pub choices: Vec<Choice>,
     /// Operations of forward, jacobian, and both together.
     pub costs: [Cost; 3],
     /// The mistake of a file that requires an inverse where there is none.
@@ -85,11 +88,38 @@ impl Report {
             unsupported: inverse.as_ref().err().map(|unsupported| unsupported.reason.clone()),
             hint: inverse.as_ref().err().and_then(|unsupported| unsupported.hint.clone()),
             instead: inverse.as_ref().err().map(|unsupported| unsupported.instead.clone()).unwrap_or_default(),
+            choices: Vec::new(),
             costs,
             lacking: None,
             warnings,
             lines,
         }
+    }
+}
+
+/// The most lines of choices.
+const MOST_CHOICES: usize = 12;
+
+impl Report {
+    /// Adds the joints whose values could be given.
+    pub(crate) fn with_choices(mut self, choices: Vec<Choice>) -> Report {
+        if !choices.is_empty() {
+            self.lines.push("values that may be given (`redundant`), the cheapest first:".into());
+        }
+        // Choices that are alike share a line.
+        let groups: Vec<&[Choice]> = choices.chunk_by(|one, next| one.words == next.words).collect();
+        for (place, group) in groups.iter().take(MOST_CHOICES).enumerate() {
+            let names: Vec<&str> = group.iter().map(|choice| choice.names.as_str()).collect();
+            let words = group.first().map_or("", |choice| choice.words.as_str());
+            let cheapest = if place == 0 { " (cheapest)" } else { "" };
+            self.lines.push(format!("  {}: {words}{cheapest}", names.join(", ")));
+        }
+        let more: usize = groups.iter().skip(MOST_CHOICES).map(|group| group.len()).sum();
+        if more > 0 {
+            self.lines.push(format!("  and {more} more"));
+        }
+        self.choices = choices;
+        self
     }
 }
 

@@ -153,7 +153,8 @@ fn a_given_joint_that_the_task_cannot_spare_is_the_reason() {
     );
     assert_eq!(
         said("inverse: {task: position, redundant: q3}"),
-        "the task `position` is not covered for the 5 moving joints that `redundant: q3` leaves; `task: position_axis` works"
+        "`redundant: q3` leaves 5 joints, two more than `position` needs: name three joints; `task: position_axis`, \
+         `redundant: [q1, q3, q6]`, `redundant: [q2, q3, q6]` or `redundant: [q3, q4, q6]` work"
     );
     let planar = ["a: 1, alpha: 0, d: 0, theta: 0", "a: 1, alpha: 0, d: 0, theta: 0"];
     let alone = check("standard", &planar, "inverse: {redundant: q1}").unsupported.unwrap();
@@ -219,4 +220,48 @@ fn a_structure_that_an_arm_misses_by_more_than_rounding_is_verified() {
         assert!(report.contains("the axes miss this structure by "), "{right} {wrist}: {report}");
         assert!(code.contains(".in_doubt()") && code.contains("every branch is verified"), "{right} {wrist}: {code}");
     }
+}
+
+/// Joints of an arm whose shoulder and wrist axes meet, on a rail.
+const RAIL: [&str; 8] = [
+    "type: prismatic, a: 0, alpha: -90, d: 0, theta: 0",
+    "a: 0, alpha: 90, d: 0.34, theta: 0",
+    "a: 0, alpha: -90, d: 0, theta: 0",
+    "a: 0, alpha: 90, d: 0.4, theta: 0",
+    "a: 0, alpha: -90, d: 0, theta: 0",
+    "a: 0, alpha: 90, d: 0.4, theta: 0",
+    "a: 0, alpha: -90, d: 0, theta: 0",
+    "a: 0, alpha: 90, d: 0.126, theta: 0",
+];
+
+#[test]
+fn a_list_of_another_length_is_told_with_lists_that_work() {
+    let said = |more: &str| check("modified", &RAIL, more).unsupported.unwrap();
+    let lists = "`redundant: [q1, q2]`, `redundant: [q1, q3]` or `redundant: [q1, q4]` work";
+    assert_eq!(
+        said(""),
+        format!(
+            "8 moving joints are two more than the task `pose` needs: name the two whose values are given; {lists}"
+        )
+    );
+    assert_eq!(
+        said("inverse: {redundant: q1}"),
+        format!("`redundant: q1` leaves 7 joints, one more than `pose` needs: name two joints; {lists}")
+    );
+    let many = said("inverse: {task: pose, redundant: [q1, q2, q4]}");
+    assert!(many.starts_with("`redundant: [q1, q2, q4]` leaves 5 joints, fewer than `pose` needs; "), "{many}");
+}
+
+#[test]
+fn the_values_that_may_be_given_are_listed_cheapest_first() {
+    let report = check("modified", &RAIL, "inverse: {redundant: [q1, q4]}");
+    let text = report.to_string();
+    assert!(text.contains("values that may be given (`redundant`), the cheapest first:\n"), "{text}");
+    assert_eq!(text.matches("(cheapest)").count(), 1, "{text}");
+    assert!(report.choices.is_sorted_by_key(|choice| choice.way), "{text}");
+    let named = |names: &str| report.choices.iter().any(|choice| choice.names == names);
+    assert!(named("[q1, q4]") && named("[q1, arm_angle]"), "{text}");
+    // One that needs all of its joints has none.
+    let six = check("modified", &RAIL[1..7], "");
+    assert!(six.choices.is_empty() && !six.to_string().contains("redundant"), "{six}");
 }

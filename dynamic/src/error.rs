@@ -31,18 +31,32 @@ pub enum DynamicError {
         /// The task that the target belongs to.
         found: &'static str,
     },
-    /// The inverse takes a value beside the target.
-    #[error("the inverse takes {0} beside the target")]
-    Given(String),
-    /// The inverse takes no value beside the target.
-    #[error("the inverse takes no value beside the target")]
-    NothingGiven,
+    /// Another number of values beside the target than the inverse takes.
+    #[error("the inverse takes {} beside the target, not {found}", expected_values(.expected))]
+    Given {
+        /// The names of the values that it takes, in order.
+        expected: Vec<String>,
+        /// The values.
+        found: usize,
+    },
+    /// The arm angle is asked for, of an arm whose inverse does not take it.
+    #[error("the inverse takes no arm angle")]
+    NoArmAngle,
     /// A branch is asked for, of an arm whose inverse holds a joint.
     #[error("the solutions of this arm are numbered anew at every target: no branch can be asked for")]
     NoBranches,
     /// An arm that generated code supports and this crate cannot evaluate.
     #[error("not supported at run time: {0}; the generated code (`denhart expand`, `#[derive(Arm)]`) has it")]
     Unsupported(String),
+}
+
+/// `2 values (q1, q4)`, `no value`.
+fn expected_values(names: &[String]) -> String {
+    match names {
+        [] => "no value".to_owned(),
+        [one] => format!("1 value ({one})"),
+        names => format!("{} values ({})", names.len(), names.join(", ")),
+    }
 }
 
 impl From<ReadError> for DynamicError {

@@ -3,13 +3,13 @@
 use denhart::held_joint::meet::Meet;
 use denhart::held_joint::slides::Slides;
 use denhart::held_joint::{HeldJointSearch, Outcome, Transform, Visitor};
-use denhart::solve::{Goal, Locked, Pointing, nearest_rotation};
+use denhart::solve::{AllLocked, Goal, Pointing, nearest_rotation};
 use denhart::{Pose, Residual, Solutions, Status};
-use denhart_codegen::lower::{Given, Goal as Task, HeldJointPlan, Inverse, Method};
+use denhart_codegen::lower::{Goal as Task, HeldJointPlan, Inverse, Method};
 
 use crate::arm_constants::ArmConstants;
 use crate::function::Straight;
-use crate::solver::{Asked, Evaluator, Solve};
+use crate::solver::{Asked, Evaluator, Solve, held};
 use crate::{DynamicSolution, DynamicSolutions, DynamicTarget};
 
 /// The solver of a plan.
@@ -53,11 +53,9 @@ impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
         asked: &Asked,
         solutions: &mut Solutions<f64, N, M>,
     ) {
-        match self.plan.task.given {
-            Some(Given::Joint { joint, .. }) => {
-                self.search(&Locked::new(goal, joint, asked.given), frame, asked, solutions);
-            }
-            _ => self.search(goal, frame, asked, solutions),
+        match held(&self.plan.task.given, N, asked.given).as_slice() {
+            [] => self.search(goal, frame, asked, solutions),
+            held => self.search(&AllLocked::new(goal, held), frame, asked, solutions),
         }
     }
 
@@ -76,8 +74,9 @@ impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
         for (value, joint) in reference.iter_mut().zip(solved) {
             *value = defaults.get(*joint).copied().unwrap_or(f64::NAN);
         }
+        let placed = goal.placed([f64::NAN; N]);
         let place = |six: [f64; 6]| {
-            let mut q = [asked.given; N];
+            let mut q = placed;
             for (joint, value) in solved.iter().zip(six) {
                 if let Some(place) = q.get_mut(*joint) {
                     *place = value;
@@ -86,8 +85,9 @@ impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
             let [.., last] = six;
             (q, if self.plan.lacks_a_turn() { last } else { 0.0 })
         };
-        let given = if self.plan.task.given.is_some() { &[asked.given][..] } else { &[] };
-        search.run_with_turn(&constants, near, place, |visit| self.candidates(given, &target, &reference, visit));
+        let given = self.plan.chain.given_joints().map(|given| placed.get(given.joint).copied().unwrap_or(f64::NAN));
+        let given: Vec<f64> = given.collect();
+        search.run_with_turn(&constants, near, place, |visit| self.candidates(&given, &target, &reference, visit));
     }
 
     fn candidates(

@@ -18,24 +18,34 @@ impl DynamicArm {
         Ok(task(&self.inverse_program()?.goal))
     }
 
-    /// Name of the value that the inverse takes beside the target: `q3`, or `the arm angle`.
+    /// Names of the values that the inverse takes beside the target, in order: `q3`, or `the arm angle`.
     ///
     /// # Errors
     /// As of [`task`](Self::task).
-    pub fn given(&self) -> Result<Option<String>, DynamicError> {
-        Ok(self.inverse_program()?.given.map(|given| match given {
+    pub fn given(&self) -> Result<Vec<String>, DynamicError> {
+        let name = |given: &Given| match given {
             Given::Joint { joint, .. } => format!("q{}", joint + 1),
             Given::ArmAngle => "the arm angle".to_owned(),
-        }))
+        };
+        Ok(self.inverse_program()?.given.values.iter().map(name).collect())
     }
 
-    /// Returns true if the value that the inverse takes beside the target is a length: the displacement of a prismatic
+    /// Returns true if generated code takes the values beside the target as an array, because the file names them in a list.
+    ///
+    /// # Errors
+    /// As of [`task`](Self::task).
+    pub fn given_is_list(&self) -> Result<bool, DynamicError> {
+        Ok(self.inverse_program()?.given.is_list)
+    }
+
+    /// Of each value that the inverse takes beside the target true if it is a length: the displacement of a prismatic
     /// joint.
     ///
     /// # Errors
     /// As of [`task`](Self::task).
-    pub fn given_slides(&self) -> Result<bool, DynamicError> {
-        Ok(matches!(self.inverse_program()?.given, Some(Given::Joint { revolute: false, .. })))
+    pub fn given_slides(&self) -> Result<Vec<bool>, DynamicError> {
+        let slides = |given: &Given| matches!(given, Given::Joint { revolute: false, .. });
+        Ok(self.inverse_program()?.given.values.iter().map(slides).collect())
     }
 
     /// The largest number of solutions of a target.
@@ -61,24 +71,24 @@ impl DynamicArm {
 
     /// Every joint vector that reaches `target`, in the order of the generated `inverse`.
     ///
-    /// `given`: the value of the redundant joint, or the arm angle, where [`given`](Self::given) names one.
+    /// `given`: the values of the redundant joints, or the arm angle, that [`given`](Self::given) names, in its order.
     ///
     /// # Errors
-    /// An arm without inverse; a target of another task; a given value too many, or none where one is needed.
-    pub fn inverse(&self, target: &DynamicTarget, given: Option<f64>) -> Result<DynamicSolutions, DynamicError> {
-        let given = self.beside(given)?;
+    /// An arm without inverse; a target of another task; another number of given values than the inverse takes.
+    pub fn inverse(&self, target: &DynamicTarget, given: &[f64]) -> Result<DynamicSolutions, DynamicError> {
+        let given = &self.beside(given)?;
         Ok(self.solver(target)?.solve(&Asked { target, given, near: None, branch: None }))
     }
 
     /// Solutions of [`inverse`](Self::inverse) with their joints next to `q_ref`, sorted nearest first. Free joints,
-    /// and the value that the inverse takes beside the target, stay at their values in `q_ref`.
+    /// and the values that the inverse takes beside the target, stay at their values in `q_ref`.
     ///
     /// # Errors
     /// An arm without inverse; a target of another task; a joint vector whose length is not the number of joints.
     pub fn inverse_near(&self, target: &DynamicTarget, q_ref: &[f64]) -> Result<DynamicSolutions, DynamicError> {
         self.counted(q_ref)?;
         let solver = self.solver(target)?;
-        let given = self.held(q_ref)?.unwrap_or(f64::NAN);
+        let given = &self.held(q_ref)?;
         Ok(solver.solve(&Asked { target, given, near: Some(q_ref), branch: None }))
     }
 
@@ -89,42 +99,42 @@ impl DynamicArm {
     pub fn inverse_branch(
         &self,
         target: &DynamicTarget,
-        given: Option<f64>,
+        given: &[f64],
         branch: Branch,
     ) -> Result<Result<DynamicSolution, Status<f64>>, DynamicError> {
         if self.inverse_program()?.held_joint.is_some() {
             return Err(DynamicError::NoBranches);
         }
-        let given = self.beside(given)?;
+        let given = &self.beside(given)?;
         Ok(self.solver(target)?.one(&Asked { target, given, near: None, branch: Some(branch) }))
     }
 
-    fn beside(&self, given: Option<f64>) -> Result<f64, DynamicError> {
-        match (self.given()?, given) {
-            (None, None) => Ok(f64::NAN),
-            (Some(_), Some(value)) => {
-                // Sums with a given angle lose no digits to its turns.
-                let turns = matches!(self.inverse_program()?.given, Some(Given::Joint { revolute: true, .. }));
-                Ok(if turns { wrap(value) } else { value })
-            }
-            (Some(name), None) => Err(DynamicError::Given(format!("the value of {name}"))),
-            (None, Some(_)) => Err(DynamicError::NothingGiven),
+    /// The values as the solver takes them.
+    fn beside(&self, given: &[f64]) -> Result<Vec<f64>, DynamicError> {
+        let kinds = &self.inverse_program()?.given.values;
+        if kinds.len() != given.len() {
+            return Err(DynamicError::Given { expected: self.given()?, found: given.len() });
         }
+        // Sums with a given angle lose no digits to its turns.
+        let wrapped = |(kind, value): (&Given, &f64)| match kind {
+            Given::Joint { revolute: true, .. } => wrap(*value),
+            _ => *value,
+        };
+        Ok(kinds.iter().zip(given).map(wrapped).collect())
     }
 
-    /// Value that the inverse takes beside the target, at a joint vector; `None` if it takes no such value.
+    /// Values that the inverse takes beside the target, at a joint vector.
     ///
     /// # Errors
     /// An arm without inverse; a joint vector whose length is not the number of joints.
-    pub fn held(&self, q: &[f64]) -> Result<Option<f64>, DynamicError> {
-        match self.inverse_program()?.given {
-            None => Ok(None),
-            Some(Given::Joint { joint, .. }) => {
-                self.counted(q)?;
-                Ok(q.get(joint).copied())
-            }
-            Some(Given::ArmAngle) => self.arm_angle(q).map(Some),
-        }
+    pub fn held(&self, q: &[f64]) -> Result<Vec<f64>, DynamicError> {
+        let kinds = &self.inverse_program()?.given.values;
+        self.counted(q)?;
+        let value = |kind: &Given| match *kind {
+            Given::Joint { joint, .. } => Ok(q.get(joint).copied().unwrap_or(f64::NAN)),
+            Given::ArmAngle => self.arm_angle(q),
+        };
+        kinds.iter().map(value).collect()
     }
 
     /// The arm angle of a joint vector, rad in (-pi, pi]: how far the elbow is swung about the line from shoulder to
@@ -133,11 +143,14 @@ impl DynamicArm {
     /// # Errors
     /// An arm whose inverse does not take an arm angle; a joint vector whose length is not the number of joints.
     pub fn arm_angle(&self, q: &[f64]) -> Result<f64, DynamicError> {
-        let constants = self.inverse_program()?.swivel.as_ref().ok_or(DynamicError::NothingGiven)?;
-        let shoulder = Pose { rotation: constants.shoulder.r, translation: constants.shoulder.p };
-        let swivel = Swivel { shoulder, wrist: constants.wrist, axis: constants.axis, elbow: constants.elbow };
+        let constants = self.inverse_program()?.swivel.as_ref().ok_or(DynamicError::NoArmAngle)?;
         let links = self.link_poses(q)?;
-        Ok(links.get(3).map_or(f64::NAN, |link| swivel.angle(link)))
+        let shoulder = Pose { rotation: constants.shoulder.r, translation: constants.shoulder.p };
+        // The shoulder may stand on a link.
+        let carrier = constants.first.checked_sub(1).and_then(|carrier| links.get(carrier));
+        let shoulder = carrier.map_or(shoulder, |carrier| *carrier * shoulder);
+        let swivel = Swivel { shoulder, wrist: constants.wrist, axis: constants.axis, elbow: constants.elbow };
+        Ok(links.get(constants.first + 3).map_or(f64::NAN, |link| swivel.angle(link)))
     }
 
     /// Residual of `q` for the target.

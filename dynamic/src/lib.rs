@@ -19,7 +19,7 @@
 //! ",
 //! )?;
 //! let target = arm.target_at(&[0.4, -1.1])?;
-//! let solutions = arm.inverse(&target, None)?;
+//! let solutions = arm.inverse(&target, &[])?;
 //! assert_eq!(solutions.len(), 2);
 //! assert!(solutions.iter().any(|solution| (solution.q[1] + 1.1).abs() < 1e-12));
 //! # Ok(())

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use denhart_codegen::lower::{BranchState, Each, Given, Inverse, Level, Part, Root, RootRange, Statement};
+use denhart_codegen::lower::{BranchState, Each, Inverse, Level, Part, Root, RootRange, Statement};
 
 use crate::kernel::Known;
 use crate::tape::{Compiler, Places, Tape};
@@ -73,14 +73,6 @@ impl Nest {
     /// How many states there are.
     pub fn states(&self) -> usize {
         2 + self.program.stages + self.program.agreements
-    }
-
-    /// The joint whose value is given, counted from 0: for the arm angle, which is none's, the number after the last.
-    pub fn held(&self) -> Option<usize> {
-        self.program.given.map(|given| match given {
-            Given::Joint { joint, .. } => joint,
-            Given::ArmAngle => self.program.joints,
-        })
     }
 }
 

@@ -26,22 +26,33 @@ pub struct Run<'a> {
 impl<'a> Run<'a> {
     /// Before the first statement, with the target's numbers in their registers.
     ///
-    /// `given`: the value of the redundant joint, or the arm angle. `number`: the other numbers of the target.
-    pub fn new(nest: &'a Nest, given: f64, number: &dyn Fn(Input) -> f64, wanted: Option<Branch>) -> Self {
+    /// `given`: the values beside the target. `number`: the other numbers of the target.
+    pub fn new(nest: &'a Nest, given: &[f64], number: &dyn Fn(Input) -> f64, wanted: Option<Branch>) -> Self {
         let program = &nest.program;
-        let turns = matches!(program.given, Some(Given::ArmAngle | Given::Joint { revolute: true, .. }));
-        let (sin, cos) = if turns { math::sin_cos(given) } else { (f64::NAN, f64::NAN) };
+        let mut swing = (f64::NAN, f64::NAN);
+        let mut parts = [(f64::NAN, swing); MOST_JOINTS];
+        for (kind, value) in program.given.values.iter().zip(given) {
+            match *kind {
+                Given::ArmAngle => swing = math::sin_cos(*value),
+                Given::Joint { joint, revolute } => {
+                    if let Some(place) = parts.get_mut(joint) {
+                        *place = (*value, if revolute { math::sin_cos(*value) } else { swing });
+                    }
+                }
+            }
+        }
+        let part = |joint: usize| parts.get(joint).copied().unwrap_or_default();
         let mut registers = nest.tape.registers();
         for (slot, input) in &program.inputs {
-            let value = match input {
-                Input::Given(_) => given,
-                Input::SinGiven(_) => sin,
-                Input::CosGiven(_) => cos,
-                other => number(*other),
+            let value = match *input {
+                Input::Given(joint) => part(joint).0,
+                Input::SinGiven(joint) => part(joint).1.0,
+                Input::CosGiven(joint) => part(joint).1.1,
+                other => number(other),
             };
             registers.set(nest.places.of(*slot), value);
         }
-        Run { nest, registers, known: nest.known.clone(), states: Vec::new(), swing: (sin, cos), wanted }
+        Run { nest, registers, known: nest.known.clone(), states: Vec::new(), swing, wanted }
     }
 
     /// Follows all branches from their start.
@@ -115,7 +126,7 @@ impl<'a> Run<'a> {
                 }
                 self.set_state(lower::BranchState::Agreed(*index), state);
             }
-            Statement::Swivel { symbols, vectors, before, .. } => {
+            Statement::Swivel { joints, symbols, vectors, before, .. } => {
                 let Some(before) = self.state(*before) else { return };
                 let [wrist, moved, axis, elbow] = self.values().rows(vectors);
                 let rotation = solve::swivel(wrist, moved, axis, elbow, self.swing);
@@ -123,7 +134,7 @@ impl<'a> Run<'a> {
                     self.set(*symbol, *value);
                 }
                 let length = measure(Unit::Length, self.nest.program.constants.reach);
-                let defaults = [search.default(0), search.default(1)];
+                let defaults = joints.map(|joint| search.default(joint));
                 let state = search.directed(&before, length, wrist, defaults);
                 self.set_state(lower::BranchState::Swung, state);
             }

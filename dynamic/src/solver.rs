@@ -3,9 +3,11 @@
 use std::marker::PhantomData;
 
 use denhart::math;
-use denhart::solve::{Decoupled, Evaluate, Goal, InPlane, Levels, Locked, Missed, Pointing, Search, nearest_rotation};
+use denhart::solve::{
+    AllLocked, Decoupled, Evaluate, Goal, InPlane, Levels, Missed, Pointing, Search, nearest_rotation,
+};
 use denhart::{Branch, Jacobian, Pose, Residual, Solutions, Status};
-use denhart_codegen::lower::{self, Input, Inverse};
+use denhart_codegen::lower::{self, Given, GivenValues, Input, Inverse};
 
 use crate::arm_constants::ArmConstants;
 use crate::function::Straight;
@@ -18,8 +20,8 @@ use crate::{DynamicError, DynamicSolution, DynamicSolutions, DynamicTarget};
 /// Query to an inverse.
 pub struct Asked<'a> {
     pub target: &'a DynamicTarget,
-    /// The value of the redundant joint, or the arm angle, where the inverse takes one.
-    pub given: f64,
+    /// The values beside the target, as many as the inverse takes.
+    pub given: &'a [f64],
     /// The reference, with as many values as the arm has joints.
     pub near: Option<&'a [f64]>,
     /// The branch; none for all of them.
@@ -62,6 +64,12 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
             (6, 16) => HeldJointSolver::<6, 16>::boxed(plan, program, both),
             (7, 8) => HeldJointSolver::<7, 8>::boxed(plan, program, both),
             (7, 16) => HeldJointSolver::<7, 16>::boxed(plan, program, both),
+            (8, 8) => HeldJointSolver::<8, 8>::boxed(plan, program, both),
+            (8, 16) => HeldJointSolver::<8, 16>::boxed(plan, program, both),
+            (9, 8) => HeldJointSolver::<9, 8>::boxed(plan, program, both),
+            (9, 16) => HeldJointSolver::<9, 16>::boxed(plan, program, both),
+            (10, 8) => HeldJointSolver::<10, 8>::boxed(plan, program, both),
+            (10, 16) => HeldJointSolver::<10, 16>::boxed(plan, program, both),
             _ => None,
         };
         return solver.ok_or_else(unsupported);
@@ -83,6 +91,9 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
             5: 1 2 3 4 6 8;
             6: 1 2 3 4 6 8 16;
             7: 1 2 3 4 6 8 16;
+            8: 1 2 3 4 6 8 16;
+            9: 1 2 3 4 6 8 16;
+            10: 1 2 3 4 6 8 16;
         },
     };
     solver.ok_or_else(unsupported)
@@ -186,9 +197,9 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
         number: impl Fn(Input) -> f64,
         solutions: &mut Solutions<f64, N, M>,
     ) {
-        match self.nest.held() {
-            Some(joint) => self.search_for(&Locked::new(goal, joint, asked.given), asked, &number, solutions),
-            None => self.search_for(goal, asked, &number, solutions),
+        match held(&self.nest.program.given, N, asked.given).as_slice() {
+            [] => self.search_for(goal, asked, &number, solutions),
+            held => self.search_for(&AllLocked::new(goal, held), asked, &number, solutions),
         }
     }
 
@@ -244,6 +255,15 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
             _ => missed,
         }
     }
+}
+
+/// The joints with given values, and those. The arm angle, which is no joint's, has the number after the last.
+pub fn held(given: &GivenValues, joints: usize, values: &[f64]) -> Vec<(usize, f64)> {
+    let joint = |kind: &Given| match *kind {
+        Given::Joint { joint, .. } => joint,
+        Given::ArmAngle => joints,
+    };
+    given.values.iter().map(joint).zip(values.iter().copied()).collect()
 }
 
 /// A number of a pose.

@@ -87,9 +87,14 @@ fn inverse(bytes: &mut Bytes) -> Option<String> {
         8 => Some("task: planar_pose"),
         _ => Some("task: planar_position"),
     };
-    let given = match bytes.below(12) {
+    let given = match bytes.below(14) {
         joint @ 1..=10 => Some(format!("redundant: q{joint}")),
         11 => Some("redundant: arm_angle".to_owned()),
+        12 | 13 => {
+            let name = |number: usize| if number > 10 { "arm_angle".to_owned() } else { format!("q{number}") };
+            let names: Vec<String> = (0..=bytes.below(4)).map(|_| name(1 + bytes.below(11))).collect();
+            Some(format!("redundant: [{}]", names.join(", ")))
+        }
         _ => None,
     };
     let parts: Vec<String> = task.map(str::to_owned).into_iter().chain(given).collect();

@@ -89,11 +89,11 @@ pub fn run(data: &[u8]) {
             q.iter_mut().for_each(&mut replace);
         }
     }
-    ask(arm, &target, given, &q);
+    ask(arm, &target, &given, &q);
 }
 
 /// Every function of the arm.
-fn ask(arm: &DynamicArm, target: &DynamicTarget, given: Option<f64>, q: &[f64]) {
+fn ask(arm: &DynamicArm, target: &DynamicTarget, given: &[f64], q: &[f64]) {
     let all = bounded(|| arm.inverse(target, given)).unwrap_or_else(|error| panic!("{error}"));
     let near = bounded(|| arm.inverse_near(target, q)).unwrap_or_else(|error| panic!("{error}"));
     for solutions in [&all, &near] {

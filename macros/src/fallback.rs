@@ -20,6 +20,8 @@ pub struct Outline {
     pub task: Option<String>,
     /// True if `inverse` has a `redundant` joint, whose value is a further argument.
     pub redundant: bool,
+    /// True if that is a list, whose values are an array.
+    pub is_list: bool,
 }
 
 impl Outline {
@@ -40,8 +42,11 @@ impl Outline {
             let after = line.split_once("task:")?.1;
             after.split(|c: char| !(c.is_alphanumeric() || c == '_')).find(|word| !word.is_empty()).map(str::to_owned)
         });
-        let redundant = lines().any(|line| line.contains("redundant:"));
-        Self { joints: (moving > 0).then_some(moving), task, redundant }
+        let mut after = lines().filter_map(|line| line.split_once("redundant:"));
+        let after = after.next().map(|(_, after)| after.trim());
+        // A list over several lines leaves the first one empty.
+        let is_list = after.is_some_and(|after| after.is_empty() || after.starts_with('['));
+        Self { joints: (moving > 0).then_some(moving), task, redundant: after.is_some(), is_list }
     }
 
     /// Returns true if `inverse` seems to take a pose.
@@ -80,10 +85,16 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
         (quote!(Target), Some(quote!(Target: ?::core::marker::Sized)))
     };
     let target_at = outline.target_at(krate, &number);
-    let given = outline.redundant.then(|| quote!(, _: #number));
+    // Of a list the calls tell how long it is.
+    let list = outline.is_list.then(|| quote!(const K: ::core::primitive::usize));
+    let values = if outline.is_list { quote!([#number; K]) } else { number.clone() };
+    let steps = if outline.is_list { quote!([::core::primitive::usize; K]) } else { quote!(::core::primitive::usize) };
+    let given = outline.redundant.then(|| quote!(, _: #values));
     let motors = motors(krate, &number, joints, &q, any_list.as_ref());
-    let any_target_list = any_target.as_ref().map(|any| quote!(<#any>));
-    let any_target_and_list = [any_target.clone(), Some(quote!(List))].into_iter().flatten();
+    let any_target_and_list: Vec<_> =
+        [any_target.clone(), Some(quote!(List)), list.clone()].into_iter().flatten().collect();
+    let beside: Vec<_> = [any_target.clone(), list.clone()].into_iter().flatten().collect();
+    let branch: Vec<_> = [any_target.clone(), any.clone(), list].into_iter().flatten().collect();
     let near: Vec<_> = [any_target, any].into_iter().flatten().collect();
     let solutions = quote!(#krate::Solutions<#number, #joints, 8>);
     let motion = motion(krate, &number, &q, any_list.as_ref());
@@ -130,11 +141,11 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
             pub fn dh_tool(&self) -> #krate::DhFrame {
                 #krate::DhFrame::IDENTITY
             }
-            pub fn inverse #any_target_list (&self, _: &#target #given) -> #solutions {
+            pub fn inverse <#(#beside),*> (&self, _: &#target #given) -> #solutions {
                 #krate::Solutions::new(#krate::Status::BadTarget)
             }
             pub fn inverse_into <#(#any_target_and_list),*> (&self, _: &#target #given, _: &mut List) {}
-            pub fn inverse_branch <#(#near),*> (
+            pub fn inverse_branch <#(#branch),*> (
                 &self,
                 _: &#target
                 #given,
@@ -148,11 +159,11 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
             pub fn target_at #any_list (&self, _: &[#number; #q]) -> #target_at {
                 loop {}
             }
-            pub fn sample_redundancy #any_target_list (
+            pub fn sample_redundancy <#(#beside),*> (
                 &self,
                 _: &#target,
-                _: ::core::primitive::usize,
-            ) -> impl ::core::iter::Iterator<Item = (#number, #solutions)> {
+                _: #steps,
+            ) -> impl ::core::iter::Iterator<Item = (#values, #solutions)> {
                 ::core::iter::empty()
             }
             pub fn arm_angle #any_list (&self, _: &[#number; #q]) -> #number {

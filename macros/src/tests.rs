@@ -343,11 +343,18 @@ fn a_renamed_crate_is_the_only_mistake() {
 #[test]
 fn the_outline_of_a_file_is_seen_without_a_reader_of_yaml() {
     let outline = |text: &str| Outline::of(text);
-    let of =
-        |joints: Option<usize>, task: Option<&str>| Outline { joints, task: task.map(str::to_owned), redundant: false };
+    let of = |joints: Option<usize>, task: Option<&str>| Outline {
+        joints,
+        task: task.map(str::to_owned),
+        ..Outline::default()
+    };
     assert_eq!(outline(PLANAR), of(Some(2), None));
     assert_eq!(outline(""), of(None, None));
     assert_eq!(outline("inverse: {task: position_axis, axis: z}\njoints: ]["), of(None, Some("position_axis")));
     let broken = "joints:\n  - a: 1\n    type: fixed\n  # - {a: 1}\n  - {a: 1, type: [}\n  - d: 1\n    limits:\n      - 1\n      - 2\n";
     assert_eq!(outline(broken), of(Some(2), None));
+    let given = |text: &str| (outline(text).redundant, outline(text).is_list);
+    assert_eq!(given("inverse: {redundant: q3}"), (true, false));
+    assert_eq!(given("inverse: {redundant: [q1, q3]}"), (true, true));
+    assert_eq!(given("inverse:\n  redundant:\n    - q1\n"), (true, true));
 }

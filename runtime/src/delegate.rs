@@ -27,8 +27,8 @@ macro_rules! delegate_arm {
     };
 }
 
-/// The items of an `impl InverseKinematics` for a generated arm; `given`: a value comes with the target, which
-/// is this one at joint values.
+/// The items of an `impl InverseKinematics` for a generated arm; `given`: a value comes with the target, or an array of
+/// so many. At joint values it is this one.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! delegate_inverse {
@@ -58,7 +58,13 @@ macro_rules! delegate_inverse {
         $crate::delegate_inverse!($scalar, $n, $m);
     };
     ($name:ident, $scalar:ty, $n:literal, $m:literal, $target:ty, given |$arm:ident, $q:ident| $given:expr) => {
-        type Target = ($target, $scalar);
+        $crate::delegate_inverse!($name, $scalar, $n, $m, $target, $scalar, |$arm, $q| $given);
+    };
+    ($name:ident, $scalar:ty, $n:literal, $m:literal, $target:ty, given [$k:literal] |$arm:ident, $q:ident| $given:expr) => {
+        $crate::delegate_inverse!($name, $scalar, $n, $m, $target, [$scalar; $k], |$arm, $q| $given);
+    };
+    ($name:ident, $scalar:ty, $n:literal, $m:literal, $target:ty, $values:ty, |$arm:ident, $q:ident| $given:expr) => {
+        type Target = ($target, $values);
         fn inverse(&self, target: &Self::Target) -> Self::Solutions {
             $name::inverse(self, &target.0, target.1)
         }
@@ -94,7 +100,7 @@ macro_rules! delegate_inverse {
     };
 }
 
-/// The items of an `impl InverseBranch` for a generated arm; `given`: a value comes with the target.
+/// The items of an `impl InverseBranch` for a generated arm; `given`: values come with the target.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! delegate_branch {

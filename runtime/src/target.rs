@@ -9,8 +9,8 @@ use crate::solve::{Goal, Tolerances};
 /// A target that an arm `A` with `N` joints can reach for.
 ///
 /// A [`Pose`], a point `[T; 3]`, a point of the plane `[T; 2]` and a [`PlanarPose`] mean the same for every arm. The
-/// other types belong to arms of one task. A pair of a target and the value of a redundant joint counts as the target
-/// alone.
+/// other types belong to arms of one task. A pair of a target and the value of a redundant joint, or an array of such
+/// values, counts as the target alone.
 pub trait Target<A, T, const N: usize> {
     /// Residual of the arm's tool at `q`; only the components that the target gives count.
     fn missed_by(&self, arm: &A, q: &[T; N]) -> Residual<T>;
@@ -23,6 +23,12 @@ impl<A: Arm<T, N>, T: Tolerances, const N: usize> Target<A, T, N> for Pose<T> {
 }
 
 impl<G: Target<A, T, N>, A, T, const N: usize> Target<A, T, N> for (G, T) {
+    fn missed_by(&self, arm: &A, q: &[T; N]) -> Residual<T> {
+        self.0.missed_by(arm, q)
+    }
+}
+
+impl<G: Target<A, T, N>, A, T, const N: usize, const K: usize> Target<A, T, N> for (G, [T; K]) {
     fn missed_by(&self, arm: &A, q: &[T; N]) -> Residual<T> {
         self.0.missed_by(arm, q)
     }
@@ -46,9 +52,9 @@ impl<A: Arm<T, N>, T: Tolerances, const N: usize> Target<A, T, N> for PlanarPose
     }
 }
 
-/// A target as an arm takes it: itself, or with the value of a redundant joint, which the residual does not look at.
+/// A target as an arm takes it: itself, or with the values of redundant joints, which the residual does not look at.
 pub trait PartOf<W> {
-    /// With that value, if the arm takes one.
+    /// With those values, if the arm takes any.
     fn whole(&self) -> W;
 }
 
@@ -61,6 +67,12 @@ impl<T: Scalar> PartOf<PointAxis<T>> for PointAxis<T> {
 impl<T: Scalar> PartOf<(PointAxis<T>, T)> for PointAxis<T> {
     fn whole(&self) -> (PointAxis<T>, T) {
         (*self, T::ZERO)
+    }
+}
+
+impl<T: Scalar, const K: usize> PartOf<(PointAxis<T>, [T; K])> for PointAxis<T> {
+    fn whole(&self) -> (PointAxis<T>, [T; K]) {
+        (*self, [T::ZERO; K])
     }
 }
 

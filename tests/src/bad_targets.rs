@@ -143,6 +143,26 @@ impl Spoil for PlanarPose<f64> {
     }
 }
 
+impl<T: Spoil, const K: usize> Spoil for (T, [f64; K]) {
+    fn spoiled(&self) -> Vec<(String, Self)> {
+        let mut targets: Vec<_> = self.0.spoiled().into_iter().map(|(what, target)| (what, (target, self.1))).collect();
+        targets.extend(numbers(self, "given joints", |t| t.1.each_mut()));
+        targets
+    }
+
+    fn same(&self) -> Vec<Self> {
+        self.0.same().into_iter().map(|target| (target, self.1)).collect()
+    }
+
+    fn almost(&self, size: f64, random: &mut Random) -> Option<(Self, Isometry3<f64>)> {
+        self.0.almost(size, random).map(|(target, nearest)| ((target, self.1), nearest))
+    }
+
+    fn is_bad_beside_a_reference(&self) -> bool {
+        self.1.iter().all(|value| value.is_finite())
+    }
+}
+
 impl<T: Spoil> Spoil for (T, f64) {
     fn spoiled(&self) -> Vec<(String, Self)> {
         let mut targets: Vec<_> = self.0.spoiled().into_iter().map(|(what, target)| (what, (target, self.1))).collect();
@@ -186,14 +206,16 @@ pub(crate) use each_task;
 impl Spoil for Request {
     fn spoiled(&self) -> Vec<(String, Self)> {
         let given = self.given;
-        each_task!(&self.target, target, make => match given {
-            None => target.spoiled().into_iter().map(|(what, t)| (what, Self { target: make(t), given })).collect(),
-            Some(value) => (*target, value)
-                .spoiled()
-                .into_iter()
-                .map(|(what, (t, value))| (what, Self { target: make(t), given: Some(value) }))
-                .collect(),
-        })
+        let count = given.as_slice().len();
+        let mut targets: Vec<_> = each_task!(&self.target, target, make => {
+            target.spoiled().into_iter().map(|(what, t)| (what, Self { target: make(t), given })).collect()
+        });
+        for place in 0..count {
+            targets.extend(numbers(self, "given joint", |t| {
+                [t.given.iter_mut().nth(place).expect("a place below the count")]
+            }));
+        }
+        targets
     }
 
     fn same(&self) -> Vec<Self> {
@@ -209,7 +231,7 @@ impl Spoil for Request {
     }
 
     fn is_bad_beside_a_reference(&self) -> bool {
-        self.given.is_none_or(f64::is_finite)
+        self.given.iter().all(f64::is_finite)
     }
 }
 

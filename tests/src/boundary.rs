@@ -35,10 +35,10 @@ impl Carried {
         if subject.has_prismatic() {
             return None;
         }
-        let measured = subject.task.given.is_none();
+        let measured = subject.task.given.is_empty();
         match subject.task.kind {
             Kind::Position | Kind::PlanarPosition => Some(Self { point: Point3::origin(), joints: 0..N, measured }),
-            Kind::Pose if subject.task.equations() == N && subject.task.given.is_none_or(|given| given + 3 < N) => {
+            Kind::Pose if subject.task.equations() == N && subject.task.given.iter().all(|given| given + 3 < N) => {
                 wrist_center(subject).map(|point| Self { point, joints: 0..N - 3, measured })
             }
             _ => None,
@@ -84,7 +84,7 @@ fn outermost<const N: usize>(
 ) -> [f64; N] {
     let height = |q: &[f64; N]| subject.pose(q).transform_point(&carried.point).coords.dot(direction);
     let climb = |q: &mut [f64; N]| {
-        for joint in carried.joints.clone().filter(|joint| subject.task.given != Some(*joint)) {
+        for joint in carried.joints.clone().filter(|joint| !subject.task.given.contains(*joint)) {
             let mut at = |angle: f64| {
                 q[joint] = angle;
                 height(q)
@@ -95,11 +95,12 @@ fn outermost<const N: usize>(
         }
     };
     let space = Space::of(subject);
-    let given = subject.task.given.map(|joint| (joint, space.random(random)[joint]));
+    let joints = subject.task.given;
+    let given = (!joints.is_empty()).then(|| space.random(random));
     let starts = (0..24).map(|_| {
         let mut q = space.random(random);
-        if let Some((joint, value)) = given {
-            q[joint] = value;
+        if let Some(given) = given {
+            joints.iter().for_each(|joint| q[joint] = given[joint]);
         }
         for _ in 0..30 {
             climb(&mut q);

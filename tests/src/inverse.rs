@@ -6,7 +6,7 @@ use denhart::{Branch, InverseBranch, InverseKinematics, OneSolution, Residual, S
 use denhart_dynamic::{DynamicArm, DynamicError, DynamicSolution, DynamicSolutions, DynamicTarget};
 
 use crate::effort;
-use crate::task::{Asked, Goal, Kind};
+use crate::task::{Asked, Given, Goal, Kind};
 
 /// Result of a call of an inverse.
 #[derive(Debug, Clone)]
@@ -35,7 +35,7 @@ impl<const N: usize> fmt::Display for Answer<N> {
 
 /// The inverse functions of an arm.
 pub trait Inverse<const N: usize>: Send + Sync {
-    /// Argument of the functions: the target of the task, and the given joint's value if there is one.
+    /// Argument of the functions: the target of the task, and the values of given joints.
     type Target: Debug + Clone;
 
     /// The part of a goal that the task looks at.
@@ -164,22 +164,20 @@ fn listed<A: InverseKinematics<f64, N>, const N: usize>(solutions: &A::Solutions
 pub struct Evaluated {
     arm: DynamicArm,
     kind: Kind,
-    /// True if a joint's value is given.
-    takes: bool,
 }
 
-/// Argument of an evaluated inverse: the target, and the given value if there is one.
+/// Argument of an evaluated inverse: the target, and the given values.
 #[derive(Debug, Clone, Copy)]
 pub struct Request {
     pub target: DynamicTarget,
-    pub given: Option<f64>,
+    pub given: Given<f64>,
 }
 
 impl Evaluated {
     /// The inverse of `arm`, which has one.
     pub fn new(arm: DynamicArm, kind: Kind) -> Result<Self, DynamicError> {
-        let takes = arm.given()?.is_some();
-        Ok(Self { arm, kind, takes })
+        arm.given()?;
+        Ok(Self { arm, kind })
     }
 }
 
@@ -199,11 +197,11 @@ impl<const N: usize> Inverse<N> for Evaluated {
     type Target = Request;
 
     fn target(&self, goal: &Goal) -> Request {
-        Request { target: DynamicTarget::of(self.kind, goal), given: self.takes.then_some(goal.given) }
+        Request { target: DynamicTarget::of(self.kind, goal), given: goal.given }
     }
 
     fn all(&self, Request { target, given }: &Request) -> Answer<N> {
-        answer(self.arm.inverse(target, *given))
+        answer(self.arm.inverse(target, given.as_slice()))
     }
 
     /// As the trait of generated arms has it, the reference says where the given joint is.
@@ -217,7 +215,7 @@ impl<const N: usize> Inverse<N> for Evaluated {
     }
 
     fn branch(&self, Request { target, given }: &Request, branch: Branch) -> Option<OneSolution<f64, N>> {
-        let one = self.arm.inverse_branch(target, *given, branch).ok()?;
+        let one = self.arm.inverse_branch(target, given.as_slice(), branch).ok()?;
         Some(one.map(|solution| sized(&solution)))
     }
 
@@ -227,6 +225,6 @@ impl<const N: usize> Inverse<N> for Evaluated {
 
     fn target_at(&self, q: &[f64; N]) -> Request {
         let target = self.arm.target_at(q).expect("a number for each joint");
-        Request { target, given: self.arm.held(q).expect("as above") }
+        Request { target, given: Given::of(self.arm.held(q).expect("as above"), 0.0) }
     }
 }

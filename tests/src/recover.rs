@@ -94,7 +94,7 @@ pub fn check_references<const N: usize>(
 
     if Svd::at(subject, q).least() > 1e-2 {
         let mut beside = std::array::from_fn(|joint| q[joint] + 1e-4 * subject.unit(joint) * random.uniform(-1.0, 1.0));
-        if let Some(given) = subject.task.given {
+        for given in subject.task.given.iter() {
             beside[given] = q[given];
         }
         let target = subject.goal(q);
@@ -240,7 +240,7 @@ fn broken_rule<const N: usize>(
     if is(Flags::FREE) == free.is_empty() || free.iter().any(|joint| joint >= N) {
         return Some("FREE and its mask disagree");
     }
-    if subject.task.given.is_some_and(|given| free.iter().any(|joint| joint == given)) {
+    if free.iter().any(|joint| subject.task.given.contains(joint)) {
         return Some("the joint that is given is called free");
     }
     // Within rounding of a limit either answer will do.

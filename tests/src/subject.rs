@@ -5,7 +5,7 @@ use nalgebra::{Isometry3, Matrix6xX, Translation3, UnitQuaternion, Vector3};
 
 pub use crate::inverse::Answer;
 use crate::inverse::{Derived, Inverse, Solver};
-use crate::task::{Asked, EQUATIONS, Goal, Kind, Pitch, Task, across, heading, tool_axis};
+use crate::task::{Asked, EQUATIONS, Given, Goal, Kind, Pitch, Task, across, heading, tool_axis};
 
 /// The constants of a derived arm, for code that is generic over the arm.
 pub trait Specified<const N: usize>: denhart::Arm<f64, N> + Default + Send + Sync + 'static {
@@ -82,7 +82,7 @@ impl<const N: usize> Subject<N> {
 
     /// Goal that the arm reaches at `q`, by the chain.
     pub fn goal(&self, q: &[f64; N]) -> Goal {
-        let given = self.task.given.map_or(0.0, |joint| q[joint]);
+        let given = Given::of(self.task.given.iter().map(|joint| q[joint]), 0.0);
         Goal { pose: self.pose(q), angle: self.pitch.angle(q), given }
     }
 
@@ -113,8 +113,8 @@ impl<const N: usize> Subject<N> {
         };
         std::array::from_fn(|joint| {
             let mut rows = [0.0; EQUATIONS];
-            if self.task.given == Some(joint) {
-                rows[self.task.equations() - 1] = 1.0;
+            if let Some((row, _)) = self.given_rows().find(|(_, given)| *given == joint) {
+                rows[row] = 1.0;
                 return rows;
             }
             let column = jacobian.column(joint);
@@ -136,12 +136,19 @@ impl<const N: usize> Subject<N> {
         })
     }
 
+    /// The rows of the given joints' equations, with the joints: the last ones.
+    fn given_rows(&self) -> impl Iterator<Item = (usize, usize)> {
+        let first = self.task.equations() - self.task.given.as_slice().len();
+        (first..).zip(self.task.given.iter())
+    }
+
     /// Error that is left from `q` to the goal, one number an equation: lengths relative to reach, angles in rad, to
     /// first order.
     pub fn error(&self, goal: &Goal, q: &[f64; N]) -> [f64; EQUATIONS] {
         let reached = self.pose(q);
         let shift = (goal.pose.translation.vector - reached.translation.vector) / self.reach;
-        let mut rows = [shift.x, shift.y, shift.z, 0.0, 0.0, 0.0, 0.0];
+        let mut rows = [0.0; EQUATIONS];
+        rows[..3].copy_from_slice(shift.as_slice());
         match self.task.kind {
             Kind::Pose => {
                 let turn = (goal.pose.rotation * reached.rotation.inverse()).scaled_axis();
@@ -157,8 +164,8 @@ impl<const N: usize> Subject<N> {
             Kind::PlanarPosition => rows[2] = 0.0,
             Kind::Position => {}
         }
-        if let Some(joint) = self.task.given {
-            rows[self.task.equations() - 1] = self.difference(joint, goal.given, q[joint]);
+        for ((row, joint), value) in self.given_rows().zip(goal.given.iter()) {
+            rows[row] = self.difference(joint, value, q[joint]);
         }
         rows
     }
@@ -167,8 +174,8 @@ impl<const N: usize> Subject<N> {
     pub fn moved(&self, goal: &Goal, twist: &[f64; EQUATIONS], size: f64) -> Goal {
         let t = twist.map(|t| t * size);
         let mut moved = *goal;
-        if let Some(joint) = self.task.given {
-            moved.given += t[self.task.equations() - 1] * self.unit(joint);
+        for ((row, joint), value) in self.given_rows().zip(moved.given.iter_mut()) {
+            *value += t[row] * self.unit(joint);
         }
         let mut shift = Vector3::new(t[0], t[1], t[2]);
         let turn = match self.task.kind {
@@ -215,7 +222,11 @@ impl<const N: usize> Subject<N> {
             Kind::PlanarPose => wrap(heading(&goal.pose) - heading(&reached)).abs(),
             Kind::Position | Kind::PlanarPosition => 0.0,
         };
-        let displaced = self.task.given.map_or(0.0, |joint| self.difference(joint, goal.given, q[joint]).abs());
+        let given = self.task.given.iter().zip(goal.given.iter());
+        let displaced = given.fold(0.0, |most: f64, (joint, value)| {
+            let off = self.difference(joint, value, q[joint]).abs();
+            if off > most || off.is_nan() { off } else { most }
+        });
         // A number that is none stays one, as `max` would not have it.
         [shift.norm() / self.reach, if displaced > orientation { displaced } else { orientation }]
     }

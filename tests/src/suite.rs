@@ -117,7 +117,7 @@ where
         report.count(&there);
         let step = 10.0_f64.powi(-digits);
         let mut q = std::array::from_fn(|j| there[j] + step * subject.unit(j) * random.uniform(-1.0, 1.0));
-        if let Some(given) = subject.task.given {
+        for given in subject.task.given.iter() {
             q[given] = there[given];
         }
         let goal = subject.goal(&there);

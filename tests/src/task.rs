@@ -23,12 +23,66 @@ pub enum Kind {
     PlanarPosition,
 }
 
+/// Most values that are given beside a target: four of ten joints.
+pub const MOST_GIVEN: usize = 4;
+
+/// A few things, one for each given joint, in the order of the call.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Given<T> {
+    list: [T; MOST_GIVEN],
+    count: usize,
+}
+
+impl<T: Copy + PartialEq> Given<T> {
+    /// Those of an iterator.
+    pub fn of(each: impl IntoIterator<Item = T>, none: T) -> Self {
+        each.into_iter().fold(Self { list: [none; MOST_GIVEN], count: 0 }, |given, next| given.with(next))
+    }
+
+    const fn with(mut self, next: T) -> Self {
+        self.list[self.count] = next;
+        self.count += 1;
+        self
+    }
+
+    pub fn as_slice(&self) -> &[T] {
+        &self.list[..self.count]
+    }
+
+    pub fn iter(&self) -> impl Iterator<Item = T> {
+        self.as_slice().iter().copied()
+    }
+
+    pub fn contains(&self, one: T) -> bool {
+        self.as_slice().contains(&one)
+    }
+
+    pub const fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+}
+
+impl Given<usize> {
+    /// No joint.
+    pub const NONE: Self = Self { list: [0; MOST_GIVEN], count: 0 };
+}
+
+impl Given<f64> {
+    /// No value.
+    pub const NONE: Self = Self { list: [0.0; MOST_GIVEN], count: 0 };
+
+    /// Each with the index of its joint.
+    pub fn iter_mut(&mut self) -> impl Iterator<Item = &mut f64> {
+        self.list[..self.count].iter_mut()
+    }
+}
+
 /// The task of an arm.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Task {
     pub kind: Kind,
-    /// The joint whose value is an argument, from 0.
-    pub given: Option<usize>,
+    /// The joints whose values are arguments, from 0.
+    pub given: Given<usize>,
     /// True for an inverse that holds a joint: see [`recover::check`](crate::recover::check).
     pub holds_a_joint: bool,
     /// So many poses of a suite may fail: those of docs/known-gaps.md.
@@ -38,7 +92,7 @@ pub struct Task {
 impl Task {
     /// A task without a joint whose value is given.
     pub const fn new(kind: Kind) -> Self {
-        Self { kind, given: None, holds_a_joint: false, known_losses: 0 }
+        Self { kind, given: Given::<usize>::NONE, holds_a_joint: false, known_losses: 0 }
     }
 
     /// The task of an inverse that holds a joint.
@@ -46,9 +100,9 @@ impl Task {
         Self { holds_a_joint: true, ..self }
     }
 
-    /// Adds the value of joint `number`, counted from 1 as in arm files, as an argument.
+    /// Adds the value of joint `number`, counted from 1 as in arm files, as an argument behind those that there are.
     pub const fn redundant(self, number: usize) -> Self {
-        Self { given: Some(number - 1), ..self }
+        Self { given: self.given.with(number - 1), ..self }
     }
 
     /// The task of an arm that fails at so many poses of a suite, as docs/known-gaps.md says.
@@ -56,7 +110,7 @@ impl Task {
         Self { known_losses, ..self }
     }
 
-    /// Number of equations, the given joint's among them.
+    /// Number of equations, those of the given joints among them, as the last ones.
     pub fn equations(&self) -> usize {
         let asked = match self.kind {
             Kind::Pose => 6,
@@ -65,7 +119,7 @@ impl Task {
             Kind::Position | Kind::PlanarPose => 3,
             Kind::PlanarPosition => 2,
         };
-        asked + usize::from(self.given.is_some())
+        asked + self.given.as_slice().len()
     }
 
     /// Returns true if only motion in the base frame's x-y plane counts.
@@ -74,8 +128,8 @@ impl Task {
     }
 }
 
-/// Most equations a task has: six of a pose and one of a given joint.
-pub const EQUATIONS: usize = 7;
+/// Most equations a task has: six of a pose and one of each given joint.
+pub const EQUATIONS: usize = 6 + MOST_GIVEN;
 
 /// Goal of any task.
 #[derive(Debug, Clone, Copy)]
@@ -83,13 +137,13 @@ pub struct Goal {
     pub pose: Isometry3<f64>,
     /// Sum of the pitch joints, rad; 0 unless the task asks for it.
     pub angle: f64,
-    /// Value of the given joint; 0 if there is none.
-    pub given: f64,
+    /// Values of the given joints.
+    pub given: Given<f64>,
 }
 
 impl From<Isometry3<f64>> for Goal {
     fn from(pose: Isometry3<f64>) -> Self {
-        Self { pose, angle: 0.0, given: 0.0 }
+        Self { pose, angle: 0.0, given: Given::<f64>::NONE }
     }
 }
 
@@ -139,7 +193,13 @@ impl Asked for PlanarPose<f64> {
 
 impl<A: Asked> Asked for (A, f64) {
     fn of(kind: Kind, goal: &Goal) -> Self {
-        (A::of(kind, goal), goal.given)
+        (A::of(kind, goal), goal.given.as_slice()[0])
+    }
+}
+
+impl<A: Asked, const K: usize> Asked for (A, [f64; K]) {
+    fn of(kind: Kind, goal: &Goal) -> Self {
+        (A::of(kind, goal), goal.given.as_slice().try_into().expect("as many values as the list has joints"))
     }
 }
 

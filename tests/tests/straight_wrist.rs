@@ -88,7 +88,7 @@ fn gaps(set: &Set) -> Vec<Vec<f64>> {
         match set.gap {
             Gap::NeitherFreeNorListed => {
                 assert!(held, "{}: inverse_near lacks its reference {q:?}", set.arm);
-                let solutions = arm.inverse(&target, arm.held(q).unwrap()).unwrap();
+                let solutions = arm.inverse(&target, &arm.held(q).unwrap()).unwrap();
                 let free = |solution: &DynamicSolution| solution.is_exact() && !solution.free.is_empty();
                 !solutions.iter().any(|solution| free(solution) || is(solution, q))
             }

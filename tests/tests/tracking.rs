@@ -13,7 +13,7 @@ use denhart_tests::arms::{Puma560, Stanford, Ur5};
 use denhart_tests::random::Random;
 use denhart_tests::singular::Svd;
 use denhart_tests::subject::{Specified, Subject};
-use denhart_tests::task::{Asked, Goal, Kind, Task};
+use denhart_tests::task::{Asked, Given, Goal, Kind, Task};
 use nalgebra::{Isometry3, Matrix6, Translation3, Vector3, Vector6};
 
 const POSES: usize = 1000;
@@ -59,7 +59,7 @@ fn determinant<A: Specified<N>, const N: usize>(subject: &Subject<N>, q: &[f64; 
 
 /// The six joints that are not given.
 fn moving<const N: usize>(subject: &Subject<N>) -> [usize; 6] {
-    let mut joints = (0..N).filter(|joint| subject.task.given != Some(*joint));
+    let mut joints = (0..N).filter(|joint| !subject.task.given.contains(*joint));
     std::array::from_fn(|_| joints.next().expect("an arm of six joints, or of seven with one given"))
 }
 
@@ -129,7 +129,7 @@ fn continued<A: Specified<N>, const N: usize>(
 
 /// The pose, with the given joint where `q` has it.
 fn goal<const N: usize>(subject: &Subject<N>, pose: &Isometry3<f64>, q: &[f64; N]) -> Goal {
-    Goal { given: subject.task.given.map_or(0.0, |joint| q[joint]), ..Goal::from(*pose) }
+    Goal { given: Given::of(subject.task.given.iter().map(|joint| q[joint]), 0.0), ..Goal::from(*pose) }
 }
 
 fn distance<const N: usize>(subject: &Subject<N>, a: &[f64; N], b: &[f64; N]) -> f64 {

@@ -91,7 +91,7 @@ fn words(joints: usize, task: &Task, given: &[usize]) {
         for _ in 0..POSES {
             let q = self::joints(&word, &mut random);
             let target = arm.target_at(&q).unwrap();
-            let found = arm.inverse(&target, arm.held(&q).unwrap()).unwrap();
+            let found = arm.inverse(&target, &arm.held(&q).unwrap()).unwrap();
             let is_found = |solution: &[f64]| solution.iter().zip(&q).all(|(a, b)| (a - b).abs() < 1e-6);
             assert!(found.iter().any(|solution| is_found(&solution.q)), "{text}{q:?}\n{found:?}");
         }
@@ -132,4 +132,14 @@ fn six_joints_have_a_pose() {
 #[test]
 fn seven_joints_have_a_pose_with_one_given() {
     words(7, &POSE, &[2]);
+}
+
+#[test]
+fn seven_joints_place_a_point_and_an_axis_with_two_given() {
+    words(7, &POINTING, &[1, 4]);
+}
+
+#[test]
+fn eight_joints_have_a_pose_with_two_given() {
+    words(8, &POSE, &[0, 5]);
 }

@@ -26,13 +26,27 @@ pub struct Arm<'p> {
 pub struct Inverse {
     /// The task, with its numbers.
     pub goal: Goal,
-    /// The name of the value given beside the target, and in words.
-    pub given: Option<(String, String)>,
+    /// The names of the values given beside the target, and in words.
+    pub given: Vec<(String, String)>,
+    /// True where they are an array, also one of one.
+    pub given_is_list: bool,
     /// The largest number of solutions.
     pub most: usize,
     /// True for an arm whose inverse holds a joint: its solutions may be incomplete, and its branches have no names that
     /// last.
     pub holds_a_joint: bool,
+}
+
+impl Inverse {
+    /// The value given beside the target as a number: its name and the words.
+    pub fn given_number(&self) -> Option<&(String, String)> {
+        self.given.first().filter(|_| !self.given_is_list)
+    }
+
+    /// True for an arm that takes the arm angle.
+    pub fn takes_arm_angle(&self) -> bool {
+        self.given.iter().any(|(name, _)| name == ARM_ANGLE)
+    }
 }
 
 impl<'p> Arm<'p> {
@@ -52,7 +66,8 @@ impl<'p> Arm<'p> {
         };
         let inverse = program.inverse.as_ref().ok().map(|inverse| Inverse {
             goal: inverse.goal.clone(),
-            given: inverse.given.map(|given| self::given(given, model)),
+            given: inverse.given.values.iter().map(|given| self::given(*given, model)).collect(),
+            given_is_list: inverse.given.is_list,
             most: inverse.capacity,
             holds_a_joint: inverse.held_joint.is_some(),
         });

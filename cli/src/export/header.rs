@@ -3,7 +3,7 @@
 use denhart_codegen::lower::{AngleSum, Goal};
 use denhart_codegen::model::JointKind;
 
-use super::arm::{ARM_ANGLE, Arm, Inverse, unit};
+use super::arm::{Arm, Inverse, unit};
 
 /// The text of the file.
 pub fn text(arm: &Arm<'_>) -> String {
@@ -17,7 +17,7 @@ pub fn text(arm: &Arm<'_>) -> String {
                 (false, false) => RESERVED,
             };
             text += &self::inverse(inverse).replace("@reserved@", reserved);
-            if inverse.given.as_ref().is_some_and(|(name, _)| name == ARM_ANGLE) {
+            if inverse.takes_arm_angle() {
                 text += ANGLE;
             }
         }
@@ -88,20 +88,39 @@ fn inverse(inverse: &Inverse) -> String {
         }
         Goal::PlanarPose => "where the tool is to be in the base frame's xy plane".to_owned(),
     };
-    let given = inverse.given.as_ref();
-    let taken = given.map_or_else(String::new, |(name, _)| match name.strip_prefix('q') {
-        Some(_) => format!("; `{name}` is that of q_ref"),
-        None => "; the arm angle is that of q_ref".to_owned(),
-    });
+    let number = inverse.given_number();
+    let taken = match number {
+        Some((name, _)) if name.starts_with('q') => format!("; `{name}` is that of q_ref"),
+        Some(_) => "; the arm angle is that of q_ref".to_owned(),
+        None if inverse.given_is_list => "; `given` is that of q_ref".to_owned(),
+        None => String::new(),
+    };
+    let names: Vec<&str> = inverse.given.iter().map(|(name, _)| name.as_str()).collect();
+    let beside = if names.is_empty() { String::new() } else { format!(", without the {} of q", names.join(", ")) };
+    let (given, given_doc) = match number {
+        Some((name, words)) => (format!(" @prefix@_real_t {name},"), format!(" * {name}: {words}.\n")),
+        None if inverse.given_is_list => (GIVEN_LIST.to_owned(), given_doc(inverse)),
+        None => (String::new(), String::new()),
+    };
+    let count = inverse.given.len();
+    let count = if inverse.given_is_list { GIVEN_COUNT.replace("@count@", &count.to_string()) } else { String::new() };
     INVERSE
         .replace("@inverse_branch@", if inverse.holds_a_joint { "" } else { INVERSE_BRANCH })
         .replace("@target_type@", &kind.replace("@angle@", &angle_sum(&inverse.goal)))
         .replace("@target@", target)
-        .replace("@beside@", &given.map_or_else(String::new, |(name, _)| format!(", without the {name} of q")))
+        .replace("@given_count@", &count)
+        .replace("@beside@", &beside)
         .replace("@meaning@", &meaning)
         .replace("@taken@", &taken)
-        .replace("@given@", &given.map_or_else(String::new, |(name, _)| format!(" @prefix@_real_t {name},")))
-        .replace("@given_doc@", &given.map_or_else(String::new, |(name, words)| format!(" * {name}: {words}.\n")))
+        .replace("@given@", &given)
+        .replace("@given_doc@", &given_doc)
+}
+
+/// The documentation of an array of given values, a line for each.
+fn given_doc(inverse: &Inverse) -> String {
+    let line = |(place, (_, words)): (usize, &(String, String))| format!(" *   given[{place}]: {words}.\n");
+    let lines: String = inverse.given.iter().enumerate().map(line).collect();
+    format!(" * given: values that the target leaves to choose.\n{lines}")
 }
 
 /// The angle of `position_angle` in C, rad: `q[1] - q[2] + q[3] + 1.5707963267948966`.
@@ -245,7 +264,7 @@ const INCOMPLETE: &str = "
 const INVERSE: &str = r"
 /** Largest number of solutions of one target. */
 #define @PREFIX@_MAX_SOLUTIONS @most@
-
+@given_count@
 /** Flag: reaches the target up to rounding. */
 #define @PREFIX@_EXACT 1u
 /** Flag: two branches meet here, the target is on the edge of what the branch reaches. */
@@ -314,6 +333,15 @@ int32_t @prefix@_inverse_near(const @target@, const @prefix@_real_t q_ref[@PREFI
 @inverse_branch@/** The target of the tool at joint values q@beside@. */
 int32_t @prefix@_target_at(const @prefix@_real_t q[@PREFIX@_JOINTS], @target@);
 ";
+
+/// The size of an array of given values.
+const GIVEN_COUNT: &str = r"
+/** Number of values that are given beside a target. */
+#define @PREFIX@_GIVEN @count@
+";
+
+/// The argument for an array of given values.
+const GIVEN_LIST: &str = " const @prefix@_real_t given[@PREFIX@_GIVEN],";
 
 const INVERSE_BRANCH: &str = r"/**
  * The solution on one branch, without computing the others. Where two branches meet, either name gives the one solution,

@@ -42,9 +42,24 @@ fn of_object(arm: &DynamicArm, value: &Value, units: Units) -> Result<Target, Fa
     let inner = ["pose", "target"].into_iter().find_map(|key| Some((key, top.get(key)?)));
     let found = match inner {
         Some((key, value)) => object(value, &format!("`{key}`: "))?,
-        None => top,
+        None => top.clone(),
     };
-    parts(&found)?.target(arm, units)
+    let target = parts(&found)?.target(arm, units)?;
+    Ok(Target { given: given(&top, arm, units)?, ..target })
+}
+
+/// The values that the key `given` has for the redundant joints: a number, or a list.
+fn given(object: &Map<String, Value>, arm: &DynamicArm, units: Units) -> Result<Vec<f64>, Failure> {
+    let Some(value) = object.get("given").filter(|value| !value.is_null()) else { return Ok(Vec::new()) };
+    let (names, slides, mut values) = (arm.given()?, arm.given_slides()?, Vec::new());
+    if !flatten(value, &mut values) || values.len() != names.len() {
+        let expected = match names.as_slice() {
+            [] => "this arm's inverse takes no value beside the target\nhelp: leave `given` out".to_owned(),
+            names => format!("expected {}\nhelp: write a number for each", names.join(", ")),
+        };
+        return Err(Failure::Usage(format!("`given` is {value}: {expected}")));
+    }
+    Ok(values.into_iter().zip(slides).map(|(value, slides)| if slides { value } else { units.rad(value) }).collect())
 }
 
 fn parts(object: &Map<String, Value>) -> Result<Parts, Failure> {

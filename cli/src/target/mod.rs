@@ -66,6 +66,8 @@ pub struct Target {
     pub pose: Pose<f64>,
     /// The joint values that the target was typed as.
     pub q: Option<Vec<f64>>,
+    /// The values that stand beside the target in its own text, in rad and lengths; none where it has none.
+    pub given: Vec<f64>,
     /// Remarks on numbers that look like another unit, or on a pose that is slightly off.
     pub hints: Vec<String>,
 }
@@ -79,7 +81,7 @@ impl Target {
         match arm.target_of(&pose)? {
             Some(target) => {
                 let hint = tilt(arm, &target, &pose)?;
-                Ok(Self { target, pose, q: None, hints: hint.into_iter().collect() })
+                Ok(Self { target, pose, q: None, given: Vec::new(), hints: hint.into_iter().collect() })
             }
             None => plane::target(arm, pose, units),
         }
@@ -126,7 +128,7 @@ impl Spelling {
             let q = joint_vector("--q", text, arm, units)?;
             let hint = hints::of_joints("--q", arm, &q, units);
             let (target, pose) = (arm.target_at(&q)?, arm.forward(&q)?);
-            return Ok(Target { target, pose, q: Some(q), hints: hint.into_iter().collect() });
+            return Ok(Target { target, pose, q: Some(q), given: Vec::new(), hints: hint.into_iter().collect() });
         }
         spelled::of_task(arm, "--pose", self.pose.as_deref().unwrap_or_default(), units)
     }

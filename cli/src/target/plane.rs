@@ -42,7 +42,7 @@ pub fn target(arm: &DynamicArm, pose: Pose<f64>, units: Units) -> Result<Target,
     }
     let hints = (missed > ROUNDING).then(|| format!("the pose misses the arm's plane by {}; its angle is used", off()));
     let target = DynamicTarget::PositionAngle(PointAngle::new(pose.translation, angle));
-    Ok(Target { target, pose, q: None, hints: hints.into_iter().collect() })
+    Ok(Target { target, pose, q: None, given: Vec::new(), hints: hints.into_iter().collect() })
 }
 
 /// The plane with all joints at 0.

@@ -216,7 +216,7 @@ pub fn position_axis(arm: &DynamicArm, point: [f64; 3], axis: [f64; 3]) -> Resul
         _ => [u, v, w],
     });
     let pose = Pose { rotation, translation: point };
-    Ok(Target { target: DynamicTarget::PositionAxis(asked), pose, q: None, hints: Vec::new() })
+    Ok(Target { target: DynamicTarget::PositionAxis(asked), pose, q: None, given: Vec::new(), hints: Vec::new() })
 }
 
 /// A point and an angle, rad. The pose has the point alone, which is all that the closest approach reads.
@@ -235,7 +235,7 @@ pub fn planar_position([x, y]: [f64; 2]) -> Target {
 
 fn at(target: DynamicTarget, point: [f64; 3], yaw: f64) -> Target {
     let pose = Pose::from_xyz_rpy(point, [0.0, 0.0, yaw]);
-    Target { target, pose, q: None, hints: Vec::new() }
+    Target { target, pose, q: None, given: Vec::new(), hints: Vec::new() }
 }
 
 /// The Euclidean length, without overflow of the squares.

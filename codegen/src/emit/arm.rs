@@ -6,10 +6,10 @@ use super::inverse::{Inverse as InverseCode, inverse};
 use super::margins::margins;
 use super::target_at::target_at;
 use super::tokens::integer;
-use super::{Target, actuator, combined_limits, coupling, docs, kinematics, motion, parameters, paths, tables};
+use super::{Target, actuator, combined_limits, coupling, docs, given, kinematics, motion, parameters, paths, tables};
 use crate::lower::Functions;
 use crate::model::Model;
-use crate::solve::{InversePlan, Unsupported};
+use crate::solve::{GivenValues, InversePlan, Unsupported};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
@@ -134,8 +134,8 @@ fn without_inverse(model: &Model, unsupported: &Unsupported, target: &Target) ->
     let none = quote!(#krate::Solutions<#scalar, #n, 1>);
     let note = unsupported.hint.clone().unwrap_or_else(|| "`denhart::numeric` solves any arm by iteration".to_owned());
     let message = format!("`{name}` has no inverse kinematics: {}", unsupported.reason);
-    let takes_value = model.inverse.redundant.is_some() || model.inverse.arm_angle;
-    let given = takes_value.then(|| quote!(, _given: #scalar));
+    let values = GivenValues::of(&model.inverse.redundant, &model.joints);
+    let given = given::kind(&values, target).map(|kind| quote!(, _given: #kind));
     let solvable = format_ident!("{name}HasInverse");
     let doc = docs::lines(&format!("Does not compile: {}.", unsupported.reason));
     InverseCode {

@@ -1,11 +1,11 @@
 //! The inverse that holds a joint: the constants of its solver, and the call.
 
 use super::inverse::Inverse;
-use super::inverse_frame::{Solver, Sought, given, inverse_trait, items, methods, solutions, sought};
+use super::inverse_frame::{Solver, Sought, inverse_trait, items, methods, solutions, sought};
 use super::solver_constants::{chain_constants, cuts, general, meet, structure};
 use super::task::{TaskCode, task};
 use super::tokens::{array, ident, integer};
-use super::{Target, angle, docs};
+use super::{Target, angle, docs, given};
 use crate::lower;
 use crate::model::Model;
 use crate::solve::{Goal, HeldJointPlan, Link, Method};
@@ -48,7 +48,7 @@ impl NoBranch {
         let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(outline.joints));
         let name = &target.type_name;
         let (named, target_type) = (format_ident!("{name}NamesItsBranches"), &task.target);
-        let argument = given(outline).map(|_| quote!(, _given: #scalar));
+        let argument = given::kind(&outline.task.given, target).map(|kind| quote!(, _given: #kind));
         let message =
             format!("the solutions of `{name}` are numbered anew at every target: no branch can be asked for");
         NoBranch {
@@ -120,7 +120,7 @@ fn function(plan: &HeldJointPlan, target: &Target, task: &TaskCode) -> TokenStre
     let (n, m) = (integer(outline.joints), integer(outline.capacity));
     let solutions = solutions(outline, target);
     let target_type = &task.target;
-    let argument = given(outline).map(|q| quote!(#q: #scalar,));
+    let argument = given::parameter(&outline.task.given, target).map(|argument| quote!(#argument,));
     let Sought { bind, name: sought } = sought(outline, task, target);
     let lines: Vec<String> = plan.describe().into_iter().map(|line| format!("- {line}")).collect();
     let doc = docs::lines(&format!("All solutions.\n\n{}", lines.join("\n")));
@@ -204,7 +204,7 @@ fn search(plan: &HeldJointPlan, target: &Target) -> (TokenStream, TokenStream) {
         }
         Method::General { constants: None, .. } => {
             let is_prismatic = array(plan.chain.is_prismatic.iter());
-            let given = plan.chain.links.iter().flat_map(|link| &link.given).filter(|joint| !joint.is_prismatic);
+            let given = plan.chain.given_joints().filter(|joint| !joint.is_prismatic);
             let squares: Vec<TokenStream> = given
                 .map(|joint| {
                     let q = ident(&format!("q{}", joint.joint + 1));

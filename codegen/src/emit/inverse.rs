@@ -4,7 +4,7 @@ use super::inverse_frame::{Solver, function, inverse_branch, inverse_trait, item
 use super::kernel;
 use super::nest::Nest;
 use super::task::task;
-use super::tokens::{array, bound, ident};
+use super::tokens::{array, bound, ident, integer};
 use super::{Target, angle, docs, parameters};
 use crate::lower::kernel::Quantity;
 use crate::lower::{self, BranchState, Branching, Call, Each, Given, Part, Root, Statement};
@@ -62,18 +62,19 @@ fn measure(model: &Model, target: &Target) -> TokenStream {
     }
 }
 
-/// Sine and cosine of a joint whose value is given.
+/// Sines and cosines of the joints whose values are given.
 fn given_symbols(program: &lower::Inverse, target: &Target) -> TokenStream {
     let krate = &target.krate;
     let name = |input: Input| bound(&input.name(), program.reads(input));
-    match program.given {
-        Some(Given::ArmAngle) => quote!(let swing = #krate::math::sin_cos(arm_angle);),
-        Some(Given::Joint { joint, revolute: true }) => {
+    let symbols = program.given.values.iter().map(|given| match *given {
+        Given::ArmAngle => quote!(let swing = #krate::math::sin_cos(arm_angle);),
+        Given::Joint { joint, revolute: true } => {
             let (s, c, q) = (name(Input::SinGiven(joint)), name(Input::CosGiven(joint)), name(Input::Given(joint)));
             quote!(let (#s, #c) = #krate::math::sin_cos(#q);)
         }
-        Some(Given::Joint { revolute: false, .. }) | None => TokenStream::new(),
-    }
+        Given::Joint { revolute: false, .. } => TokenStream::new(),
+    });
+    symbols.collect()
 }
 
 impl Nest<'_> {
@@ -200,17 +201,18 @@ impl Nest<'_> {
                 let entries = misses.iter().map(w);
                 quote!(#doc let #agreed = search.agree(&#before, #measure, [#(#entries),*]);)
             }
-            Statement::Swivel { symbols, vectors, before, meaning } => {
+            Statement::Swivel { joints: [first, second], symbols, vectors, before, meaning } => {
                 let vectors = vectors.each_ref().map(|vector| array(vector.iter().map(w)));
                 let rows = symbols.iter().map(|row| array(row.iter().map(|symbol| self.leaf(*symbol))));
                 let (doc, wrist, before) = (docs::lines(meaning), vectors.first(), self.state(*before));
                 let swung = self.state(BranchState::Swung);
                 let length = kernel::measure(self, lower::Unit::Length);
-                let free = docs::lines("A wrist in the shoulder leaves joints 1 and 2 free.");
+                let free = format!("A wrist in the shoulder leaves joints {} and {} free.", first + 1, second + 1);
+                let (free, first, second) = (docs::lines(&free), integer(*first), integer(*second));
                 quote! {
                     #doc let [#(#rows),*] = #krate::solve::swivel(#(#vectors),*, swing);
                     #free let #swung =
-                        search.directed(&#before, #length, #wrist, [search.default(0), search.default(1)]);
+                        search.directed(&#before, #length, #wrist, [search.default(#first), search.default(#second)]);
                 }
             }
             Statement::Value { symbol, terms, constant } => {

@@ -2,11 +2,10 @@
 
 use super::task::TaskCode;
 use super::tokens::{array, ident, integer, number};
-use super::{Target, combined_limits, docs, parameters, worked_out};
+use super::{Target, combined_limits, docs, given, parameters, worked_out};
 use crate::lower::{ArmConstants, Inverse};
 use crate::model::{JointKind, Model};
-use crate::solve::{Given, Goal, Outline, Plan};
-use crate::symbolic::Input;
+use crate::solve::{Given, GivenValues, Goal, Outline, Plan};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -74,14 +73,6 @@ pub(super) fn solutions(outline: &Outline, target: &Target) -> TokenStream {
     quote!(#krate::Solutions<#scalar, #n, #m>)
 }
 
-/// The argument that is given beside the target.
-pub(super) fn given(outline: &Outline) -> Option<Ident> {
-    outline.task.given.map(|given| match given {
-        Given::ArmAngle => ident("arm_angle"),
-        Given::Joint { joint, .. } => ident(&Input::Given(joint).name()),
-    })
-}
-
 /// The statements that bind what is searched for, and its name.
 pub(super) struct Sought {
     pub(super) bind: TokenStream,
@@ -99,12 +90,10 @@ pub(super) fn sought(outline: &Outline, task: &TaskCode, target: &Target) -> Sou
         },
         _ => quote!(let goal = #goal;),
     };
-    if let Some(q) = given(outline) {
-        // The arm angle holds no joint: a number beyond the last.
-        let joint = integer(outline.task.given_joint().unwrap_or(outline.joints));
-        bind = quote!(#bind let locked = &#krate::solve::Locked::new(goal, #joint, #q););
-    }
-    Sought { bind, name: ident(if given(outline).is_some() { "locked" } else { "goal" }) }
+    let locked = given::locked(outline, target);
+    let name = ident(if locked.is_some() { "locked" } else { "goal" });
+    bind.extend(locked);
+    Sought { bind, name }
 }
 
 /// The function around the loops.
@@ -125,7 +114,7 @@ pub(super) fn function(
     let lines: Vec<String> = crate::solve::describe(plan).into_iter().map(|line| format!("- {line}")).collect();
     let doc = docs::lines(&format!("All branches of the inverse, or those that are wanted.\n\n{}", lines.join("\n")));
     let (target_type, unpack) = (&task.target, &task.unpack);
-    let argument = given(outline).map(|q| quote!(#q: #scalar,));
+    let argument = given::parameter(&outline.task.given, target).map(|argument| quote!(#argument,));
     let Sought { bind: goal, name: sought } = sought(outline, task, target);
     let (constants, sizes) = if model.parameters.is_empty() {
         (quote!(&CONSTANTS), TokenStream::new())
@@ -214,14 +203,8 @@ pub(super) fn methods(
         (&target.krate, target.scalar.tokens(), integer(outline.joints), integer(outline.capacity));
     let solutions = solutions(outline, target);
     let Solver { gap, bound, method, function, arguments, branch } = solver;
-    let q = given(outline);
-    let fixed = q.as_ref().map(|q| match outline.task.swivel {
-        Some(_) => {
-            "`arm_angle`: how far the elbow is swung about the line from shoulder to wrist, rad; see `arm_angle()`.\n"
-                .to_string()
-        }
-        None => format!("`{q}`: value of the redundant joint.\n"),
-    });
+    let values = &outline.task.given;
+    let fixed = fixed(values);
     let doc = docs::lines(&format!(
         "Every joint vector that reaches `target`: up to {m} branches, in a fixed order.\n\n\
          {}\n{}Angles are in (-pi, pi], each solution once.\n\
@@ -232,27 +215,24 @@ pub(super) fn methods(
          Limits only set a flag; filter with `within_limits()`.\n\n\
          Method: {method}",
         task.doc,
-        fixed.unwrap_or_default(),
+        fixed,
         task.bad,
         if model.parameters.is_empty() { "" } else { ", or a length of the arm is not finite" },
     ));
     let (target_type, goal) = (&task.target, &task.goal);
-    let argument = q.as_ref().map(|q| quote!(, #q: #scalar));
-    let pass = q.as_ref().map(|q| quote!(#q,));
-    let pass_wrapped = wrapped(outline, target);
-    let from_reference = outline.task.given.map(|given| match given {
-        Given::ArmAngle => quote!(let arm_angle = self.arm_angle(q_ref);),
-        Given::Joint { joint, .. } => {
-            let before = (0..joint).map(|_| quote!(_,));
-            quote!(let [#(#before)* #q, ..] = *q_ref;)
-        }
-    });
+    let argument = given::argument(values, target).map(|argument| quote!(, #argument));
+    let pass = given::passed(values).map(|given| quote!(#given,));
+    let unpack = given::unpacked(values);
+    let pass_wrapped = given::wrapped(values, target).map(|given| quote!(#given,));
+    let pass_taken = given::collected(values).map(|given| quote!(#given,));
+    let from_reference = given::from_reference(values);
     let arm_angle = arm_angle(outline, target);
     let sample = sample_redundancy(model, outline, target, task);
-    let held = q.as_ref().map_or_else(
-        || "a free joint stays at its value".into(),
-        |q| format!("`{q}` and free joints stay at their value"),
-    );
+    let held = match values.values.len() {
+        0 => "a free joint stays at its value".to_owned(),
+        1 => format!("{} and free joints stay at their value", given::in_words(values)),
+        _ => format!("{} and free joints stay at their values", given::in_words(values)),
+    };
     let near = docs::lines(&format!(
         "The solutions of `inverse` with each joint next to `q_ref`, the nearest first; {held} in `q_ref`.\n\n\
          Each revolute joint is on the turn nearest to `q_ref`: inside the limits, if `q_ref` is inside and such a turn \
@@ -281,6 +261,7 @@ pub(super) fn methods(
         #[inline(always)]
         pub fn inverse_into(&self, target: &#target_type #argument, solutions: &mut #solutions) {
             solutions.reset(#krate::Status::BadTarget);
+            #unpack
             #function(self, target, #pass_wrapped ::core::option::Option::None, #arguments solutions);
         }
 
@@ -300,7 +281,7 @@ pub(super) fn methods(
         pub fn inverse_near_into(&self, target: &#target_type, q_ref: &[#scalar; #n], solutions: &mut #solutions) {
             #from_reference
             solutions.reset(#krate::Status::BadTarget);
-            #function(self, target, #pass ::core::option::Option::Some(q_ref), #arguments solutions);
+            #function(self, target, #pass_taken ::core::option::Option::Some(q_ref), #arguments solutions);
         }
 
         /// Residual of `q` for the target, by `forward`.
@@ -311,12 +292,20 @@ pub(super) fn methods(
     }
 }
 
-/// The given value as it is passed on: sums with a given angle lose no digits to its turns.
-fn wrapped(outline: &Outline, target: &Target) -> Option<TokenStream> {
-    let krate = &target.krate;
-    let turns = matches!(outline.task.given, Some(Given::Joint { revolute: true, .. }));
-    let pass = |q: Ident| if turns { quote!(#krate::solve::wrap(#q),) } else { quote!(#q,) };
-    given(outline).map(pass)
+/// The lines on the given values in the documentation of `inverse`.
+fn fixed(values: &GivenValues) -> String {
+    let swing = "how far the elbow is swung about the line from shoulder to wrist, rad; see `arm_angle()`";
+    match values.values.as_slice() {
+        [] => String::new(),
+        [Given::ArmAngle] if !values.is_list => format!("`arm_angle`: {swing}.\n"),
+        [_] if !values.is_list => format!("{}: value of the redundant joint.\n", given::in_words(values)),
+        [_] => format!("`given`: the value of {}.\n", given::in_words(values)),
+        _ => {
+            let angle = if values.values.contains(&Given::ArmAngle) { "\n`arm_angle`: " } else { "" };
+            let swing = if angle.is_empty() { String::new() } else { format!("{angle}{swing}.") };
+            format!("`given`: the values of {}, in this order.{swing}\n", given::in_words(values))
+        }
+    }
 }
 
 /// The method `inverse_branch` of an arm whose branches have names.
@@ -324,8 +313,10 @@ pub(super) fn inverse_branch(plan: &Plan, target: &Target, task: &TaskCode) -> T
     let outline = &plan.outline();
     let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(outline.joints));
     let target_type = &task.target;
-    let argument = given(outline).map(|q| quote!(, #q: #scalar));
-    let pass = wrapped(outline, target);
+    let values = &outline.task.given;
+    let argument = given::argument(values, target).map(|argument| quote!(, #argument));
+    let unpack = given::unpacked(values);
+    let pass = given::wrapped(values, target).map(|given| quote!(#given,));
     let doc = docs::lines(
         "The solution of `inverse` on one branch, without computing the others; or the status that says why there is none \
          (`Unreachable` with the gap at which the branch ends). Where branches meet, either gives the one solution, \
@@ -344,6 +335,7 @@ pub(super) fn inverse_branch(plan: &Plan, target: &Target, task: &TaskCode) -> T
             branch: #krate::Branch,
         ) -> #krate::OneSolution<#scalar, #n> {
             let mut solutions = #krate::Solutions::new(#krate::Status::BadTarget);
+            #unpack
             branches(self, target, #pass ::core::option::Option::None, branch, &mut solutions);
             #one
         }
@@ -358,6 +350,16 @@ fn arm_angle(outline: &Outline, target: &Target) -> Option<TokenStream> {
     let rows = array(constants.shoulder.r.map(vector));
     let (origin, wrist, axis, elbow) =
         (vector(constants.shoulder.p), vector(constants.wrist), vector(constants.axis), vector(constants.elbow));
+    // The shoulder may stand on a link.
+    let carrier = constants.first.checked_sub(1);
+    let carried = carrier.map(|_| quote!(carrier *));
+    let places = (0..=constants.first + 3).map(|place| match place {
+        place if Some(place) == carrier => ident("carrier"),
+        place if place == constants.first + 3 => ident("link"),
+        _ => ident("_"),
+    });
+    let links = quote!(let [#(#places,)* ..] = self.link_poses(q););
+    let (before, links) = if carrier.is_some() { (Some(links), None) } else { (None, Some(links)) };
     Some(quote! {
         /// The arm angle of a joint vector, rad in (-pi, pi]: how far the elbow is swung about the line from shoulder
         /// to wrist. The angle counts from the side of the first joint's axis. Where the wrist lies on that axis, the
@@ -365,13 +367,14 @@ fn arm_angle(outline: &Outline, target: &Target) -> Option<TokenStream> {
         /// right angle.
         #[must_use]
         pub fn arm_angle(&self, q: &[#scalar; #n]) -> #scalar {
+            #before
             let swivel = #krate::solve::Swivel::<#scalar> {
-                shoulder: #krate::Pose { rotation: #rows, translation: #origin },
+                shoulder: #carried #krate::Pose { rotation: #rows, translation: #origin },
                 wrist: #wrist,
                 axis: #axis,
                 elbow: #elbow,
             };
-            let [_, _, _, link, ..] = self.link_poses(q);
+            #links
             swivel.angle(&link)
         }
     })
@@ -381,46 +384,56 @@ fn arm_angle(outline: &Outline, target: &Target) -> Option<TokenStream> {
 fn sample_redundancy(model: &Model, outline: &Outline, target: &Target, task: &TaskCode) -> Option<TokenStream> {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
     let (solutions, target_type) = (solutions(outline, target), &task.target);
-    let (joint, revolute) = match outline.task.given? {
-        Given::Joint { joint, revolute } => (joint, revolute),
-        Given::ArmAngle => {
-            return Some(quote! {
-                /// Walks the arm angle through a whole turn in `n` equal steps and solves for each, the middle of its step.
-                /// Yields the angle and its solutions; allocates nothing.
+    let values = &outline.task.given;
+    let (ranges, wholes): (Vec<_>, Vec<_>) =
+        values.values.iter().map(|value| given::range(model, *value, target)).unzip();
+    let count = integer(ranges.len());
+    match values.values.as_slice() {
+        [] => None,
+        _ if values.is_list => Some(quote! {
+            /// Walks the given values through a grid: each through its limits (without limits: a whole turn, or plus and minus
+            /// the reach; the arm angle through a whole turn) in as many equal steps as its `n` says, the last one fastest.
+            /// Yields the values, each the middle of its step, and their solutions; allocates nothing.
+            pub fn sample_redundancy(
+                &self,
+                target: &#target_type,
+                n: [usize; #count],
+            ) -> impl ::core::iter::Iterator<Item = ([#scalar; #count], #solutions)> {
+                #krate::solve::grid([#((#ranges, #wholes)),*], n).map(move |given| (given, self.inverse(target, given)))
+            }
+        }),
+        [Given::ArmAngle, ..] => Some(quote! {
+            /// Walks the arm angle through a whole turn in `n` equal steps and solves for each, the middle of its step.
+            /// Yields the angle and its solutions; allocates nothing.
+            pub fn sample_redundancy(
+                &self,
+                target: &#target_type,
+                n: usize,
+            ) -> impl ::core::iter::Iterator<Item = (#scalar, #solutions)> {
+                let whole = <#scalar as #krate::Scalar>::PI;
+                #krate::solve::steps(-whole, whole, whole, n).map(move |value| (value, self.inverse(target, value)))
+            }
+        }),
+        [Given::Joint { joint, revolute }, ..] => {
+            let doc = docs::lines(&format!(
+                "Walks the redundant joint `q{}` through its limits (without limits: {}) in `n` equal steps and solves for each \
+                 value, the middle of its step. Yields the value and its solutions; allocates nothing.",
+                joint + 1,
+                if *revolute { "a whole turn" } else { "plus and minus the reach" }
+            ));
+            Some(quote! {
+                #doc
                 pub fn sample_redundancy(
                     &self,
                     target: &#target_type,
                     n: usize,
                 ) -> impl ::core::iter::Iterator<Item = (#scalar, #solutions)> {
-                    let whole = <#scalar as #krate::Scalar>::PI;
-                    #krate::solve::steps(-whole, whole, whole, n).map(move |value| (value, self.inverse(target, value)))
+                    let [low, high] = #(#ranges)*;
+                    #krate::solve::steps(low, high, #(#wholes)*, n).map(move |value| (value, self.inverse(target, value)))
                 }
-            });
+            })
         }
-    };
-    let whole = match revolute {
-        true => quote!(<#scalar as #krate::Scalar>::PI),
-        false if model.parameters.is_empty() => quote!(REACH),
-        false => quote!(reach(self)),
-    };
-    let doc = docs::lines(&format!(
-        "Walks the redundant joint `q{}` through its limits (without limits: {}) in `n` equal steps and solves for each \
-         value, the middle of its step. Yields the value and its solutions; allocates nothing.",
-        joint + 1,
-        if revolute { "a whole turn" } else { "plus and minus the reach" }
-    ));
-    let joint = integer(joint);
-    Some(quote! {
-        #doc
-        pub fn sample_redundancy(
-            &self,
-            target: &#target_type,
-            n: usize,
-        ) -> impl ::core::iter::Iterator<Item = (#scalar, #solutions)> {
-            let [low, high] = Self::LIMITS[#joint];
-            #krate::solve::steps(low, high, #whole, n).map(move |value| (value, self.inverse(target, value)))
-        }
-    })
+    }
 }
 
 /// The trait impl, whose target includes the value of a redundant joint; `branches`: they have names.
@@ -428,14 +441,8 @@ pub(super) fn inverse_trait(outline: &Outline, branches: bool, target: &Target, 
     let (krate, scalar, name) = (&target.krate, target.scalar.tokens(), &target.type_name);
     let (n, m) = (integer(outline.joints), integer(outline.capacity));
     let target_type = &task.target;
-    let takes_value = outline.task.given.map(|_| quote!(, given));
-    let given = outline.task.given.map(|given| match given {
-        Given::ArmAngle => quote!(, given |arm, q| arm.arm_angle(q)),
-        Given::Joint { joint, .. } => {
-            let joint = integer(joint);
-            quote!(, given |_arm, q| q[#joint])
-        }
-    });
+    let takes_value = (!outline.task.given.is_empty()).then(|| quote!(, given));
+    let given = given::at_joints(&outline.task.given);
     let branch = branches.then(|| {
         quote! {
             #[automatically_derived]

@@ -124,7 +124,8 @@ fn angles(margins: &Margins, target: &Target) -> TokenStream {
 
 fn doc(plan: &Plan, writer: &Writer, factors: &[Factor], reach: &Ident) -> String {
     let rows = if plan.task.goal == Goal::Pose { "" } else { ", of what the task asks for," };
-    let column = plan.task.given_joint().map(|joint| format!(" without q{}", joint + 1)).unwrap_or_default();
+    let given: Vec<String> = plan.task.given.joints().map(|(joint, _)| format!("q{}", joint + 1)).collect();
+    let column = if given.is_empty() { String::new() } else { format!(" without {}", given.join(", ")) };
     let mut text = format!(
         "How far `q` is from each kind of singularity: `det J`{column}{rows} is a constant times the product. Each is 0 \
          exactly there, with opposite signs beside it, without a unit; `px`, `r11` are entries of `forward(q)`.\n\n",

@@ -7,6 +7,7 @@ mod combined_limits;
 mod constants;
 mod coupling;
 mod docs;
+mod given;
 mod held_joint;
 mod inverse;
 mod inverse_frame;

@@ -1,9 +1,8 @@
 //! The method `target_at`: the target of the arm's task at joint values.
 
-use super::inverse_frame::given;
 use super::task::target_type;
 use super::tokens::{bound, ident, integer};
-use super::{Target, angle, docs};
+use super::{Target, angle, docs, given};
 use crate::lower::Goal;
 use crate::model::Model;
 use crate::solve::Outline;
@@ -15,10 +14,14 @@ use quote::quote;
 pub fn target_at(model: &Model, outline: &Outline, target: &Target) -> TokenStream {
     let (scalar, n, goal) = (target.scalar.tokens(), integer(outline.joints), &outline.task.goal);
     let (target_type, body) = (target_type(goal, target), body(outline, target));
-    let call = given(outline).map_or_else(
-        || "`inverse(&target)`".to_owned(),
-        |given| format!("`inverse(&target, {given})` with the `{given}` of `q`"),
-    );
+    let given = &outline.task.given;
+    let (names, words) = (given::names(given), given::in_words(given));
+    let names: Vec<String> = names.iter().map(ToString::to_string).collect();
+    let call = match names.as_slice() {
+        [] => "`inverse(&target)`".to_owned(),
+        names if given.is_list => format!("`inverse(&target, [{}])` with the {words} of `q`", names.join(", ")),
+        names => format!("`inverse(&target, {})` with the {words} of `q`", names.concat()),
+    };
     let doc = docs::lines(&format!(
         "The target of the task `{}` at joint values `q`.\n\n\
          {} Away from singularities {call} lists `q`, its angles brought into (-pi, pi].",

@@ -31,7 +31,9 @@ pub use program::{BranchState, Each, Inverse, Level, Root, Statement};
 pub use straight::Straight;
 
 pub use crate::solve::kernel::{self, Kernel, Unit};
-pub use crate::solve::{Branching, Factor, Given, Goal, HeldJointPlan, Link, Method, SixJoints, SwivelConstants};
+pub use crate::solve::{
+    Branching, Factor, Given, GivenValues, Goal, HeldJointPlan, Link, Method, SixJoints, SwivelConstants,
+};
 pub use crate::symbolic::{AngleSum, BoundAngle, Dimension, Expr, Graph, Input, Node, Part};
 
 /// A value of a program: a leaf or an expression of its graph.

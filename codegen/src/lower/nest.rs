@@ -35,7 +35,7 @@ pub fn held_joint(model: &Model, plan: &HeldJointPlan) -> Inverse {
         names: Names::default(),
         constants: ArmConstants { stands_for: plan.stands_for(), ..ArmConstants::of(model, outline.reach) },
         goal: outline.task.goal.clone(),
-        given: outline.task.given,
+        given: outline.task.given.clone(),
         swivel: None,
         inputs: Vec::new(),
         levels: Vec::new(),
@@ -77,8 +77,9 @@ pub fn stages(model: &Model, plan: &Plan) -> Inverse {
             }
             PlanStep::Angle { symbol, meaning, y, x } => nest.angle(symbol, meaning, *y, *x),
             PlanStep::Agreement { meaning, unit, misses } => nest.agreement(meaning, *unit, misses),
-            PlanStep::Swivel { rotation, meaning, wrist, moved, axis, elbow } => {
-                nest.swivel(rotation, meaning, [*wrist, *moved, *axis, *elbow]);
+            PlanStep::Swivel { joints, rotation, meaning, wrist, moved, axis, elbow } => {
+                let joints = joints.map(|slot| plan.joint(slot).unwrap_or_default());
+                nest.swivel(joints, rotation, meaning, [*wrist, *moved, *axis, *elbow]);
             }
         }
     }
@@ -103,7 +104,7 @@ pub fn stages(model: &Model, plan: &Plan) -> Inverse {
             ..ArmConstants::of(model, plan.reach)
         },
         goal: plan.task.goal.clone(),
-        given: plan.task.given,
+        given: plan.task.given.clone(),
         swivel: plan.task.swivel.clone(),
         inputs,
         levels,
@@ -146,7 +147,8 @@ fn reserved(model: &Model, plan: &Plan) -> Vec<String> {
         (1..=plan.joints()).map(|i| i.to_string()).chain(plan.loop_joints.iter().map(|slot| slot.label.to_string()));
     let of_joints = labels.flat_map(|label| PREFIXES.map(|prefix| format!("{prefix}{label}")));
     let sizes: &[&str] = if model.parameters.is_empty() { &[] } else { &SIZES };
-    of_joints.chain(NAMES.iter().chain(sizes).map(|name| name.to_string())).collect()
+    let lists: &[&str] = if plan.task.given.is_list { &["held"] } else { &[] };
+    of_joints.chain(NAMES.iter().chain(sizes).chain(lists).map(|name| name.to_string())).collect()
 }
 
 impl Nest<'_> {
@@ -239,10 +241,10 @@ impl Nest<'_> {
         self.state = BranchState::Agreed(index);
     }
 
-    fn swivel(&mut self, rotation: &Mat3, meaning: &str, vectors: [[Slot; 3]; 4]) {
+    fn swivel(&mut self, joints: [usize; 2], rotation: &Mat3, meaning: &str, vectors: [[Slot; 3]; 4]) {
         let level = self.bind(&vectors.concat());
         let (before, meaning) = (self.state, meaning.to_string());
-        self.at(level, Statement::Swivel { symbols: *rotation, vectors, before, meaning });
+        self.at(level, Statement::Swivel { joints, symbols: *rotation, vectors, before, meaning });
         self.state = BranchState::Swung;
         for symbol in rotation.iter().flatten() {
             self.known.insert(*symbol, level);

@@ -3,7 +3,7 @@
 use super::{ArmConstants, Call, Names, Slot};
 use crate::model::Angle;
 use crate::solve::kernel::{ConeRange, ElbowRange, Phase};
-use crate::solve::{Branching, Given, Goal, HeldJointPlan, SwivelConstants, Unit};
+use crate::solve::{Branching, GivenValues, Goal, HeldJointPlan, SwivelConstants, Unit};
 use crate::symbolic::{Graph, Input, Part};
 
 /// The inverse as a program.
@@ -17,11 +17,11 @@ pub struct Inverse {
     pub constants: ArmConstants,
     /// The task, with its numbers.
     pub goal: Goal,
-    /// Value given beside the target.
-    pub given: Option<Given>,
+    /// Values given beside the target.
+    pub given: GivenValues,
     /// Constants for the arm angle of a joint vector, where the arm angle is given.
     pub swivel: Option<SwivelConstants>,
-    /// Numbers read of the target and of the given value.
+    /// Numbers read of the target and of the given values.
     pub inputs: Vec<(Slot, Input)>,
     /// Statements and loops: the first level stands before every loop, each other one is the body of a loop in the level
     /// before.
@@ -167,6 +167,8 @@ pub enum Statement {
     },
     /// The rotation of the upper arm from the arm angle, then the branch state after it.
     Swivel {
+        /// The first two joints of the shoulder.
+        joints: [usize; 2],
         /// Where the rotation goes, by rows.
         symbols: [[Slot; 3]; 3],
         /// Wrist where it has to be, wrist, elbow's axis and elbow in the frame of the upper arm.

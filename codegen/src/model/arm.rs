@@ -5,6 +5,7 @@ use super::angle::Angle;
 use super::combined_limits::CombinedLimit;
 use super::coupling::Coupling;
 use super::joint::Joint;
+use super::redundant::Redundant;
 use crate::error::Location;
 use crate::spec::{Axis, Convention, Length, LengthUnit, RowKind, Task};
 
@@ -86,10 +87,8 @@ pub struct InverseRequest {
     pub task: Option<Task>,
     /// True if an arm without an inverse is a mistake.
     pub require: bool,
-    /// The joint whose value is given, an index into [`Model::joints`].
-    pub redundant: Option<usize>,
-    /// True if the arm angle is given instead of a joint.
-    pub arm_angle: bool,
+    /// Values that are given beside the target.
+    pub redundant: Redundant,
     /// The tool's axis for [`Task::PositionAxis`], where one is named.
     pub axis: Option<Axis>,
     /// Greatest position residual of an exact solution, length.
@@ -98,7 +97,7 @@ pub struct InverseRequest {
     pub tolerance_angle: Option<f64>,
     /// How much each joint counts in the distance from a reference; `None` if all count the same.
     pub weights: Option<Vec<f64>>,
-    /// Where `inverse.task` or `inverse` stands in the file.
+    /// Where a list at `redundant` stands in the file; else `inverse.task`, or `inverse`.
     pub at: Option<Location>,
     /// True if the file has `inverse` at all.
     pub present: bool,

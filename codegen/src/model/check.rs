@@ -6,8 +6,9 @@ use super::arm::{Frame, InverseRequest, MOST_JOINTS, Model, Parameter, Row};
 use super::combined_limits::combined_limits;
 use super::coupling::coupling;
 use super::joint::{Joint, JointKind};
-use super::joint_names::{named, range};
+use super::joint_names::range;
 use super::reach::Sizes;
+use super::redundant::redundant;
 use super::weights::weights;
 use crate::error::{Diagnostic, Errors};
 use crate::spec::{FrameSpec, LimitsSpec, Place, RowKind, RowSpec, Spec};
@@ -149,22 +150,17 @@ fn parameters(spec: &Spec, joints: &[Joint], mistakes: &mut Vec<Diagnostic>) -> 
 
 fn inverse(spec: &Spec, joints: &[Joint], mistakes: &mut Vec<Diagnostic>) -> InverseRequest {
     let request = &spec.inverse;
-    let named_joint = joints.iter().any(|joint| joint.name == "arm_angle");
-    let arm_angle = !named_joint && request.redundant.as_ref().is_some_and(|(name, _)| name == "arm_angle");
+    let list = request.redundant.as_ref().filter(|redundant| redundant.is_list).map(|redundant| &redundant.place);
+    let place = list.or(request.place.as_ref());
     InverseRequest {
         task: request.task,
         require: request.require,
-        arm_angle,
-        redundant: request
-            .redundant
-            .as_ref()
-            .filter(|_| !arm_angle)
-            .and_then(|(name, place)| named(spec, joints, "redundant", name, place, mistakes)),
+        redundant: redundant(spec, joints, mistakes),
         axis: request.axis,
         tolerance_length: request.tolerance_length,
         tolerance_angle: request.tolerance_angle.map(|angle| Angle::from(angle).rad()),
         weights: weights(spec, joints, mistakes),
-        at: request.place.as_ref().map(|place| spec.source.location(place)),
+        at: place.map(|place| spec.source.location(place)),
         present: request.place.is_some(),
     }
 }

@@ -16,6 +16,7 @@ mod parameter;
 mod plausibility;
 pub mod rational;
 mod reach;
+mod redundant;
 #[cfg(test)]
 mod tests;
 mod weights;
@@ -28,7 +29,8 @@ pub use combined_limits::CombinedLimit;
 pub use coupling::Coupling;
 pub use joint::{Joint, JointKind, joint_sum};
 pub use parameter::Bound;
-pub use plausibility::plausibility_warnings;
+pub use plausibility::{in_words, plausibility_warnings};
 pub use reach::{ReachTerm, Sizes, reach_terms};
+pub use redundant::{Redundant, RedundantValue};
 
 pub use crate::spec::{Axis, Convention, Length, LengthUnit, RowKind, Task};

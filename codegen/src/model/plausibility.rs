@@ -87,14 +87,26 @@ fn limits_in_radians(spec: &Spec) -> Option<Diagnostic> {
 }
 
 impl InverseRequest {
-    /// Remarks that a joint whose value is given leaves six joints another task than a pose.
+    /// Remarks that the joints whose values are given leave an arm that has a pose another task.
     pub fn changed_task(&self, joints: &[Joint], task: Option<Task>) -> Option<Diagnostic> {
-        let joint = joints.get(self.redundant?).filter(|_| self.task.is_none() && joints.len() == 6)?;
-        let (name, task) = (&joint.name, task?.name());
-        let message = format!("`redundant: {name}` leaves five joints: the task is `{task}`, not `pose`");
-        let help = format!("remove `redundant` for a pose, or name the task that is meant: `task: {task}`");
+        let spare = joints.len().checked_sub(6).filter(|_| self.task.is_none() && !self.redundant.is_empty())?;
+        let left = joints.len().checked_sub(self.redundant.values.len()).filter(|left| *left < 6)?;
+        let (names, task) = (self.redundant.written(joints), task?.name());
+        let left = if left == 1 { "one joint".to_owned() } else { format!("{} joints", in_words(left)) };
+        let message = format!("`redundant: {names}` leaves {left}: the task is `{task}`, not `pose`");
+        let fewer = match spare {
+            0 => "remove `redundant`".to_owned(),
+            spare => format!("name {} in `redundant`", in_words(spare)),
+        };
+        let help = format!("{fewer} for a pose, or name the task that is meant: `task: {task}`");
         Some(Diagnostic::warning(message).at(self.at.clone()).help(help))
     }
+}
+
+/// A small number as a word.
+pub fn in_words(number: usize) -> String {
+    let words = ["no", "one", "two", "three", "four", "five"];
+    words.get(number).map_or_else(|| number.to_string(), |word| (*word).to_owned())
 }
 
 #[cfg(test)]

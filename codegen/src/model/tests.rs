@@ -63,7 +63,7 @@ fn values_are_converted() {
     assert_eq!(model.base, Frame { xyz: [const { Length::ZERO }; 3], rpy: [Angle::ZERO; 3] });
     assert_eq!(model.tool.rpy, [Angle::ZERO, Angle::degrees(90.0), Angle::ZERO]);
     // `q2` is no name here: it means the second joint.
-    assert_eq!((model.inverse.redundant, model.inverse.tolerance_angle), (Some(1), Some(PI)));
+    assert_eq!((model.inverse.redundant, model.inverse.tolerance_angle), (Redundant::of(&[1]), Some(PI)));
     assert_eq!(model.inverse.at.map(|at| (at.line, at.column)), Some((10, 10)));
 }
 
@@ -98,6 +98,23 @@ fn a_redundant_joint_that_is_none() {
     let help = ["no joint is named `elbw`", "did you mean `elbow`?", "the joints are elbow, q2"];
     only(&arm(&[named, PLAIN], "inverse: {redundant: elbw}\n"), "7:22", &help);
     only(&arm(&[PLAIN], "inverse: {redundant: q7}\n"), "6:22", &["no joint is named `q7`"]);
+}
+
+#[test]
+fn a_list_of_redundant_joints() {
+    let named = "{name: elbow, a: 1, alpha: 0, d: 0, theta: 0}";
+    let redundant = |list: &str| model(&arm(&[named, PLAIN, PLAIN], &format!("inverse: {{redundant: {list}}}\n")));
+    let of = |list: &str| redundant(list).unwrap().inverse.redundant;
+    assert_eq!(of("[q3, elbow]"), Redundant::of(&[2, 0]));
+    assert_eq!(of("[q1, arm_angle]").values, [RedundantValue::Joint(0), RedundantValue::ArmAngle]);
+    // A list of one is a list.
+    assert_eq!((of("[q2]").is_list, of("q2").is_list), (true, false));
+    let mistake = |list: &str, at: &str, parts: &[&str]| {
+        only(&arm(&[named, PLAIN, PLAIN], &format!("inverse: {{redundant: {list}}}\n")), at, parts);
+    };
+    mistake("[q1, q2, elbow]", "8:31", &["joint 1 is named twice", "leave out the second one, `elbow`"]);
+    mistake("[arm_angle, arm_angle]", "8:34", &["the arm angle is named twice"]);
+    mistake("[q2, q5]", "8:27", &["no joint is named `q5`", "the joints are elbow, q2, q3"]);
 }
 
 #[test]

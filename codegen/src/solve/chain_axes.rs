@@ -130,6 +130,13 @@ impl LoopChain {
         (axes, current)
     }
 
+    /// The frame that joint `i` turns or slides, at the generic configuration.
+    pub fn frame_before(&self, i: usize, sample: &Sample) -> Transform {
+        (0..i).zip(&self.loop_joints).fold(self.numeric(0, sample), |frame, (i, slot)| {
+            frame.then(&generic_motion(i, slot.revolute, self.reach)).then(&self.numeric(i + 1, sample))
+        })
+    }
+
     /// The pose of the link after joint `i` at the generic configuration, as `link_poses` counts links.
     pub fn body(&self, chain: &Chain, i: usize) -> Transform {
         let end = chain.link_ends.get(i).copied().unwrap_or(0);

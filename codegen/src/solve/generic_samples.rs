@@ -14,6 +14,7 @@ pub type Sample = HashMap<Symbol, f64>;
 pub struct GenericSamples {
     samples: Vec<Sample>,
     angles: Vec<Symbol>,
+    positions: usize,
     reach: f64,
     /// Decisions made on the samples.
     pub decisions: Decisions,
@@ -40,7 +41,7 @@ impl GenericSamples {
                 rotation.chain(position).map(|(input, value)| (input.into(), value)).collect()
             })
             .to_vec();
-        GenericSamples { samples, angles: Vec::new(), reach, decisions: Decisions::default() }
+        GenericSamples { samples, angles: Vec::new(), positions: 0, reach, decisions: Decisions::default() }
     }
 
     /// Run-time parameters are symbols with generic values.
@@ -52,9 +53,12 @@ impl GenericSamples {
 
     /// A displacement that is given.
     pub fn position(&mut self, input: Input) {
-        for (sample, part) in self.samples.iter_mut().zip([0.25, -0.41, 0.66]) {
-            sample.insert(input.into(), part * self.reach);
+        // No two displacements may look alike.
+        let shift = 0.137 * self.positions as f64;
+        for (sample, part) in self.samples.iter_mut().zip([0.25f64, -0.41, 0.66]) {
+            sample.insert(input.into(), (part + shift * part.signum()) * self.reach);
         }
+        self.positions += 1;
     }
 
     /// An angle that is given, with its sine and cosine.

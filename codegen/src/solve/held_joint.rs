@@ -13,13 +13,13 @@ use denhart_core::{Chain as NumericChain, Transform as NumericTransform, choice,
 
 use super::loop_chain::LoopChain;
 use super::rank::{self, ToolMotion};
-use super::task::{Goal, Outline, PlanTask};
+use super::task::{Given, Goal, Outline, PlanTask};
 use super::tasks::{pose_of_five, position_axis};
 use super::unsupported::Unsupported;
 use crate::model::chain::Chain;
 use crate::model::geometry::Geometry;
 use crate::model::numeric::Transform;
-use crate::model::{Angle, Axis, Model, Task};
+use crate::model::{Angle, Axis, Model, Redundant, Task};
 
 /// An inverse that holds a joint.
 #[derive(Debug, Clone)]
@@ -120,26 +120,35 @@ pub fn plan(
 
 /// The task of the file and its six joints; `None` if no joint of them can be held.
 fn asked(model: &Model, chain: &Chain, geometry: &Geometry) -> Option<(PlanTask, SixJoints)> {
-    let redundant = model.inverse.redundant;
-    let joints = LoopChain::new(model, chain, geometry.reach, redundant);
+    six_joints(model, chain, geometry, &model.inverse.redundant)
+}
+
+/// The task of the file and the six joints beside those that are given; `None` if no joint of them can be held.
+fn six_joints(
+    model: &Model,
+    chain: &Chain,
+    geometry: &Geometry,
+    given: &Redundant,
+) -> Option<(PlanTask, SixJoints)> {
+    let joints = LoopChain::new(model, chain, geometry.reach, given);
     let (task, joints, addition) = closed(model, joints)?;
-    let whole = addition.to(LoopChain::new(model, chain, geometry.reach, None));
-    let six = SixJoints::of(&whole, redundant, joints.reach)?;
+    let whole = addition.to(LoopChain::new(model, chain, geometry.reach, &Redundant::default()));
+    let six = SixJoints::of(&whole, given, joints.reach)?;
     Some((task, six.gathered()))
 }
 
 /// The task of the file, the chain that has six joints for it, and what was added; `None` if no joint of them can be held.
 fn closed(model: &Model, joints: LoopChain) -> Option<(PlanTask, LoopChain, Addition)> {
     let request = &model.inverse;
-    if request.arm_angle {
+    if joints.given.values.contains(&Given::ArmAngle) {
         return None;
     }
     let candidates = match (request.task, joints.loop_joints.len()) {
-        (None | Some(Task::Pose), 6) => vec![(PlanTask::new(Goal::Pose, joints.given), Addition::Nothing)],
+        (None | Some(Task::Pose), 6) => vec![(PlanTask::new(Goal::Pose, joints.given.clone()), Addition::Nothing)],
         (Some(Task::Pose), 5) => vec![(pose_of_five::task(&joints), Addition::Turn)],
         (None | Some(Task::PositionAxis), 5) => {
             let axes = request.axis.map_or_else(|| vec![Axis::Z, Axis::X, Axis::Y], |axis| vec![axis]);
-            let task = |axis: Axis| PlanTask::new(Goal::PositionAxis { column: axis.column() }, joints.given);
+            let task = |axis: Axis| PlanTask::new(Goal::PositionAxis { column: axis.column() }, joints.given.clone());
             axes.into_iter().map(|axis| (task(axis), Addition::About(axis))).collect()
         }
         _ => Vec::new(),
@@ -185,6 +194,28 @@ pub fn is_covered(model: &Model, joints: LoopChain) -> bool {
     closed(model, joints).is_some()
 }
 
+/// How a joint of six can be held, as far as that is known without a choice of the joint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Holding {
+    /// [`Method::Slides`].
+    Slides,
+    /// [`Method::Meet`].
+    Meet,
+    /// [`Method::General`].
+    General,
+}
+
+/// How the six joints beside those that are given are solved; `None` if no joint of them can be held.
+pub fn holding(model: &Model, chain: &Chain, geometry: &Geometry, given: &Redundant) -> Option<Holding> {
+    let (_, six) = six_joints(model, chain, geometry, given)?;
+    let slides = six.is_prismatic.iter().filter(|slides| **slides).count();
+    Some(match Structure::of(&six.at(&[]), six.known()) {
+        _ if slides == 2 => Holding::Slides,
+        Some(_) => Holding::Meet,
+        None => Holding::General,
+    })
+}
+
 /// Returns true for a chain of six joints with constant links that is not singular everywhere.
 fn can_hold_a_joint(model: &Model, joints: &LoopChain) -> bool {
     let slides = joints.loop_joints.iter().filter(|slot| !slot.revolute).count();
@@ -209,7 +240,7 @@ impl Method {
             let constants = structure.is_constant.then(|| Meet::of(&structure, &ring)).flatten().map(Box::new);
             return Some(Method::Meet { structure, constants });
         }
-        let slides: Vec<bool> = six.links.iter().flat_map(|link| &link.given).map(|joint| joint.is_prismatic).collect();
+        let slides: Vec<bool> = six.given_joints().map(|joint| joint.is_prismatic).collect();
         let cuts = choice::choose_given(&|angle| {
             // A given displacement is a part of the reach, as an angle is a part of half a turn.
             let values: Vec<f64> =
@@ -307,8 +338,8 @@ fn cleaned(link: &Transform, reach: f64) -> Transform {
 }
 
 impl SixJoints {
-    /// The six joints of a chain, of which one is given or none.
-    fn of(whole: &LoopChain, given: Option<usize>, reach: f64) -> Option<Self> {
+    /// The six joints of a chain, of which some are given.
+    fn of(whole: &LoopChain, given: &Redundant, reach: f64) -> Option<Self> {
         let sample = whole.generic.samples().first()?;
         let mut six = SixJoints { links: Vec::new(), solved: Vec::new(), is_prismatic: [false; 6] };
         six.links.push(Link { first: cleaned(&whole.numeric(0, sample), reach), given: Vec::new() });
@@ -319,7 +350,7 @@ impl SixJoints {
             let after = cleaned(&offset.then(&whole.numeric(place + 1, sample)), reach);
             let own = slot.label.arm();
             match own {
-                Some(joint) if given == own => {
+                Some(joint) if given.holds(joint) => {
                     six.links.last_mut()?.given.push(GivenJoint { joint, is_prismatic, offset: slot.offset, after });
                     continue;
                 }
@@ -332,7 +363,7 @@ impl SixJoints {
         (six.links.len() == 7).then_some(six)
     }
 
-    /// The chain with the given joints at their values, in order.
+    /// The chain with the given joints at their values, in the order of the chain.
     pub fn at(&self, given: &[f64]) -> NumericChain<f64> {
         let mut values = given.iter().copied();
         let mut links = [NumericTransform::IDENTITY; 7];
@@ -369,14 +400,19 @@ impl SixJoints {
 
     /// Returns true if a given joint turns by a multiple of a right angle.
     pub fn is_square(&self, given: &[f64]) -> bool {
-        let joints = self.links.iter().flat_map(|link| &link.given).zip(given);
+        let joints = self.given_joints().zip(given);
         let mut turning = joints.filter(|(joint, _)| !joint.is_prismatic);
         turning.any(|(joint, value)| general::is_square(math::sin_cos(*value + joint.offset.rad())))
     }
 
     /// The number of given joints.
     pub fn given(&self) -> usize {
-        self.links.iter().map(|link| link.given.len()).sum()
+        self.given_joints().count()
+    }
+
+    /// The given joints, in the order of the chain.
+    pub fn given_joints(&self) -> impl Iterator<Item = &GivenJoint> {
+        self.links.iter().flat_map(|link| &link.given)
     }
 }
 

@@ -1,10 +1,10 @@
-//! The chain to be closed: the arm's joints, less a given one, and virtual joints for what the task leaves open.
+//! The chain to be closed: the arm's joints, less those that are given, and virtual joints for what the task leaves open.
 
 use super::generic_samples::GenericSamples;
-use super::task::Given;
+use super::task::GivenValues;
 use crate::kinematics;
 use crate::model::chain::{Chain, Elementary};
-use crate::model::{Angle, JointKind, Model};
+use crate::model::{Angle, JointKind, Model, Redundant};
 use crate::symbolic::{ConstantAngle, Expr, Graph, Input, Label, Pair, Part, Rigid};
 
 /// A joint of the closed chain.
@@ -38,15 +38,15 @@ pub struct LoopChain {
     pub links: Vec<Rigid>,
     /// Where the last frame has to be.
     pub target: Rigid,
-    /// The joint whose value is given.
-    pub given: Option<Given>,
+    /// Values given beside the target.
+    pub given: GivenValues,
     /// Reach of the arm.
     pub reach: f64,
 }
 
 impl LoopChain {
-    /// The arm as it is, with the joint whose value is given moved into its link.
-    pub fn new(model: &Model, chain: &Chain, reach: f64, given: Option<usize>) -> LoopChain {
+    /// The arm as it is, with the joints whose values are given moved into their links.
+    pub fn new(model: &Model, chain: &Chain, reach: f64, redundant: &Redundant) -> LoopChain {
         let mut g = Graph::default().with_owner("arm");
         let links: Vec<Rigid> = chain
             .links()
@@ -80,8 +80,10 @@ impl LoopChain {
         };
         let mut generic = GenericSamples::new(reach);
         generic.parameters(&g, model);
-        let mut chain = LoopChain { g, generic, loop_joints, links, target, given: None, reach };
-        if let Some((joint, checked)) = given.and_then(|joint| Some((joint, model.joints.get(joint)?))) {
+        let given = GivenValues::of(redundant, &model.joints);
+        let mut chain = LoopChain { g, generic, loop_joints, links, target, given, reach };
+        // From the last one, so that the places before it are those of the arm.
+        for (joint, checked) in model.joints.iter().enumerate().rev().filter(|(joint, _)| redundant.holds(*joint)) {
             chain.give(joint, checked.row);
         }
         chain
@@ -113,7 +115,6 @@ impl LoopChain {
         if let Some(link) = self.links.get_mut(joint) {
             *link = merged;
         }
-        self.given = Some(Given::Joint { joint, revolute: slot.revolute });
         if slot.revolute { self.generic.angle([value, sin, cos]) } else { self.generic.position(value) }
     }
 

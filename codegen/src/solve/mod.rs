@@ -41,6 +41,6 @@ pub use inverse_plan::InversePlan;
 pub use kernel::{Kernel, Unit};
 pub use margins::{Factor, margins};
 pub use plan::{Branching, Plan, PlanStep, Stage};
-pub use task::{Given, Goal, Outline, PlanTask, SwivelConstants};
-pub use tasks::{plan, takes_a_choice};
+pub use task::{Given, GivenValues, Goal, Outline, PlanTask, SwivelConstants};
+pub use tasks::{Choice, Way, choices, plan, takes_a_choice};
 pub use unsupported::Unsupported;

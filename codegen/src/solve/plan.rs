@@ -2,7 +2,7 @@
 
 use super::kernel::{Kernel, Unit, Variables};
 use super::loop_chain::LoopJoint;
-use super::task::{Given, Outline, PlanTask};
+use super::task::{Outline, PlanTask};
 use crate::model::Angle;
 use crate::model::geometry::{Triple, TripleKind};
 use crate::symbolic::{Expr, Graph, Input, Label, Mat3, Part, Symbol, Unknown, Vec3};
@@ -42,7 +42,7 @@ impl Plan {
 
     /// The leaves that may stand for a part of a joint value: those of its stage, or of what is given.
     pub fn leaves(&self, joint: usize, part: Part) -> Vec<Symbol> {
-        if self.task.given_joint() == Some(joint) {
+        if self.task.given.holds(joint) {
             return vec![Input::given(joint, part).into()];
         }
         Unknown::both(Label::Arm(joint), part).map(Symbol::from).to_vec()
@@ -55,8 +55,11 @@ impl Plan {
 
     /// The leaf that stands for the value of a joint of the arm, from 0.
     pub fn value(&self, joint: usize) -> Symbol {
-        let given = self.task.given_joint() == Some(joint);
-        if given { Input::Given(joint).into() } else { Unknown::of(Label::Arm(joint), Part::Value).into() }
+        if self.task.given.holds(joint) {
+            Input::Given(joint).into()
+        } else {
+            Unknown::of(Label::Arm(joint), Part::Value).into()
+        }
     }
 
     /// The number of a joint of the closed chain among the arm's joints, from 0; `None` for a virtual joint.
@@ -87,7 +90,7 @@ impl Plan {
     /// rounding of the flip's own angles.
     pub fn flip(&self) -> Option<[usize; 3]> {
         let slides = self.loop_joints.iter().any(|slot| !slot.revolute)
-            || matches!(self.task.given, Some(Given::Joint { revolute: false, .. }));
+            || self.task.given.joints().any(|(_, revolute)| !revolute);
         let meets = self.triple.kind == TripleKind::Intersecting && self.missed.is_none();
         let exact = meets && !slides && !self.has_virtual_joint();
         let Some(PlanStep::Stage(Stage { kernel: Kernel::Wrist(_), joints, .. })) = self.steps.last() else {
@@ -104,8 +107,7 @@ impl Plan {
 
     /// The number of the arm's moving joints.
     pub fn joints(&self) -> usize {
-        self.loop_joints.iter().filter(|slot| slot.label.arm().is_some()).count()
-            + usize::from(self.task.given_joint().is_some())
+        self.loop_joints.iter().filter(|slot| slot.label.arm().is_some()).count() + self.task.given.joints().count()
     }
 
     /// The stages, in order.
@@ -141,7 +143,7 @@ impl Plan {
             joints.sort_unstable();
             joints.windows(2).all(|pair| matches!(pair, [a, b] if a + 1 == *b))
         });
-        self.task.given_joint().is_none()
+        self.task.given.joints().next().is_none()
             && adjacent
             && self.stages().count() == self.steps.len()
             && position.len() == 3
@@ -188,6 +190,8 @@ pub enum PlanStep {
     },
     /// The rotation of the upper arm from the arm angle: see the runtime's `swivel`.
     Swivel {
+        /// The first two joints of the shoulder, as places in the closed chain.
+        joints: [usize; 2],
         /// Its leaves, by rows.
         rotation: Mat3,
         /// Description of the rotation.

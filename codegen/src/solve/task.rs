@@ -1,7 +1,7 @@
 //! Tasks of plans, with all that belongs to them.
 
 use crate::model::numeric::Transform;
-use crate::model::{Angle, Task};
+use crate::model::{Angle, Joint, JointKind, Redundant, RedundantValue, Task};
 use crate::symbolic::{AngleSum, Input, Part};
 
 /// Task of a plan, with all that belongs to it.
@@ -9,8 +9,8 @@ use crate::symbolic::{AngleSum, Input, Part};
 pub struct PlanTask {
     /// The task, with its numbers.
     pub goal: Goal,
-    /// Value given beside the target.
-    pub given: Option<Given>,
+    /// Values given beside the target.
+    pub given: GivenValues,
     /// True if the target has more equations than the arm has joints.
     pub overdetermined: bool,
     /// Why an axis before this one is not the one that points, where the file names none.
@@ -57,6 +57,47 @@ pub enum Goal {
     PlanarPosition,
 }
 
+/// Values given beside the target, in the order of the call.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct GivenValues {
+    /// The values.
+    pub values: Vec<Given>,
+    /// True where the call takes an array of them, also of one.
+    pub is_list: bool,
+}
+
+impl GivenValues {
+    /// What a file names, of joints that turn or slide.
+    pub fn of(redundant: &Redundant, joints: &[Joint]) -> Self {
+        let value = |value: &RedundantValue| match value {
+            RedundantValue::ArmAngle => Given::ArmAngle,
+            RedundantValue::Joint(joint) => {
+                let slides = joints.get(*joint).is_some_and(|checked| checked.kind == JointKind::Prismatic);
+                Given::Joint { joint: *joint, revolute: !slides }
+            }
+        };
+        GivenValues { values: redundant.values.iter().map(value).collect(), is_list: redundant.is_list }
+    }
+
+    /// Returns true if nothing is given.
+    pub fn is_empty(&self) -> bool {
+        self.values.is_empty()
+    }
+
+    /// The joints whose values are given, from 0, each with true if it turns.
+    pub fn joints(&self) -> impl Iterator<Item = (usize, bool)> {
+        self.values.iter().filter_map(|given| match given {
+            Given::Joint { joint, revolute } => Some((*joint, *revolute)),
+            Given::ArmAngle => None,
+        })
+    }
+
+    /// Returns true if the value of this joint is given.
+    pub fn holds(&self, joint: usize) -> bool {
+        self.joints().any(|(given, _)| given == joint)
+    }
+}
+
 /// Value given beside the target.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Given {
@@ -74,7 +115,9 @@ pub enum Given {
 /// Constants for the arm angle of a joint vector.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SwivelConstants {
-    /// The shoulder, with the first joint's axis as z, in the base frame.
+    /// The first of the seven joints, from 0.
+    pub first: usize,
+    /// The shoulder, with the first joint's axis as z: in the frame of the link before that joint, else in the base frame.
     pub shoulder: Transform,
     /// The wrist in the frame of the link after the elbow.
     pub wrist: [f64; 3],
@@ -107,16 +150,8 @@ impl Goal {
 
 impl PlanTask {
     /// A task without what only some plans have.
-    pub fn new(goal: Goal, given: Option<Given>) -> Self {
+    pub fn new(goal: Goal, given: GivenValues) -> Self {
         PlanTask { goal, given, overdetermined: false, passed_over: None, swivel: None }
-    }
-
-    /// The joint whose value is given, from 0.
-    pub fn given_joint(&self) -> Option<usize> {
-        match self.given {
-            Some(Given::Joint { joint, .. }) => Some(joint),
-            Some(Given::ArmAngle) | None => None,
-        }
     }
 
     /// The task as the file writes it, with what belongs to it.
@@ -126,10 +161,14 @@ impl PlanTask {
             let axis = ["x", "y", "z"].get(column).copied().unwrap_or_default();
             name += &format!(", axis {axis}");
         }
-        match self.given {
-            Some(Given::ArmAngle) => name += ", arm angle given",
-            Some(Given::Joint { joint, .. }) => name += &format!(", q{} given", joint + 1),
-            None => {}
+        for given in &self.given.values {
+            name += &match given {
+                Given::ArmAngle => ", arm angle".to_owned(),
+                Given::Joint { joint, .. } => format!(", q{}", joint + 1),
+            };
+        }
+        if !self.given.is_empty() {
+            name += " given";
         }
         name
     }
@@ -145,7 +184,7 @@ impl PlanTask {
             Goal::PlanarPose => position(2).chain([Input::Phi, Input::SinPhi, Input::CosPhi]).collect(),
             Goal::PlanarPosition => position(2).collect(),
         };
-        if let Some(Given::Joint { joint, revolute }) = self.given {
+        for (joint, revolute) in self.given.joints() {
             let parts: &[Part] = if revolute { &[Part::Value, Part::Sin, Part::Cos] } else { &[Part::Value] };
             all.extend(parts.iter().map(|part| Input::given(joint, *part)));
         }

@@ -2,7 +2,7 @@
 
 use crate::model::geometry::Geometry;
 use crate::model::numeric::{cross, length};
-use crate::model::{JointKind, Model, Task};
+use crate::model::{JointKind, Model, Task, in_words};
 
 /// The reason, one sentence without a period at its end.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -78,11 +78,16 @@ fn needs(task: Option<Task>) -> usize {
     }
 }
 
+/// How many joints the arm has beyond those that its task needs.
+pub(super) fn spare(model: &Model, task: Option<Task>) -> usize {
+    // The angle of `position_angle` is the sum of all joints but one: none of them can be given.
+    let takes_some = task != Some(Task::PositionAngle);
+    if takes_some { model.joints.len().saturating_sub(needs(task)) } else { 0 }
+}
+
 /// Returns true if the arm has one joint more than its task needs, and the file does not name that joint.
 pub(super) fn is_one_more(model: &Model, task: Option<Task>) -> bool {
-    // The angle of `position_angle` is the sum of all joints but one: none of them can be given.
-    let takes_one = task != Some(Task::PositionAngle);
-    takes_one && model.joints.len() == needs(task) + 1 && model.inverse.redundant.is_none()
+    spare(model, task) == 1 && model.inverse.redundant.is_empty()
 }
 
 /// One joint more than the task needs, and none whose value could be given.
@@ -94,14 +99,15 @@ pub(super) fn none_to_spare(model: &Model, task: Option<Task>) -> Unsupported {
     ))
 }
 
-/// Why the value of no joint can be given: the task needs all of them.
+/// Why the values of these joints cannot be given: the task needs more than are left.
 pub(super) fn not_to_spare(model: &Model, task: Task) -> Option<String> {
-    let given = model.joints.get(model.inverse.redundant?)?;
-    let left = model.joints.len().checked_sub(1)?;
+    let redundant = &model.inverse.redundant;
+    let left = model.joints.len().checked_sub(redundant.values.len()).filter(|_| !redundant.is_empty())?;
     // Some arms of four and five joints have a pose too: those with a joint more are told what theirs lacks.
     let is_fewer = left + 1 == needs(Some(task)) || (task != Task::Pose && left < needs(Some(task)));
     let name = task.name();
-    is_fewer.then(|| format!("`redundant: {}` leaves {}, fewer than `{name}` needs", given.name, counted(left, "")))
+    let names = redundant.written(&model.joints);
+    is_fewer.then(|| format!("`redundant: {names}` leaves {}, fewer than `{name}` needs", counted(left, "")))
 }
 
 /// `5 moving joints`, `1 moving joint`.
@@ -116,17 +122,35 @@ pub(super) fn not_covered(model: &Model, task: Option<Task>) -> Unsupported {
     }
     let joints = model.joints.len();
     let name = task.unwrap_or(Task::Pose).name();
-    let moving = match model.inverse.redundant.and_then(|given| model.joints.get(given)) {
-        Some(given) => {
-            let left = counted(joints.saturating_sub(1), "moving ");
-            format!("the {left} that `redundant: {}` leaves", given.name)
+    let redundant = &model.inverse.redundant;
+    let (given, names) = (redundant.values.len(), redundant.written(&model.joints));
+    let moving = match given {
+        0 => counted(joints, "moving "),
+        given => {
+            let left = counted(joints.saturating_sub(given), "moving ");
+            format!("the {left} that `redundant: {names}` leaves")
         }
-        None => counted(joints, "moving "),
     };
+    let spare = spare(model, task);
     Unsupported::new(match task {
         _ if is_one_more(model, task) => {
             format!(
                 "{joints} moving joints are one more than the task `{name}` needs: name the one whose value is given"
+            )
+        }
+        _ if given == 0 && spare > 1 => {
+            let more = in_words(spare);
+            format!(
+                "{joints} moving joints are {more} more than the task `{name}` needs: name the {more} whose values are \
+                 given"
+            )
+        }
+        _ if given > 0 && spare > given => {
+            let more = in_words(spare - given);
+            format!(
+                "`redundant: {names}` leaves {}, {more} more than `{name}` needs: name {} joints",
+                counted(joints - given, ""),
+                in_words(spare)
             )
         }
         Some(_) => format!("the task `{name}` is not covered for {moving}"),
@@ -136,16 +160,16 @@ pub(super) fn not_covered(model: &Model, task: Option<Task>) -> Unsupported {
 
 /// No triple: which three axes come closest. An axis whose value is given counts in none.
 pub(super) fn no_triple(model: &Model, geometry: &Geometry) -> Unsupported {
-    let held = model.inverse.redundant;
-    let is_held = |first: usize| held.is_some_and(|held| (first..first + 3).contains(&held));
+    let held = &model.inverse.redundant;
+    let is_held = |first: usize| (first..first + 3).any(|joint| held.holds(joint));
     let closest = geometry.misses.iter().filter(|(first, _)| !is_held(*first)).min_by(|a, b| a.1.total_cmp(&b.1));
     let mut reason = "no three consecutive axes meet or are parallel".to_string();
     let named = |first: usize| format!("axes {}, {}, {}", first + 1, first + 2, first + 3);
-    let broken = geometry.triples.iter().find(|triple| is_held(triple.first));
-    if let Some((triple, joint)) = broken.zip(held.and_then(|held| model.joints.get(held))) {
+    if let Some(triple) = geometry.triples.iter().find(|triple| is_held(triple.first)) {
         let slides = model.joints.iter().skip(triple.first).take(3).any(|j| j.kind == JointKind::Prismatic);
         let (three, what) = (named(triple.first), triple.kind.words(slides));
-        reason += &format!(" where `redundant: {}` holds one of {three}, which {what}", joint.name);
+        let names = held.written(&model.joints);
+        reason += &format!(" where `redundant: {names}` holds one of {three}, which {what}");
     }
     let nearly = nearly_parallel(model, geometry, is_held);
     match (nearly, closest) {

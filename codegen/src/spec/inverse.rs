@@ -49,8 +49,8 @@ pub struct InverseSpec {
     pub task: Option<Task>,
     /// True if an arm without an inverse is a mistake.
     pub require: bool,
-    /// The joint whose value is given: its name, or `qK`.
-    pub redundant: Option<(String, Place)>,
+    /// The values that are given beside the target.
+    pub redundant: Option<RedundantSpec>,
     /// The tool's axis for [`Task::PositionAxis`].
     pub axis: Option<Axis>,
     /// Length unit of the file, positive.
@@ -61,6 +61,17 @@ pub struct InverseSpec {
     pub weights: Option<WeightsSpec>,
     /// Where the request stands: at `task`, or else at `inverse`. `None` where there is no request.
     pub place: Option<Place>,
+}
+
+/// `redundant` as written: a joint's name, `qK` or `arm_angle`, or a list of them.
+#[derive(Debug, Clone)]
+pub struct RedundantSpec {
+    /// The names in order.
+    pub names: Vec<(String, Place)>,
+    /// True for a list, also of one name.
+    pub is_list: bool,
+    /// Where the name or the list stands.
+    pub place: Place,
 }
 
 const KEYS: &[&str] = &["task", "require", "redundant", "axis", "tolerance", "weights"];
@@ -109,15 +120,7 @@ impl Reader<'_> {
         }
         inverse.require = fields.get("require").and_then(|field| self.boolean(&field)).unwrap_or(false);
         if let Some(field) = fields.get("redundant").filter(|field| *field.node != Node::Null) {
-            let number = matches!(field.node, Node::Number(_)).then(|| self.source.written(&field.place));
-            match number {
-                Some(number) => self.unexpected(&field, "a joint's name", Some(format!("did you mean `q{number}`?"))),
-                None => {
-                    inverse.redundant = self
-                        .text(&field, "a joint's name", "name the joint whose value is given, such as `redundant: q3`")
-                        .map(|name| (name, field.place))
-                }
-            }
+            inverse.redundant = self.redundant(&field);
         }
         if let Some(field) = fields.get("axis") {
             inverse.axis = self.choice(&field, AXES, &[]);
@@ -132,6 +135,32 @@ impl Reader<'_> {
         }
         inverse.weights = fields.get("weights").and_then(|field| self.weights(&field));
         inverse
+    }
+
+    fn redundant(&mut self, field: &Field<'_>) -> Option<RedundantSpec> {
+        let help = "name the joint whose value is given, such as `redundant: q3`, or several: `redundant: [q1, q4]`";
+        let place = field.place.clone();
+        let Node::List(nodes) = field.node else {
+            let names = vec![self.joint_name(field, help)?];
+            return Some(RedundantSpec { names, is_list: false, place });
+        };
+        if nodes.is_empty() {
+            self.unexpected(field, "joints' names", Some(help.to_owned()));
+        }
+        let entries = field.items(nodes);
+        let names: Vec<_> = entries.iter().filter_map(|entry| self.joint_name(entry, help)).collect();
+        // A list that lacks an entry would leave too many joints: a second mistake that is none.
+        (!names.is_empty() && names.len() == entries.len()).then_some(RedundantSpec { names, is_list: true, place })
+    }
+
+    /// A joint's name. A number is none.
+    fn joint_name(&mut self, field: &Field<'_>, help: &str) -> Option<(String, Place)> {
+        if matches!(field.node, Node::Number(_)) {
+            let number = self.source.written(&field.place);
+            self.unexpected(field, "a joint's name", Some(format!("did you mean `q{number}`?")));
+            return None;
+        }
+        self.text(field, "a joint's name", help).map(|name| (name, field.place.clone()))
     }
 
     fn tolerance(&mut self, field: &Field<'_>, unit: Option<AngleUnit>, inverse: &mut InverseSpec) {

@@ -33,7 +33,7 @@ pub use angle_field::looks_like_radians;
 pub use combined_limits::CombinedLimitSpec;
 pub use coupling::{CouplingSpec, Factor, MotorSpec, TermSpec};
 pub use frame::FrameSpec;
-pub use inverse::{Axis, InverseSpec, Task};
+pub use inverse::{Axis, InverseSpec, RedundantSpec, Task};
 pub use length::Length;
 pub use nearest::nearest;
 pub use parameter::ParameterSpec;

@@ -320,6 +320,9 @@ fn frames_and_requests() {
     more_mistake("base: [1, 2, 3]\n", "6:7", &["expected a mapping with xyz, rpy"]);
     more_mistake("inverse: pose\n", "6:10", &["write `inverse: {task: pose}`"]);
     more_mistake("inverse: {redundant: 3}\n", "6:22", &["did you mean `q3`?"]);
+    more_mistake("inverse: {redundant: [q1, 3]}\n", "6:27", &["did you mean `q3`?"]);
+    more_mistake("inverse: {redundant: []}\n", "6:22", &["expected joints' names", "such as `redundant: q3`"]);
+    more_mistake("inverse: {redundant: [[q1]]}\n", "6:23", &["expected a joint's name"]);
     more_mistake("inverse: {require: maybe}\n", "6:20", &["true or false"]);
     more_mistake("inverse: {tolerance: {length: 0}}\n", "6:31", &["greater than zero"]);
     more_mistake("inverse: {tolerance: {angle: -pi}}\n", "6:30", &["greater than zero"]);

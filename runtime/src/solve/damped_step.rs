@@ -17,7 +17,7 @@ pub(super) struct Step<T, const N: usize> {
 /// The step that minimizes `|J step - error|^2 + damping |step|^2`, and that minimum. J is reflected (Householder 1958)
 /// into the triangle that starts as `sqrt(damping) I`. Unlike the normal equations this keeps singular values down to
 /// the rounding of J itself, which is what the steps near a fold need. Joints that are `held` stay. A step that
-/// overflows has a `square` that is not finite.
+/// overflows has a `square` that is not finite. At most seven joints are not held.
 #[inline(never)]
 pub(super) fn damped_step<T: Tolerances, const N: usize>(
     held: JointMask,
@@ -25,7 +25,40 @@ pub(super) fn damped_step<T: Tolerances, const N: usize>(
     error: &[T; 6],
     damping: T,
 ) -> Step<T, N> {
-    const { assert!(N <= 7, "a line of the triangle has at most six entries beside the diagonal") };
+    if N <= MOST_MOVING {
+        return step(held, jacobian, error, damping);
+    }
+    // Those that move in front, so that each has a place in the lines of those before it.
+    let mut columns = [[T::ZERO; 6]; N];
+    let moving = || (0..N).filter(|joint| !held.contains(*joint));
+    let mut behind = JointMask::NONE;
+    for (place, column) in columns.iter_mut().enumerate() {
+        match moving().nth(place).and_then(|joint| jacobian.get(joint)) {
+            Some(own) => *column = *own,
+            None => behind |= JointMask::single(place),
+        }
+    }
+    let packed = step(behind, &columns, error, damping);
+    let mut changes = [T::ZERO; N];
+    for (joint, change) in moving().zip(packed.changes) {
+        if let Some(place) = changes.get_mut(joint) {
+            *place = change;
+        }
+    }
+    Step { changes, ..packed }
+}
+
+/// A line of the triangle has six entries beside the diagonal.
+const MOST_MOVING: usize = 7;
+
+/// The step, of at most [`MOST_MOVING`] joints in front that are not held.
+#[inline(always)]
+fn step<T: Tolerances, const N: usize>(
+    held: JointMask,
+    jacobian: &[[T; 6]; N],
+    error: &[T; 6],
+    damping: T,
+) -> Step<T, N> {
     // A line of the triangle takes the place of its column.
     let (mut columns, mut error) = (*jacobian, *error);
     let mut changes = [T::ZERO; N];
@@ -130,6 +163,10 @@ mod tests {
                 is_least::<6>(held, damping);
                 is_least::<7>(held, damping);
             }
+            let held = JointMask::single(0) | JointMask::single(4) | JointMask::single(9);
+            is_least::<10>(held, damping);
+            is_least::<10>(held | JointMask::single(5), damping);
+            is_least::<8>(JointMask::single(7), damping);
         }
     }
 

@@ -22,22 +22,22 @@ pub struct Generated {
     pub(super) inverse: Option<Box<dyn Inverse>>,
 }
 
-/// The generated inverse. `given`: the value beside the target, if there is one.
+/// The generated inverse. `given`: the values beside the target.
 pub(super) trait Inverse {
-    fn all(&self, target: &DynamicTarget, given: Option<f64>) -> Answer;
-    fn near(&self, target: &DynamicTarget, given: Option<f64>, q_ref: &[f64]) -> Answer;
+    fn all(&self, target: &DynamicTarget, given: &[f64]) -> Answer;
+    fn near(&self, target: &DynamicTarget, given: &[f64], q_ref: &[f64]) -> Answer;
     /// `near` and `all` into one list, one after the other.
-    fn kept(&self, target: &DynamicTarget, given: Option<f64>, q_ref: &[f64]) -> [Answer; 2];
-    fn branch(&self, target: &DynamicTarget, given: Option<f64>, branch: Branch) -> Option<Result<Bits, (u8, u64)>>;
-    fn residual(&self, target: &DynamicTarget, given: Option<f64>, q: &[f64]) -> [u64; 2];
+    fn kept(&self, target: &DynamicTarget, given: &[f64], q_ref: &[f64]) -> [Answer; 2];
+    fn branch(&self, target: &DynamicTarget, given: &[f64], branch: Branch) -> Option<Result<Bits, (u8, u64)>>;
+    fn residual(&self, target: &DynamicTarget, given: &[f64], q: &[f64]) -> [u64; 2];
     /// The numbers of the target at `q`, and of the target that is expected there.
-    fn target_at(&self, target: &DynamicTarget, given: Option<f64>, q: &[f64]) -> [Vec<u64>; 2];
+    fn target_at(&self, target: &DynamicTarget, given: &[f64], q: &[f64]) -> [Vec<u64>; 2];
 }
 
 /// A target as a generated arm takes it.
 pub trait Typed: Clone + Debug {
-    /// Converts a target; `given`: the value beside it.
-    fn typed(target: &DynamicTarget, given: Option<f64>) -> Self;
+    /// Converts a target; `given`: the values beside it.
+    fn typed(target: &DynamicTarget, given: &[f64]) -> Self;
     /// Its numbers.
     fn bits(&self) -> Vec<u64>;
 }
@@ -45,9 +45,9 @@ pub trait Typed: Clone + Debug {
 macro_rules! typed {
     ($($Variant:ident($Target:ty), |$target:ident| $numbers:expr;)*) => {$(
         impl Typed for $Target {
-            fn typed(target: &DynamicTarget, given: Option<f64>) -> Self {
+            fn typed(target: &DynamicTarget, given: &[f64]) -> Self {
                 match (target, given) {
-                    (DynamicTarget::$Variant(target), None) => *target,
+                    (DynamicTarget::$Variant(target), []) => *target,
                     (other, given) => panic!("the evaluated arm asks for `{}` and {given:?}", other.task()),
                 }
             }
@@ -70,12 +70,23 @@ typed! {
 }
 
 impl<T: Typed> Typed for (T, f64) {
-    fn typed(target: &DynamicTarget, given: Option<f64>) -> Self {
-        (T::typed(target, None), given.expect("the evaluated arm takes a value beside the target"))
+    fn typed(target: &DynamicTarget, given: &[f64]) -> Self {
+        let [value] = given else { panic!("the evaluated arm takes one value beside the target") };
+        (T::typed(target, &[]), *value)
     }
 
     fn bits(&self) -> Vec<u64> {
         [self.0.bits(), vec![bits::number(self.1)]].concat()
+    }
+}
+
+impl<T: Typed, const K: usize> Typed for (T, [f64; K]) {
+    fn typed(target: &DynamicTarget, given: &[f64]) -> Self {
+        (T::typed(target, &[]), given.try_into().expect("as many values as the list has joints"))
+    }
+
+    fn bits(&self) -> Vec<u64> {
+        [self.0.bits(), bits::numbers(self.1)].concat()
     }
 }
 
@@ -91,28 +102,28 @@ fn of_joints<R: 'static, B: 'static, const N: usize>(call: fn(&[f64; N]) -> R, b
 struct OfSize<T, const N: usize>(Box<dyn inverse::Inverse<N, Target = T>>);
 
 impl<T: Typed, const N: usize> Inverse for OfSize<T, N> {
-    fn all(&self, target: &DynamicTarget, given: Option<f64>) -> Answer {
+    fn all(&self, target: &DynamicTarget, given: &[f64]) -> Answer {
         bits::answer(&self.0.all(&T::typed(target, given)))
     }
 
-    fn near(&self, target: &DynamicTarget, given: Option<f64>, q_ref: &[f64]) -> Answer {
+    fn near(&self, target: &DynamicTarget, given: &[f64], q_ref: &[f64]) -> Answer {
         bits::answer(&self.0.near(&T::typed(target, given), array(q_ref)))
     }
 
-    fn kept(&self, target: &DynamicTarget, given: Option<f64>, q_ref: &[f64]) -> [Answer; 2] {
+    fn kept(&self, target: &DynamicTarget, given: &[f64], q_ref: &[f64]) -> [Answer; 2] {
         self.0.kept(&T::typed(target, given), array(q_ref)).map(|answer| bits::answer(&answer))
     }
 
-    fn branch(&self, target: &DynamicTarget, given: Option<f64>, branch: Branch) -> Option<Result<Bits, (u8, u64)>> {
+    fn branch(&self, target: &DynamicTarget, given: &[f64], branch: Branch) -> Option<Result<Bits, (u8, u64)>> {
         let one = self.0.branch(&T::typed(target, given), branch)?;
         Some(one.map(|solution| bits::solution(&solution)).map_err(bits::status))
     }
 
-    fn residual(&self, target: &DynamicTarget, given: Option<f64>, q: &[f64]) -> [u64; 2] {
+    fn residual(&self, target: &DynamicTarget, given: &[f64], q: &[f64]) -> [u64; 2] {
         bits::residual(&self.0.residual(&T::typed(target, given), array(q)))
     }
 
-    fn target_at(&self, target: &DynamicTarget, given: Option<f64>, q: &[f64]) -> [Vec<u64>; 2] {
+    fn target_at(&self, target: &DynamicTarget, given: &[f64], q: &[f64]) -> [Vec<u64>; 2] {
         [self.0.target_at(array(q)), T::typed(target, given)].map(|target| target.bits())
     }
 }

@@ -66,7 +66,7 @@ pub fn compare(name: &str, arm: &DynamicArm, generated: &Generated) {
         assert_eq!(margins, (generated.margins)(&q), "margins, {}", at());
         if let Some(inverse) = &generated.inverse {
             let target = arm.target_at(&q).unwrap();
-            let [generated, expected] = inverse.target_at(&target, arm.held(&q).unwrap(), &q);
+            let [generated, expected] = inverse.target_at(&target, &arm.held(&q).unwrap(), &q);
             assert_eq!(generated, expected, "target, {}", at());
             let missed = arm.residual(&q, &target).unwrap();
             assert!(missed.position == 0.0 && missed.orientation < AT_TARGET, "{target:?} by {missed}, {}", at());
@@ -88,13 +88,13 @@ fn ask(
     q: &[f64],
     random: &mut Random,
 ) -> usize {
-    let given = arm.held(q).unwrap();
+    let given = &arm.held(q).unwrap();
     let solutions = arm.inverse(target, given).unwrap();
     assert_eq!(bits::listed(&solutions), generated.all(target, given), "inverse, {case}");
     let beside: Vec<f64> = q.iter().map(|q| q + random.uniform(-0.3, 0.3)).collect();
     for reference in [q, &beside] {
         let near = bits::listed(&arm.inverse_near(target, reference).unwrap());
-        let held = arm.held(reference).unwrap();
+        let held = &arm.held(reference).unwrap();
         assert_eq!(near, generated.near(target, held, reference), "inverse_near, {case}");
         let kept = generated.kept(target, given, reference);
         assert_eq!(kept, [generated.near(target, given, reference), generated.all(target, given)], "one list, {case}");

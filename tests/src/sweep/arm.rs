@@ -7,7 +7,7 @@ use denhart_dynamic::DynamicArm;
 
 use crate::inverse::Evaluated;
 use crate::subject::{Subject, length};
-use crate::task::{Kind, Task};
+use crate::task::{self, Kind, Task};
 
 /// The chain of a model, every parameter at the value of the file.
 pub fn chain(model: &Model) -> (Chain, [DhFrame; 2]) {
@@ -58,15 +58,16 @@ fn inverse(arm: &DynamicArm) -> Option<&Inverse> {
     arm.program().inverse.as_ref().ok().filter(|_| arm.task().is_ok())
 }
 
-/// The task of an arm whose value beside the target is that of a joint, if any.
+/// The task of an arm whose values beside the target are those of joints, if any.
 pub fn task(arm: &DynamicArm) -> Option<Task> {
     let (kind, inverse) = (kind(arm)?, inverse(arm)?);
     let task = Task { holds_a_joint: inverse.held_joint.is_some(), ..Task::new(kind) };
-    match inverse.given {
-        None => Some(task),
-        Some(Given::Joint { joint, .. }) => Some(Task { given: Some(joint), ..task }),
-        Some(Given::ArmAngle) => None,
-    }
+    let joint = |given: &Given| match given {
+        Given::Joint { joint, .. } => Some(*joint),
+        Given::ArmAngle => None,
+    };
+    let joints: Option<Vec<usize>> = inverse.given.values.iter().map(joint).collect();
+    Some(Task { given: task::Given::of(joints?, 0), ..task })
 }
 
 /// The arm under test, and its inverse to be asked for what is no joint vector's pose; `None` without an inverse.

@@ -5,7 +5,7 @@
 //! the suites: [`recover`](crate::recover), [`boundary`](crate::boundary), [`bad_targets`](crate::bad_targets),
 //! [`effort`](crate::effort). Everything comes from the seed and the index of the arm, whatever thread does it.
 
-pub(crate) mod arm;
+pub mod arm;
 mod beside;
 mod draw;
 mod examine;

@@ -4,8 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Lists of the suites that compare every arm of theirs; `main.rs` those that no other suite has.
-const LISTS: [&str; 7] = [
+const LISTS: [&str; 8] = [
     "tests/tasks",
+    "tests/given",
     "tests/held_joint",
     "tests/parameters/arms.rs",
     "tests/parameters/kernel_arms.rs",

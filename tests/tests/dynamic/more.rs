@@ -89,7 +89,7 @@ fn arm_angle() {
         let q = random(&mut seed);
         assert_eq!(bits::number(arm.arm_angle(&q).unwrap()), bits::number(Swung.arm_angle(&q)));
     }
-    assert_eq!(arm.given(), Ok(Some("the arm angle".to_owned())));
+    assert_eq!(arm.given(), Ok(vec!["the arm angle".to_owned()]));
 }
 
 arm! { Ten TEN "
@@ -123,10 +123,11 @@ fn what_is_asked_wrongly_is_refused() {
     let (arm, redundant) = (spec("ur5"), spec("kuka_iiwa7_r800"));
     let target = arm.target_at(&[0.3; 6]).unwrap();
     assert_eq!(arm.forward(&[0.0; 5]), Err(DynamicError::Joints { expected: 6, found: 5 }));
-    assert_eq!(arm.inverse(&target, Some(0.0)), Err(DynamicError::NothingGiven));
-    assert!(matches!(redundant.inverse(&target, None), Err(DynamicError::Given(_))));
+    assert_eq!(arm.inverse(&target, &[0.0]), Err(DynamicError::Given { expected: Vec::new(), found: 1 }));
+    let missing = redundant.inverse(&target, &[]).unwrap_err();
+    assert_eq!(missing.to_string(), "the inverse takes 1 value (q3) beside the target, not 0");
     let point = DynamicTarget::Position([0.1; 3]);
-    assert_eq!(arm.inverse(&point, None), Err(DynamicError::Target { expected: "pose", found: "position" }));
+    assert_eq!(arm.inverse(&point, &[]), Err(DynamicError::Target { expected: "pose", found: "position" }));
     assert!(matches!(DynamicArm::from_yaml("name: x\n"), Err(DynamicError::Mistakes(_))));
     assert!(matches!(DynamicArm::from_file("no/such.yaml"), Err(DynamicError::Read(_))));
 }

@@ -88,6 +88,8 @@ exported! {
         12 |at| words(*at), |w, _given| of_words(w), zero, motor!();
     pose_with_a_joint_given: "../specs/kuka_iiwa7_r800.yaml" f32 "f32" "kuka_iiwa7_r800" ["-DGIVEN=given,"]
         12 |at| words(at.0), |w, given| (of_words(w), given), |arm, q| InverseKinematics::target_at(arm, q).1, nothing;
+    pose_with_a_list_given: "arms/given/iiwa_list_of_one.yaml" f64 "f64" "iiwa_list_of_one" ["-DGIVEN=(const real[]){given},"]
+        12 |at| words(at.0), |w, given| (of_words(w), [given]), |arm, q| InverseKinematics::target_at(arm, q).1[0], nothing;
     pose_with_the_arm_angle_given: "tests/export_c/iiwa.yaml" f64 "f64" "arm_7_iiwa" ["-DGIVEN=given," "-DHAS_ARM_ANGLE"]
         12 |at| words(at.0), |w, given| (of_words(w), given), |arm, q| InverseKinematics::target_at(arm, q).1,
         |arm, q| format!(" | 0{}", shown(&[arm.arm_angle(q)]));

@@ -4,7 +4,7 @@
 
 use denhart_codegen::lower::Goal;
 
-use crate::export::arm::{ARM_ANGLE, Arm, Inverse};
+use crate::export::arm::{Arm, Inverse};
 
 /// An argument: its name, and the type in Rust that it points to.
 type Argument = (&'static str, &'static str);
@@ -12,6 +12,7 @@ type Argument = (&'static str, &'static str);
 const Q: Argument = ("q", "[Real; JOINTS]");
 const MOTOR: Argument = ("motor", "[Real; JOINTS]");
 const PULSES: Argument = ("pulses", "[i32; JOINTS]");
+const GIVEN: Argument = ("given", "[Real; GIVEN]");
 const POSE: Argument = ("pose", "Pose");
 const JACOBIAN: Argument = ("jacobian", "Jacobian");
 
@@ -82,7 +83,7 @@ pub fn text(arm: &Arm<'_>) -> String {
     let mut functions = kinematics();
     if let Some(inverse) = &arm.inverse {
         functions.extend(self::inverse(inverse));
-        if inverse.given.as_ref().is_some_and(|(name, _)| name == ARM_ANGLE) {
+        if inverse.takes_arm_angle() {
             let body = "arm_angle.write(Robot.arm_angle(&q));\nOK";
             functions.push(Function::new("arm_angle", &[Q], &[("arm_angle", "Real")], body));
         }
@@ -96,7 +97,10 @@ pub fn text(arm: &Arm<'_>) -> String {
         functions.push(Function { optional: Some(("saturated", "u16")), ..to });
         functions.push(Function::new("from_pulses", &[PULSES], &[Q], "q.write(Robot.from_pulses(&pulses));\nOK"));
     }
-    functions.iter().map(Function::text).collect()
+    let functions: String = functions.iter().map(Function::text).collect();
+    let list = arm.inverse.as_ref().filter(|inverse| inverse.given_is_list);
+    let count = list.map(|inverse| format!("\nconst GIVEN: usize = {};\n", inverse.given.len()));
+    count.unwrap_or_default() + &functions
 }
 
 fn kinematics() -> Vec<Function> {
@@ -127,17 +131,24 @@ fn inverse(inverse: &Inverse) -> Vec<Function> {
     };
     let meant = &made(rust, "target");
     let target = ("target", kind);
-    let given = inverse.given.as_ref().map(|(name, _)| name.clone());
-    let beside = given.as_ref().map_or_else(String::new, |name| format!(", {name}"));
+    let given = inverse.given_number().map(|(name, _)| name.clone());
+    let list = inverse.given_is_list.then_some(GIVEN);
+    let beside = match (&given, list) {
+        (Some(name), _) => format!(", {name}"),
+        (None, Some((name, _))) => format!(", {name}"),
+        (None, None) => String::new(),
+    };
+    let inputs =
+        |behind: Option<Argument>| -> Vec<Argument> { [target].into_iter().chain(list).chain(behind).collect() };
     let listed = |call: &str| {
         format!("let found = Robot.{call};\nsolutions.write(Solutions::of(&found));\nstatus(found.status()).0")
     };
     let solutions = [("solutions", "Solutions")];
-    let all = Function::new("inverse", &[target], &solutions, &listed(&format!("inverse(&{meant}{beside})")));
+    let all = Function::new("inverse", &inputs(None), &solutions, &listed(&format!("inverse(&{meant}{beside})")));
     let near = listed(&format!("inverse_near(&{meant}, &q_ref)"));
     let near = Function::new("inverse_near", &[target, ("q_ref", Q.1)], &solutions, &near);
     let one = BRANCH.replace("@meant@", meant).replace("@beside@", &beside);
-    let one = Function::new("inverse_branch", &[target, ("branch", "Branch")], &[("solution", "Solution")], &one);
+    let one = Function::new("inverse_branch", &inputs(Some(("branch", "Branch"))), &[("solution", "Solution")], &one);
     let at = format!("let at = Robot.target_at(&q);\ntarget.write({});\nOK", made(kind, "at"));
     let at = Function::new("target_at", &[Q], &[target], &at);
     let one = Function { given: given.clone(), optional: Some(("gap", "Real")), ..one };

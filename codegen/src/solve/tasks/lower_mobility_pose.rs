@@ -17,7 +17,7 @@ use crate::symbolic::Expr;
 /// A whole pose for a yaw joint, three pitch joints and perhaps a roll joint: more equations than joints.
 pub fn yawing(chain: LoopChain) -> Result<Plan, Unsupported> {
     rank::check(&chain, rank::ToolMotion::Pose)?;
-    let task = PlanTask::new(Goal::Pose, chain.given);
+    let task = PlanTask::new(Goal::Pose, chain.given.clone());
     let rolls = chain.loop_joints.len() == 5;
     let triple = Triple { first: 1, kind: TripleKind::Parallel };
     let mut c = LoopClosure::new(chain, triple);
@@ -69,7 +69,7 @@ pub fn yawing(chain: LoopChain) -> Result<Plan, Unsupported> {
 /// A pose for three joints that move in a plane, and a prismatic one across it.
 pub fn upright(chain: LoopChain) -> Result<Plan, Unsupported> {
     let chain = prismatic_last(chain)?;
-    let task = PlanTask::new(Goal::Pose, chain.given);
+    let task = PlanTask::new(Goal::Pose, chain.given.clone());
     let triple = Triple { first: 0, kind: TripleKind::Parallel };
     let mut c = LoopClosure::new(chain, triple);
     let flange = c.link(3).back;

@@ -1,5 +1,7 @@
 //! The tasks: each becomes a closed chain in its own file. Here is which one an arm gets.
 
+mod choices;
+mod lists;
 mod lower_mobility_pose;
 mod planar;
 mod pose;
@@ -8,6 +10,8 @@ mod position;
 mod position_angle;
 pub(super) mod position_axis;
 mod yaw;
+
+pub use choices::{Choice, Way, choices};
 
 use super::held_joint;
 use super::inverse_plan::InversePlan;
@@ -19,7 +23,7 @@ use super::task::Goal;
 use super::unsupported::{self, Alternative, Unsupported};
 use crate::model::chain::Chain;
 use crate::model::geometry::{self, Geometry};
-use crate::model::{Convention, Model, Task};
+use crate::model::{Convention, Model, Redundant, Task};
 
 /// The plan for the task of the file, or for the most specific task the arm can do. Without stages, six joints, virtual ones
 /// among them, are solved with one joint held.
@@ -41,13 +45,13 @@ pub fn takes_a_choice(model: &Model, chain: &Chain, geometry: &Geometry) -> bool
 /// The plan in stages.
 fn in_stages(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, Unsupported> {
     let request = &model.inverse;
-    let joints = LoopChain::new(model, chain, geometry.reach, request.redundant);
-    if request.arm_angle {
+    let joints = LoopChain::new(model, chain, geometry.reach, &request.redundant);
+    if request.redundant.has_arm_angle() {
         return match request.task {
             _ if !model.parameters.is_empty() => Err(Unsupported::new(
                 "an arm angle needs lengths known when the code is generated, not run-time parameters",
             )),
-            None | Some(Task::Pose) => swivel::plan(joints, chain),
+            None | Some(Task::Pose) => swivel::plan(joints, model, chain),
             Some(_) => Err(Unsupported::new("an arm angle belongs to the task `pose`")),
         };
     }
@@ -64,7 +68,7 @@ fn in_stages(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, 
                     // A whole pose is more than most arms of five joints can do: what they lack is told of the next task.
                     Err(_) if task == Task::Pose && joints.loop_joints.len() == 5 => {}
                     // The file gives a joint's value, and this task takes none: what is wrong is told of the next task.
-                    Err(_) if task == Task::PositionAngle && joints.given.is_some() => {}
+                    Err(_) if task == Task::PositionAngle && !joints.given.is_empty() => {}
                     Err(unsupported) => failure = failure.or(Some(unsupported)),
                 }
             }
@@ -82,6 +86,7 @@ fn in_stages(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, 
     if alternatives.is_empty() && unsupported::is_one_more(model, request.task) {
         alternatives = givable(model, chain, geometry);
     }
+    alternatives.extend(lists::alternatives(model, chain, geometry));
     if alternatives.is_empty() && unsupported::is_one_more(model, request.task) {
         return Err(unsupported::none_to_spare(model, request.task));
     }
@@ -98,7 +103,7 @@ fn other_convention(model: &Model, own: &LoopChain) -> Option<String> {
     let other = Model { convention, ..model.clone() };
     let chain = Chain::of(&other);
     let geometry = geometry::geometry(&other, &chain);
-    let joints = LoopChain::new(&other, &chain, geometry.reach, model.inverse.redundant);
+    let joints = LoopChain::new(&other, &chain, geometry.reach, &model.inverse.redundant);
     let tasks = model.inverse.task.map_or_else(|| most_specific_first(&joints), |task| vec![task]);
     let solved = tasks.into_iter().find(|task| attempt(*task, &other, &geometry, &joints).is_ok());
     let is_singular = |joints: &LoopChain| rank::check(joints, rank::ToolMotion::Pose).is_err();
@@ -146,8 +151,10 @@ fn attempt(task: Task, model: &Model, geometry: &Geometry, joints: &LoopChain) -
 
 /// The reason where the file gives a joint's value that its arm needs: without `redundant` there is an inverse.
 fn spared(model: &Model, chain: &Chain, geometry: &Geometry) -> Option<Unsupported> {
-    model.inverse.redundant.filter(|_| model.inverse.task.is_none())?;
-    let joints = LoopChain::new(model, chain, geometry.reach, None);
+    if model.inverse.redundant.is_empty() || model.inverse.task.is_some() {
+        return None;
+    }
+    let joints = LoopChain::new(model, chain, geometry.reach, &Redundant::default());
     let task =
         most_specific_first(&joints).into_iter().find(|task| attempt(*task, model, geometry, &joints).is_ok())?;
     unsupported::not_to_spare(model, task).map(Unsupported::new)
@@ -155,9 +162,9 @@ fn spared(model: &Model, chain: &Chain, geometry: &Geometry) -> Option<Unsupport
 
 /// The joints that leave a chain of six whose inverse holds a joint, where a value is to be given.
 fn givable(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<Alternative> {
-    let others = model.joints.iter().enumerate().filter(|(joint, _)| Some(*joint) != model.inverse.redundant);
+    let others = model.joints.iter().enumerate();
     let leaves = |joint: &usize| {
-        let joints = LoopChain::new(model, chain, geometry.reach, Some(*joint));
+        let joints = LoopChain::new(model, chain, geometry.reach, &Redundant::of(&[*joint]));
         held_joint::is_covered(model, joints)
     };
     let found = others.filter(|(joint, _)| leaves(joint));
@@ -166,45 +173,47 @@ fn givable(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<Alternative
 
 /// The tasks, or the joints to give, with which this arm has an inverse.
 fn alternatives(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<Alternative> {
-    let works = |task: Task, given: Option<usize>| {
+    let request = &model.inverse;
+    let works = |task: Task, given: &Redundant| {
         let joints = LoopChain::new(model, chain, geometry.reach, given);
         attempt(task, model, geometry, &joints).is_ok()
     };
-    let request = &model.inverse;
+    let (none, own) = (Redundant::default(), &request.redundant);
     let tasks =
         [Task::Pose, Task::PositionAxis, Task::PositionAngle, Task::Position, Task::PlanarPose, Task::PlanarPosition];
     let name_of = |joint: usize| model.joints.get(joint).map(|joint| joint.name.as_str());
-    let redundant = request.redundant.and_then(name_of);
+    let redundant = (!own.is_empty()).then(|| own.written(&model.joints));
     let mut found: Vec<Alternative> = tasks
         .into_iter()
-        .filter(|task| Some(*task) != request.task && works(*task, request.redundant))
-        .map(|task| Alternative::new(format!("`task: {}`", task.name()), Some(task), redundant))
+        .filter(|task| Some(*task) != request.task && works(*task, own))
+        .map(|task| Alternative::new(format!("`task: {}`", task.name()), Some(task), redundant.as_deref()))
         .collect();
-    let working = |given: Option<usize>, named: Option<Task>| {
+    let working = |given: &Redundant, named: Option<Task>| {
         tasks.into_iter().find(|task| named.is_none_or(|named| named == *task) && works(*task, given))
     };
     let other = |task: Task| Some(task).filter(|task| *task != request.task.unwrap_or(Task::Pose));
     // A joint's value that need not be given at all: no other one is proposed.
-    let spares = request.redundant.and_then(|_| working(None, request.task));
-    let others = (0..model.joints.len()).filter(|joint| Some(*joint) != request.redundant && spares.is_none());
+    let spares = redundant.as_ref().and_then(|_| working(&none, request.task));
+    let is_own = |joint: usize| *own == Redundant::of(&[joint]);
+    let others = (0..model.joints.len()).filter(|joint| !is_own(*joint) && spares.is_none());
     let others: Vec<(usize, &str)> = others.filter_map(|joint| Some((joint, name_of(joint)?))).collect();
     found.extend(others.iter().filter_map(|(joint, name)| {
-        let task = working(Some(*joint), request.task)?;
+        let task = working(&Redundant::of(&[*joint]), request.task)?;
         Some(Alternative::new(format!("`redundant: {name}`"), Some(task), Some(name)).of(other(task)))
     }));
     // The reason names the task of an arm that needs all of its joints.
     let spared = |task| Alternative::new("leaving out `redundant`".to_owned(), Some(task), None);
     found.extend(spares.map(spared));
     let swings =
-        !request.arm_angle && model.parameters.is_empty() && request.task.is_none_or(|task| task == Task::Pose) && {
-            let joints = LoopChain::new(model, chain, geometry.reach, None);
-            swivel::plan(joints, chain).is_ok()
+        !own.has_arm_angle() && model.parameters.is_empty() && request.task.is_none_or(|task| task == Task::Pose) && {
+            let joints = LoopChain::new(model, chain, geometry.reach, &none);
+            swivel::plan(joints, model, chain).is_ok()
         };
     found.extend(swings.then(|| Alternative::new("`redundant: arm_angle`".to_owned(), None, Some("arm_angle"))));
     if found.is_empty() && request.task.is_some() {
         // Another task, and a joint whose value is given: two changes, which the reason has no room for.
         found.extend(others.iter().filter_map(|(joint, name)| {
-            let task = working(Some(*joint), None)?;
+            let task = working(&Redundant::of(&[*joint]), None)?;
             Some(Alternative::new(String::new(), Some(task), Some(name)))
         }));
     }

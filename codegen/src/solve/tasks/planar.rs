@@ -46,7 +46,7 @@ pub fn plan(goal: Goal, model: &Model, mut chain: LoopChain) -> Result<Plan, Uns
         chain.append_upright();
     }
     let triple = Triple { first: 0, kind: TripleKind::Parallel };
-    let task = PlanTask::new(goal, chain.given);
+    let task = PlanTask::new(goal, chain.given.clone());
     let mut c = LoopClosure::new(chain, triple);
     let links = [c.link(0), c.link(1), c.link(2)];
     planar::solve(&mut c, [0, 1, 2], links)?;

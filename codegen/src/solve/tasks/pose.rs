@@ -13,6 +13,6 @@ use crate::solve::unsupported::{self, Unsupported};
 /// # Errors
 /// If no three consecutive joints make a closed form.
 pub fn plan(model: &Model, geometry: &Geometry, chain: LoopChain) -> Result<Plan, Unsupported> {
-    let task = PlanTask::new(Goal::Pose, chain.given);
+    let task = PlanTask::new(Goal::Pose, chain.given.clone());
     structure::cheapest(&chain, &task)?.ok_or_else(|| unsupported::no_triple(model, geometry))
 }

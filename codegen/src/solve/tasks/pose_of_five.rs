@@ -35,7 +35,7 @@ pub fn turn(chain: &mut LoopChain) {
 
 /// The task, which asks for more than the joints can choose.
 pub fn task(chain: &LoopChain) -> PlanTask {
-    PlanTask { overdetermined: true, ..PlanTask::new(Goal::Pose, chain.given) }
+    PlanTask { overdetermined: true, ..PlanTask::new(Goal::Pose, chain.given.clone()) }
 }
 
 /// The plan of least effort.

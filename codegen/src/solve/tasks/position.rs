@@ -15,7 +15,7 @@ use crate::symbolic::{Graph, Rigid};
 /// If the joints do not move the point in space.
 pub fn plan(mut chain: LoopChain) -> Result<Plan, Unsupported> {
     rank::check(&chain, rank::ToolMotion::Point)?;
-    let task = PlanTask::new(Goal::Position, chain.given);
+    let task = PlanTask::new(Goal::Position, chain.given.clone());
     let link = |g: &mut Graph, degrees: f64| {
         let pair = g.turn(Angle::degrees(degrees));
         Rigid { r: g.rotation_x(pair), ..Rigid::identity() }

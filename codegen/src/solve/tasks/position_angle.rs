@@ -8,7 +8,7 @@ use crate::solve::loop_chain::LoopChain;
 use crate::solve::loop_closure::{Link, LoopClosure};
 use crate::solve::plan::{Branching, Plan};
 use crate::solve::sinusoid::turned_back;
-use crate::solve::task::{Goal, PlanTask};
+use crate::solve::task::{GivenValues, Goal, PlanTask};
 use crate::solve::unsupported::Unsupported;
 use crate::solve::{planar, rank};
 use crate::symbolic::{Expr, Graph, Input, Pair, Rigid, transpose};
@@ -18,7 +18,7 @@ use crate::symbolic::{Expr, Graph, Input, Pair, Rigid, transpose};
 /// # Errors
 /// If a joint's value is given, no joint yaws, or the arm is singular everywhere.
 pub fn plan(mut chain: LoopChain) -> Result<Plan, Unsupported> {
-    if chain.given.is_some() {
+    if !chain.given.is_empty() {
         return Err(Unsupported::new(
             "the task `position_angle` takes no joint's value: the angle of the plane is the sum of all of them",
         ));
@@ -79,6 +79,6 @@ pub fn plan(mut chain: LoopChain) -> Result<Plan, Unsupported> {
         sign if sign < 0.0 => sum.add(offset.neg()),
         _ => sum.add(*offset),
     });
-    let task = PlanTask::new(Goal::PositionAngle { signs, offset: constant }, None);
+    let task = PlanTask::new(Goal::PositionAngle { signs, offset: constant }, GivenValues::default());
     Ok(c.finish(triple, task))
 }

@@ -20,7 +20,7 @@ pub fn plan(axis: Option<Axis>, chain: LoopChain) -> Result<Plan, Unsupported> {
         let goal = Goal::PositionAxis { column: axis.column() };
         let passed_over =
             failure.as_ref().map(|unsupported| format!("axis z cannot be asked for: {}", unsupported.reason));
-        let task = PlanTask { passed_over, ..PlanTask::new(goal, chain.given) };
+        let task = PlanTask { passed_over, ..PlanTask::new(goal, chain.given.clone()) };
         turn(&mut chain, axis);
         match structure::cheapest(&chain, &task) {
             Ok(Some(plan)) => return Ok(plan),
