@@ -124,12 +124,7 @@ fn asked(model: &Model, chain: &Chain, geometry: &Geometry) -> Option<(PlanTask,
 }
 
 /// The task of the file and the six joints beside those that are given; `None` if no joint of them can be held.
-fn six_joints(
-    model: &Model,
-    chain: &Chain,
-    geometry: &Geometry,
-    given: &Redundant,
-) -> Option<(PlanTask, SixJoints)> {
+fn six_joints(model: &Model, chain: &Chain, geometry: &Geometry, given: &Redundant) -> Option<(PlanTask, SixJoints)> {
     let joints = LoopChain::new(model, chain, geometry.reach, given);
     let (task, joints, addition) = closed(model, joints)?;
     let whole = addition.to(LoopChain::new(model, chain, geometry.reach, &Redundant::default()));
