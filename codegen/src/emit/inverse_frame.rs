@@ -138,8 +138,8 @@ pub(super) fn function(
     let miss = plan
         .missed
         .map(|by| format!("The axes miss the structure of the equations by {by:.0e}: every branch is verified."));
-    let lacking = plan.lacks_a_turn().then(
-        || "The equations are those of a chain with a joint more, whose value has to be 0: every branch is verified.",
+    let lacking = plan.lacks_a_turn().then_some(
+        "The equations are those of a chain with a joint more, whose value has to be 0: every branch is verified.",
     );
     let missed_doc = miss.as_deref().or(lacking).map(docs::lines);
     let in_doubt = program.in_doubt.then(|| quote!(.in_doubt()));

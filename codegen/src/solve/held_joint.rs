@@ -140,7 +140,7 @@ fn closed(model: &Model, joints: LoopChain) -> Option<(PlanTask, LoopChain, Addi
     }
     let candidates = match (request.task, joints.loop_joints.len()) {
         (None | Some(Task::Pose), 6) => vec![(PlanTask::new(Goal::Pose, joints.given.clone()), Addition::Nothing)],
-        (Some(Task::Pose), 5) => vec![(pose_of_five::task(&joints), Addition::Turn)],
+        (_, 5) if pose_of_five::is_asked(model, &joints) => vec![(pose_of_five::task(&joints), Addition::Turn)],
         (None | Some(Task::PositionAxis), 5) => {
             let axes = request.axis.map_or_else(|| vec![Axis::Z, Axis::X, Axis::Y], |axis| vec![axis]);
             let task = |axis: Axis| PlanTask::new(Goal::PositionAxis { column: axis.column() }, joints.given.clone());

@@ -138,8 +138,7 @@ fn attempt(task: Task, model: &Model, geometry: &Geometry, joints: &LoopChain) -
         (Task::Pose, 6) => pose::plan(model, geometry, joints),
         (Task::Pose, 4 | 5) if yaw::yaws_and_pitches(&joints) => lower_mobility_pose::yawing(joints),
         (Task::Pose, 4) => lower_mobility_pose::upright(joints),
-        // Without a request most arms of five joints are better asked for a direction.
-        (Task::Pose, 5) if model.inverse.task == Some(Task::Pose) => pose_of_five::plan(joints),
+        (Task::Pose, 5) if pose_of_five::is_asked(model, &joints) => pose_of_five::plan(joints),
         (Task::Position, 3) => position::plan(joints),
         (Task::PositionAxis, 5) => position_axis::plan(model.inverse.axis, joints),
         (Task::PositionAngle, 4) => position_angle::plan(joints),

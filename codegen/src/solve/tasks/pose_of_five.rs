@@ -4,6 +4,7 @@
 //! solution is verified by forward kinematics, which knows no `v`.
 
 use crate::model::numeric::Transform;
+use crate::model::{Model, Task};
 use crate::solve::loop_chain::{LoopChain, LoopJoint};
 use crate::solve::plan::Plan;
 use crate::solve::structure;
@@ -31,6 +32,12 @@ pub fn turn(chain: &mut LoopChain) {
     if let Some(last) = chain.links.last_mut() {
         *last = after;
     }
+}
+
+/// Returns true if the file asks five joints for a pose: without a request most arms are better asked for a direction. A
+/// joint of six whose value is given is one that the pose needs.
+pub fn is_asked(model: &Model, chain: &LoopChain) -> bool {
+    model.inverse.task == Some(Task::Pose) && chain.loop_joints.len() == 5 && chain.given.is_empty()
 }
 
 /// The task, which asks for more than the joints can choose.
