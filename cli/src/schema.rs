@@ -43,6 +43,20 @@ fn schema() -> Value {
                 "additionalProperties": {"$ref": "#/definitions/number"},
                 "description": "Names for lengths with their values; a field of the struct of that name binds one at run time."
             },
+            "calibration": {
+                "type": "object",
+                "description": "What is added to the rows of the table, by joint, where the arm was measured.",
+                "additionalProperties": object(
+                    "Added to the row of a joint.",
+                    json!({
+                        "a": {"$ref": "#/definitions/number"},
+                        "alpha": {"$ref": "#/definitions/angle"},
+                        "d": {"$ref": "#/definitions/number"},
+                        "theta": {"$ref": "#/definitions/angle"}
+                    }),
+                    json!([])
+                )
+            },
             "inverse": inverse(),
             "coupling": coupling(),
             "combined_limits": {

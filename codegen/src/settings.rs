@@ -1,6 +1,6 @@
 //! Entries of an arm file beside its table, in words.
 
-use crate::model::{JointKind, Model, Parameter, joint_sum};
+use crate::model::{Calibration, JointKind, Model, Parameter, joint_sum};
 
 /// The lines of `denhart check` on names, parameters, linked joints, sums with limits and motors that count; none where
 /// the file has none.
@@ -15,6 +15,9 @@ pub fn describe(model: &Model, parameters: &[Parameter]) -> Vec<String> {
     if !parameters.is_empty() {
         lines.push("parameters, constant in a unit struct, bound at run time by fields of these names:".into());
         lines.extend(parameters.iter().map(|p| format!("  {} = {} {unit}", p.name, short(p.default))));
+    }
+    if let Some(calibration) = &model.calibration {
+        lines.extend(calibrated(calibration, model));
     }
     if let Some(coupling) = &model.coupling {
         lines.push("motors (the others have the value of their joint):".into());
@@ -49,6 +52,35 @@ pub fn describe(model: &Model, parameters: &[Parameter]) -> Vec<String> {
         }
     }
     lines
+}
+
+/// How far a calibrated arm is from its table, and what is added to which row.
+pub fn calibrated(calibration: &Calibration, model: &Model) -> Vec<String> {
+    let unit = model.length_unit.symbol();
+    let Calibration { deltas, displaced, turned } = calibration;
+    let mut lines = vec![format!(
+        "calibrated: links are up to {displaced:.3e} {unit} and {:.3e} deg off the table, to which is added:",
+        turned.to_degrees()
+    )];
+    lines.extend(deltas.iter().map(|(joint, [a, alpha, d, theta])| {
+        let entries = [
+            ("a", *a, unit),
+            ("alpha", alpha.to_degrees(), "deg"),
+            ("d", *d, unit),
+            ("theta", theta.to_degrees(), "deg"),
+        ];
+        let entries = entries.iter().filter(|(_, value, _)| *value != 0.0);
+        let entries: Vec<String> =
+            entries.map(|(key, value, unit)| format!("{key} {} {unit}", signed(*value))).collect();
+        format!("  q{}: {}", joint + 1, entries.join(", "))
+    }));
+    lines
+}
+
+/// With a sign, rounded to seven digits.
+fn signed(value: f64) -> String {
+    let rounded: f64 = format!("{value:.6e}").parse().unwrap_or(value);
+    format!("{rounded:+}")
 }
 
 /// An angle in degrees, or a length.

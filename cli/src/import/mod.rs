@@ -12,19 +12,21 @@ mod lengths;
 mod likely;
 mod mimic_coupling;
 mod number;
+mod opw;
 mod path;
 mod prefixes;
 mod proof;
 mod report;
 mod rigid;
 mod table;
+mod ur_calibration;
 mod urdf;
 mod walk;
 mod write;
 
 use std::fs;
 use std::io::{Read, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
@@ -46,16 +48,27 @@ const ROUNDED: [f64; 4] = [1e-9, 1e-10, 1e-11, 0.0];
 #[derive(Args)]
 pub struct Options {
     /// The URDF; `-` reads the standard input
-    file: PathBuf,
+    #[arg(required_unless_present_any = ["ur_calibration", "opw"])]
+    file: Option<PathBuf>,
+    /// Calibration of a UR arm, as its driver extracts it; with --nominal the controller's calibration.conf
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["file", "opw", "base", "tool"])]
+    ur_calibration: Option<PathBuf>,
+    /// The arm file that a calibration.conf belongs to: it gets the entry `calibration`
+    #[arg(long, value_name = "ARM", requires = "ur_calibration", conflicts_with_all = ["json", "exact_within"])]
+    nominal: Option<PathBuf>,
+    /// OPW parameters of ROS-Industrial: an orthogonal base and a spherical wrist
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["file", "base", "tool"])]
+    opw: Option<PathBuf>,
     /// First link of the chain [default: the root of the URDF]
     #[arg(long, value_name = "LINK")]
     base: Option<String>,
     /// Last link of the chain [default: the end of the one with the most moving joints, before its gripper]
     #[arg(long, value_name = "LINK")]
     tool: Option<String>,
-    /// Angles that are this near to a multiple of 15 degrees, rad, are taken as that multiple
-    #[arg(long, value_name = "RAD", default_value_t = 1e-6, value_parser = crate::number_arguments::single_number)]
-    exact_within: f64,
+    /// Angles that are this near to a multiple of 15 degrees, rad, are taken as that multiple [default: 1e-6; of a calibration
+    /// 1e-9]
+    #[arg(long, value_name = "RAD", value_parser = crate::number_arguments::single_number)]
+    exact_within: Option<f64>,
     /// Print JSON: the proof and the angles made exact, with the arm file as text unless -o names where it goes
     #[arg(long)]
     json: bool,
@@ -72,23 +85,24 @@ pub struct Options {
 /// # Errors
 /// The message: a file that is no URDF, a chain that no arm file can say, a difference above 1e-9.
 pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), String> {
-    if !(0.0..=1e-2).contains(&options.exact_within) {
+    if options.exact_within.is_some_and(|within| !(0.0..=1e-2).contains(&within)) {
         return Err("--exact-within: expected 0 to 1e-2 rad".to_owned());
     }
-    let text = if options.file.as_os_str() == "-" {
-        let mut text = String::new();
-        std::io::stdin()
-            .read_to_string(&mut text)
-            .map_err(|error| format!("cannot read the standard input: {error}"))?;
-        text
-    } else {
-        fs::read_to_string(&options.file)
-            .map_err(|error| format!("cannot read `{}`: {error}", options.file.display()))?
-    };
-    let named = options.file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let file = [&options.file, &options.ur_calibration, &options.opw].into_iter().find_map(Option::as_ref);
+    let file = file.ok_or("no file to import")?;
+    let text = read(file)?;
+    let at = |message: String| format!("{}: {message}", file.display());
+    if let Some(nominal) = &options.nominal {
+        return calibrate(&text, nominal, options, out).map_err(at);
+    }
+    let named = file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     let from = if named == "-" { "the standard input".to_owned() } else { named };
-    let imported = import(&text, &from, options).map_err(|message| format!("{}: {message}", options.file.display()))?;
-    let Imported { text, remarks, mut facts } = imported;
+    let urdf = match () {
+        () if options.ur_calibration.is_some() => ur_calibration::urdf(&text).map_err(at)?,
+        () if options.opw.is_some() => opw::urdf(&text).map_err(at)?,
+        () => text,
+    };
+    let Imported { text, remarks, mut facts } = import(&urdf, &from, options).map_err(at)?;
     if !options.json {
         // A remark that nobody reads takes nothing from the file.
         for remark in &remarks {
@@ -118,6 +132,40 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
     }
 }
 
+/// The text of a file, or of the standard input.
+fn read(file: &Path) -> Result<String, String> {
+    if file.as_os_str() == "-" {
+        let mut text = String::new();
+        let read = std::io::stdin().read_to_string(&mut text);
+        read.map_err(|error| format!("cannot read the standard input: {error}"))?;
+        return Ok(text);
+    }
+    fs::read_to_string(file).map_err(|error| format!("cannot read `{}`: {error}", file.display()))
+}
+
+/// Writes the arm file of a nominal table with the entry `calibration`.
+fn calibrate(conf: &str, nominal: &Path, options: &Options, out: &mut dyn Write) -> Result<(), String> {
+    let table = read(nominal)?;
+    let name = nominal.display().to_string();
+    let program = denhart_codegen::program(&table, &name).map_err(|errors| errors.to_string())?;
+    if program.model.calibration.is_some() {
+        return Err(format!("`{name}` has a `calibration` already: name the maker's table"));
+    }
+    let meters = program.model.length_unit.symbol();
+    if meters != "m" {
+        return Err(format!(
+            "`{name}` has lengths in {meters}, and a calibration.conf has meters: write the table in m"
+        ));
+    }
+    let text = format!("{}\n{}", table.trim_end(), ur_calibration::entry(conf, program.model.joints.len())?);
+    // Numbers that belong to another arm are refused with their place.
+    denhart_codegen::program(&text, &name).map_err(|errors| errors.to_string())?;
+    match &options.output {
+        Some(path) => files::write(&[(path, &text)], options.force),
+        None => out.write_all(text.as_bytes()).map_err(|error| format!("cannot print: {error}")),
+    }
+}
+
 /// An arm file and what there is to say about it.
 struct Imported {
     text: String,
@@ -127,7 +175,7 @@ struct Imported {
 }
 
 fn import(text: &str, from: &str, options: &Options) -> Result<Imported, String> {
-    let within = options.exact_within;
+    let within = options.exact_within.unwrap_or(if options.ur_calibration.is_some() { 1e-9 } else { 1e-6 });
     let written = urdf::read(text)?;
     let path = path::find(&written, options.base.as_deref(), options.tool.as_deref())?;
     let mut in_origins = Vec::new();

@@ -37,7 +37,14 @@ fn impl_doc(arm: &Arm) -> String {
     let comment = arm.model.source.iter().map(|source| docs::escaped(source));
     let unsupported =
         arm.inverse.as_ref().err().map(|unsupported| format!("No inverse kinematics: {}.", unsupported.reason));
-    comment.chain(unsupported).collect::<Vec<String>>().join("\n\n")
+    let calibrated = arm.model.calibration.as_ref().map(|calibration| {
+        let lines = crate::settings::calibrated(calibration, arm.model);
+        let lines: Vec<&str> = lines.iter().map(|line| line.trim_start()).collect();
+        let (first, deltas) = lines.split_first().map_or(("", &lines[..0]), |(first, deltas)| (*first, deltas));
+        let list: String = deltas.iter().map(|line| format!("\n- {line}")).collect();
+        format!("{first}\n{list}")
+    });
+    comment.chain(calibrated).chain(unsupported).collect::<Vec<String>>().join("\n\n")
 }
 
 /// All impls, wrapped so that their constants have names of their own.

@@ -2,6 +2,7 @@
 
 use super::actuator::Actuator;
 use super::angle::Angle;
+use super::calibration::Calibration;
 use super::combined_limits::CombinedLimit;
 use super::coupling::Coupling;
 use super::joint::Joint;
@@ -33,6 +34,8 @@ pub struct Model {
     pub joints: Vec<Joint>,
     /// The names for lengths, in the order of the file.
     pub parameters: Vec<Parameter>,
+    /// How far the arm is from its table, where it was measured. The rows are those of the arm that was measured.
+    pub calibration: Option<Calibration>,
     /// The task of the inverse, and what belongs to it.
     pub inverse: InverseRequest,
     /// How motors move joints, where they are linked.

@@ -3,6 +3,7 @@
 use super::actuator::actuators;
 use super::angle::Angle;
 use super::arm::{Frame, InverseRequest, MOST_JOINTS, Model, Parameter, Row};
+use super::calibration;
 use super::combined_limits::combined_limits;
 use super::coupling::coupling;
 use super::joint::{Joint, JointKind};
@@ -11,7 +12,7 @@ use super::reach::Sizes;
 use super::redundant::redundant;
 use super::weights::weights;
 use crate::error::{Diagnostic, Errors};
-use crate::spec::{FrameSpec, LimitsSpec, Place, RowKind, RowSpec, Spec};
+use crate::spec::{FrameSpec, LimitsSpec, Place, RowKind, Spec};
 
 /// Checks what the values mean together, and converts them: angles exact, limits in rad, names filled in.
 ///
@@ -27,33 +28,48 @@ pub fn check(spec: &Spec) -> Result<Model, Errors> {
     let coupling = coupling(spec, &joints, &mut mistakes);
     let combined_limits = combined_limits(spec, &joints, &mut mistakes);
     let actuators = actuators(spec, &joints, &mut mistakes);
+    let mut rows: Vec<Row> = spec
+        .rows
+        .iter()
+        .enumerate()
+        .map(|(index, row)| Row {
+            kind: row.kind,
+            a: row.a.clone(),
+            alpha: row.alpha.into(),
+            d: row.d.clone(),
+            theta: row.theta.into(),
+            name: row.name.as_ref().map(|(name, _)| name.clone()),
+            joint: joints.iter().position(|joint| joint.row == index),
+        })
+        .collect();
+    let nominal_rows = rows.clone();
+    let deltas = calibration::added(spec, &joints, &mut rows, &mut mistakes);
     if !mistakes.is_empty() {
         return Err(Errors::new(mistakes));
     }
-    let row = |(index, row): (usize, &RowSpec)| Row {
-        kind: row.kind,
-        a: row.a.clone(),
-        alpha: row.alpha.into(),
-        d: row.d.clone(),
-        theta: row.theta.into(),
-        name: row.name.as_ref().map(|(name, _)| name.clone()),
-        joint: joints.iter().position(|joint| joint.row == index),
-    };
-    let model = Model {
+    let mut model = Model {
         name: spec.name.clone(),
         source: spec.source.leading_comment(),
         convention: spec.convention,
         length_unit: spec.length_unit,
-        rows: spec.rows.iter().enumerate().map(row).collect(),
+        rows,
         base: frame(&spec.base),
         tool: frame(&spec.tool),
         joints,
         parameters,
+        calibration: None,
         inverse,
         coupling,
         combined_limits,
         actuators,
     };
+    if let Some((written, deltas)) = spec.calibration.as_ref().zip(deltas) {
+        let nominal = Model { rows: nominal_rows, ..model.clone() };
+        model.calibration = Some(calibration::compared(spec, written, deltas, [&nominal, &model], &mut mistakes));
+    }
+    if !mistakes.is_empty() {
+        return Err(Errors::new(mistakes));
+    }
     match Sizes::DOUBLE.missed(spec, &model) {
         Some(mistake) => Err(Errors::from(mistake)),
         None => Ok(model),

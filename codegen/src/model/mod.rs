@@ -3,6 +3,7 @@
 mod actuator;
 pub mod angle;
 mod arm;
+mod calibration;
 pub mod chain;
 mod check;
 mod combined_limits;
@@ -24,6 +25,7 @@ mod weights;
 pub use actuator::Actuator;
 pub use angle::Angle;
 pub use arm::{DEFAULT_TOLERANCE, Frame, InverseRequest, MOST_JOINTS, Model, Parameter, Row};
+pub use calibration::Calibration;
 pub use check::check;
 pub use combined_limits::CombinedLimit;
 pub use coupling::Coupling;

@@ -6,6 +6,7 @@
 mod actuator;
 mod angle;
 mod angle_field;
+mod calibration;
 mod combined_limits;
 mod coupling;
 mod frame;
@@ -30,6 +31,7 @@ mod yaml;
 pub use actuator::{ActuatorSpec, HomeSpec};
 pub use angle::{AngleUnit, WrittenAngle, pi_times};
 pub use angle_field::looks_like_radians;
+pub use calibration::{CalibrationSpec, DeltaSpec};
 pub use combined_limits::CombinedLimitSpec;
 pub use coupling::{CouplingSpec, Factor, MotorSpec, TermSpec};
 pub use frame::FrameSpec;
@@ -72,6 +74,8 @@ pub struct Spec {
     pub tool: FrameSpec,
     /// Names for lengths, in the order of the file.
     pub parameters: Vec<ParameterSpec>,
+    /// What is added to the rows, where the arm was measured.
+    pub calibration: Option<CalibrationSpec>,
     /// The task of the inverse, and what belongs to it.
     pub inverse: InverseSpec,
     /// Which motor moves which joint, where they are linked.
@@ -84,8 +88,19 @@ pub struct Spec {
     pub mistakes: Vec<Diagnostic>,
 }
 
-const KEYS: &[&str] =
-    &["name", "convention", "units", "inverse", "joints", "base", "tool", "parameters", "coupling", "combined_limits"];
+const KEYS: &[&str] = &[
+    "name",
+    "convention",
+    "units",
+    "inverse",
+    "joints",
+    "base",
+    "tool",
+    "parameters",
+    "calibration",
+    "coupling",
+    "combined_limits",
+];
 const SMALLEST: &str = "\
 an arm file is a mapping such as
 name: arm
@@ -118,6 +133,7 @@ pub fn read(text: &str, file: &str) -> Result<(Spec, Vec<Diagnostic>), Errors> {
     let parameters = parameters.unwrap_or_default();
     let lengths = rows.iter().flat_map(|row| [&row.a, &row.d]).chain(&base.xyz).chain(&tool.xyz);
     reader.unused_parameters(&parameters, lengths);
+    let calibration = reader.calibration(&fields, units.angle);
     let inverse = reader.inverse(&fields, units.angle);
     let coupling = reader.coupling(&fields, units.angle);
     let combined_limits = reader.combined_limits(&fields, units.angle);
@@ -132,6 +148,7 @@ pub fn read(text: &str, file: &str) -> Result<(Spec, Vec<Diagnostic>), Errors> {
         base,
         tool,
         parameters,
+        calibration,
         inverse,
         coupling,
         combined_limits,

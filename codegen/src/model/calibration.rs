@@ -1,0 +1,142 @@
+//! The arm that was measured: its rows, and how far its links are from those of the table.
+
+use super::angle::Angle;
+use super::arm::{Model, Row};
+use super::chain::{Chain, Elementary};
+use super::joint::Joint;
+use super::joint_names::named;
+use super::numeric::{Transform, length};
+use crate::error::Diagnostic;
+use crate::spec::{CalibrationSpec, Length, Spec};
+
+/// How far the links of the calibrated arm are from those of the table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Calibration {
+    /// What is added to the rows: the joint from 0, then a, alpha, d, theta, lengths in the file's unit, angles in rad.
+    pub deltas: Vec<(usize, [f64; 4])>,
+    /// The largest displacement of a link, in the file's length unit.
+    pub displaced: f64,
+    /// The largest turn of a link, rad.
+    pub turned: f64,
+}
+
+/// A link may be displaced by this part of the reach.
+const DISPLACED: f64 = 0.1;
+/// A link may be turned by this, rad.
+const TURNED: f64 = 0.1;
+
+/// The rows with the calibration of the file added, and what was added to which joint.
+pub fn added(
+    spec: &Spec,
+    joints: &[Joint],
+    rows: &mut [Row],
+    mistakes: &mut Vec<Diagnostic>,
+) -> Option<Vec<(usize, [f64; 4])>> {
+    let calibration = spec.calibration.as_ref()?;
+    let mut deltas = Vec::new();
+    for delta in &calibration.deltas {
+        let Some(joint) = named(spec, joints, "calibration", &delta.joint, &delta.place, mistakes) else { continue };
+        if deltas.iter().any(|(other, _)| *other == joint) {
+            let mistake =
+                spec.source.mistake(&delta.place, format!("`calibration`: joint {} is named twice", joint + 1));
+            mistakes.push(mistake.help("write one entry for a joint"));
+            continue;
+        }
+        let Some(row) = joints.get(joint).and_then(|joint| rows.get_mut(joint.row)) else { continue };
+        let [alpha, theta] = [delta.alpha, delta.theta].map(Angle::from);
+        for (key, place, by) in [("a", &mut row.a, delta.a), ("d", &mut row.d, delta.d)] {
+            match place {
+                Length::Constant(value) => *value += by,
+                Length::Multiple { .. } if by == 0.0 => {}
+                Length::Multiple { parameter, .. } => {
+                    let message =
+                        format!("`calibration`: `{key}` of joint {} is the parameter `{parameter}`", joint + 1);
+                    let help =
+                        "write the number in place of the parameter, or leave this length out of the calibration";
+                    mistakes.push(spec.source.mistake(&delta.place, message).help(help));
+                }
+            }
+        }
+        row.alpha = row.alpha.add(alpha);
+        row.theta = row.theta.add(theta);
+        deltas.push((joint, [delta.a, alpha.rad(), delta.d, theta.rad()]));
+    }
+    Some(deltas)
+}
+
+/// The calibration of `model`, whose table alone is `nominal`.
+///
+/// Frames are slid along their joints' axes first: nearly parallel axes have their common normal far away, and a table of
+/// such an arm may have two lengths of hundreds of meters that cancel.
+pub fn compared(
+    spec: &Spec,
+    written: &CalibrationSpec,
+    deltas: Vec<(usize, [f64; 4])>,
+    [nominal, model]: [&Model; 2],
+    mistakes: &mut Vec<Diagnostic>,
+) -> Calibration {
+    let pairs: Vec<[Transform; 2]> =
+        gathered(nominal).into_iter().zip(gathered(model)).map(|(table, own)| [table, own]).collect();
+    let reach: f64 = pairs.iter().map(|[table, _]| length(table.p)).sum();
+    let mut calibration = Calibration { deltas, displaced: 0.0, turned: 0.0 };
+    let (mut farthest, mut most) = (0, 0.0);
+    for (link, [table, own]) in pairs.iter().enumerate() {
+        let between = table.inverse().then(own);
+        let (by, angle) = (length(between.p), angle(&between.r));
+        let share = (by / (DISPLACED * reach)).max(angle / TURNED);
+        if share > most {
+            (farthest, most) = (link, share);
+        }
+        calibration.displaced = calibration.displaced.max(by);
+        calibration.turned = calibration.turned.max(angle);
+    }
+    let unit = spec.length_unit.symbol();
+    if most > 1.0 {
+        let joint = farthest.saturating_sub(1);
+        let entry = written.deltas.get(calibration.deltas.iter().position(|(own, _)| *own == joint).unwrap_or(0));
+        let place = entry.map_or(&written.place, |entry| &entry.place);
+        let message = format!(
+            "`calibration` moves link {} by {:.3} {unit} and turns it by {:.2} deg: expected a measured arm near its table",
+            joint + 1,
+            calibration.displaced,
+            calibration.turned.to_degrees()
+        );
+        let help = "numbers are added to the rows in the file's units (`units`): look for radians among degrees, or for whole \
+                    rows in place of differences";
+        mistakes.push(spec.source.mistake(place, message).help(help));
+    }
+    calibration
+}
+
+/// The angle of a rotation, rad.
+fn angle(r: &[[f64; 3]; 3]) -> f64 {
+    let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = *r;
+    length([zy - yz, xz - zx, yx - xy]).atan2(xx + yy + zz - 1.0)
+}
+
+/// The links of an arm, parameters at their defaults: before, between and behind its joints. The frame of each joint is
+/// slid along its axis next to the frame before.
+fn gathered(model: &Model) -> Vec<Transform> {
+    let mut links = vec![Transform::IDENTITY];
+    for step in &Chain::of(model).transforms {
+        let Some(last) = links.last_mut() else { continue };
+        match step {
+            Elementary::Prismatic { .. } => links.push(Transform::IDENTITY),
+            Elementary::Revolute { .. } => links.push(Transform::of(step)),
+            _ => *last = last.then(&Transform::of(step)),
+        }
+    }
+    let mut slid = 0.0;
+    let behind = links.len().saturating_sub(1);
+    for (number, link) in links.iter_mut().enumerate() {
+        *link = Transform::shift([0.0, 0.0, -slid]).then(link);
+        slid = 0.0;
+        if number < behind {
+            let [x, y, z] = link.axis(2);
+            let [px, py, pz] = link.p;
+            slid = -(x * px + y * py + z * pz);
+            *link = link.then(&Transform::shift([0.0, 0.0, slid]));
+        }
+    }
+    links
+}
