@@ -66,7 +66,7 @@ where
     let forward = median(|i| arm.forward(black_box(&q[i])));
     let forward_evaluated = median(|i| dynamic.forward(black_box(&q[i])));
     let inverse = median(|i| arm.inverse(black_box(&targets[i])));
-    let inverse_evaluated = median(|i| dynamic.inverse(black_box(&asked[i]), None));
+    let inverse_evaluated = median(|i| dynamic.inverse(black_box(&asked[i]), &[]));
     let build = build(&text);
     println!(
         "{path:28} {forward:9.0} {forward_evaluated:9.0} {:6.1} {inverse:9.0} {inverse_evaluated:9.0} {:6.1} {:9.2}",

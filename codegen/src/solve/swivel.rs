@@ -60,7 +60,7 @@ pub fn plan(mut joints: LoopChain, model: &Model, chain: &Chain) -> Result<Plan,
     c.g.name_each(&wrist, "wrist_");
     let rho = c.g.norm(&wrist);
     let label = c.label(3);
-    c.g.name(rho, &format!("rho{label}"));
+    c.g.name(rho, format!("rho{label}"));
     let meaning = format!(
         "Joint {label}: the wrist center is `{{rho}}` from the shoulder, `{{rho}}^2 = a^2 + b^2 + h^2 + 2 a b cos(t)` \
                    with `a = {{a}}`, `b = {{b}}`, `h = {{h}}`{{shift}}."
