@@ -106,7 +106,7 @@ impl<'a> Answer<'a> {
         Ok(each.map(|(value, slides)| if slides { value } else { self.form.units.of(value) }).collect())
     }
 
-    /// The same for JSON: a list where the arm file has one, else a number or null.
+    /// The given values for JSON: a list where the arm file has one, else a number or null.
     fn given_json(&self) -> Result<Value, Failure> {
         let given = self.given()?;
         Ok(if self.arm.given_is_list()? { json!(given) } else { json!(given.first()) })

@@ -100,7 +100,7 @@ fn parts(name: &str, inverse: Option<&str>) -> BTreeSet<String> {
         Statement::Agree { .. } => Some("an equation without a joint".to_owned()),
         _ => None,
     }));
-    parts.extend(inverse.given.map(|given| match given {
+    parts.extend(inverse.given.values.iter().map(|given| match given {
         Given::Joint { .. } => "a given joint".to_owned(),
         Given::ArmAngle => "the arm angle".to_owned(),
     }));

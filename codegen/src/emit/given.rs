@@ -155,7 +155,7 @@ pub fn locked(outline: &Outline, target: &Target) -> Option<TokenStream> {
     )
 }
 
-/// What a value may be, beside its name: for the walk over all values.
+/// Limits of a value, and half of the range that it has without limits: for the walk over all values.
 pub fn range(model: &Model, given: Given, target: &Target) -> (TokenStream, TokenStream) {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
     let turn = quote!(<#scalar as #krate::Scalar>::PI);

@@ -67,7 +67,7 @@ impl Redundant {
     }
 }
 
-/// What the file names.
+/// The values that the file names.
 pub fn redundant(spec: &Spec, joints: &[Joint], mistakes: &mut Vec<Diagnostic>) -> Redundant {
     let Some(written) = &spec.inverse.redundant else { return Redundant::default() };
     let mut redundant = Redundant { values: Vec::new(), is_list: written.is_list };

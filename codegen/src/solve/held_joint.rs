@@ -141,6 +141,8 @@ fn closed(model: &Model, joints: LoopChain) -> Option<(PlanTask, LoopChain, Addi
     let candidates = match (request.task, joints.loop_joints.len()) {
         (None | Some(Task::Pose), 6) => vec![(PlanTask::new(Goal::Pose, joints.given.clone()), Addition::Nothing)],
         (_, 5) if pose_of_five::is_asked(model, &joints) => vec![(pose_of_five::task(&joints), Addition::Turn)],
+        // Without a named task a joint is given that a pose needs: the reason says so.
+        (None, 5) if !joints.given.is_empty() => Vec::new(),
         (None | Some(Task::PositionAxis), 5) => {
             let axes = request.axis.map_or_else(|| vec![Axis::Z, Axis::X, Axis::Y], |axis| vec![axis]);
             let task = |axis: Axis| PlanTask::new(Goal::PositionAxis { column: axis.column() }, joints.given.clone());

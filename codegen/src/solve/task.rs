@@ -67,7 +67,7 @@ pub struct GivenValues {
 }
 
 impl GivenValues {
-    /// What a file names, of joints that turn or slide.
+    /// The values that a file names, of joints that turn or slide.
     pub fn of(redundant: &Redundant, joints: &[Joint]) -> Self {
         let value = |value: &RedundantValue| match value {
             RedundantValue::ArmAngle => Given::ArmAngle,

@@ -140,18 +140,11 @@ pub(super) fn not_covered(model: &Model, task: Option<Task>) -> Unsupported {
         }
         _ if given == 0 && spare > 1 => {
             let more = in_words(spare);
-            format!(
-                "{joints} moving joints are {more} more than the task `{name}` needs: name the {more} whose values are \
-                 given"
-            )
+            format!("{joints} moving joints are {more} more than `{name}` needs: give {more} values")
         }
         _ if given > 0 && spare > given => {
             let more = in_words(spare - given);
-            format!(
-                "`redundant: {names}` leaves {}, {more} more than `{name}` needs: name {} joints",
-                counted(joints - given, ""),
-                in_words(spare)
-            )
+            format!("`redundant: {names}` leaves {}, {more} more than `{name}` needs", counted(joints - given, ""))
         }
         Some(_) => format!("the task `{name}` is not covered for {moving}"),
         None => format!("no task fits {moving}"),

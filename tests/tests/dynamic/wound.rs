@@ -24,7 +24,7 @@ fn the_direction_in_the_plane() {
                 && plain.iter().all(|one| Planar3r.residual(&one.q, &at(angle)).orientation < 1e-12)
         );
         let [wound, plain] =
-            [angle, wrap(angle)].map(|angle| evaluated.inverse(&DynamicTarget::PlanarPose(at(angle)), None).unwrap());
+            [angle, wrap(angle)].map(|angle| evaluated.inverse(&DynamicTarget::PlanarPose(at(angle)), &[]).unwrap());
         assert_eq!(format!("{wound:?}"), format!("{plain:?}"), "{angle}");
     }
 }
@@ -39,8 +39,8 @@ fn the_angle_of_a_tool_that_pitches() {
         assert_eq!(wound, plain, "{angle}");
         reachable += usize::from(plain.status().is_reachable());
         assert!(plain.exact().all(|one| Al5d.residual(&one.q, &at(angle)).orientation < 1e-12), "{angle}");
-        let [wound, plain] = [angle, wrap(angle)]
-            .map(|angle| evaluated.inverse(&DynamicTarget::PositionAngle(at(angle)), None).unwrap());
+        let [wound, plain] =
+            [angle, wrap(angle)].map(|angle| evaluated.inverse(&DynamicTarget::PositionAngle(at(angle)), &[]).unwrap());
         assert_eq!(format!("{wound:?}"), format!("{plain:?}"), "{angle}");
     }
     assert!(reachable > 0);
@@ -61,7 +61,7 @@ fn the_value_of_a_redundant_joint() {
             assert_eq!(branch(angle), branch(wrap(angle)), "{angle}");
         }
         let [wound, plain] = [angle, wrap(angle)]
-            .map(|given| evaluated.inverse(&DynamicTarget::PlanarPose(target), Some(given)).unwrap());
+            .map(|given| evaluated.inverse(&DynamicTarget::PlanarPose(target), &[given]).unwrap());
         assert_eq!(format!("{wound:?}"), format!("{plain:?}"), "{angle}");
     }
     assert!(reachable > 0);

@@ -9,8 +9,8 @@ use crate::solve::unsupported::Alternative;
 
 /// The most lists that are looked at, for a message.
 const MOST_TRIED: usize = 24;
-/// The most lists that a message names.
-const MOST_NAMED: usize = 3;
+/// The most lists that are found; a message names the first one.
+const MOST_FOUND: usize = 3;
 
 /// The lists with which the arm has an inverse for its task; those first that have the most joints with the file's own
 /// list in common.
@@ -31,10 +31,12 @@ pub fn alternatives(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<Al
     let given = lists.into_iter().take(MOST_TRIED).map(|list| Redundant::of(&list));
     let found = given.filter(|given| given.joints().ne(request.redundant.joints()) && works(given));
     found
-        .take(MOST_NAMED)
-        .map(|given| {
+        .take(MOST_FOUND)
+        .enumerate()
+        .map(|(place, given)| {
             let names = given.written(&model.joints);
-            Alternative::new(format!("`redundant: {names}`"), request.task, Some(&names))
+            let words = if place == 0 { format!("`redundant: {names}`") } else { String::new() };
+            Alternative::new(words, request.task, Some(&names))
         })
         .collect()
 }
