@@ -68,10 +68,10 @@ pub fn contours(columns: usize, rows: usize, field: &dyn Fn(usize, usize) -> f64
     lines
 }
 
-/// A closed line without the stairs of its raster: each point goes to the middle of its neighbors, twice.
+/// A closed line without the stairs of its raster: each point goes to the middle of its neighbors, a few times.
 pub fn smoothed(line: &[Flat]) -> Vec<Flat> {
     let mut line = line.to_vec();
-    for _ in 0..2 {
+    for _ in 0..6 {
         let before: Vec<Flat> = line.clone();
         // The last point of a closed line is the first one.
         let count = before.len().saturating_sub(1);

@@ -32,16 +32,18 @@ impl Frame {
     pub fn of(size: Flat) -> Self {
         let small = size[0] < SMALL;
         if small {
-            Frame { size, head: 24.0, margin: 36.0, text: 12.5, small }
+            Frame { size, head: 24.0, margin: 40.0, text: 12.5, small }
         } else {
             Frame { size, head: 48.0, margin: 66.0, text: 14.0, small }
         }
     }
 
-    /// The rectangle of the arm: left, top, width, height.
-    pub fn inside(&self) -> [f64; 4] {
+    /// The rectangle of the arm: left, top, width, height. Dimensions stand beside it.
+    pub fn inside(&self, dimensions: bool) -> [f64; 4] {
         let [width, height] = self.size;
-        [self.margin, self.head + 0.7 * self.margin, width - 2.0 * self.margin, height - 1.4 * self.margin]
+        let beside = if dimensions { 1.7 * self.margin } else { self.margin };
+        let above = if dimensions || self.small { 0.8 * self.margin } else { 0.55 * self.margin };
+        [beside, self.head + above, width - 2.0 * beside, height - 2.0 * above]
     }
 
     /// The rectangle of the labels.

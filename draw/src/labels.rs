@@ -46,7 +46,8 @@ impl Area {
         if width > 0.0 && height > 0.0 { width * height } else { 0.0 }
     }
 
-    fn holds(&self, other: &Area) -> bool {
+    /// True if another area is inside.
+    pub fn holds(&self, other: &Area) -> bool {
         other.left >= self.left && other.top >= self.top && other.right <= self.right && other.bottom <= self.bottom
     }
 
@@ -99,6 +100,11 @@ impl Obstacles {
     /// A line; `weight` says how much a label avoids each of its pixels.
     pub fn line(&mut self, from: Flat, to: Flat, weight: f64) {
         self.lines.push((from, to, weight));
+    }
+
+    /// Takes the last line back.
+    pub fn without_last_line(&mut self) {
+        self.lines.pop();
     }
 
     /// An area; `weight` says how much a label avoids it.

@@ -11,7 +11,7 @@ use crate::scene::{Figure, Scene};
 use crate::skeleton::{Measure, column};
 use crate::solutions::solutions;
 use crate::symbols::{END_ON, HALF, RADIUS, arrow, end_on, joint, places};
-use crate::vector::{Flat, Vector, add, distance, left_of, length, moved, scaled, sub, unit};
+use crate::vector::{Flat, Vector, add, cross, distance, dot, left_of, length, moved, off_line, scaled, sub, unit};
 use crate::view::{Camera, View};
 
 /// Width of a link, px.
@@ -20,6 +20,8 @@ const LINK: f64 = 6.5;
 const FRAME: f64 = 34.0;
 /// A length of the table that is drawn shorter than this is told in a note, px.
 const SHORTEST: f64 = 10.0;
+/// How much labels keep away from each pixel of a dimension line.
+const DIMENSION: f64 = 1.5;
 /// Distances of a dimension line from its length that are tried, px.
 const OFFSETS: [f64; 6] = [20.0, 34.0, 48.0, 64.0, 82.0, 104.0];
 
@@ -57,7 +59,7 @@ impl Canvas<'_> {
         let start = self.camera.place(from);
         let flat = self.camera.direction(direction);
         if length(flat) < END_ON {
-            let toward = crate::vector::dot(direction, self.camera.toward) > 0.0;
+            let toward = dot(direction, self.camera.toward) > 0.0;
             self.picture.circle(start, 6.0, Paint::both(Role::Background, role, 1.6));
             end_on(&mut self.picture, start, toward, 6.0, role);
             self.obstacles.area(Area::around(start, 7.0), 1.0);
@@ -78,7 +80,7 @@ pub fn picture(scene: &Scene, view: View, size: Flat, font: &Font) -> Picture {
         section.region.iter().chain(section.singular.iter().flat_map(|(_, lines)| lines)).flatten().copied()
     });
     let target = scene.target.iter().map(|pose| pose.translation);
-    let camera = Camera::fit(view, points.chain(section).chain(target), frame.inside());
+    let camera = Camera::fit(view, points.chain(section).chain(target), frame.inside(scene.dimensions));
     let mut canvas = Canvas {
         picture: Picture { size, description: String::new(), shapes: Vec::new() },
         camera,
@@ -147,7 +149,7 @@ fn ground(canvas: &mut Canvas) {
 fn arm(canvas: &mut Canvas, figure: &Figure, axes: bool) {
     let skeleton = &figure.skeleton;
     let centers = places(skeleton, &canvas.camera);
-    let reach = [HALF + 10.0, HALF + 27.0].map(|pixels| pixels / canvas.camera.scale);
+    let reach = [HALF + 10.0, HALF + 32.0].map(|pixels| pixels / canvas.camera.scale);
     // Parts at their depth, the far ones first: links, then signs.
     let mut parts: Vec<(f64, Part)> = Vec::new();
     for link in &skeleton.links {
@@ -155,13 +157,20 @@ fn arm(canvas: &mut Canvas, figure: &Figure, axes: bool) {
             parts.push((canvas.camera.depth(scaled(add(*from, *to), 0.5)), Part::Link(*from, *to)));
         }
     }
+    let ends: Vec<(f64, Vector, Vector)> = parts
+        .iter()
+        .filter_map(|(depth, part)| if let Part::Link(from, to) = part { Some((*depth, *from, *to)) } else { None })
+        .collect();
     for (center, joint) in centers.iter().zip(&skeleton.joints) {
+        // A sign covers the links that it joins.
+        let touch = |point: Vector, from: Vector, to: Vector| {
+            off_line(canvas.camera.place(point), canvas.camera.place(from), canvas.camera.place(to)) < 1.0
+        };
+        let joined = ends.iter().filter(|(_, from, to)| touch(*center, *from, *to));
+        let depth = joined.map(|(depth, ..)| *depth).fold(canvas.camera.depth(*center), f64::max);
         // A sign that stands beside its point hangs on a short link.
         parts.push((canvas.camera.depth(*center), Part::Link(joint.point, *center)));
-        parts.push((
-            canvas.camera.depth(*center) + RADIUS / canvas.camera.scale,
-            Part::Joint(*center, joint.kind, joint.axis),
-        ));
+        parts.push((depth + 1e-3 * RADIUS / canvas.camera.scale, Part::Joint(*center, joint.kind, joint.axis)));
         let [back, front] = reach;
         let (from, to) = (moved(*center, joint.axis, -back), moved(*center, joint.axis, front));
         if axes && length(canvas.camera.direction(joint.axis)) >= END_ON {
@@ -176,6 +185,7 @@ fn arm(canvas: &mut Canvas, figure: &Figure, axes: bool) {
             }
             Part::Joint(center, kind, axis) => {
                 joint(&mut canvas.picture, &canvas.camera, kind, center, axis);
+                emerging(canvas, kind, center, axis, &ends);
                 canvas.obstacles.area(Area::around(canvas.camera.place(center), RADIUS + 2.0), 5.0);
             }
         }
@@ -192,6 +202,30 @@ fn arm(canvas: &mut Canvas, figure: &Figure, axes: bool) {
         let named = joint.name != own && !canvas.small;
         let text = if named { format!("{own} {}", joint.name) } else { own };
         canvas.label(canvas.camera.place(*center), RADIUS + 4.0, text, Role::Ink);
+    }
+}
+
+/// The piece of a link that comes out of the near end of a joint's sign.
+fn emerging(canvas: &mut Canvas, kind: JointKind, center: Vector, axis: Vector, links: &[(f64, Vector, Vector)]) {
+    let toward = dot(axis, canvas.camera.toward);
+    let flat = canvas.camera.direction(axis);
+    if toward.abs() < 0.02 || length(flat) < END_ON || kind == JointKind::Prismatic {
+        return;
+    }
+    let side = toward.signum();
+    let outward = scaled(axis, side);
+    // How far a link leads from the sign to its near side, along the axis.
+    let leads = |(_, from, to): &(f64, Vector, Vector)| {
+        let along = unit(sub(*to, *from)).is_some_and(|link| length(cross(link, axis)) < 1e-6);
+        let off = length(cross(sub(*from, center), axis)) * canvas.camera.scale;
+        let farthest = dot(sub(*from, center), outward).max(dot(sub(*to, center), outward));
+        let nearest = dot(sub(*from, center), outward).min(dot(sub(*to, center), outward));
+        (along && off < 1.0 && nearest * canvas.camera.scale < HALF) && farthest * canvas.camera.scale > HALF
+    };
+    if links.iter().any(leads) {
+        let cap = moved(canvas.camera.place(center), flat, side * HALF);
+        let end = moved(cap, unit(flat).unwrap_or(flat), side * (RADIUS * toward.abs() + 1.0));
+        canvas.picture.line(&[cap, end], Paint::line(Role::Link, LINK));
     }
 }
 
@@ -257,7 +291,7 @@ fn dimensions(canvas: &mut Canvas, figure: &Figure, unit_name: &str, bounds: Are
         };
         let side = left_of(direction);
         let center = scaled(add(from, to), 0.5);
-        let outward = if crate::vector::dot(sub(center, middle), side) >= 0.0 { 1.0 } else { -1.0 };
+        let outward = if dot(sub(center, middle), side) >= 0.0 { 1.0 } else { -1.0 };
         let choice = OFFSETS
             .iter()
             .flat_map(|offset| [(outward * offset, 0.0), (-outward * offset, 8.0)])
@@ -270,8 +304,12 @@ fn dimensions(canvas: &mut Canvas, figure: &Figure, unit_name: &str, bounds: Are
                     size: canvas.text,
                     role: Role::Measure,
                 };
+                let line = canvas.obstacles.cost_of_line(a, b);
+                canvas.obstacles.line(a, b, DIMENSION);
                 let written = best(&text, canvas.font, &canvas.obstacles, bounds).map_or(200.0, |(cost, _)| cost);
-                let cost = canvas.obstacles.cost_of_line(a, b) + 0.5 * offset.abs() + extra + written;
+                canvas.obstacles.without_last_line();
+                let outside = if [a, b].iter().all(|end| bounds.holds(&Area::around(*end, 4.0))) { 0.0 } else { 500.0 };
+                let cost = line + 0.5 * offset.abs() + extra + written + outside;
                 (cost, offset)
             })
             .min_by(|(a, _), (b, _)| a.total_cmp(b));
@@ -285,7 +323,7 @@ fn dimensions(canvas: &mut Canvas, figure: &Figure, unit_name: &str, bounds: Are
         }
         arrow(&mut canvas.picture, a, b, Role::Measure, 1.1);
         canvas.picture.circle(a, 2.1, Paint::fill(Role::Measure));
-        canvas.obstacles.line(a, b, 1.5);
+        canvas.obstacles.line(a, b, DIMENSION);
         canvas.label(scaled(add(a, b), 0.5), 4.0, text, Role::Measure);
     }
     if !hidden.is_empty() {

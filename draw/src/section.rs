@@ -21,9 +21,9 @@ pub struct Section {
 }
 
 /// Cells of the raster along the longer side.
-const CELLS: usize = 120;
+const CELLS: usize = 96;
 /// Postures that are tried.
-const POSTURES: u32 = 120_000;
+const POSTURES: u32 = 200_000;
 /// Steps of two joints over their ranges for the singular curves.
 const STEPS: usize = 72;
 /// Bases in which postures are spread, one for each joint.

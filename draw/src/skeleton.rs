@@ -10,6 +10,9 @@ use crate::vector::{Vector, distance, length, moved, nearest_on_line};
 /// Frames farther from the arm than this many sizes of the arm are not drawn: those of nearly parallel axes.
 const FAR: f64 = 2.0;
 
+/// A point of the table is taken for a joint if it is within this many sizes of the arm.
+const NEAR: f64 = 0.6;
+
 /// Corners closer than this part of their distance from the origin are one.
 const SAME: f64 = 1e-12;
 
@@ -20,7 +23,8 @@ pub struct Joint {
     pub name: String,
     /// Revolute or prismatic.
     pub kind: JointKind,
-    /// The point of the axis nearest to the point of the joint before; of the first joint nearest to the origin.
+    /// The point of the table where the joint's row begins to move along the axis; where that is far from the arm, the point
+    /// of the axis nearest to the point of the joint before.
     pub point: Vector,
     /// Unit direction of the positive motion.
     pub axis: Vector,
@@ -83,11 +87,16 @@ impl Skeleton {
         if let Some((joint, value)) = (1..).zip(q).find(|(_, value)| !value.is_finite()) {
             return Err(DrawError::NotFinite { joint, value: *value });
         }
-        let mut walk = Walk::new(arm.model());
-        for (number, row) in (1..).zip(&arm.model().rows) {
-            walk.row(number, row, arm.model(), q);
-        }
-        let skeleton = walk.finish(arm.model());
+        let walked = |size: f64| {
+            let mut walk = Walk::new(arm.model(), size);
+            for (number, row) in (1..).zip(&arm.model().rows) {
+                walk.row(number, row, arm.model(), q);
+            }
+            walk.finish(arm.model())
+        };
+        // The size of the arm, by points that are near each other, tells which points of the table are near.
+        let size = walked(0.0).size();
+        let skeleton = walked(size);
         let finite = |point: &Vector| point.iter().all(|x| x.is_finite());
         if skeleton.points().all(finite) { Ok(skeleton) } else { Err(DrawError::TooLarge) }
     }
@@ -107,6 +116,8 @@ impl Skeleton {
 /// The way along the rows of a table.
 struct Walk {
     pose: Pose<f64>,
+    /// Size of the arm.
+    size: f64,
     /// The point of the last joint.
     before: Vector,
     joints: Vec<Joint>,
@@ -120,9 +131,10 @@ fn constant(frame: &Frame) -> Pose<f64> {
 }
 
 impl Walk {
-    fn new(model: &Model) -> Self {
+    fn new(model: &Model, size: f64) -> Self {
         let mut walk = Walk {
             pose: Pose::identity(),
+            size,
             before: [0.0; 3],
             joints: Vec::new(),
             links: Vec::new(),
@@ -189,7 +201,9 @@ impl Walk {
     /// A joint whose axis is z of the frame here, and the link that ends at it.
     fn joint(&mut self, joint: &model::Joint, value: f64) {
         let axis = column(&self.pose, 2);
-        let point = nearest_on_line(self.pose.translation, axis, self.before);
+        let nearest = nearest_on_line(self.pose.translation, axis, self.before);
+        let own = self.pose.translation;
+        let point = if distance(own, nearest) <= NEAR * self.size { own } else { nearest };
         self.link_to(point);
         let kind = match joint.kind {
             model::JointKind::Revolute => JointKind::Revolute,

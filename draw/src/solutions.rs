@@ -4,7 +4,7 @@ use crate::labels::Area;
 use crate::paint::Canvas;
 use crate::picture::{Dash, Paint, Role};
 use crate::scene::{Figure, Scene};
-use crate::vector::{Flat, distance, dot, moved, sub};
+use crate::vector::{Flat, distance, off_line};
 
 /// Width of a solution's link that lies alone, and by how much it grows for each one that lies on it, px.
 const ALONE: f64 = 3.2;
@@ -22,13 +22,6 @@ struct Line<'a> {
     to: Flat,
     figure: &'a Figure,
     number: usize,
-}
-
-/// Distance of a point from a line between two points.
-fn off_line(point: Flat, from: Flat, to: Flat) -> f64 {
-    let way = sub(to, from);
-    let part = dot(sub(point, from), way) / dot(way, way).max(1e-12);
-    distance(point, moved(from, way, part.clamp(0.0, 1.0)))
 }
 
 /// Draws all solutions of a scene.

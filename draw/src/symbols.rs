@@ -36,7 +36,9 @@ pub fn places(skeleton: &Skeleton, camera: &Camera) -> Vec<Vector> {
         });
         // A link that comes along the axis, or none, leaves the joint free to stand in the link that follows.
         let turns_here = before.is_some_and(|(from, to)| !along(from, to) && pixels(from, to) > APART);
-        let middle = after.filter(|(from, to)| pixels(*from, *to) > APART).map(|(from, to)| scaled(add(from, to), 0.5));
+        let along_link = after.filter(|(from, to)| pixels(*from, *to) > APART);
+        let middle =
+            along_link.into_iter().flat_map(|(from, to)| [0.5, 0.7, 0.85].map(|part| moved(from, sub(to, from), part)));
         let shift = |pixels: f64| moved(joint.point, joint.axis, pixels / camera.scale);
         let mut candidates = Vec::new();
         if joint.kind == JointKind::Prismatic || turns_here {

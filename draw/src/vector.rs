@@ -78,3 +78,10 @@ pub fn nearest_on_line(point: Vector, direction: Vector, to: Vector) -> Vector {
 pub fn left_of([x, y]: Flat) -> Flat {
     [y, -x]
 }
+
+/// Distance of a point from a line between two points.
+pub fn off_line(point: Flat, from: Flat, to: Flat) -> f64 {
+    let way = sub(to, from);
+    let part = dot(sub(point, from), way) / dot(way, way).max(1e-12);
+    distance(point, moved(from, way, part.clamp(0.0, 1.0)))
+}
