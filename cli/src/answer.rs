@@ -107,7 +107,7 @@ impl<'a> Answer<'a> {
     }
 
     /// The closest approach where no solution is exact.
-    fn closest(&self) -> Option<Closest> {
+    pub fn closest(&self) -> Option<Closest> {
         if self.solutions.status().is_reachable() {
             return None;
         }

@@ -64,9 +64,10 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
         ));
     }
     let arm = arm(&options.file)?;
+    let asked = GivenOrNear { given: options.given.as_deref(), near: options.near.as_deref(), units: options.units };
     let form = Form { units: options.units, within_limits: options.within_limits };
     if let Some(file) = &options.batch {
-        let Beside { given, near, hints } = beside(&arm, options, None)?;
+        let Beside { given, near, hints } = beside(&arm, &asked, None)?;
         for hint in hints {
             writeln!(err, "hint: {hint}")?;
         }
@@ -76,7 +77,7 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
     if let Some(values) = options.sweep {
         return sweep(&arm, &target, values, form, options.json, out);
     }
-    let Beside { given, near, hints } = beside(&arm, options, Some(&target))?;
+    let Beside { given, near, hints } = beside(&arm, &asked, Some(&target))?;
     target.hints.extend(hints);
     let answer = Answer::new(&arm, Asked { target, given, near }, form)?;
     if options.json {
@@ -124,21 +125,31 @@ fn instead(report: &Report) -> String {
     }
 }
 
+/// The options beside the target, as typed.
+pub struct GivenOrNear<'a> {
+    pub given: Option<&'a str>,
+    pub near: Option<&'a str>,
+    pub units: Units,
+}
+
 /// The options beside the target.
-struct Beside {
-    given: Option<f64>,
-    near: Option<Vec<f64>>,
-    hints: Vec<String>,
+pub struct Beside {
+    pub given: Option<f64>,
+    pub near: Option<Vec<f64>>,
+    pub hints: Vec<String>,
 }
 
 /// Reads them; a target at joint values gives the redundant joint its value.
-fn beside(arm: &DynamicArm, options: &Options, target: Option<&Target>) -> Result<Beside, Failure> {
+///
+/// # Errors
+/// No numbers, or a value too many or too few.
+pub fn beside(arm: &DynamicArm, options: &GivenOrNear, target: Option<&Target>) -> Result<Beside, Failure> {
     let units = options.units;
-    let near = options.near.as_ref().map(|text| joint_vector("--near", text, arm, units)).transpose()?;
+    let near = options.near.map(|text| joint_vector("--near", text, arm, units)).transpose()?;
     let mut hints: Vec<String> = Vec::new();
     hints.extend(near.as_deref().and_then(|near| hints::of_joints("--near", arm, near, units)));
     let q = target.and_then(|target| target.q.as_deref());
-    let given = match (&options.given, arm.given()?) {
+    let given = match (options.given, arm.given()?) {
         // A slide is a length; everything else that is given is an angle.
         (Some(text), Some(_)) => {
             let value = one("--given", text, arm, units)?;

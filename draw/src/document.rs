@@ -28,6 +28,7 @@ pub fn svg(picture: &Picture, theme: Theme, letters: Letters) -> String {
     root.assign("width", width.clone());
     root.assign("height", height.clone());
     root.assign("role", "img");
+    root.assign("data-by", "denhart draw");
     let mut title = Element::new("title");
     title.append(svg::node::Text::new(printable(&picture.description)));
     root.append(title);
