@@ -17,6 +17,11 @@ pub fn short(value: f64) -> String {
     if value < 0.0 && text != "0" { format!("\u{2212}{text}") } else { text }
 }
 
+/// Three significant digits.
+pub fn rough(value: f64) -> String {
+    short(format!("{value:.2e}").parse().unwrap_or(value))
+}
+
 /// The value to one decimal, without a negative zero: coordinates in the file of a picture.
 pub fn coordinate(value: f64) -> String {
     let tenths = (value * 10.0).round() / 10.0;

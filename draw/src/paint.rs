@@ -103,7 +103,7 @@ pub fn picture(scene: &Scene, view: View, size: Flat, font: &Font) -> Picture {
         }
         if scene.frames {
             frames(&mut canvas, figure);
-        } else if scene.target.is_none() {
+        } else if figure.solution.is_none() {
             tool(&mut canvas, figure);
         }
         let asked = scene.frames || scene.dimensions;

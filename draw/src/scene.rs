@@ -4,7 +4,7 @@ use denhart::{JointKind, Pose};
 use denhart_dynamic::{DynamicArm, DynamicSolutions};
 
 use crate::DrawError;
-use crate::number::short;
+use crate::number::{rough, short};
 use crate::section::Section;
 use crate::skeleton::Skeleton;
 use crate::vector::{Vector, distance};
@@ -149,7 +149,7 @@ impl Scene {
     pub fn with_miss(mut self) -> Self {
         if let (Some(figure), Some(target)) = (self.figures.first(), self.target) {
             let (from, to) = (figure.skeleton.tool.translation, target.translation);
-            let text = format!("{} {} short", short(distance(from, to)), self.length_unit);
+            let text = format!("{} {} short", rough(distance(from, to)), self.length_unit);
             self.miss = Some(Miss { from, to, text });
         }
         self

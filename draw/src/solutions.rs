@@ -91,10 +91,14 @@ fn numbers(canvas: &mut Canvas, figures: &[(&Figure, usize)]) {
             lines.map(|(from, to)| off_line(*point, *from, *to)).filter(|gap| *gap > SAME).fold(1e9, f64::min)
         };
         let shared = |point: &Flat| {
-            all.iter().filter(|(corners, _)| corners.iter().any(|corner| distance(*corner, *point) < SAME)).count()
+            let on = |corners: &Vec<Flat>| {
+                corners.iter().zip(corners.iter().skip(1)).any(|(from, to)| off_line(*point, *from, *to) < SAME)
+            };
+            all.iter().filter(|(corners, _)| on(corners)).count()
         };
         let candidates = own.iter().copied().chain(middles);
-        let best = candidates.map(|point| (apart(&point) / shared(&point).max(1) as f64, point));
+        // Away from others, and on few of them.
+        let best = candidates.map(|point| (apart(&point).min(60.0) / shared(&point).max(1) as f64, point));
         let Some((_, at)) = best.max_by(|(a, _), (b, _)| a.total_cmp(b)) else { continue };
         match named.iter_mut().find(|(other, _)| distance(*other, at) < SAME) {
             Some((_, numbers)) => numbers.push(*number),
