@@ -1,9 +1,9 @@
 //! The frame of a picture: title, directions, scale, legend and notes.
 
+use crate::canvas::Canvas;
 use crate::font::Font;
 use crate::labels::Area;
 use crate::number::short;
-use crate::paint::Canvas;
 use crate::picture::{Dash, Paint, Role, Shape, Text};
 use crate::scene::Scene;
 use crate::solutions::role;
@@ -14,7 +14,7 @@ use crate::view::View;
 /// Below this width names are left out, px.
 const SMALL: f64 = 480.0;
 /// Height of the part with directions and scale, px.
-const FOOT: f64 = 58.0;
+const FOOT: f64 = 64.0;
 
 /// The parts of a picture.
 pub struct Frame {
@@ -120,8 +120,8 @@ pub fn header(canvas: &mut Canvas, scene: &Scene, view: View, frame: &Frame) {
 /// Directions and scale, then the legend and the notes, line by line.
 pub fn footer(canvas: &mut Canvas, scene: &Scene, view: View, frame: &Frame) {
     let bottom = frame.bottom();
-    directions(canvas, [34.0, bottom + 34.0], view);
-    scale_bar(canvas, [82.0, bottom + 36.0], &scene.length_unit);
+    directions(canvas, [34.0, bottom + 42.0], view);
+    scale_bar(canvas, [82.0, bottom + 42.0], &scene.length_unit);
     let mut top = bottom + FOOT;
     if frame.small {
         canvas.picture.size = [frame.size[0], top];

@@ -152,7 +152,7 @@ pub fn place(
     let mut left_over = Vec::new();
     for label in labels {
         let width = font.width(&label.text, label.size);
-        let Some((_, area)) = best(label, font, obstacles, bounds) else {
+        let Some((_, area)) = best(label, font, obstacles, bounds, true) else {
             left_over.push(label.clone());
             continue;
         };
@@ -175,18 +175,21 @@ fn between(from: Flat, to: Flat, part: f64) -> Flat {
     [from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1])]
 }
 
-/// The best place of a label and how bad it is: free of texts, near its point, over as little else as can be.
-pub fn best(label: &Label, font: &Font, obstacles: &Obstacles, bounds: Area) -> Option<(f64, Area)> {
+/// The best place of a label and how bad it is: free of texts, near its point, over as little else as can be. Where the
+/// places around the point are bad, the whole picture is searched if `far` says so.
+pub fn best(label: &Label, font: &Font, obstacles: &Obstacles, bounds: Area, far: bool) -> Option<(f64, Area)> {
     let (width, height) = (font.width(&label.text, label.size), (CAPITAL + DEPTH) * label.size);
     // How bad a place is; none where the label does not fit.
     let cost = |area: &Area| {
         let cost = obstacles.cost(&area.grown(1.0)).filter(|_| bounds.holds(area))?;
         let near = area.nearest_to(label.at);
-        let far = distance(near, label.at) > label.clear + LEADER;
-        let way = if far { 12.0 + 0.3 * obstacles.cost_of_line(label.at, near).min(200.0) } else { 0.0 };
+        let led = distance(near, label.at) > label.clear + LEADER;
+        let way = if led { 12.0 + 0.3 * obstacles.cost_of_line(label.at, near).min(200.0) } else { 0.0 };
         Some(cost + way)
     };
-    let least = |a: &(f64, Area), b: &(f64, Area)| a.0.total_cmp(&b.0);
+    // Equal costs stay equal whatever the rounding of a machine is: the first place wins.
+    let rounded = |cost: f64| (cost * 100.0).round();
+    let least = |a: &(f64, Area), b: &(f64, Area)| rounded(a.0).total_cmp(&rounded(b.0));
     let around = GAPS.iter().flat_map(|gap| (0..DIRECTIONS).map(move |direction| (*gap, direction)));
     let beside = around.filter_map(|(gap, direction)| {
         let angle = std::f64::consts::TAU * f64::from(direction) / f64::from(DIRECTIONS);
@@ -201,7 +204,7 @@ pub fn best(label: &Label, font: &Font, obstacles: &Obstacles, bounds: Area) -> 
         Some((cost(&area)? + 0.9 * gap + 1.5 * (1.0 - cos), area))
     });
     let near = beside.min_by(least);
-    if near.is_some_and(|(cost, _)| cost <= CROWDED) {
+    if !far || near.is_some_and(|(cost, _)| cost <= CROWDED) {
         return near;
     }
     let steps =

@@ -33,12 +33,17 @@
 //!   far from the arm, its links do not.
 //! - Texts never lie over each other. One without a place stands in the notes below the picture.
 
+mod aims;
+mod apart;
+mod canvas;
 mod contour;
 mod document;
 mod error;
+mod figure;
 mod font;
 mod furniture;
 mod labels;
+mod measures;
 mod number;
 mod paint;
 mod picture;
@@ -54,6 +59,7 @@ mod theme;
 mod vector;
 mod view;
 
+pub use apart::apart;
 pub use error::DrawError;
 pub use picture::{Command, Dash, Paint, Picture, Role, Shape, Text};
 pub use scene::{Figure, Miss, Scene};

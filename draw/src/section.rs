@@ -78,7 +78,7 @@ impl Plane {
 }
 
 /// Parts of a whole, spread evenly: the radical inverse of `index` in a base.
-fn spread(mut index: u32, base: u32) -> f64 {
+pub fn spread(mut index: u32, base: u32) -> f64 {
     let (mut value, mut part) = (0.0, 1.0);
     while index > 0 {
         part /= f64::from(base);

@@ -1,7 +1,7 @@
 //! Solutions side by side, each in its color. Where several lie on each other all colors are seen, the first one widest.
 
+use crate::canvas::Canvas;
 use crate::labels::Area;
-use crate::paint::Canvas;
 use crate::picture::{Dash, Paint, Role};
 use crate::scene::{Figure, Scene};
 use crate::vector::{Flat, distance, off_line};

@@ -59,6 +59,12 @@ impl Scene {
         svg(&self.picture(style), style.theme, Letters::Text)
     }
 
+    /// The picture as SVG with its texts as outlines of the shipped font: larger, and alike in every viewer.
+    #[must_use]
+    pub fn outlined_svg(&self, style: &Style) -> String {
+        svg(&self.picture(style), style.theme, Letters::Outlines)
+    }
+
     /// The picture as a PNG file, `width` pixels wide. Its texts are drawn in the shipped font.
     ///
     /// # Errors

@@ -7,7 +7,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::{ArgGroup, Args, ValueEnum};
-use denhart_draw::{DrawError, Scene, Style, Theme, View, section};
+use denhart_draw::{DrawError, Scene, Style, Theme, View, apart, section};
 use denhart_dynamic::{DynamicArm, DynamicError};
 
 use crate::Failure;
@@ -26,6 +26,9 @@ pub struct Options {
     file: PathBuf,
     #[command(flatten)]
     spelling: Spelling,
+    /// At joint values that show the joints apart, in place of 0
+    #[arg(long, conflicts_with = "target")]
+    apart: bool,
     /// With --q: every other solution of the pose too
     #[arg(long)]
     solutions: bool,
@@ -118,13 +121,6 @@ impl From<DrawError> for Failure {
 pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<bool, Failure> {
     let output = output::Output::of(options.output.as_deref())?;
     let arm = arm(&options.file)?;
-    let (mut scene, q, reached) = scene(&arm, options, err)?;
-    if options.frames {
-        scene = scene.with_frames();
-    }
-    if options.dimensions {
-        scene = scene.with_dimensions();
-    }
     let view = options.view.map_or_else(
         || match View::of(&arm) {
             View::Iso if options.workspace => View::Side,
@@ -132,6 +128,13 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
         },
         View::from,
     );
+    let (mut scene, q, reached) = scene(&arm, options, view, err)?;
+    if options.frames {
+        scene = scene.with_frames();
+    }
+    if options.dimensions {
+        scene = scene.with_dimensions();
+    }
     if options.workspace {
         scene = scene.with_section(section(&arm, &q, view)?);
     }
@@ -148,11 +151,17 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
 }
 
 /// The scene, the joint values of its first figure, and whether the target is reached.
-fn scene(arm: &DynamicArm, options: &Options, err: &mut dyn Write) -> Result<(Scene, Vec<f64>, bool), Failure> {
+fn scene(
+    arm: &DynamicArm,
+    options: &Options,
+    view: View,
+    err: &mut dyn Write,
+) -> Result<(Scene, Vec<f64>, bool), Failure> {
     let units = options.units;
     let q = options.spelling.joint_values().map(|text| joint_vector("--q", text, arm, units)).transpose()?;
     if !options.spelling.is_given() || q.is_some() && !options.solutions {
-        let q = q.unwrap_or_else(|| vec![0.0; arm.joints()]);
+        let unasked = || if options.apart { apart(arm, view) } else { vec![0.0; arm.joints()] };
+        let q = q.unwrap_or_else(unasked);
         return Ok((Scene::of(arm, &q)?, q, true));
     }
     if let Err(DynamicError::NoInverse(reason)) = arm.task() {
