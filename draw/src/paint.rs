@@ -10,7 +10,8 @@ use crate::measures::{dimensions, frames, tool};
 use crate::picture::Picture;
 use crate::scene::Scene;
 use crate::solutions::solutions;
-use crate::vector::Flat;
+use crate::symbols::places;
+use crate::vector::{Flat, Vector};
 use crate::view::{Camera, View};
 
 /// The picture of a scene in a view. `size` is that of the drawing, px; lines of text below make the picture higher.
@@ -21,7 +22,16 @@ pub fn picture(scene: &Scene, view: View, size: Flat, font: &Font) -> Picture {
         section.region.iter().chain(section.singular.iter().flat_map(|(_, lines)| lines)).flatten().copied()
     });
     let target = scene.target.iter().map(|pose| pose.translation);
-    let camera = Camera::fit(view, points.chain(section).chain(target), frame.inside(scene.dimensions));
+    let all = points.chain(section).chain(target);
+    let camera = Camera::fit(view, all.clone(), frame.inside(scene.dimensions));
+    // Signs of joints may stand beside the links.
+    let signs: Vec<Vector> = scene
+        .figures
+        .iter()
+        .filter(|figure| figure.solution.is_none())
+        .flat_map(|figure| places(&figure.skeleton, &camera))
+        .collect();
+    let camera = Camera::fit(view, all.chain(signs.iter().copied()), frame.inside(scene.dimensions));
     let mut canvas = Canvas {
         picture: Picture { size, description: String::new(), shapes: Vec::new() },
         camera,

@@ -85,7 +85,7 @@ impl Paint {
         Paint { fill: Some(fill), stroke: Some((line, width)), dash: Dash::Solid }
     }
 
-    /// The same with another kind of line.
+    /// This paint with another kind of line.
     pub fn dashed(self, dash: Dash) -> Self {
         Paint { dash, ..self }
     }

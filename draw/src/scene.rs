@@ -22,7 +22,7 @@ pub struct Figure {
     pub branch: String,
 }
 
-/// By how much a target is missed.
+/// The way that a target is missed by.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Miss {
     /// The tool point of the closest approach.
@@ -52,7 +52,7 @@ pub struct Scene {
     pub dimensions: bool,
     /// Pose of the target.
     pub target: Option<Pose<f64>>,
-    /// By how much the target is missed.
+    /// The way from the tool point to the target, where it is missed.
     pub miss: Option<Miss>,
     /// The section that the tool reaches.
     pub section: Option<Section>,

@@ -31,13 +31,13 @@ impl Style {
         Style { view, theme: Theme::Auto, size: [720.0, 440.0] }
     }
 
-    /// The same in other colors.
+    /// This style in other colors.
     #[must_use]
     pub fn with_theme(self, theme: Theme) -> Self {
         Style { theme, ..self }
     }
 
-    /// The same at another size.
+    /// This style at another size.
     #[must_use]
     pub fn with_size(self, width: f64, height: f64) -> Self {
         Style { size: [width, height], ..self }
