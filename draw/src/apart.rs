@@ -41,10 +41,22 @@ pub fn apart(arm: &DynamicArm, view: View) -> Vec<f64> {
         .collect();
     let posture = |number: u32| -> Vec<f64> {
         let bases = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29];
-        ranges.iter().zip(bases).map(|([low, high], base)| low + (high - low) * spread(number, base)).collect()
+        let values = ranges.iter().zip(bases).zip(arm.joint_kinds());
+        values
+            .map(|(([low, high], base), kind)| round(*kind, low + (high - low) * spread(number, base), [*low, *high]))
+            .collect()
     };
     let judged = (1..=POSTURES).map(posture).filter_map(|q| Some((clarity(arm, &q, view)?, q)));
     judged.max_by(|(a, _), (b, _)| a.total_cmp(b)).map_or(zero, |(_, q)| q)
+}
+
+/// The value in whole degrees, or with two digits, if that is in the range: a number to type.
+fn round(kind: JointKind, value: f64, [low, high]: [f64; 2]) -> f64 {
+    let rounded = match kind {
+        JointKind::Revolute => value.to_degrees().round().to_radians(),
+        _ => format!("{value:.1e}").parse().unwrap_or(value),
+    };
+    if (low..=high).contains(&rounded) { rounded } else { value }
 }
 
 /// How clear a posture is: the least distance of joints and tool, less what crosses and what is below the ground.

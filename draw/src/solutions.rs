@@ -97,8 +97,8 @@ fn numbers(canvas: &mut Canvas, figures: &[(&Figure, usize)]) {
             all.iter().filter(|(corners, _)| on(corners)).count()
         };
         let candidates = own.iter().copied().chain(middles);
-        // Away from others, and on few of them.
-        let best = candidates.map(|point| (apart(&point).min(60.0) / shared(&point).max(1) as f64, point));
+        // On as few others as can be, and away from the rest.
+        let best = candidates.map(|point| (apart(&point).min(999.0) - 1000.0 * shared(&point) as f64, point));
         let Some((_, at)) = best.max_by(|(a, _), (b, _)| a.total_cmp(b)) else { continue };
         match named.iter_mut().find(|(other, _)| distance(*other, at) < SAME) {
             Some((_, numbers)) => numbers.push(*number),
