@@ -189,9 +189,9 @@ fn legend(canvas: &mut Canvas, scene: &Scene, frame: &Frame, top: f64) -> f64 {
             if !figure.branch.is_empty() {
                 words.push(figure.branch.clone());
             }
-            let mut text = words.join("  ");
+            let mut text = words.join(" ");
             if figure.out_of_limits {
-                text += "  (out of limits)";
+                text += " (out of limits)";
             }
             Some((number, figure.out_of_limits, text))
         })

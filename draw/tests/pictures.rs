@@ -83,7 +83,7 @@ fn every_solution_is_in_the_legend() {
         };
         for (number, solution) in (1..).zip(solutions.iter()) {
             let branch = solution.branch.to_string();
-            let words = if branch == "-" { number.to_string() } else { format!("{number}  {branch}") };
+            let words = if branch == "-" { number.to_string() } else { format!("{number} {branch}") };
             assert!(written(&words), "{of}: {words}");
         }
         assert_eq!(

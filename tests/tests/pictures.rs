@@ -4,6 +4,7 @@
 //! the file that it writes. `DENHART_ACCEPT=1 cargo test -p denhart-tests --no-default-features --test pictures` draws them.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+#[allow(dead_code)] // The parts for fences.
 mod pages;
 
 use std::fs;
