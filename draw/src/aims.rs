@@ -3,6 +3,7 @@
 use crate::canvas::{Canvas, FRAME};
 use crate::picture::{Command, Dash, Paint, Role, Shape};
 use crate::scene::Scene;
+use crate::section::Curves;
 use crate::skeleton::column;
 use crate::vector::{add, scaled};
 
@@ -24,14 +25,14 @@ pub fn region(canvas: &mut Canvas, scene: &Scene) {
 /// Singular curves, each kind in a color of its own with its name.
 pub fn curves(canvas: &mut Canvas, scene: &Scene) {
     let Some(section) = &scene.section else { return };
-    for (number, (name, lines)) in (0..).zip(&section.singular) {
+    for (number, Curves { margin, lines }) in (0..).zip(&section.singular) {
         let role = Role::Solution(number);
         for line in lines {
             canvas.line(line, Paint::line(role, 1.8), 0.3);
         }
         let longest = lines.iter().max_by_key(|line| line.len());
         if let Some(point) = longest.and_then(|line| line.get(line.len() / 3)) {
-            canvas.label(canvas.camera.place(*point), 5.0, format!("{name} singular"), role);
+            canvas.label(canvas.camera.place(*point), 5.0, format!("{margin} singular"), role);
         }
     }
     if !section.singular.is_empty() {

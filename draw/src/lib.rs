@@ -63,7 +63,7 @@ pub use apart::apart;
 pub use error::DrawError;
 pub use picture::{Command, Dash, Paint, Picture, Role, Shape, Text};
 pub use scene::{Figure, Miss, Scene};
-pub use section::{Section, section};
+pub use section::{Curves, Section, section};
 pub use skeleton::{Joint, Measure, NamedFrame, Skeleton};
 pub use style::Style;
 pub use theme::Theme;

@@ -19,7 +19,7 @@ pub fn picture(scene: &Scene, view: View, size: Flat, font: &Font) -> Picture {
     let frame = Frame::of(size);
     let points = scene.figures.iter().flat_map(|figure| figure.skeleton.points().copied());
     let section = scene.section.iter().flat_map(|section| {
-        section.region.iter().chain(section.singular.iter().flat_map(|(_, lines)| lines)).flatten().copied()
+        section.region.iter().chain(section.singular.iter().flat_map(|curves| &curves.lines)).flatten().copied()
     });
     let target = scene.target.iter().map(|pose| pose.translation);
     let all = points.chain(section).chain(target);

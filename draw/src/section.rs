@@ -14,10 +14,19 @@ use crate::view::View;
 pub struct Section {
     /// The region, as closed lines; holes are lines of their own.
     pub region: Vec<Vec<Vector>>,
-    /// Curves on which an arm is singular, each with the name of the margin that is 0 there.
-    pub singular: Vec<(String, Vec<Vec<Vector>>)>,
+    /// Curves on which the arm is singular.
+    pub singular: Vec<Curves>,
     /// The plane in words.
     pub plane: String,
+}
+
+/// Curves on which one margin of an arm is 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curves {
+    /// Name of the margin.
+    pub margin: String,
+    /// The curves.
+    pub lines: Vec<Vec<Vector>>,
 }
 
 /// Cells of the raster along the longer side.
@@ -192,7 +201,7 @@ fn ranges(arm: &DynamicArm, q: &[f64]) -> Vec<[f64; 2]> {
     let joints = arm.joint_kinds().iter().zip(arm.limits()).zip(q);
     joints
         .map(|((kind, [low, high]), q)| match kind {
-            JointKind::Revolute if !(high - low < 2.0 * TURN) => [-TURN, TURN],
+            JointKind::Revolute if high - low >= 2.0 * TURN => [-TURN, TURN],
             JointKind::Prismatic if !(high - low).is_finite() => [*q, *q],
             _ => [*low, *high],
         })
@@ -268,7 +277,7 @@ impl Ways<'_> {
     }
 
     /// Curves in the plane on which a margin is 0, by the name of the margin.
-    fn singular(&self) -> Result<Vec<(String, Vec<Vec<Vector>>)>, DrawError> {
+    fn singular(&self) -> Result<Vec<Curves>, DrawError> {
         let (i, j) = (self.first(), self.first() + 1);
         let (Some(across), Some(along)) = (self.ranges.get(i), self.ranges.get(j)) else { return Ok(Vec::new()) };
         let at = |[u, v]: Flat| {
@@ -320,7 +329,7 @@ impl Ways<'_> {
             }
             curves.retain(|curve| curve.len() > 1);
             if !curves.is_empty() {
-                singular.push((name, curves));
+                singular.push(Curves { margin: name, lines: curves });
             }
         }
         Ok(singular)
@@ -351,7 +360,9 @@ mod tests {
             let radius = length(*point);
             assert!((radius - 0.8).abs() < 2.0 * cell || (radius - 0.2).abs() < 2.0 * cell, "{radius}");
         }
-        let [(_, curves)] = section.singular.as_slice() else { unreachable!("{:?}", section.singular) };
+        let [Curves { lines: curves, .. }] = section.singular.as_slice() else {
+            unreachable!("{:?}", section.singular)
+        };
         for point in curves.iter().flatten() {
             let radius = length(*point);
             assert!((radius - 0.8).abs() < 1e-3 || (radius - 0.2).abs() < 1e-3, "{radius}");
