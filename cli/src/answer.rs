@@ -113,7 +113,7 @@ impl<'a> Answer<'a> {
     }
 
     /// The closest approach where no solution is exact.
-    fn closest(&self) -> Option<Closest> {
+    pub fn closest(&self) -> Option<Closest> {
         if self.solutions.status().is_reachable() {
             return None;
         }

@@ -65,9 +65,10 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
         ));
     }
     let arm = arm(&options.file)?;
+    let asked = GivenOrNear { given: options.given.as_deref(), near: options.near.as_deref(), units: options.units };
     let form = Form { units: options.units, within_limits: options.within_limits };
     if let Some(file) = &options.batch {
-        let Beside { given, near, hints } = beside(&arm, options, None)?;
+        let Beside { given, near, hints } = beside(&arm, &asked, None)?;
         for hint in hints {
             writeln!(err, "hint: {hint}")?;
         }
@@ -77,7 +78,7 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
     if let Some(values) = options.sweep {
         return sweep(&arm, &target, values, form, options.json, out);
     }
-    let Beside { given, near, hints } = beside(&arm, options, Some(&target))?;
+    let Beside { given, near, hints } = beside(&arm, &asked, Some(&target))?;
     target.hints.extend(hints);
     let answer = Answer::new(&arm, Asked { target, given, near }, form)?;
     if options.json {
@@ -125,22 +126,32 @@ fn instead(report: &Report) -> String {
     }
 }
 
+/// The options beside the target, as typed.
+pub struct GivenOrNear<'a> {
+    pub given: Option<&'a str>,
+    pub near: Option<&'a str>,
+    pub units: Units,
+}
+
 /// The options beside the target.
-struct Beside {
-    given: Vec<f64>,
-    near: Option<Vec<f64>>,
-    hints: Vec<String>,
+pub struct Beside {
+    pub given: Vec<f64>,
+    pub near: Option<Vec<f64>>,
+    pub hints: Vec<String>,
 }
 
 /// Reads them; a target at joint values, or with values of its own, gives the redundant joints theirs.
-fn beside(arm: &DynamicArm, options: &Options, target: Option<&Target>) -> Result<Beside, Failure> {
+///
+/// # Errors
+/// No numbers, or a value too many or too few.
+pub fn beside(arm: &DynamicArm, options: &GivenOrNear, target: Option<&Target>) -> Result<Beside, Failure> {
     let units = options.units;
-    let near = options.near.as_ref().map(|text| joint_vector("--near", text, arm, units)).transpose()?;
+    let near = options.near.map(|text| joint_vector("--near", text, arm, units)).transpose()?;
     let mut hints: Vec<String> = Vec::new();
     hints.extend(near.as_deref().and_then(|near| hints::of_joints("--near", arm, near, units)));
     let names = arm.given()?;
     let own = target.map(|target| target.given.as_slice()).filter(|given| !given.is_empty());
-    let given = match &options.given {
+    let given = match options.given {
         Some(_) if names.is_empty() => {
             return Err(Failure::Usage(
                 "--given: this arm's inverse takes no such value\nhelp: leave --given out".to_owned(),

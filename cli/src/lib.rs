@@ -8,6 +8,8 @@ mod check;
 mod closest;
 mod cost;
 mod documents;
+#[cfg(feature = "draw")]
+mod draw;
 mod export;
 mod files;
 mod forward;
@@ -51,7 +53,7 @@ const NO_SOLUTION: u8 = 3;
 #[command(name = "denhart", version, arg_required_else_help = true)]
 #[command(
     after_help = "Exit status: 0 done; 1 mistakes in the file, an arm without inverse where one is asked for, a limit that ends a \
-                  trace; 2 wrong arguments; 3 (of inverse) no exact solution."
+                  trace; 2 wrong arguments; 3 (of inverse and draw) no exact solution."
 )]
 struct Command {
     #[command(subcommand)]
@@ -87,6 +89,14 @@ enum Action {
     /// For each solution: joint values, branch, flags, broken limits, and what forward kinematics misses the target by.
     /// Without an exact solution it says whether distance or direction is missed, and the exit status is 3.
     Inverse(inverse::Options),
+    /// Draw an arm at joint values, or every solution of a target, as SVG or PNG
+    ///
+    /// Without joint values and target all joints are at 0, to hold against a drawing: with --frames and --dimensions. A
+    /// cylinder turns about its axis, a box slides along it; the arrow shows the positive motion by the right hand. With a
+    /// target every solution has its color, those outside the limits are dashed; a target out of reach is drawn with the
+    /// closest approach.
+    #[cfg(feature = "draw")]
+    Draw(draw::Options),
     /// Print an arm file for a serial chain of a URDF
     ///
     /// Joints that turn, slide or are fixed; limits and names are kept, and so are zero and direction of each joint.
@@ -190,6 +200,11 @@ fn act(action: Action, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), F
         Action::Trace(options) => trace::run(&options, out),
         Action::Forward(options) => forward::run(&options, &mut Labels::new(out)),
         Action::Inverse(options) => match inverse::run(&options, &mut Labels::new(out), err)? {
+            true => Ok(()),
+            false => Err(Failure::NoSolution),
+        },
+        #[cfg(feature = "draw")]
+        Action::Draw(options) => match draw::run(&options, out, &mut Labels::new(err))? {
             true => Ok(()),
             false => Err(Failure::NoSolution),
         },

@@ -230,7 +230,11 @@ fn run(pages: &[Page], page: &Page, words: &[String], place: &str) {
         return run(pages, page, &words[..pipe], place);
     }
     match program.as_str() {
-        "denhart" if words.iter().any(|word| word == "new" || word == "-o" || word == ">" || word.contains('*')) => {
+        "denhart"
+            if words
+                .iter()
+                .any(|word| word == "new" || word == "-o" || word == "--plot" || word == ">" || word.contains('*')) =>
+        {
             has_its_options(words, place);
         }
         "denhart" => assert!(!denhart(pages, page, words, place).is_empty(), "{place}"),

@@ -105,6 +105,19 @@ impl Spelling {
         self.json_target.as_deref().is_some_and(is_standard_input)
     }
 
+    /// Tells if a target is typed.
+    #[cfg(feature = "draw")]
+    pub fn is_given(&self) -> bool {
+        let texts = [&self.pose, &self.whole_pose, &self.quat, &self.matrix, &self.q];
+        texts.into_iter().any(Option::is_some) || self.json_target.is_some()
+    }
+
+    /// The joint values as typed, where the target is typed so.
+    #[cfg(feature = "draw")]
+    pub fn joint_values(&self) -> Option<&str> {
+        self.q.as_deref()
+    }
+
     /// The target as typed.
     ///
     /// # Errors

@@ -5,6 +5,8 @@ mod advice;
 mod jet;
 mod law;
 mod limits;
+#[cfg(feature = "draw")]
+mod plot;
 mod samples;
 mod times;
 mod token;
@@ -29,6 +31,9 @@ use token::LawError;
 
 /// How many samples pass between two looks at the clock.
 const BETWEEN_LOOKS: u64 = 512;
+/// Steps of a curve.
+#[cfg(feature = "draw")]
+const PLOTTED: u32 = 160;
 /// The progress bar.
 const BAR: &str = "{wide_bar} {human_pos}/{human_len} samples, {eta} left";
 
@@ -67,6 +72,10 @@ pub struct Options {
     /// Write to this file instead of the standard output
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
+    /// Draw the curves too: joints with their limits, position, velocities and accelerations of the tool over time, as SVG
+    #[cfg(feature = "draw")]
+    #[arg(long, value_name = "FILE.svg")]
+    plot: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -123,6 +132,10 @@ pub fn run(options: &Options, out: &mut dyn Write) -> Result<(), Failure> {
     // Without a first sample there is no table. JSON says why there is none.
     if trace.top.is_none() {
         trace.first()?;
+    }
+    #[cfg(feature = "draw")]
+    if let Some(path) = &options.plot {
+        trace.plot(&model, path)?;
     }
     match &options.output {
         None => trace.write(out, !io::stdout().is_terminal()),
@@ -188,6 +201,69 @@ impl Trace {
         };
         samples.end(stopped)?;
         ended
+    }
+
+    /// Writes the curves, up to the first time without a sample.
+    #[cfg(feature = "draw")]
+    fn plot(&self, model: &denhart_codegen::model::Model, path: &std::path::Path) -> Result<(), Failure> {
+        use plot::{Curve, Panel};
+        if path.extension().is_none_or(|kind| !kind.eq_ignore_ascii_case("svg")) {
+            let given = path.display();
+            return Err(Failure::Usage(format!("--plot: `{given}` is no SVG\nhelp: write a name that ends in .svg")));
+        }
+        let (first, last) = (self.times.at(0), self.times.at(self.times.count().saturating_sub(1)));
+        let (mut times, mut rows) = (Vec::new(), Vec::new());
+        for index in 0..=PLOTTED {
+            let t = first + (last - first) * f64::from(index) / f64::from(PLOTTED);
+            match self.sample(t) {
+                Ok(Sample { values, broken: None }) => rows.push(values),
+                _ => break,
+            }
+            times.push(t);
+        }
+        if rows.is_empty() {
+            return Err(Failure::Other(format!("--plot: no sample at t = {first}, so there is no curve")));
+        }
+        let column = |index: usize| rows.iter().filter_map(|row| row.get(index).copied()).collect::<Vec<f64>>();
+        let (length, angle) = (model.length_unit.symbol(), self.angle.symbol());
+        let joints = |kind: JointKind, unit: f64| -> Vec<Curve> {
+            let own = (1..).zip(&model.joints).zip(&self.kinds).filter(|(_, other)| **other == kind);
+            own.map(|((number, joint), _)| Curve {
+                name: joint.name.clone(),
+                values: column(number),
+                limits: joint.limits.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]).map(|limit| limit / unit),
+            })
+            .collect()
+        };
+        let free = [f64::NEG_INFINITY, f64::INFINITY];
+        // Behind the time, the joints and the position stands the orientation.
+        let position = 1 + self.kinds.len();
+        let rates = position + 3 + self.form.header().len();
+        let three = |title: &str, unit: String, start: usize, names: [&str; 3]| {
+            let curves = (start..).zip(names).map(|(index, name)| Curve {
+                name: name.to_owned(),
+                values: column(index),
+                limits: free,
+            });
+            Panel { title: title.to_owned(), unit, curves: curves.collect() }
+        };
+        let panels = [
+            Panel {
+                title: "joints".to_owned(),
+                unit: angle.to_owned(),
+                curves: joints(JointKind::Revolute, self.angle.in_rad()),
+            },
+            Panel { title: "slides".to_owned(), unit: length.to_owned(), curves: joints(JointKind::Prismatic, 1.0) },
+            three("position of the tool", length.to_owned(), position, ["x", "y", "z"]),
+            three("velocity", format!("{length}/s"), rates, ["vx", "vy", "vz"]),
+            three("angular velocity", format!("{angle}/s"), rates + 3, ["wx", "wy", "wz"]),
+            three("acceleration", format!("{length}/s\u{b2}"), rates + 6, ["ax", "ay", "az"]),
+            three("angular acceleration", format!("{angle}/s\u{b2}"), rates + 9, ["dwx", "dwy", "dwz"]),
+        ];
+        let panels: Vec<Panel> = panels.into_iter().filter(|panel| !panel.curves.is_empty()).collect();
+        let text = plot::svg(&model.name, &times, &panels).map_err(Failure::Other)?;
+        let cannot = |error: io::Error| Failure::Other(format!("cannot write `{}`: {error}", path.display()));
+        std::fs::write(path, text).map_err(cannot)
     }
 
     /// Fails without a first sample.

@@ -1,0 +1,194 @@
+//! Things to draw, in space.
+
+use denhart::{JointKind, Pose};
+use denhart_dynamic::{DynamicArm, DynamicSolutions};
+
+use crate::DrawError;
+use crate::number::{rough, short};
+use crate::section::Section;
+use crate::skeleton::Skeleton;
+use crate::vector::{Vector, distance};
+
+/// An arm in one posture, with its name in the picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// The geometry.
+    pub skeleton: Skeleton,
+    /// Number of the solution, from 1; `None` for the arm itself, which has the signs of its joints.
+    pub solution: Option<usize>,
+    /// True if a joint is outside its limits.
+    pub out_of_limits: bool,
+    /// Name of the solution's branch; empty where it has none.
+    pub branch: String,
+}
+
+/// The way that a target is missed by.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Miss {
+    /// The tool point of the closest approach.
+    pub from: Vector,
+    /// The point of the target.
+    pub to: Vector,
+    /// The difference in words.
+    pub text: String,
+}
+
+/// An arm and what stands around it: a plain list of things in space, base frame, length unit of the arm.
+///
+/// The picture is made from it, and other ones may be: it knows nothing of views and colors.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// Name of the arm.
+    pub name: String,
+    /// Symbol of the length unit.
+    pub length_unit: String,
+    /// Second line: the posture in words.
+    pub posture: String,
+    /// Postures of the arm; the first one has the frames and dimensions.
+    pub figures: Vec<Figure>,
+    /// Frames of the table are drawn.
+    pub frames: bool,
+    /// Lengths of the table are drawn.
+    pub dimensions: bool,
+    /// Pose of the target.
+    pub target: Option<Pose<f64>>,
+    /// The way from the tool point to the target, where it is missed.
+    pub miss: Option<Miss>,
+    /// The section that the tool reaches.
+    pub section: Option<Section>,
+    /// Lines below the picture.
+    pub notes: Vec<String>,
+}
+
+impl Scene {
+    /// An arm without a posture.
+    fn empty(arm: &DynamicArm) -> Self {
+        Scene {
+            name: arm.model().name.clone(),
+            length_unit: arm.length_unit().to_string(),
+            posture: String::new(),
+            figures: Vec::new(),
+            frames: false,
+            dimensions: false,
+            target: None,
+            miss: None,
+            section: None,
+            notes: Vec::new(),
+        }
+    }
+
+    /// An arm at joint values, rad or length unit. Joints outside their limits are told in a note.
+    ///
+    /// # Errors
+    /// Another number of joint values, one that is not finite, points that are not.
+    pub fn of(arm: &DynamicArm, q: &[f64]) -> Result<Self, DrawError> {
+        let mut scene = Scene::empty(arm);
+        let out: Vec<String> = outside(arm, q);
+        scene.posture = posture(arm, q);
+        scene.figures.push(Figure {
+            skeleton: Skeleton::of(arm, q)?,
+            solution: None,
+            out_of_limits: !out.is_empty(),
+            branch: String::new(),
+        });
+        if !out.is_empty() {
+            scene.notes.push(format!("outside limits: {}", out.join(", ")));
+        }
+        Ok(scene)
+    }
+
+    /// Every solution of a target, without the arm itself.
+    ///
+    /// # Errors
+    /// A solution that has no finite points.
+    pub fn of_solutions(arm: &DynamicArm, target: Pose<f64>, solutions: &DynamicSolutions) -> Result<Self, DrawError> {
+        let scene = Scene::empty(arm);
+        scene.with_solutions(arm, solutions).map(|scene| scene.with_target(target))
+    }
+
+    /// Adds solutions beside what is there.
+    ///
+    /// # Errors
+    /// As of [`of_solutions`](Self::of_solutions).
+    pub fn with_solutions(mut self, arm: &DynamicArm, solutions: &DynamicSolutions) -> Result<Self, DrawError> {
+        for (number, solution) in (1..).zip(solutions.iter()) {
+            let branch = solution.branch.to_string();
+            self.figures.push(Figure {
+                skeleton: Skeleton::of(arm, &solution.q)?,
+                solution: Some(number),
+                out_of_limits: !solution.is_within_limits(),
+                branch: if branch == "-" { String::new() } else { branch },
+            });
+        }
+        Ok(self)
+    }
+
+    /// Shows the target.
+    #[must_use]
+    pub fn with_target(mut self, target: Pose<f64>) -> Self {
+        self.target = Some(target);
+        self
+    }
+
+    /// Shows the frames of the table.
+    #[must_use]
+    pub fn with_frames(mut self) -> Self {
+        self.frames = true;
+        self
+    }
+
+    /// Shows the lengths of the table.
+    #[must_use]
+    pub fn with_dimensions(mut self) -> Self {
+        self.dimensions = true;
+        self
+    }
+
+    /// Shows by how much the target is missed, from the tool point of the first figure.
+    #[must_use]
+    pub fn with_miss(mut self) -> Self {
+        if let (Some(figure), Some(target)) = (self.figures.first(), self.target) {
+            let (from, to) = (figure.skeleton.tool.translation, target.translation);
+            let text = format!("{} {} short", rough(distance(from, to)), self.length_unit);
+            self.miss = Some(Miss { from, to, text });
+        }
+        self
+    }
+
+    /// Shows the section that the tool reaches.
+    #[must_use]
+    pub fn with_section(mut self, section: Section) -> Self {
+        self.section = Some(section);
+        self
+    }
+
+    /// Adds a line below the picture.
+    #[must_use]
+    pub fn with_note(mut self, note: impl Into<String>) -> Self {
+        self.notes.push(note.into());
+        self
+    }
+}
+
+/// The posture in words: `all joints at 0`, or the joint values.
+fn posture(arm: &DynamicArm, q: &[f64]) -> String {
+    if q.iter().all(|value| *value == 0.0) {
+        return "all joints at 0".to_owned();
+    }
+    let shown = |(kind, value): (&JointKind, &f64)| match kind {
+        JointKind::Revolute => format!("{}\u{b0}", short((value.to_degrees() * 1e4).round() / 1e4)),
+        _ => format!("{} {}", short(*value), arm.length_unit()),
+    };
+    let values: Vec<String> = arm.joint_kinds().iter().zip(q).map(shown).collect();
+    format!("q = {}", values.join(", "))
+}
+
+/// Names of joints outside their limits.
+fn outside(arm: &DynamicArm, q: &[f64]) -> Vec<String> {
+    let slack = |value: f64| 1e-12 * (1.0 + value.abs());
+    let joints = arm.joint_names().zip(arm.limits()).zip(q);
+    joints
+        .filter(|((_, [low, high]), value)| **value < low - slack(*low) || **value > high + slack(*high))
+        .map(|((name, _), _)| name.to_owned())
+        .collect()
+}
