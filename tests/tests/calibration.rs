@@ -9,8 +9,7 @@ use denhart_dynamic::DynamicArm;
 use denhart_tests::random::Random;
 
 /// Arms of every kind of wrist and elbow.
-const ARMS: [(&str, f64); 4] =
-    [("ur5", 1.0), ("ur10", 1.0), ("puma560", 1.0), ("kinova_jaco", 1.0)];
+const ARMS: [(&str, f64); 4] = [("ur5", 1.0), ("ur10", 1.0), ("puma560", 1.0), ("kinova_jaco", 1.0)];
 
 fn spec(arm: &str) -> String {
     std::fs::read_to_string(format!("{}/../specs/{arm}.yaml", env!("CARGO_MANIFEST_DIR"))).unwrap()
