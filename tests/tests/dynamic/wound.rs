@@ -60,8 +60,8 @@ fn the_value_of_a_redundant_joint() {
             let branch = |given| Planar4rRedundant.inverse_branch(&target, given, solution.branch);
             assert_eq!(branch(angle), branch(wrap(angle)), "{angle}");
         }
-        let [wound, plain] = [angle, wrap(angle)]
-            .map(|given| evaluated.inverse(&DynamicTarget::PlanarPose(target), &[given]).unwrap());
+        let [wound, plain] =
+            [angle, wrap(angle)].map(|given| evaluated.inverse(&DynamicTarget::PlanarPose(target), &[given]).unwrap());
         assert_eq!(format!("{wound:?}"), format!("{plain:?}"), "{angle}");
     }
     assert!(reachable > 0);
