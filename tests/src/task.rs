@@ -34,7 +34,7 @@ pub struct Given<T> {
 }
 
 impl<T: Copy + PartialEq> Given<T> {
-    /// Those of an iterator.
+    /// All of an iterator.
     pub fn of(each: impl IntoIterator<Item = T>, none: T) -> Self {
         each.into_iter().fold(Self { list: [none; MOST_GIVEN], count: 0 }, |given, next| given.with(next))
     }

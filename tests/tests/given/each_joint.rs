@@ -60,7 +60,7 @@ fn xarm7() {
 
 #[test]
 fn kinova_gen3() {
-    check("../specs/kinova_gen3_7dof.yaml", [Some(0), Some(0), Some(0), Some(0), Some(0), None, Some(1)]);
+    check("../specs/kinova_gen3_7dof.yaml", [Some(0), Some(0), Some(0), Some(0), Some(0), None, Some(2)]);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The joints whose values could be given, of an arm with more joints than its task needs.
 
-use super::attempt;
+use super::attempt::attempt;
 use super::lists::combinations;
 use crate::model::chain::Chain;
 use crate::model::geometry::Geometry;

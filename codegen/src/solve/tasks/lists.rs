@@ -1,11 +1,12 @@
 //! Arms with two joints more than their task needs, or with still more: lists of joints whose values could be given.
 
-use super::{attempt, held_joint, unsupported};
+use super::attempt::attempt;
 use crate::model::chain::Chain;
 use crate::model::geometry::Geometry;
 use crate::model::{Model, Redundant, Task};
+use crate::solve::held_joint;
 use crate::solve::loop_chain::LoopChain;
-use crate::solve::unsupported::Alternative;
+use crate::solve::unsupported::{self, Alternative};
 
 /// The most lists that are looked at, for a message.
 const MOST_TRIED: usize = 24;

@@ -1,5 +1,6 @@
 //! The tasks: each becomes a closed chain in its own file. Here is which one an arm gets.
 
+mod attempt;
 mod choices;
 mod lists;
 mod lower_mobility_pose;
@@ -13,13 +14,14 @@ mod yaw;
 
 pub use choices::{Choice, Way, choices};
 
+use attempt::attempt;
+
 use super::held_joint;
 use super::inverse_plan::InversePlan;
 use super::loop_chain::LoopChain;
 use super::plan::Plan;
 use super::rank;
 use super::swivel;
-use super::task::Goal;
 use super::unsupported::{self, Alternative, Unsupported};
 use crate::model::chain::Chain;
 use crate::model::geometry::{self, Geometry};
@@ -129,22 +131,6 @@ fn most_specific_first(joints: &LoopChain) -> Vec<Task> {
         3 => vec![Task::Position],
         2 => vec![Task::PlanarPosition],
         _ => Vec::new(),
-    }
-}
-
-fn attempt(task: Task, model: &Model, geometry: &Geometry, joints: &LoopChain) -> Result<Plan, Unsupported> {
-    let joints = joints.clone();
-    match (task, joints.loop_joints.len()) {
-        (Task::Pose, 6) => pose::plan(model, geometry, joints),
-        (Task::Pose, 4 | 5) if yaw::yaws_and_pitches(&joints) => lower_mobility_pose::yawing(joints),
-        (Task::Pose, 4) => lower_mobility_pose::upright(joints),
-        (Task::Pose, 5) if pose_of_five::is_asked(model, &joints) => pose_of_five::plan(joints),
-        (Task::Position, 3) => position::plan(joints),
-        (Task::PositionAxis, 5) => position_axis::plan(model.inverse.axis, joints),
-        (Task::PositionAngle, 4) => position_angle::plan(joints),
-        (Task::PlanarPose, 3) => planar::plan(Goal::PlanarPose, model, joints),
-        (Task::PlanarPosition, 2) => planar::plan(Goal::PlanarPosition, model, joints),
-        _ => Err(unsupported::not_covered(model, Some(task))),
     }
 }
 
