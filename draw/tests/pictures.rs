@@ -73,7 +73,7 @@ fn every_solution_is_in_the_legend() {
         }
         let view = View::of(&arm);
         let q = apart(&arm, view);
-        let solutions = arm.inverse(&arm.target_at(&q).unwrap(), arm.held(&q).unwrap()).unwrap();
+        let solutions = arm.inverse(&arm.target_at(&q).unwrap(), &arm.held(&q).unwrap()).unwrap();
         let scene = Scene::of_solutions(&arm, arm.forward(&q).unwrap(), &solutions).unwrap();
         let picture = scene.picture(&Style::of(view));
         let of = path.display().to_string();

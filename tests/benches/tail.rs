@@ -161,10 +161,14 @@ fn edge<const N: usize>(
 ) -> Option<(Goal, Twist)> {
     const STEPS: usize = 50;
     let [x, y, z] = random.direction();
-    let twist: Twist = match subject.task.is_planar() {
-        false => [x, y, z, 0.0, 0.0, 0.0, 0.0],
-        true => [x / x.hypot(y), y / x.hypot(y), 0.0, 0.0, 0.0, 0.0, 0.0],
+    let [x, y, z] = match subject.task.is_planar() {
+        false => [x, y, z],
+        true => [x / x.hypot(y), y / x.hypot(y), 0.0],
     };
+    let mut twist = Twist::default();
+    for (entry, component) in twist.iter_mut().zip([x, y, z]) {
+        *entry = component;
+    }
     let at = |size: f64| subject.moved(start, &twist, size);
     let size = |k: usize| 2.5 * k as f64 / STEPS as f64;
     let outside = (1..=STEPS).find(|k| !reaches(&at(size(*k))))?;
