@@ -2,7 +2,6 @@
 
 use super::actuator::Actuator;
 use super::angle::Angle;
-use super::calibration::Calibration;
 use super::combined_limits::CombinedLimit;
 use super::coupling::Coupling;
 use super::joint::Joint;
@@ -44,6 +43,17 @@ pub struct Model {
     pub combined_limits: Vec<CombinedLimit>,
     /// Pulse scales and zero positions of the motors, one for each joint, where the file has them.
     pub actuators: Option<Vec<Actuator>>,
+}
+
+/// How far the links of the calibrated arm are from those of the table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Calibration {
+    /// The joint from 0 and the numbers that are added to its row: a, alpha, d, theta, in the file's length unit and in rad.
+    pub deltas: Vec<(usize, [f64; 4])>,
+    /// The largest displacement of a link, in the file's length unit.
+    pub displaced: f64,
+    /// The largest turn of a link, rad.
+    pub turned: f64,
 }
 
 /// A row of the table.

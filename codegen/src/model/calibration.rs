@@ -1,24 +1,13 @@
 //! The arm that was measured: its rows, and how far its links are from those of the table.
 
 use super::angle::Angle;
-use super::arm::{Model, Row};
+use super::arm::{Calibration, Model, Row};
 use super::chain::{Chain, Elementary};
 use super::joint::Joint;
 use super::joint_names::named;
 use super::numeric::{Transform, length};
 use crate::error::Diagnostic;
 use crate::spec::{CalibrationSpec, Length, Spec};
-
-/// How far the links of the calibrated arm are from those of the table.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Calibration {
-    /// What is added to the rows: the joint from 0, then a, alpha, d, theta, lengths in the file's unit, angles in rad.
-    pub deltas: Vec<(usize, [f64; 4])>,
-    /// The largest displacement of a link, in the file's length unit.
-    pub displaced: f64,
-    /// The largest turn of a link, rad.
-    pub turned: f64,
-}
 
 /// A link may be displaced by this part of the reach.
 const DISPLACED: f64 = 0.1;

@@ -24,8 +24,7 @@ mod weights;
 
 pub use actuator::Actuator;
 pub use angle::Angle;
-pub use arm::{DEFAULT_TOLERANCE, Frame, InverseRequest, MOST_JOINTS, Model, Parameter, Row};
-pub use calibration::Calibration;
+pub use arm::{Calibration, DEFAULT_TOLERANCE, Frame, InverseRequest, MOST_JOINTS, Model, Parameter, Row};
 pub use check::check;
 pub use combined_limits::CombinedLimit;
 pub use coupling::Coupling;

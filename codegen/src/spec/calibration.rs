@@ -6,7 +6,7 @@ use super::place::Place;
 use super::reader::{Field, Fields, Reader};
 use super::value::Named;
 
-/// What is added to the rows of the table.
+/// The numbers that are added to the rows of the table.
 #[derive(Debug, Clone)]
 pub struct CalibrationSpec {
     /// One entry a joint that is named.
@@ -15,7 +15,7 @@ pub struct CalibrationSpec {
     pub place: Place,
 }
 
-/// What is added to the row of a joint.
+/// The numbers that are added to the row of a joint.
 #[derive(Debug, Clone)]
 pub struct DeltaSpec {
     /// The joint's name, or `qK`.

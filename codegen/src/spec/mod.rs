@@ -74,7 +74,7 @@ pub struct Spec {
     pub tool: FrameSpec,
     /// Names for lengths, in the order of the file.
     pub parameters: Vec<ParameterSpec>,
-    /// What is added to the rows, where the arm was measured.
+    /// The numbers that are added to the rows, where the arm was measured.
     pub calibration: Option<CalibrationSpec>,
     /// The task of the inverse, and what belongs to it.
     pub inverse: InverseSpec,
