@@ -19,6 +19,7 @@ arms! {
     hanging_rprp 4 Pose "arms/pose_of_fewer_joints/hanging_rprp.yaml";
     flipped_prrp 4 Pose "arms/pose_of_fewer_joints/flipped_prrp.yaml";
     flipped_rrpp 4 Pose "arms/pose_of_fewer_joints/flipped_rrpp.yaml";
+    slide_behind 5 Pose "arms/pose_of_fewer_joints/slide_behind.yaml";
     pose_prprp 5 Pose "arms/pose_of_fewer_joints/pose_prprp.yaml";
     pose_wrist_rrrrr 5 Pose "arms/pose_of_fewer_joints/pose_wrist_rrrrr.yaml";
 }
