@@ -228,6 +228,7 @@ fn import(text: &str, from: &str, options: &Options) -> Result<Imported, String>
         reach,
         exact_angles,
         as_written,
+        is_measured: options.ur_calibration.is_some(),
         inverse: None,
     };
     let mut text = write::file(&written.name, &report.head(), &table, &coupling)?;

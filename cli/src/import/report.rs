@@ -42,6 +42,8 @@ pub struct Report<'s> {
     pub exact_angles: Difference,
     /// The miss of the file against the URDF as written.
     pub as_written: Difference,
+    /// True for angles that were measured: one that is nearly a round number is not meant to be that.
+    pub is_measured: bool,
     /// The remark about the inverse.
     pub inverse: Option<String>,
 }
@@ -190,6 +192,9 @@ impl Report<'_> {
     }
 
     fn nearly_line(&self, within: f64) -> Option<String> {
+        if self.is_measured {
+            return None;
+        }
         let nearly = self.nearly(within);
         let Nearly { what, joint, angle, .. } = nearly.first()?;
         let most = nearly.iter().map(|near| near.off).fold(0.0, f64::max);

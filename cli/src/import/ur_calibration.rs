@@ -23,14 +23,12 @@ const JOINTS: [&str; 6] =
 pub fn urdf(text: &str) -> Result<String, String> {
     let example = "expected `kinematics: {shoulder: {x: 0, y: 0, z: 0.1625, roll: 0, pitch: 0, yaw: 0}, upper_arm: ..}`, as \
                    `ur_calibration` of the driver writes it";
+    if text.contains("delta_theta") {
+        return Err("this is a `calibration.conf`: name the arm file it belongs to with `--nominal ARM`".to_owned());
+    }
     let file: Value = serde_yaml::from_str(text).map_err(|error| format!("this is not YAML: {error}"))?;
     let Some(links) = file.get("kinematics").and_then(Value::as_mapping) else {
-        let what = if text.contains("delta_") {
-            "; a `calibration.conf` needs `--nominal ARM`, the table it belongs to"
-        } else {
-            ""
-        };
-        return Err(format!("no calibration: {example}{what}"));
+        return Err(format!("no calibration: {example}"));
     };
     let known = |name: &str| LINKS.contains(&name) || name == "hash";
     if let Some(other) = links.keys().filter_map(Value::as_str).find(|name| !known(name)) {
@@ -114,7 +112,8 @@ mod tests {
     fn a_bad_calibration_is_told() {
         for (text, part) in [
             ("a: [", "this is not YAML"),
-            ("delta_a = [0]", "needs `--nominal ARM`"),
+            ("delta_theta = [0]", "`--nominal ARM`"),
+            ("name: ur5", "no calibration"),
             (
                 "kinematics: {shoulder: {x: 0, y: 0, z: 0.1, roll: 0, pitch: 0, yaw: 0}}",
                 "the link `upper_arm` is missing",

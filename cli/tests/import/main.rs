@@ -10,6 +10,7 @@ use poses::{by_name, joints, model, random, table_pose, urdf_pose, worst};
 
 mod inverse;
 mod made_up;
+mod measured;
 mod poses;
 mod tools;
 
