@@ -3,6 +3,14 @@
 use std::fs;
 use std::path::Path;
 
+/// Returns true if two paths name one file, whether it is there or not.
+pub fn are_one(a: &Path, b: &Path) -> bool {
+    match (fs::canonicalize(a), fs::canonicalize(b)) {
+        (Ok(a), Ok(b)) => a == b,
+        _ => a == b && a.as_os_str() != "-",
+    }
+}
+
 /// Writes all files, or none. A file that is there with another content is overwritten only if `force` says so.
 ///
 /// # Errors

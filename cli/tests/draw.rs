@@ -129,4 +129,24 @@ fn curves_of_a_motion_are_drawn() {
     assert!(text(&output.stderr).contains("--plot: `m.png` is no SVG\nhelp: "));
     assert_eq!(trace("n.svg", "1/t, t").status.code(), Some(1));
     assert!(!folder.join("n.svg").exists());
+    // The acceleration of the tool overflows, though the law has one.
+    let output = trace("o.svg", "1e200 t, t");
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("--plot: ") && text(&output.stderr).contains(" is beyond 1e100 "));
+    // Nothing is written over the arm file, or over the other output.
+    let arm = fs::read_to_string(spec("planar2r")).unwrap();
+    fs::write(folder.join("arm.svg"), &arm).unwrap();
+    let both = ["trace", "arm.svg", "--to", "2", "--step", "1", "--law", "t, t"];
+    for (more, part) in [
+        (&["--plot", "arm.svg"][..], "--plot: `arm.svg` is the arm file too"),
+        (&["-o", "arm.svg"], "-o: `arm.svg` is the arm file too"),
+        (&["-o", "c.svg", "--plot", "c.svg"], "--plot: `c.svg` is -o too"),
+    ] {
+        let output = run(&folder, &[&both[..], more].concat());
+        assert_eq!(output.status.code(), Some(2), "{more:?}");
+        assert!(text(&output.stderr).contains(part), "{}", text(&output.stderr));
+    }
+    let output = run(&folder, &["draw", "arm.svg", "-o", "arm.svg"]);
+    assert!(text(&output.stderr).contains("--output: `arm.svg` is the arm file"), "{}", text(&output.stderr));
+    assert_eq!(fs::read_to_string(folder.join("arm.svg")).unwrap(), arm);
 }

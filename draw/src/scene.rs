@@ -176,7 +176,7 @@ fn posture(arm: &DynamicArm, q: &[f64]) -> String {
         return "all joints at 0".to_owned();
     }
     let shown = |(kind, value): (&JointKind, &f64)| match kind {
-        JointKind::Revolute => format!("{}\u{b0}", short((value.to_degrees() * 1e4).round() / 1e4)),
+        JointKind::Revolute => format!("{}\u{b0}", short(rounded(value.to_degrees()))),
         _ => format!("{} {}", short(*value), arm.length_unit()),
     };
     let values: Vec<String> = arm.joint_kinds().iter().zip(q).map(shown).collect();
@@ -191,4 +191,8 @@ fn outside(arm: &DynamicArm, q: &[f64]) -> Vec<String> {
         .filter(|((_, [low, high]), value)| **value < low - slack(*low) || **value > high + slack(*high))
         .map(|((name, _), _)| name.to_owned())
         .collect()
+}
+/// To four decimals; a number so large that it has none stays as it is.
+fn rounded(value: f64) -> f64 {
+    if value.abs() < 1e9 { (value * 1e4).round() / 1e4 } else { value }
 }

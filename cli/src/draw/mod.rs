@@ -120,6 +120,10 @@ impl From<DrawError> for Failure {
 /// Wrong arguments, mistakes in the file, an arm without inverse where one is asked for, no way to write.
 pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<bool, Failure> {
     let output = output::Output::of(options.output.as_deref())?;
+    if let Some(path) = options.output.as_deref().filter(|path| crate::files::are_one(path, &options.file)) {
+        let path = path.display();
+        return Err(Failure::Usage(format!("--output: `{path}` is the arm file\nhelp: name another file")));
+    }
     let arm = arm(&options.file)?;
     let view = options.view.map_or_else(
         || match View::of(&arm) {

@@ -17,6 +17,7 @@ use std::path::PathBuf;
 
 use crate::Failure;
 use crate::arm;
+use crate::files;
 use crate::number_arguments::single_number;
 use crate::numbers::{Units, count};
 use crate::progress::Progress;
@@ -31,9 +32,12 @@ use token::LawError;
 
 /// How many samples pass between two looks at the clock.
 const BETWEEN_LOOKS: u64 = 512;
-/// Steps of a curve.
+/// The fewest steps of a curve.
 #[cfg(feature = "draw")]
 const PLOTTED: u32 = 160;
+/// The most steps of a curve.
+#[cfg(feature = "draw")]
+const MOST_PLOTTED: u32 = 20_000;
 /// The progress bar.
 const BAR: &str = "{wide_bar} {human_pos}/{human_len} samples, {eta} left";
 
@@ -133,6 +137,7 @@ pub fn run(options: &Options, out: &mut dyn Write) -> Result<(), Failure> {
     if trace.top.is_none() {
         trace.first()?;
     }
+    apart(options)?;
     #[cfg(feature = "draw")]
     if let Some(path) = &options.plot {
         trace.plot(&model, path)?;
@@ -145,6 +150,21 @@ pub fn run(options: &Options, out: &mut dyn Write) -> Result<(), Failure> {
             trace.write(&mut file, true)
         }
     }
+}
+
+/// No two of arm file, table and picture are one file.
+fn apart(options: &Options) -> Result<(), Failure> {
+    let mut places = vec![("the arm file", options.file.as_path())];
+    places.extend(options.output.as_deref().map(|path| ("-o", path)));
+    #[cfg(feature = "draw")]
+    places.extend(options.plot.as_deref().map(|path| ("--plot", path)));
+    for (number, (name, path)) in places.iter().enumerate() {
+        if let Some((other, _)) = places.iter().take(number).find(|(_, other)| files::are_one(other, path)) {
+            let path = path.display();
+            return Err(Failure::Usage(format!("{name}: `{path}` is {other} too\nhelp: name another file")));
+        }
+    }
+    Ok(())
 }
 
 /// One law for every joint.
@@ -211,10 +231,22 @@ impl Trace {
             let given = path.display();
             return Err(Failure::Usage(format!("--plot: `{given}` is no SVG\nhelp: write a name that ends in .svg")));
         }
-        let (first, last) = (self.times.at(0), self.times.at(self.times.count().saturating_sub(1)));
+        let count = self.times.count();
+        let (first, last) = (self.times.at(0), self.times.at(count.saturating_sub(1)));
         let (mut times, mut rows) = (Vec::new(), Vec::new());
-        for index in 0..=PLOTTED {
-            let t = first + (last - first) * f64::from(index) / f64::from(PLOTTED);
+        // The samples of the table, where they are neither too few for a smooth curve nor too many.
+        let is_table = (u64::from(PLOTTED)..=u64::from(MOST_PLOTTED)).contains(&count);
+        let parts = if count > u64::from(PLOTTED) { MOST_PLOTTED } else { PLOTTED };
+        let at = |index: u32| match is_table {
+            true => self.times.at(u64::from(index)),
+            false => first + (last - first) * f64::from(index) / f64::from(parts),
+        };
+        let title = match count > u64::from(MOST_PLOTTED) {
+            true => format!("{}: {MOST_PLOTTED} of {count} samples", model.name),
+            false => model.name.clone(),
+        };
+        let most = if is_table { u32::try_from(count).unwrap_or(MOST_PLOTTED).saturating_sub(1) } else { parts };
+        for t in (0..=most).map(at) {
             match self.sample(t) {
                 Ok(Sample { values, broken: None }) => rows.push(values),
                 _ => break,
@@ -261,7 +293,7 @@ impl Trace {
             three("angular acceleration", format!("{angle}/s\u{b2}"), rates + 9, ["dwx", "dwy", "dwz"]),
         ];
         let panels: Vec<Panel> = panels.into_iter().filter(|panel| !panel.curves.is_empty()).collect();
-        let text = plot::svg(&model.name, &times, &panels).map_err(Failure::Other)?;
+        let text = plot::svg(&title, &times, &panels).map_err(Failure::Other)?;
         let cannot = |error: io::Error| Failure::Other(format!("cannot write `{}`: {error}", path.display()));
         std::fs::write(path, text).map_err(cannot)
     }

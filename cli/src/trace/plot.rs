@@ -40,6 +40,12 @@ const HEAD: u32 = 36;
 const FINE: u32 = 4;
 /// The part of the time axis beside the curves, where the legend stands.
 const LEGEND: f64 = 0.17;
+/// Values beyond this have no place on an axis.
+const MOST: f64 = 1e100;
+/// Of more samples than this the least and the greatest of each column are drawn.
+const COLUMNS: usize = 800;
+/// Names are cut to so many characters, so that the legend leaves room for the curves.
+const NAME: usize = 16;
 /// Limits within this part of a panel's range beyond its curves are shown.
 const NEAR: f64 = 0.6;
 
@@ -48,6 +54,19 @@ const NEAR: f64 = 0.6;
 /// # Errors
 /// The message.
 pub fn svg(title: &str, times: &[f64], panels: &[Panel]) -> Result<String, String> {
+    for panel in panels {
+        let of = |curve: &Curve| {
+            Some((curve.name.clone(), curve.values.iter().position(|x| !x.is_finite() || x.abs() > MOST)?))
+        };
+        if let Some((name, index)) = panel.curves.iter().find_map(of) {
+            let t = times.get(index).copied().unwrap_or_default();
+            return Err(format!(
+                "--plot: `{name}` of the {} is beyond {MOST:e} {} at t = {t}",
+                panel.title, panel.unit
+            ));
+        }
+    }
+    let title = &printable(title);
     let mut text = String::new();
     let rows = panels.len().div_ceil(2).max(1);
     let height = HEAD + ROW * u32::try_from(rows).map_err(|error| error.to_string())?;
@@ -122,12 +141,12 @@ fn draw<'a>(area: &Area<'a>, times: &[f64], panel: &Panel) -> Result<(), Failed<
         }
         let points = || times.iter().copied().zip(curve.values.iter().copied());
         chart
-            .draw_series(LineSeries::new(points(), line(color, 2)))?
-            .label(curve.name.clone())
+            .draw_series(LineSeries::new(thinned(points()), line(color, 2)))?
+            .label(short_name(&curve.name))
             .legend(move |(x, y)| PathElement::new([(x, y), (x + 72, y)], color.stroke_width(fine(2))));
         let [lower, upper] = curve.limits;
         for stretch in stretches(points(), |value| value < lower || value > upper) {
-            chart.draw_series(LineSeries::new(stretch, line(&BEYOND, 4)))?;
+            chart.draw_series(LineSeries::new(thinned(stretch.into_iter()), line(&BEYOND, 4)))?;
         }
     }
     chart
@@ -137,6 +156,39 @@ fn draw<'a>(area: &Area<'a>, times: &[f64], panel: &Panel) -> Result<(), Failed<
         .margin(fine(6))
         .label_font(text(15))
         .draw()
+}
+
+/// A curve of few points as it is. Of many points the least and the greatest of each column, in their order: nothing that
+/// a picture can show is lost.
+fn thinned(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
+    let all: Vec<(f64, f64)> = points.collect();
+    let column = all.len().div_ceil(COLUMNS).max(1);
+    if column < 3 {
+        return all;
+    }
+    let ends = |part: &[(f64, f64)]| {
+        let by_value = |a: &&(f64, f64), b: &&(f64, f64)| a.1.total_cmp(&b.1);
+        let mut ends: Vec<(f64, f64)> =
+            part.iter().min_by(by_value).into_iter().chain(part.iter().max_by(by_value)).copied().collect();
+        ends.sort_by(|a, b| a.0.total_cmp(&b.0));
+        ends
+    };
+    let first = all.first().copied();
+    let last = all.last().copied();
+    first.into_iter().chain(all.chunks(column).flat_map(ends)).chain(last).collect()
+}
+
+/// Without characters that XML does not have.
+fn printable(name: &str) -> String {
+    name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+}
+
+fn short_name(name: &str) -> String {
+    let name = printable(name);
+    match name.chars().count() > NAME {
+        true => name.chars().take(NAME - 1).chain(['\u{2026}']).collect(),
+        false => name,
+    }
 }
 
 /// The parts of a curve whose values are meant.
@@ -183,6 +235,26 @@ mod tests {
         let text = svg("a", &[0.0, 1.0, 2.0], &panels).unwrap();
         assert_eq!(svg("a", &[0.0, 1.0, 2.0], &panels).unwrap(), text);
         assert!(text.contains("joints, deg") && text.contains("t, s") && text.contains("q1"));
+    }
+
+    #[test]
+    fn values_that_no_axis_has_are_told_and_names_are_printable() {
+        for value in [f64::INFINITY, f64::NAN, 1e200] {
+            let error = svg("a", &[0.0, 1.0], &[panel(&[0.0, value], [-1.0, 3.0])]).unwrap_err();
+            assert!(error.contains("`q1` of the joints is beyond 1e100 deg at t = 1"), "{error}");
+        }
+        let mut named = panel(&[0.0, 1.0], [-1.0, 3.0]);
+        named.curves[0].name = "a\u{2}b is a long name of a joint".to_owned();
+        let text = svg("b\u{1}", &[0.0, 1.0], &[named]).unwrap();
+        assert!(!text.contains(['\u{1}', '\u{2}']) && text.contains("a b is a long n\u{2026}"), "{text}");
+    }
+
+    #[test]
+    fn a_peak_among_many_samples_is_drawn() {
+        let peak = |t: usize| if t == 5000 { 7.0 } else { (t % 2) as f64 };
+        let drawn = thinned((0..10_000).map(|t| (t as f64, peak(t))));
+        assert!(drawn.len() <= 2 * COLUMNS + 2 && drawn.contains(&(5000.0, 7.0)), "{}", drawn.len());
+        assert!(drawn.is_sorted_by(|a, b| a.0 <= b.0));
     }
 
     #[test]
