@@ -15,7 +15,6 @@ fn main() -> Result<(), Error> {
         ("jupiter", Scalar::F32),
         ("salman_rrr", Scalar::F32),
         ("puma560", Scalar::F64),
-        ("kinova_jaco", Scalar::F64),
     ];
     write("arms.rs", &arms)?;
     println!("cargo:rerun-if-env-changed=DENHART_FIRMWARE_ARM");

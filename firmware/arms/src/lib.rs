@@ -23,6 +23,5 @@ macro_rules! each_arm {
         $each!(jupiter_f32, f32);
         $each!(salman_rrr_f32, f32);
         $each!(puma560_f64, f64);
-        $each!(kinova_jaco_f64, f64);
     };
 }

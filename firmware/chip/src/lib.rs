@@ -22,8 +22,6 @@ macro_rules! chosen {
         $each!(salman_rrr_f32, f32);
         #[cfg(feature = "puma560_f64")]
         $each!(puma560_f64, f64);
-        #[cfg(feature = "kinova_jaco_f64")]
-        $each!(kinova_jaco_f64, f64);
         #[cfg(feature = "extra")]
         $each!(extra, f32);
     };

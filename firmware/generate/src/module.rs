@@ -41,12 +41,6 @@ pub(crate) fn of(arm: &str, scalar: Scalar, path: &Path) -> Result<String, Error
     };
     let timed = calls.iter().map(timed);
     let digests = calls.iter().map(digest);
-    let no_branch = (has_inverse && !calls.iter().any(|call| call.name == "inverse_branch")).then(|| {
-        quote! {
-            /// Nothing: the solutions of this arm have numbers, and no branch can be asked for.
-            pub fn inverse_branch(_: &Case) {}
-        }
-    });
     let timed_calls = calls.iter().map(|Call { name, keeps, .. }| {
         let name = format_ident!("{name}");
         if *keeps { quote!(#name(case, &mut kept());) } else { quote!(#name(case);) }
@@ -101,7 +95,6 @@ pub(crate) fn of(arm: &str, scalar: Scalar, path: &Path) -> Result<String, Error
             }
             #kept
             #(#timed)*
-            #no_branch
         }
         /// Each function by its name, and how its results are digested.
         pub fn each_function(case: &Case, d: ::firmware_cases::Each<'_, Case>) {

@@ -58,11 +58,8 @@ fn table(rows: &[Row]) -> String {
         |arm: &str| ["inverse", "inverse_near"].map(|function| number(arm, function, 2)).into_iter().flatten().max();
     let shown = |number: Option<u64>| number.map_or("-".to_owned(), thousands);
     for arm in arms() {
-        // A function of no size is one that the arm has not.
-        let both = |function: &str| match number(arm, function, 0) {
-            Some(0) => "-".to_owned(),
-            _ => format!("{} / {}", shown(number(arm, function, 3)), shown(number(arm, function, 4))),
-        };
+        let both =
+            |function: &str| format!("{} / {}", shown(number(arm, function, 3)), shown(number(arm, function, 4)));
         let _ = writeln!(
             text,
             "| `{arm}` | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
