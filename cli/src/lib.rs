@@ -1,4 +1,5 @@
 //! The command `denhart` as a function. Each subcommand has a file of its own.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod answer;
 mod arm;

@@ -32,6 +32,7 @@
 //! - Links lead along the axes and at right angles between them, as the lengths of a table do. Where frames of a table lie
 //!   far from the arm, its links do not.
 //! - Texts never lie over each other. One without a place stands in the notes below the picture.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod aims;
 mod apart;

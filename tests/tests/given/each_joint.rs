@@ -50,12 +50,12 @@ fn check(file: &str, losing: [Option<usize>; 7]) {
 
 #[test]
 fn sawyer() {
-    check("arms/held_joint/sawyer_q3.yaml", [0, 0, 0, 33, 0, 0, 0].map(Some));
+    check("../specs/rethink_sawyer.yaml", [0, 0, 0, 29, 1, 0, 1].map(Some));
 }
 
 #[test]
 fn xarm7() {
-    check("arms/held_joint/xarm7_q3.yaml", [1, 0, 0, 0, 0, 0, 0].map(Some));
+    check("../specs/ufactory_xarm7.yaml", [3, 0, 0, 0, 0, 0, 0].map(Some));
 }
 
 #[test]
