@@ -1,9 +1,7 @@
 //! The inverse of an arm with `N` joints and at most `M` solutions.
 
-use std::marker::PhantomData;
-
 use denhart::math;
-use denhart::solve::{Decoupled, Evaluate, Goal, InPlane, Levels, Locked, Missed, Pointing, Search, nearest_rotation};
+use denhart::solve::{Evaluate, Goal, InPlane, Locked, Pointing, Search, nearest_rotation};
 use denhart::{Branch, Jacobian, Pose, Residual, Solutions, Status};
 use denhart_codegen::lower::{self, Input, Inverse};
 
@@ -43,12 +41,12 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
         DynamicError::Unsupported(format!("an inverse of {joints} joints with up to {capacity} solutions"))
     };
     macro_rules! sizes {
-        // `Missed` may name the capacity as `M`.
-        ($Missed:ty; $($joints:literal: $($capacity:literal)*;)*) => {
+        // `open` may name the capacity as `M`.
+        ($open:expr; $($joints:literal: $($capacity:literal)*;)*) => {
             match (program.joints, program.capacity) {
                 $($(($joints, $capacity) => {
                     const M: usize = $capacity;
-                    Solver::<$joints, M, $Missed>::boxed(program, both)
+                    Solver::<$joints, M, { $open }>::boxed(program, both)
                 })*)*
                 _ => None,
             }
@@ -68,13 +66,13 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
         return Err(unsupported());
     }
     let solver = match program.decoupled {
-        true => sizes! { Decoupled;
+        true => sizes! { 0;
             3: 1 2 4;
             4: 2 4;
             5: 4 8;
             6: 4 8;
         },
-        false => sizes! { Levels<f64, M>;
+        false => sizes! { M;
             2: 1 2;
             3: 1 2 4;
             4: 1 2 4 8;
@@ -86,13 +84,12 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
     solver.ok_or_else(unsupported)
 }
 
-/// `P`: what the search remembers of branches that are missed, [`Levels`] or [`Decoupled`].
+/// `S`: the most branches that the search remembers as missed; 0 for an arm that has none.
 #[derive(Debug)]
-struct Solver<const N: usize, const M: usize, P> {
+struct Solver<const N: usize, const M: usize, const S: usize> {
     nest: Nest,
     constants: ArmConstants<N>,
     both: Evaluator<N>,
-    missed: PhantomData<P>,
 }
 
 /// Pose and Jacobian for the verification of solutions.
@@ -110,10 +107,10 @@ impl<const N: usize> Evaluate<f64, N> for Evaluator<N> {
     }
 }
 
-impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send + Sync + 'static> Solver<N, M, P> {
+impl<const N: usize, const M: usize, const S: usize> Solver<N, M, S> {
     fn boxed(program: &Inverse, both: &Straight) -> Option<Box<dyn Solve>> {
         let constants = ArmConstants::of(&program.constants)?;
-        Some(Box::new(Self { nest: Nest::new(program), constants, both: Evaluator(both.clone()), missed: PhantomData }))
+        Some(Box::new(Self { nest: Nest::new(program), constants, both: Evaluator(both.clone()) }))
     }
 
     fn solutions(&self, asked: &Asked) -> Solutions<f64, N, M> {
@@ -200,7 +197,7 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
     ) {
         let Ok(near) = asked.near.map(<&[f64; N]>::try_from).transpose() else { return };
         let constants = self.constants.get();
-        let search = Search::<f64, N, M, MOST_DOUBTS, P>::new(&constants, &self.both, goal, near, solutions);
+        let search = Search::<f64, N, M, MOST_DOUBTS, S>::new(&constants, &self.both, goal, near, solutions);
         let mut search = if self.nest.program.in_doubt { search.in_doubt() } else { search };
         if !search.begins(near) {
             return;
@@ -210,9 +207,7 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
     }
 }
 
-impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send + Sync + 'static> Solve
-    for Solver<N, M, P>
-{
+impl<const N: usize, const M: usize, const S: usize> Solve for Solver<N, M, S> {
     fn solve(&self, asked: &Asked) -> DynamicSolutions {
         DynamicSolutions::from(&self.solutions(asked))
     }

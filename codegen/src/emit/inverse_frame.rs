@@ -132,18 +132,20 @@ pub(super) fn function(
     } else {
         (quote!(&constants), parameters::sizes(model, target))
     };
-    let (nest_doc, missed, search_doc) = if program.decoupled {
+    let (nest_doc, open, search_doc) = if program.decoupled {
         let nest_doc = "Follows every branch, stage by stage. The search repeats it with two free joints at other places, where \
                         two families of solutions cross.";
         let search = "The search of an arm on which no later stage sees where a free joint is.";
-        (nest_doc, quote!(#krate::solve::Decoupled), search)
+        (nest_doc, integer(0), search)
     } else {
         let nest_doc = "Follows every branch, stage by stage. The search repeats it with a free joint at another place, where a \
                         later stage has no root with that joint at its default.";
         let search = "The search; it remembers the branches that are missed with a free joint at its default value.";
-        (nest_doc, quote!(#krate::solve::Levels<#scalar, #m>), search)
+        (nest_doc, m.clone(), search)
     };
-    let search_doc = docs::lines(&format!("{search_doc} Its numbers: joints, solutions, stages that may be in doubt."));
+    let search_doc = docs::lines(&format!(
+        "{search_doc} Its numbers: joints, solutions, stages that may be in doubt, branches that may be missed."
+    ));
     let doubts = integer(program.most_doubts());
     let nest_doc = docs::lines(nest_doc);
     let (missed_doc, in_doubt) = plan.missed.map_or_else(Default::default, |by| {
@@ -154,7 +156,7 @@ pub(super) fn function(
     let wanted = ident(if program.capacity > 1 { "wanted" } else { "_wanted" });
     quote! {
         #search_doc
-        type InverseSearch<'a> = #krate::solve::Search<'a, #scalar, #n, #m, #doubts, #missed>;
+        type InverseSearch<'a> = #krate::solve::Search<'a, #scalar, #n, #m, #doubts, #open>;
 
         #doc
         fn branches(

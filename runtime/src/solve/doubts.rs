@@ -5,6 +5,10 @@ use super::kernel::level::LevelOf;
 use super::kernel::tolerances::Tolerances;
 use crate::{Flags, JointMask, Residual};
 
+/// A level tells itself everywhere by so many places of a joint; behind a slide, times a square, by `MOST_SAMPLES`.
+const COSINE: usize = 3;
+pub(super) const MOST_SAMPLES: usize = 5;
+
 /// Doubts of a branch, taken together over all stages so far.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Doubts<T> {
@@ -21,10 +25,18 @@ pub(super) struct Doubts<T> {
     pub(super) missed: bool,
     /// A stage is missed by more than rounding, and the joints before it are what they have to be.
     pub(super) clamped: bool,
-    /// The first joint that is free or weak.
-    pub(super) first: JointMask,
-    /// The level of the last stage, if a joint before it is free or weak.
-    pub(super) level: LevelOf<T>,
+    /// The way to the last stage: tells the stages on the branches of one run apart, and is the same in every run.
+    pub(super) way: u32,
+    /// The way to the first stage that is missed, and the joints before it that may be elsewhere.
+    pub(super) missed_at: u32,
+    pub(super) missed_for: JointMask,
+    /// Its level, see [`level_behind`](Self::level_behind), and the largest level for which it has roots.
+    pub(super) level: [T; 2],
+    pub(super) range: T,
+    /// The number of places of the joint at which its level tells the levels at all others.
+    pub(super) samples: usize,
+    /// The product of the squared coefficients of the slides behind a joint that is free or weak, if there is one.
+    slides: Option<T>,
 }
 
 impl<T: Tolerances> Doubts<T> {
@@ -38,8 +50,13 @@ impl<T: Tolerances> Doubts<T> {
         closes: true,
         missed: false,
         clamped: false,
-        first: JointMask::NONE,
-        level: LevelOf::Nothing,
+        way: 1,
+        missed_at: 0,
+        missed_for: JointMask::NONE,
+        level: [T::NAN; 2],
+        range: T::ONE,
+        samples: COSINE,
+        slides: None,
     };
 
     /// The joints so far that may be elsewhere.
@@ -54,9 +71,28 @@ impl<T: Tolerances> Doubts<T> {
         self.closes && self.free.is_empty() && self.amplitude >= T::VANISHING * T::DOUBTFUL
     }
 
+    /// The level of the stage that follows the joints `loose`, times a square, and the square: the product of the squared
+    /// coefficients of slides before it. NaN if the stage has no level, or follows no such joint.
+    pub(super) fn level_behind(&mut self, loose: JointMask, level: LevelOf<T>) -> [T; 2] {
+        let square = self.slides.unwrap_or(T::ONE);
+        match level {
+            _ if loose.is_empty() => [T::NAN; 2],
+            LevelOf::Slide(coefficient) => {
+                self.slides = Some(square * coefficient * coefficient);
+                [T::NAN; 2]
+            }
+            LevelOf::Cosine(level) | LevelOf::Zero(level) => [level * square, square],
+            LevelOf::Nothing => [T::NAN; 2],
+        }
+    }
+
+    /// The number of places that tell the level of the next stage everywhere.
+    pub(super) fn samples_behind(&self) -> usize {
+        if self.slides.is_some() { MOST_SAMPLES } else { COSINE }
+    }
+
     /// Adds the doubt of a stage.
-    pub(super) fn note(&mut self, doubt: Option<Doubt<T>>, level: LevelOf<T>) {
-        self.level = if self.loose().is_empty() { LevelOf::Nothing } else { level };
+    pub(super) fn note(&mut self, doubt: Option<Doubt<T>>) {
         let Some(Doubt { gap, angular, amplitude, closes, weak, boundary, free }) = doubt else { return };
         self.closes &= closes;
         // The next stage magnifies the uncertainty that a stage leaves. Where nothing but uncertainty is left of an
@@ -67,9 +103,6 @@ impl<T: Tolerances> Doubts<T> {
         let free = if settled && product < T::VANISHING * T::DOUBTFUL { weak } else { free };
         self.amplitude = product.max(T::EPSILON * T::EPSILON);
         self.weak |= weak;
-        if self.first.is_empty() {
-            self.first = free | weak;
-        }
         if angular {
             self.gap.orientation += gap;
         } else {

@@ -11,7 +11,6 @@ use denhart_core::held_joint::{Candidate, Outcome};
 use super::arm_constants::ArmConstants;
 use super::kernel::tolerances::Tolerances;
 use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
-use super::passes::Decoupled;
 use super::search::Search;
 use super::smallest_pivot::smallest_pivot;
 use super::verify::{apart, coincident};
@@ -19,7 +18,7 @@ use crate::effort::MOST_HELD_JOINT_EVALUATIONS;
 use crate::{Branch, Elbow, Flags, JointMask, Shoulder, Solution};
 
 /// The search of an arm with `N` joints and at most `M` solutions whose inverse holds a joint.
-pub type HeldJointSearch<'a, T, const N: usize, const M: usize> = Search<'a, T, N, M, 1, Decoupled>;
+pub type HeldJointSearch<'a, T, const N: usize, const M: usize> = Search<'a, T, N, M, 1, 0>;
 
 /// Evaluations kept for the reference of `inverse_near`: the first one, and its steps.
 const RESERVED: usize = MOST_STEPS + 1;
@@ -73,7 +72,7 @@ impl<T: Tolerances, const N: usize, const M: usize> HeldJointSearch<'_, T, N, M>
         let mut iterate = Iterate::at(q);
         iterate.evaluate(constants, self.goal, self.arm);
         if !(constants.relative(&iterate.residual) <= T::ROUNDING) {
-            refine(constants, self.goal, self.arm, &mut iterate, &mut left);
+            left -= refine(constants, self.goal, self.arm, &mut iterate, MOST_STEPS.min(left));
         }
         self.left = left + RESERVED;
         let mut solution = Solution::exact(iterate.q, name(candidate.signs));
