@@ -5,10 +5,6 @@ use super::kernel::level::LevelOf;
 use super::kernel::tolerances::Tolerances;
 use crate::{Flags, JointMask, Residual};
 
-/// A level tells itself everywhere by so many places of a joint; behind a slide, times a square, by `MOST_SAMPLES`.
-const COSINE: usize = 3;
-pub(super) const MOST_SAMPLES: usize = 5;
-
 /// Doubts of a branch, taken together over all stages so far.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Doubts<T> {
@@ -33,10 +29,10 @@ pub(super) struct Doubts<T> {
     /// Its level, see [`level_behind`](Self::level_behind), and the largest level for which it has roots.
     pub(super) level: [T; 2],
     pub(super) range: T,
-    /// The number of places of the joint at which its level tells the levels at all others.
-    pub(super) samples: usize,
+    /// A slide is solved between these joints and that stage.
+    pub(super) behind_slide: bool,
     /// The product of the squared coefficients of the slides behind a joint that is free or weak, if there is one.
-    slides: Option<T>,
+    pub(super) slides: Option<T>,
 }
 
 impl<T: Tolerances> Doubts<T> {
@@ -55,7 +51,7 @@ impl<T: Tolerances> Doubts<T> {
         missed_for: JointMask::NONE,
         level: [T::NAN; 2],
         range: T::ONE,
-        samples: COSINE,
+        behind_slide: false,
         slides: None,
     };
 
@@ -76,19 +72,12 @@ impl<T: Tolerances> Doubts<T> {
     pub(super) fn level_behind(&mut self, loose: JointMask, level: LevelOf<T>) -> [T; 2] {
         let square = self.slides.unwrap_or(T::ONE);
         match level {
-            _ if loose.is_empty() => [T::NAN; 2],
-            LevelOf::Slide(coefficient) => {
-                self.slides = Some(square * coefficient * coefficient);
-                [T::NAN; 2]
-            }
-            LevelOf::Cosine(level) | LevelOf::Zero(level) => [level * square, square],
-            LevelOf::Nothing => [T::NAN; 2],
+            _ if loose.is_empty() => {}
+            LevelOf::Cosine(level) | LevelOf::Zero(level) => return [level * square, square],
+            LevelOf::Slide(coefficient) => self.slides = Some(square * coefficient * coefficient),
+            LevelOf::Nothing => {}
         }
-    }
-
-    /// The number of places that tell the level of the next stage everywhere.
-    pub(super) fn samples_behind(&self) -> usize {
-        if self.slides.is_some() { MOST_SAMPLES } else { COSINE }
+        [T::NAN; 2]
     }
 
     /// Adds the doubt of a stage.

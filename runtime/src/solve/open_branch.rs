@@ -1,6 +1,5 @@
 //! An open branch: one that a free or weak joint keeps from closing, and where iteration on it starts.
 
-use super::doubts::MOST_SAMPLES;
 use super::kernel::tolerances::Tolerances;
 use crate::math::{angle, sin_cos, wrap};
 use crate::{Branch, Flags, JointMask};
@@ -8,9 +7,13 @@ use crate::{Branch, Flags, JointMask};
 /// Iterations start from so many joint vectors of a branch at most.
 const STARTS: usize = 2;
 
-/// The least level behind a slide is looked for at so many places, and narrowed down so many times.
+/// The levels of a stage at so many places of a joint tell all others, behind a slide at `MOST_SAMPLES`.
+const SAMPLES: usize = 3;
+pub(super) const MOST_SAMPLES: usize = 5;
+
+/// The least level behind a slide is looked for at so many places, and beside it at distances halved so many times.
 const SCANNED: i32 = 32;
-const NARROWED: usize = 10;
+const HALVED: usize = 24;
 
 /// A joint vector of the closed form, and by how much its stages miss.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,8 +38,8 @@ pub(super) struct Open<T, const N: usize> {
     /// The levels of that stage, times a square, and the square, with the joint at its default and one to four steps
     /// further, all by `first` more. NaN if unknown. So many of them tell all others.
     pub(super) levels: [[T; 2]; MOST_SAMPLES],
-    pub(super) samples: usize,
     pub(super) first: usize,
+    pub(super) behind_slide: bool,
     /// The stage has roots for levels up to this, of either sign: 1, or 0 for an equation without a joint of its own.
     pub(super) range: T,
     /// The level of that stage at the place that the levels tell.
@@ -58,8 +61,8 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
         tells: false,
         way: 0,
         levels: [[T::NAN; 2]; MOST_SAMPLES],
-        samples: 3,
         first: 0,
+        behind_slide: false,
         range: T::ONE,
         level: T::NAN,
         told: 0,
@@ -79,14 +82,15 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
 
     /// The next place of the joint that the levels tell, see [`place`](Self::place). An equation without a joint of its
     /// own has a second root, the first one mirrored, also where the branch is `listed` by the first.
-    pub(super) fn next_place(&mut self, step: T, listed: bool) -> Option<[T; 2]> {
+    /// None before so many `multiples` of the step that the levels are known.
+    pub(super) fn next_place(&mut self, step: T, multiples: usize, listed: bool) -> Option<[T; 2]> {
         let mirror = self.told == 1 && self.range == T::ZERO;
-        if !mirror && (listed || self.told > 0) {
+        let samples = if self.behind_slide { MOST_SAMPLES } else { SAMPLES };
+        if multiples < self.first + samples || !mirror && (listed || self.told > 0) {
             return None;
         }
         self.told += 1;
-        let [x, level, phi] =
-            if self.samples == MOST_SAMPLES { self.place_behind_slide(step)? } else { self.place(step)? };
+        let [x, level, phi] = if self.behind_slide { self.place_behind_slide(step)? } else { self.place(step)? };
         let apart = wrap((x - phi) * T::TWO).abs() > T::WEAK;
         (!mirror || apart).then_some([if mirror { wrap(phi + phi - x) } else { x }, level])
     }
@@ -136,9 +140,6 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
     /// interpolation with sines of half angles). The place is where the level is nearest to 0, the middle of its range.
     #[inline(never)]
     fn place_behind_slide(&self, step: T) -> Option<[T; 3]> {
-        if !self.levels.iter().flatten().all(|value| value.is_finite()) {
-            return None;
-        }
         let half = |multiple: usize| T::from_i32((self.first + multiple) as i32) * step * T::HALF;
         let others = |node: usize| (0..MOST_SAMPLES).filter(move |other| *other != node);
         let sine = |angle: T| sin_cos(angle).0;
@@ -166,11 +167,8 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
                 (x, least) = (here, size);
             }
         }
-        for _ in 0..NARROWED {
-            let [before, after] = [x - width, x + width].map(|x| level(x).abs());
-            // The vertex of the parabola through three places.
-            let by = width * T::HALF * (before - after) / (before - least - least + after);
-            for here in [x - width, x + width, x + by] {
+        for _ in 0..HALVED {
+            for here in [x - width, x + width] {
                 let size = level(here).abs();
                 if size < least {
                     (x, least) = (here, size);
@@ -251,7 +249,7 @@ mod tests {
                     let square = coefficient(k * STEP).powi(2);
                     [level(k * STEP) * square, square]
                 });
-                let open = Open::<f64, 1> { levels, samples: MOST_SAMPLES, ..Open::NONE };
+                let open = Open::<f64, 1> { levels, behind_slide: true, ..Open::NONE };
                 let [x, told, _] = open.place_behind_slide(STEP).expect("a level");
                 assert!((told - 1.0).abs() < 1e-12 && (level(x) - 1.0).abs() < 1e-12, "{turned} {u}: {x} {told}");
             }

@@ -4,9 +4,9 @@
 //! branch has no root, and the closed form misses by a gap. So the cascade runs again with the free joints at a few
 //! places. The joint vectors that miss by least are the starts of an iteration.
 
-use super::doubts::{Doubts, MOST_SAMPLES};
+use super::doubts::Doubts;
 use super::kernel::tolerances::Tolerances;
-use super::open_branch::{Open, Start};
+use super::open_branch::{MOST_SAMPLES, Open, Start};
 use super::search::{Search, VIRTUAL};
 use crate::effort::MOST_CASCADES;
 use crate::math::wrap;
@@ -131,10 +131,9 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let index = retry.opens().iter().position(|open| open.branch == branch).unwrap_or(len);
         let Some(open) = retry.opens.get_mut(index) else { return };
         if index == len {
-            let loose = doubts.loose();
             *open = Open { branch, flags: doubts.flags, free: doubts.free, ..Open::NONE };
             if retry.run == 0 {
-                retry.moving |= loose;
+                retry.moving |= doubts.loose();
             }
             retry.len += 1;
         }
@@ -146,7 +145,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let slot = retry.multiple.checked_sub(open.first).and_then(|slot| open.levels.get(slot));
         let is_sampled = slot.is_none_or(|[level, _]| level.is_finite()) || retry.told.is_some();
         if open.tells && doubts.missed && (open.way == 0 || !is_sampled) {
-            (open.way, open.range, open.samples) = (doubts.missed_at, doubts.range, doubts.samples);
+            (open.way, open.range, open.behind_slide) = (doubts.missed_at, doubts.range, doubts.behind_slide);
             (open.first, open.told, open.levels) = (retry.multiple, 0, [[T::NAN; 2]; MOST_SAMPLES]);
             open.levels[0] = doubts.level;
         }
@@ -245,10 +244,9 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let Some(retry) = &mut self.retry else { return };
         for index in 0..retry.len {
             if let Some(open) = retry.opens.get_mut(index)
-                && retry.multiple >= open.first + open.samples
                 && let listed = self.solutions.exact().any(|solution| solution.branch == open.branch)
                 && let before = retry.moving.iter().position(|joint| open.joint.contains(joint)).unwrap_or(0)
-                && let Some([x, level]) = open.next_place(step(before), listed)
+                && let Some([x, level]) = open.next_place(step(before), retry.multiple, listed)
             {
                 (retry.told, told) = (Some((index, level)), Some((open.joint, x)));
                 break;

@@ -200,7 +200,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
         if gap > tolerance.max(rounding) {
             if S > 0 && !free.is_empty() && !next.missed {
                 (next.missed_at, next.missed_for, next.level) = (next.way, loose, level);
-                next.samples = next.samples_behind();
+                next.behind_slide = next.slides.is_some();
             }
             next.missed |= !free.is_empty();
             if loose.is_empty() {

@@ -54,13 +54,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             }
             let loose = !doubts.loose().is_empty();
             found = self.verified(loose, &mut solution);
-            if loose && !(solution.is_exact() || doubts.clamped) {
-                let (again, gap) = (self.is_again(), self.constants.relative(&doubts.gap));
-                // A start within the tolerance, from which steps lead nowhere: a place beside it may be better.
-                if !again || gap > T::EXACT {
-                    let start = if again { Start { miss: gap, q } } else { Start { miss: T::MAX, q: solution.q } };
-                    self.open(&doubts, branch, start);
-                }
+            if loose && !(solution.is_exact() || doubts.clamped || self.is_again()) {
+                self.open(&doubts, branch, Start { miss: T::MAX, q: solution.q });
             }
         }
         // What a further run does not close is no better than what is there.
