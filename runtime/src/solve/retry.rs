@@ -143,10 +143,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         }
         // Where a slide is free too, the equation that is missed is another one.
         let slot = retry.multiple.checked_sub(open.first).and_then(|slot| open.levels.get(slot));
-        let is_sampled = slot.is_none_or(|[level, _]| level.is_finite()) || retry.told.is_some();
+        let is_sampled = slot.is_none_or(|[level, _]| level.is_finite()) || retry.told.is_some() || open.told > 0;
         if open.tells && doubts.missed && (open.way == 0 || !is_sampled) {
             (open.way, open.range, open.behind_slide) = (doubts.missed_at, doubts.range, doubts.behind_slide);
-            (open.first, open.told, open.levels) = (retry.multiple, 0, [[T::NAN; 2]; MOST_SAMPLES]);
+            (open.first, open.levels) = (retry.multiple, [[T::NAN; 2]; MOST_SAMPLES]);
             open.levels[0] = doubts.level;
         }
         open.keep(start);
