@@ -172,19 +172,17 @@ impl TrigPolynomial {
 
 /// Value and derivative of a sum of harmonics.
 #[inline(always)]
-fn value_and_slope(cosines: &[f64; DEGREE + 1], sines: &[f64; DEGREE + 1], (s, c): (f64, f64)) -> (f64, f64) {
+fn value_and_slope(cosines: &[f64; DEGREE + 1], sines: &[f64; DEGREE + 1], once: (f64, f64)) -> (f64, f64) {
     // Sine and cosine of the multiples of the angle, by addition of two smaller ones: four steps in all.
-    let [mut sin, mut cos] = [[0.0; DEGREE + 1]; 2];
-    (sin[1], cos[0], cos[1]) = (s, 1.0, c);
-    for k in 2..=DEGREE {
-        let (i, j) = (k / 2, k - k / 2);
-        sin[k] = sin[i] * cos[j] + cos[i] * sin[j];
-        cos[k] = cos[i] * cos[j] - sin[i] * sin[j];
-    }
+    let two = roots::turned(once, once);
+    let (three, four) = (roots::turned(once, two), roots::turned(two, two));
+    let (five, six) = (roots::turned(two, three), roots::turned(three, three));
+    let (seven, eight) = (roots::turned(three, four), roots::turned(four, four));
+    let multiples: [_; DEGREE + 1] = [(0.0, 1.0), once, two, three, four, five, six, seven, eight];
     let (mut value, mut slope) = (0.0, 0.0);
-    for k in 0..=DEGREE {
-        value += cosines[k] * cos[k] + sines[k] * sin[k];
-        slope += k as f64 * (sines[k] * cos[k] - cosines[k] * sin[k]);
+    for (k, ((a, b), (sin, cos))) in cosines.iter().zip(sines).zip(multiples).enumerate() {
+        value += a * cos + b * sin;
+        slope += k as f64 * (b * cos - a * sin);
     }
     (value, slope)
 }

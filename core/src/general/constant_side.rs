@@ -8,8 +8,6 @@ const UNKNOWNS: usize = PRODUCTS - 1;
 pub const EQUATIONS: usize = COORDINATES - UNKNOWNS;
 /// Monomials of one joint alone: two of each of the two joints.
 pub const SINGLES: usize = 4;
-/// The columns of the sums in the order of elimination: products of two joints, then `cos b, sin b, cos a, sin a`.
-const ORDER: [usize; UNKNOWNS] = [0, 1, 3, 4, 2, 5, 6, 7];
 /// Products of two joints stand before the single ones.
 const BOTH: usize = UNKNOWNS - SINGLES;
 /// Columns of the orthogonal factor that are needed: those of the single monomials, and the null space.
@@ -33,7 +31,7 @@ impl ConstantSide {
     ///
     /// Only sums, products, quotients and square roots, in a fixed order: the same bits on every processor.
     pub(super) fn of(sums: &[[f64; PRODUCTS]; COORDINATES]) -> Option<Self> {
-        let mut a = sums.map(|row| ORDER.map(|column| row[column]));
+        let mut a = sums.map(in_order);
         let mut reflectors = [([0.0; COORDINATES], 0.0); UNKNOWNS];
         let mut diagonal = [0.0; UNKNOWNS];
         let mut longest = 0.0_f64;
@@ -59,7 +57,9 @@ impl ConstantSide {
         // The last columns of the orthogonal factor: the reflections in reverse order.
         let mut q = [[0.0; NEEDED]; COORDINATES];
         for (place, row) in q.iter_mut().skip(BOTH).enumerate() {
-            row[place] = 1.0;
+            if let Some(entry) = row.get_mut(place) {
+                *entry = 1.0;
+            }
         }
         for (k, (reflector, scale)) in reflectors.iter().enumerate().rev() {
             reflect(&mut q, reflector, *scale, k);
@@ -83,6 +83,11 @@ impl ConstantSide {
         }
         Some(Self { null, pseudo })
     }
+}
+
+/// The entries of a row in the order of elimination: products of two joints, then `cos b, sin b, cos a, sin a`.
+fn in_order([cc, cs, cos_b, sc, ss, sin_b, cos_a, sin_a, _]: [f64; PRODUCTS]) -> [f64; UNKNOWNS] {
+    [cc, cs, sc, ss, cos_b, sin_b, cos_a, sin_a]
 }
 
 /// `m - scale v (v^T m)`, where v is zero before row `from`.
@@ -129,7 +134,7 @@ mod tests {
             }
         }
         for (i, row) in side.pseudo.iter().enumerate() {
-            for (j, column) in ORDER.into_iter().enumerate() {
+            for (j, column) in [0, 1, 3, 4, 2, 5, 6, 7].into_iter().enumerate() {
                 assert!((product(row, column) - if j == BOTH + i { 1.0 } else { 0.0 }).abs() < 1e-13);
             }
         }

@@ -19,10 +19,7 @@ pub const fn row(
     [px, py, pz, lx, ly, lz, square, product, mx, my, mz, ix, iy, iz]
 }
 
-/// Where the four vectors begin: these turn with the line, the two other numbers stay.
-pub(super) const VECTORS: [usize; 4] = [0, 3, 8, 11];
-
-/// The entries of the four vectors.
+/// The entries of the four vectors: these turn with the line, the two other numbers stay.
 #[inline(always)]
 pub(super) fn vectors<T>([a, b, c, d, e, f, _, _, g, h, i, j, k, l]: &[T; COORDINATES]) -> [[&T; 3]; 4] {
     [[a, b, c], [d, e, f], [g, h, i], [j, k, l]]
@@ -70,13 +67,13 @@ pub(super) fn moved_twice(
     let start = moved(&ALONG_Z.map(|x| [x]), &[1.0], first);
     let mut three = [[0.0; MONOMIALS]; COORDINATES];
     for (place, monomials) in joined(&start, 0, 1.0, inner).into_iter().enumerate() {
-        three.iter_mut().zip(monomials).for_each(|(row, x)| row[place] = x);
+        three.iter_mut().zip(monomials).for_each(|(row, x)| set(row, place, x));
     }
     let three = moved(&three, &[0.0, 0.0, 1.0], second);
     let mut nine = [[0.0; PRODUCTS]; COORDINATES];
     for (column, one) in [0.0, 0.0, 1.0].into_iter().enumerate() {
         for (place, monomials) in joined(&three, column, one, outer).into_iter().enumerate() {
-            nine.iter_mut().zip(monomials).for_each(|(row, x)| row[MONOMIALS * place + column] = x);
+            nine.iter_mut().zip(monomials).for_each(|(row, x)| set(row, MONOMIALS * place + column, x));
         }
     }
     moved(&nine, &[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0], third)
@@ -91,56 +88,68 @@ fn moved<const N: usize>(sums: &Sums<N>, ones: &[f64; N], motion: &Transform<f64
     let [tx, ty, tz] = motion.translation;
     let square = dot(motion.translation, motion.translation);
     let mut out = [[0.0; N]; COORDINATES];
-    for i in 0..N {
-        let turned = |at: usize| motion.turn([sums[at][i], sums[at + 1][i], sums[at + 2][i]]);
-        let ([x, y, z], [u, v, w], [a, b, c], [f, g, h]) = (turned(0), turned(3), turned(8), turned(11));
-        let one = ones[i];
+    for (i, one) in ones.iter().enumerate() {
+        let [px, py, pz, lx, ly, lz, p_p, p_l, mx, my, mz, nx, ny, nz] = column_of(sums, i);
+        let [x, y, z] = motion.turn([px, py, pz]);
+        let [u, v, w] = motion.turn([lx, ly, lz]);
+        let [a, b, c] = motion.turn([mx, my, mz]);
+        let [f, g, h] = motion.turn([nx, ny, nz]);
         let shift = tx * u + ty * v + tz * w;
-        let product = sums[7][i] + shift;
+        let product = p_l + shift;
         let twice = 2.0 * product;
-        out[0][i] = x + tx * one;
-        out[1][i] = y + ty * one;
-        out[2][i] = z + tz * one;
-        out[3][i] = u;
-        out[4][i] = v;
-        out[5][i] = w;
-        out[6][i] = sums[6][i] + 2.0 * (tx * x + ty * y + tz * z) + square * one;
-        out[7][i] = product;
-        out[8][i] = a + (ty * w - tz * v);
-        out[9][i] = b + (tz * u - tx * w);
-        out[10][i] = c + (tx * v - ty * u);
-        out[11][i] = f - 2.0 * (ty * c - tz * b) + square * u - twice * tx;
-        out[12][i] = g - 2.0 * (tz * a - tx * c) + square * v - twice * ty;
-        out[13][i] = h - 2.0 * (tx * b - ty * a) + square * w - twice * tz;
+        let column = row(
+            [x + tx * one, y + ty * one, z + tz * one],
+            [u, v, w],
+            [p_p + 2.0 * (tx * x + ty * y + tz * z) + square * one, product],
+            [a + (ty * w - tz * v), b + (tz * u - tx * w), c + (tx * v - ty * u)],
+            [
+                f - 2.0 * (ty * c - tz * b) + square * u - twice * tx,
+                g - 2.0 * (tz * a - tx * c) + square * v - twice * ty,
+                h - 2.0 * (tx * b - ty * a) + square * w - twice * tz,
+            ],
+        );
+        out.iter_mut().zip(column).for_each(|(row, x)| set(row, i, x));
     }
     out
+}
+
+#[inline(always)]
+fn column_of<const N: usize>(sums: &Sums<N>, column: usize) -> [f64; COORDINATES] {
+    sums.each_ref().map(|row| row.get(column).copied().unwrap_or(0.0))
+}
+
+#[inline(always)]
+fn set<const N: usize>(row: &mut [f64; N], place: usize, value: f64) {
+    if let Some(entry) = row.get_mut(place) {
+        *entry = value;
+    }
 }
 
 /// The three monomials of a joint that moves one column of sums.
 #[inline(always)]
 fn joined<const N: usize>(sums: &Sums<N>, column: usize, one: f64, joint: Move) -> [[f64; COORDINATES]; MONOMIALS] {
-    let x: [f64; COORDINATES] = core::array::from_fn(|i| sums[i][column]);
-    let [mut first, mut second, mut third] = [[0.0; COORDINATES]; MONOMIALS];
+    let x = column_of(sums, column);
+    let [px, py, pz, lx, ly, lz, p_p, p_l, mx, my, mz, nx, ny, nz] = x;
+    let k = joint.sign;
     if joint.is_prismatic {
         // The motion above with t = (0, 0, q).
-        let k = joint.sign;
-        third = x;
-        second[2] = k * one;
-        second[6] = 2.0 * k * x[2];
-        second[7] = k * x[5];
-        (second[8], second[9]) = (-k * x[4], k * x[3]);
-        (second[11], second[12], second[13]) = (2.0 * k * x[9], -2.0 * k * x[8], -2.0 * k * x[7]);
-        first[6] = one;
-        (first[11], first[12], first[13]) = (x[3], x[4], -x[5]);
+        let square = row([0.0; 3], [0.0; 3], [one, 0.0], [0.0; 3], [lx, ly, -lz]);
+        let inverted = [2.0 * k * my, -2.0 * k * mx, -2.0 * k * p_l];
+        let linear = row([0.0, 0.0, k * one], [0.0; 3], [2.0 * k * pz, k * lz], [-k * ly, k * lx, 0.0], inverted);
+        [square, linear, x]
     } else {
-        for at in VECTORS {
-            (first[at], first[at + 1]) = (x[at], x[at + 1]);
-            (second[at], second[at + 1]) = (-joint.sign * x[at + 1], joint.sign * x[at]);
-            third[at + 2] = x[at + 2];
-        }
-        (third[6], third[7]) = (x[6], x[7]);
+        [
+            row([px, py, 0.0], [lx, ly, 0.0], [0.0; 2], [mx, my, 0.0], [nx, ny, 0.0]),
+            row(
+                [-k * py, k * px, 0.0],
+                [-k * ly, k * lx, 0.0],
+                [0.0; 2],
+                [-k * my, k * mx, 0.0],
+                [-k * ny, k * nx, 0.0],
+            ),
+            row([0.0, 0.0, pz], [0.0, 0.0, lz], [p_p, p_l], [0.0, 0.0, mz], [0.0, 0.0, nz]),
+        ]
     }
-    [first, second, third]
 }
 
 #[cfg(test)]
