@@ -12,8 +12,8 @@ use crate::vector::{Vector, add, cross, dot, length, moved, off_line, scaled, su
 /// Width of a link, px.
 const LINK: f64 = 6.5;
 
-/// The ground: a plate in the base frame's xy plane, hatched where it is seen from its edge.
-pub fn ground(canvas: &mut Canvas) {
+/// The ground: a plate in the base frame's xy plane, hatched where it is seen from its edge. It hides no section.
+pub fn ground(canvas: &mut Canvas, has_section: bool) {
     let half = 24.0 / canvas.camera.scale;
     let corner = |x: f64, y: f64| canvas.camera.place([x * half, y * half, 0.0]);
     let corners = [corner(1.0, 1.0), corner(1.0, -1.0), corner(-1.0, -1.0), corner(-1.0, 1.0)];
@@ -26,7 +26,8 @@ pub fn ground(canvas: &mut Canvas) {
             canvas.picture.line(&[[x, middle], [x - 6.0, middle + 7.0]], Paint::line(Role::Muted, 1.2));
         }
     } else {
-        canvas.picture.polygon(&corners, Paint::both(Role::Face, Role::Muted, 1.2));
+        let outline = Paint::line(Role::Muted, 1.2);
+        canvas.picture.polygon(&corners, if has_section { outline } else { Paint::both(Role::Face, Role::Muted, 1.2) });
     }
     canvas.obstacles.area(Area { left, top: middle - 6.0, right: left + 48.0, bottom: middle + 8.0 }, 0.8);
 }

@@ -43,7 +43,7 @@ pub fn picture(scene: &Scene, view: View, size: Flat, font: &Font) -> Picture {
         small: frame.small,
     };
     region(&mut canvas, scene);
-    ground(&mut canvas);
+    ground(&mut canvas, scene.section.is_some());
     solutions(&mut canvas, scene);
     for figure in scene.figures.iter().filter(|figure| figure.solution.is_none()) {
         arm(&mut canvas, figure, !scene.frames);

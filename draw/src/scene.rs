@@ -7,7 +7,12 @@ use crate::DrawError;
 use crate::number::{rough, short};
 use crate::section::Section;
 use crate::skeleton::Skeleton;
-use crate::vector::{Vector, distance};
+use crate::vector::{Vector, length, scaled, sub, unit};
+
+/// A target farther from the base than so many times the arm stands nearer ..
+const FAR: f64 = 6.0;
+/// .. at so many times.
+const NEARER: f64 = 3.0;
 
 /// An arm in one posture, with its name in the picture.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,8 +55,10 @@ pub struct Scene {
     pub frames: bool,
     /// Lengths of the table are drawn.
     pub dimensions: bool,
-    /// Pose of the target.
+    /// Pose of the target. One that lies too far away stands nearer, in its direction from the base.
     pub target: Option<Pose<f64>>,
+    /// The point of a target that stands nearer.
+    pub far_target: Option<Vector>,
     /// The way from the tool point to the target, where it is missed.
     pub miss: Option<Miss>,
     /// The section that the tool reaches.
@@ -71,6 +78,7 @@ impl Scene {
             frames: false,
             dimensions: false,
             target: None,
+            far_target: None,
             miss: None,
             section: None,
             notes: Vec::new(),
@@ -123,9 +131,18 @@ impl Scene {
         Ok(self)
     }
 
-    /// Shows the target.
+    /// Shows the target. One that is farther from the base than six times the arm stands at three times, with a note:
+    /// beside its true place no arm would be seen.
     #[must_use]
-    pub fn with_target(mut self, target: Pose<f64>) -> Self {
+    pub fn with_target(mut self, mut target: Pose<f64>) -> Self {
+        let points = self.figures.iter().flat_map(|figure| figure.skeleton.points());
+        let size = points.map(|point| length(*point)).fold(0.0, f64::max);
+        let (away, direction) = polar(target.translation);
+        if size > 0.0 && away > FAR * size {
+            self.far_target = Some(target.translation);
+            self.notes.push(format!("the target, {} {} from the base, is drawn nearer", rough(away), self.length_unit));
+            target.translation = scaled(direction, NEARER * size);
+        }
         self.target = Some(target);
         self
     }
@@ -149,7 +166,8 @@ impl Scene {
     pub fn with_miss(mut self) -> Self {
         if let (Some(figure), Some(target)) = (self.figures.first(), self.target) {
             let (from, to) = (figure.skeleton.tool.translation, target.translation);
-            let text = format!("{} {} short", rough(distance(from, to)), self.length_unit);
+            let (short, _) = polar(sub(self.far_target.unwrap_or(to), from));
+            let text = format!("{} {} short", rough(short), self.length_unit);
             self.miss = Some(Miss { from, to, text });
         }
         self
@@ -168,6 +186,13 @@ impl Scene {
         self.notes.push(note.into());
         self
     }
+}
+
+/// Length and direction, of vectors too whose squares are not finite.
+fn polar(vector: Vector) -> (f64, Vector) {
+    let greatest = vector.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let part = vector.map(|x| x / greatest);
+    (greatest * length(part), unit(part).unwrap_or_default())
 }
 
 /// The posture in words: `all joints at 0`, or the joint values.
@@ -195,4 +220,27 @@ fn outside(arm: &DynamicArm, q: &[f64]) -> Vec<String> {
 /// To four decimals; a number so large that it has none stays as it is.
 fn rounded(value: f64) -> f64 {
     if value.abs() < 1e9 { (value * 1e4).round() / 1e4 } else { value }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_far_target_stands_nearer_and_its_distance_is_told() {
+        let arm = DynamicArm::from_yaml(include_str!("../../specs/ur5.yaml"));
+        let scene = arm.ok().and_then(|arm| Scene::of(&arm, &[0.0; 6]).ok());
+        assert!(scene.is_some());
+        let Some(scene) = scene else { return };
+        let at = |x| Pose { translation: [x, 0.0, 0.0], ..Pose::identity() };
+        let near = scene.clone().with_target(at(3.0)).with_miss();
+        assert_eq!(near.target.map(|target| target.translation), Some([3.0, 0.0, 0.0]));
+        assert!(near.far_target.is_none() && near.notes.is_empty());
+        for (x, words) in [(1e3, "1000 m"), (1e300, "1.00e300 m")] {
+            let far = scene.clone().with_target(at(x)).with_miss();
+            assert!(far.target.is_some_and(|target| (2.0..6.0).contains(&target.translation[0])), "{:?}", far.target);
+            assert_eq!(far.notes, [format!("the target, {words} from the base, is drawn nearer")]);
+            assert_eq!(far.miss.map(|miss| miss.text), Some(format!("{words} short")));
+        }
+    }
 }

@@ -187,6 +187,11 @@ fn scene(
     let scene = match (&q, answer.closest()) {
         (_, Some(closest)) => return Ok((missed(arm, &answer.asked.target, &closest, units)?, closest.q, false)),
         (Some(q), None) => Scene::of(arm, q)?.with_solutions(arm, &answer.solutions)?,
+        // So far away that no closest approach is known.
+        (None, None) if first.is_none() => {
+            let start = answer.asked.near.clone().unwrap_or_else(|| vec![0.0; arm.joints()]);
+            Scene::of(arm, &start)?.with_target(pose).with_note("no solution, and the closest approach is not known")
+        }
         (None, None) => Scene::of_solutions(arm, pose, &answer.solutions)?,
     };
     Ok((scene, q.or(first).unwrap_or_else(|| vec![0.0; arm.joints()]), reached))
