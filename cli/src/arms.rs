@@ -5,10 +5,10 @@ use std::io::Write;
 use clap::Args;
 use denhart::JointKind;
 use denhart_codegen::spec::nearest;
+use denhart_tools::Arm;
 use serde_json::{Value, json};
 
 use crate::Failure;
-use crate::arm;
 use crate::inverse::pretty;
 use crate::table::aligned;
 
@@ -71,8 +71,9 @@ struct Listed {
 
 impl Listed {
     fn new((name, text): (&'static str, &'static str)) -> Result<Self, Failure> {
-        let report = denhart_codegen::check(text, name).map_err(|errors| Failure::Other(crate::each(&errors)))?;
-        let kinds = arm::of_text(text, name).map_err(Failure::Other)?.chain.kinds();
+        let refused = |mistakes| Failure::Other(crate::each(&mistakes));
+        let report = denhart_codegen::check(text, name).map_err(refused)?;
+        let kinds = Arm::of_text(text, name).map_err(refused)?.chain.kinds();
         let joints = kinds.iter().map(|kind| if *kind == JointKind::Revolute { 'R' } else { 'P' }).collect();
         let source = text.lines().next().unwrap_or_default().trim_start_matches("# ");
         Ok(Self { name, joints, task: report.task, source })

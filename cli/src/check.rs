@@ -8,9 +8,10 @@ use denhart::{JointKind, Pose};
 use denhart_codegen::model::Convention;
 use denhart_codegen::model::geometry::Line;
 use denhart_codegen::{Choice, Diagnostic, Report, Severity};
+use denhart_tools::Arm;
 use serde_json::{Value, json};
 
-use crate::arm::{self, Arm};
+use crate::arm;
 use crate::cost::{Cost, Target};
 use crate::numbers::Units;
 use crate::zero_configuration::{ZeroConfiguration, zero_configuration};
@@ -130,7 +131,7 @@ fn check(file: &Path, target: Option<Target>) -> Checked {
         Err(errors) => Checked { file: name, found: None, messages: errors.iter().cloned().collect(), unread: None },
         Ok(report) => {
             let messages = report.warnings.iter().chain(&report.lacking).cloned().collect();
-            let found = arm::of_text(&text, &name).ok().map(|arm| {
+            let found = Arm::of_text(&text, &name).ok().map(|arm| {
                 let zero = zero_configuration(&arm);
                 // An arm that lacks a required inverse has no programs; the report says so.
                 let program = target.and_then(|target| Some((denhart_codegen::program(&text, &name).ok()?, target)));

@@ -4,7 +4,7 @@ use denhart::numeric::{NumericInverse, Task};
 use denhart::{JointKind, PointAngle, Pose, Residual, math};
 use denhart_dynamic::{DynamicArm, DynamicTarget};
 
-use crate::arm;
+use denhart_tools::chain;
 use std::f64::consts::{PI, TAU};
 
 /// So many starts besides the first one.
@@ -51,7 +51,7 @@ fn turned(angle: f64, [low, high]: [f64; 2]) -> f64 {
 }
 
 fn approach(arm: &DynamicArm, target: &DynamicTarget, pose: &Pose<f64>, start: &[f64]) -> Option<(Missed, Vec<f64>)> {
-    let chain = arm::chain(arm.model());
+    let chain = chain(arm.model());
     let planar = matches!(target, DynamicTarget::PlanarPose(_) | DynamicTarget::PlanarPosition(_));
     let point = Task::Components([true, true, !planar, false, false, false]);
     let numeric = |task| NumericInverse::new().task(task).max_iterations(STEPS).restarts(RESTARTS);

@@ -258,8 +258,8 @@ fn expand(options: Expand) -> Result<String, String> {
 }
 
 /// The mistakes of a file, each with the prefix that the first one gets where it is printed.
-fn each(errors: &Errors) -> String {
-    errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n\nerror: ")
+fn each(mistakes: &Errors) -> String {
+    denhart_tools::Error::from(mistakes.clone()).to_string()
 }
 
 fn print(out: &mut dyn Write, text: &str) -> io::Result<()> {

@@ -1,0 +1,35 @@
+//! Tools for arm files as a library: text in, text or data out.
+//!
+//! The command `denhart` calls them, and so can a page in a browser or a program in another language. Nothing here reads or
+//! writes files or asks the system, so that the crate compiles to WebAssembly.
+//!
+//! - [`import`]: an arm file from a URDF, from the calibration of a UR arm, or from OPW parameters.
+//!
+//! ```
+//! use denhart_tools::import::{self, Options};
+//!
+//! # fn main() -> Result<(), denhart_tools::Error> {
+//! let urdf = r#"
+//! <robot name="elbow">
+//!   <link name="base"/> <link name="upper"/> <link name="lower"/>
+//!   <joint name="shoulder" type="revolute">
+//!     <parent link="base"/> <child link="upper"/> <axis xyz="0 0 1"/> <limit lower="-2" upper="2"/>
+//!   </joint>
+//!   <joint name="elbow" type="continuous">
+//!     <parent link="upper"/> <child link="lower"/> <origin xyz="0.3 0 0"/> <axis xyz="0 0 1"/>
+//!   </joint>
+//! </robot>"#;
+//! let imported = import::urdf(urdf, &Options::default())?;
+//! assert!(imported.arm_file.contains("name: elbow, a: 0, alpha: 0, d: 0, theta: 0"), "{}", imported.arm_file);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! A message that proposes an option spells it as the command does: `--tool LINK` is the field `tool` of the options.
+
+mod arm;
+mod error;
+pub mod import;
+
+pub use arm::{Arm, chain};
+pub use error::Error;
