@@ -5,6 +5,7 @@ use std::path::Path;
 use clap::ValueEnum;
 use denhart::JointKind;
 use denhart_dynamic::{DynamicArm, DynamicError};
+use denhart_tools::Error;
 
 use crate::Failure;
 
@@ -63,6 +64,15 @@ impl Units {
 /// than half of the 15th digit.
 pub fn rounded(value: f64) -> f64 {
     format!("{value:.14e}").parse().unwrap_or(value) + 0.0
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        match error {
+            Error::Option(message) => Self::Usage(message),
+            other => Self::Other(other.to_string()),
+        }
+    }
 }
 
 impl From<DynamicError> for Failure {

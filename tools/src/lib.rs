@@ -3,6 +3,7 @@
 //! The command `denhart` calls them, and so can a page in a browser or a program in another language. Nothing here reads or
 //! writes files or asks the system, so that the crate compiles to WebAssembly.
 //!
+//! - [`export`]: the arm as a library for C, as files.
 //! - [`import`]: an arm file from a URDF, from the calibration of a UR arm, or from OPW parameters.
 //!
 //! ```
@@ -29,6 +30,7 @@
 
 mod arm;
 mod error;
+pub mod export;
 pub mod import;
 
 pub use arm::{Arm, chain};
