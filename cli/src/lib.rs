@@ -21,7 +21,6 @@ mod new;
 mod number_arguments;
 mod numbers;
 mod progress;
-mod schema;
 mod style;
 mod suggest;
 mod sweep;
@@ -213,7 +212,7 @@ fn act(action: Action, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), F
         Action::Export(options) => export::run(&options, out, err),
         Action::New(options) => new::run(&options, out),
         Action::Arms(options) => arms::run(&options, out),
-        Action::Schema => Ok(print(out, &schema::text())?),
+        Action::Schema => Ok(print(out, &denhart_tools::schema::text())?),
         Action::Completions(options) => documents::completions(&options, <Command as CommandFactory>::command(), out),
         Action::Man(options) => documents::man(&options, <Command as CommandFactory>::command(), out),
     }

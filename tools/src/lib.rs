@@ -5,6 +5,8 @@
 //!
 //! - [`export`]: the arm as a library for C, as files.
 //! - [`import`]: an arm file from a URDF, from the calibration of a UR arm, or from OPW parameters.
+//! - [`presets`]: known arms, with their files.
+//! - [`schema`]: the JSON schema of arm files, for editors.
 //!
 //! ```
 //! use denhart_tools::import::{self, Options};
@@ -32,6 +34,8 @@ mod arm;
 mod error;
 pub mod export;
 pub mod import;
+pub mod presets;
+pub mod schema;
 
 pub use arm::{Arm, chain};
 pub use error::Error;

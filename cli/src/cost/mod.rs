@@ -9,7 +9,7 @@ use denhart_codegen::Program;
 use denhart_codegen::lower::{Inverse, Statement};
 use serde_json::{Map, Value, json};
 
-use crate::arms;
+use denhart_tools::presets::preset;
 
 /// A processor.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -68,7 +68,7 @@ impl Cost {
         };
         let kind = Kind::of(program);
         let nearest = rows(table).filter(|[_, function, ..]| *function == "forward").filter_map(|[arm, ..]| {
-            let other = denhart_codegen::program(arms::file(arm).ok()?, arm).ok()?;
+            let other = denhart_codegen::program(preset(arm).ok()?.arm_file, arm).ok()?;
             let differs = Kind::of(&other) != kind;
             Some(((differs, operations(&other).abs_diff(operations(program))), arm))
         });
