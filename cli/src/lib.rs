@@ -7,7 +7,6 @@ mod arms;
 mod batch;
 mod check;
 mod closest;
-mod cost;
 mod documents;
 #[cfg(feature = "draw")]
 mod draw;
@@ -28,7 +27,6 @@ mod table;
 mod target;
 mod templates;
 mod trace;
-mod zero_configuration;
 
 use std::ffi::OsString;
 use std::io::{self, ErrorKind, Write};

@@ -3,6 +3,7 @@
 //! The command `denhart` calls them, and so can a page in a browser or a program in another language. Nothing here reads or
 //! writes files or asks the system, so that the crate compiles to WebAssembly.
 //!
+//! - [`check`](mod@check): the findings of the generator in an arm file, or the mistakes in it, as text and as data.
 //! - [`export`]: the arm as a library for C, as files.
 //! - [`import`]: an arm file from a URDF, from the calibration of a UR arm, or from OPW parameters.
 //! - [`presets`]: known arms, with their files.
@@ -31,11 +32,14 @@
 //! A message that proposes an option spells it as the command does: `--tool LINK` is the field `tool` of the options.
 
 mod arm;
+pub mod check;
 mod error;
 pub mod export;
 pub mod import;
 pub mod presets;
 pub mod schema;
+mod units;
 
 pub use arm::{Arm, chain};
 pub use error::Error;
+pub use units::Units;

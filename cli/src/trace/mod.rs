@@ -63,7 +63,7 @@ pub struct Options {
     #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = single_number)]
     step: f64,
     /// Unit of angles, in the laws of turning joints and in the output
-    #[arg(long, value_name = "UNIT", default_value = "deg")]
+    #[arg(long, value_name = "UNIT", default_value = "deg", value_parser = crate::numbers::units())]
     units: Units,
     /// How the orientation of the tool is printed
     #[arg(long, value_name = "FORM", default_value = "rpy")]

@@ -6,9 +6,10 @@ use denhart::{Chain, Pose};
 use denhart_codegen::model::geometry::{Line, axes_at_zero};
 use denhart_codegen::model::{self, JointKind, Model};
 
-use denhart_tools::Arm;
+use crate::Arm;
 
 /// The arm with all joints at 0, lengths in the file's unit.
+#[derive(Debug)]
 pub struct ZeroConfiguration {
     pub tool: Pose<f64>,
     /// The axis of each joint, in the direction of its positive motion. Each goes through its point nearest to the point
