@@ -6,7 +6,6 @@ mod arm;
 mod arms;
 mod batch;
 mod check;
-mod closest;
 mod documents;
 #[cfg(feature = "draw")]
 mod draw;

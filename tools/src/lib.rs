@@ -4,6 +4,7 @@
 //! writes files or asks the system, so that the crate compiles to WebAssembly.
 //!
 //! - [`check`](mod@check): the findings of the generator in an arm file, or the mistakes in it, as text and as data.
+//! - [`closest`](mod@closest): the closest approach of an arm to a target out of reach.
 //! - [`export`]: the arm as a library for C, as files.
 //! - [`import`]: an arm file from a URDF, from the calibration of a UR arm, or from OPW parameters.
 //! - [`presets`]: known arms, with their files.
@@ -33,6 +34,7 @@
 
 mod arm;
 pub mod check;
+pub mod closest;
 mod error;
 pub mod export;
 pub mod import;

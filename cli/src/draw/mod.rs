@@ -9,10 +9,10 @@ use std::path::PathBuf;
 use clap::{ArgGroup, Args, ValueEnum};
 use denhart_draw::{DrawError, Scene, Style, Theme, View, apart, section};
 use denhart_dynamic::{DynamicArm, DynamicError};
+use denhart_tools::closest::{Closest, Missed};
 
 use crate::Failure;
 use crate::answer::{Answer, Asked, Form};
-use crate::closest::{Closest, Missed};
 use crate::inverse::{Beside, GivenOrNear, beside};
 use crate::number_arguments::joint_vector;
 use crate::numbers::{Units, arm, short};
