@@ -30,6 +30,7 @@ pub fn describe(model: &Model, parameters: &[Parameter]) -> Vec<String> {
             }
         }
     }
+    lines.extend(rates(model));
     if !model.combined_limits.is_empty() {
         lines.push("limits of sums:".into());
         for limit in &model.combined_limits {
@@ -52,6 +53,20 @@ pub fn describe(model: &Model, parameters: &[Parameter]) -> Vec<String> {
         }
     }
     lines
+}
+
+/// The greatest velocities and accelerations of the joints that have any.
+fn rates(model: &Model) -> Vec<String> {
+    let unit = model.length_unit.symbol();
+    let joints = model.joints.iter().zip(1..).filter_map(|(joint, number)| {
+        let rates = [(joint.max_velocity, "s"), (joint.max_acceleration, "s^2")];
+        let rates = rates.iter().filter(|(rate, _)| rate.is_finite());
+        let rates: Vec<String> = rates.map(|(rate, per)| format!("{}/{per}", value(*rate, joint.kind, unit))).collect();
+        (!rates.is_empty()).then(|| format!("  q{number}: {}", rates.join(", ")))
+    });
+    let joints: Vec<String> = joints.collect();
+    let title = (!joints.is_empty()).then(|| "greatest rates of the joints:".to_owned());
+    title.into_iter().chain(joints).collect()
 }
 
 /// How far a calibrated arm is from its table, and what is added to which row.
@@ -115,7 +130,7 @@ parameters: {upper: 250}
 joints:
   - {name: base, a: 0, alpha: 90, d: 0, theta: 0, actuator: {pulses_per_rev: 12800, home: 0, direction: 1}}
   - {a: upper, alpha: 0, d: 0, theta: 0, actuator: {pulses_per_rev: 200, gear_ratio: 50, home: 90, direction: -1}}
-  - {a: 200, alpha: 0, d: 0, theta: 0, actuator: {pulses_per_rev: 400, home: 0, direction: 1}}
+  - {a: 200, alpha: 0, d: 0, theta: 0, max_velocity: 90, max_acceleration: pi, actuator: {pulses_per_rev: 400}}
 coupling:
   q3: {q2: 1, q3: -0.5, offset: -90}
 combined_limits:
@@ -130,6 +145,8 @@ combined_limits:
             "  upper = 250 mm",
             "motors (the others have the value of their joint):",
             "  m3 = q2 - 0.5 q3 - 90 deg",
+            "greatest rates of the joints:",
+            "  q3: 90 deg/s, 180 deg/s^2",
             "limits of sums:",
             "  -60 deg <= q2 + q3 <= 200 deg",
             "motors that count pulses:",

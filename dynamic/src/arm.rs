@@ -129,6 +129,16 @@ impl DynamicArm {
         &self.limits
     }
 
+    /// Greatest velocity of every joint, rad/s or length unit/s; infinite where the file has none.
+    pub fn max_velocity(&self) -> impl Iterator<Item = f64> {
+        self.program.model.joints.iter().map(|joint| joint.max_velocity)
+    }
+
+    /// Greatest acceleration of every joint, rad/s^2 or length unit/s^2; infinite where the file has none.
+    pub fn max_acceleration(&self) -> impl Iterator<Item = f64> {
+        self.program.model.joints.iter().map(|joint| joint.max_acceleration)
+    }
+
     /// Unit of all lengths.
     #[must_use]
     pub fn length_unit(&self) -> LengthUnit {

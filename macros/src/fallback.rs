@@ -106,6 +106,8 @@ pub fn stub(input: &DeriveInput, outline: &Outline, krate: &Path, scalar: Scalar
             pub const MAX_SOLUTIONS: ::core::primitive::usize = 8;
             pub const JOINT_NAMES: [&'static ::core::primitive::str; #joints] = [""; #joints];
             pub const LIMITS: [[#number; 2]; #joints] = [[0.0; 2]; #joints];
+            pub const MAX_VELOCITY: [#number; #joints] = [0.0; #joints];
+            pub const MAX_ACCELERATION: [#number; #joints] = [0.0; #joints];
             pub const LENGTH_UNIT: #krate::LengthUnit = #krate::LengthUnit::Meter;
             pub const DH: #krate::DhTable = #krate::DhTable {
                 convention: #krate::Convention::Standard,

@@ -19,7 +19,7 @@ mod text;
 ///
 /// The methods are `forward`, `link_poses`, `jacobian`, `forward_and_jacobian`. Where the arm has a closed form, there are
 /// `inverse`, `inverse_near`, `inverse_branch`, and `inverse_into`, `inverse_near_into` for a list that the caller keeps.
-/// The constants are `DOF`, `LIMITS`, `JOINT_NAMES`, `LENGTH_UNIT`, `DH`, `MAX_SOLUTIONS`.
+/// The constants are `DOF`, `LIMITS`, `MAX_VELOCITY`, `MAX_ACCELERATION`, `JOINT_NAMES`, `LENGTH_UNIT`, `DH`, `MAX_SOLUTIONS`.
 ///
 /// ```text
 /// use denhart::Arm;

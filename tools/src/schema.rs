@@ -128,6 +128,7 @@ fn object(description: &str, properties: Value, required: Value) -> Value {
 }
 
 fn row() -> Value {
+    let rate = |description: &str| json!({"type": ["number", "string", "null"], "description": description});
     let actuator = object(
         "A motor that counts pulses.",
         json!({
@@ -152,6 +153,8 @@ fn row() -> Value {
             "d": {"$ref": "#/definitions/length", "description": "Length along z."},
             "theta": {"$ref": "#/definitions/angle", "description": "Angle about z, to which a turning joint adds."},
             "limits": {"$ref": "#/definitions/limits"},
+            "max_velocity": rate("Greatest velocity, the file's unit per s."),
+            "max_acceleration": rate("Greatest acceleration, the file's unit per s^2."),
             "actuator": actuator
         }),
         json!(["a", "alpha", "d", "theta"]),

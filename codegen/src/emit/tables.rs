@@ -4,7 +4,7 @@ use super::docs;
 use super::tokens::{array, integer, number};
 use super::{Scalar, Target, angle};
 use crate::lower;
-use crate::model::{Angle, Convention, Frame, JointKind, Length, LengthUnit, Model, Row, RowKind};
+use crate::model::{Angle, Convention, Frame, Joint, JointKind, Length, LengthUnit, Model, Row, RowKind};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -25,6 +25,13 @@ pub fn associated(model: &Model, target: &Target) -> TokenStream {
     let limits_doc = docs::lines(&format!(
         "Lower and upper limit of every joint, rad (sliding joints: {symbol}); infinite where the file has none."
     ));
+    let [velocities, accelerations] = rates(model, target);
+    let rate_doc = |what: &str, unit: &str| {
+        docs::lines(&format!(
+            "Greatest {what} of every joint, rad/{unit} (sliding joints: {symbol}/{unit}); infinite where the file has none."
+        ))
+    };
+    let (velocity_doc, acceleration_doc) = (rate_doc("velocity", "s"), rate_doc("acceleration", "s^2"));
     let unit_doc = docs::lines(&format!("Unit of all lengths: {symbol}."));
     let mut text = String::from(
         "The Denavit-Hartenberg table, rows `(a, alpha, d, theta)`; lengths in [`Self::LENGTH_UNIT`], angles in rad.",
@@ -42,6 +49,10 @@ pub fn associated(model: &Model, target: &Target) -> TokenStream {
         pub const JOINT_KINDS: [#krate::JointKind; #n] = #kinds;
         #limits_doc
         pub const LIMITS: [[#scalar; 2]; #n] = #limits;
+        #velocity_doc
+        pub const MAX_VELOCITY: [#scalar; #n] = #velocities;
+        #acceleration_doc
+        pub const MAX_ACCELERATION: [#scalar; #n] = #accelerations;
         #unit_doc
         pub const LENGTH_UNIT: #krate::LengthUnit = #krate::LengthUnit::#unit;
         #dh_doc
@@ -68,6 +79,18 @@ fn kinds(model: &Model, target: &Target) -> TokenStream {
 fn limits(model: &Model, target: &Target) -> TokenStream {
     let scalar = target.scalar.tokens();
     array(lower::limits(model).into_iter().map(|ends| array(ends.map(|end| limit(end, &scalar)))))
+}
+
+/// Greatest velocities and accelerations as array expressions.
+fn rates(model: &Model, target: &Target) -> [TokenStream; 2] {
+    let (scalar, n) = (target.scalar.tokens(), integer(model.joints.len()));
+    let array = |rate: fn(&Joint) -> f64| {
+        if model.joints.iter().all(|joint| rate(joint).is_infinite()) {
+            return quote!([#scalar::INFINITY; #n]);
+        }
+        array(model.joints.iter().map(|joint| limit(rate(joint), &scalar)))
+    };
+    [array(|joint| joint.max_velocity), array(|joint| joint.max_acceleration)]
 }
 
 /// The end of a range.

@@ -12,7 +12,7 @@ use super::reach::Sizes;
 use super::redundant::redundant;
 use super::weights::weights;
 use crate::error::{Diagnostic, Errors};
-use crate::spec::{FrameSpec, LimitsSpec, Place, RowKind, Spec};
+use crate::spec::{FrameSpec, LimitsSpec, Place, RateSize, RateSpec, RowKind, Spec};
 
 /// Checks what the values mean together, and converts them: angles exact, limits in rad, names filled in.
 ///
@@ -91,9 +91,18 @@ fn joints(spec: &Spec, mistakes: &mut Vec<Diagnostic>) -> Vec<Joint> {
         };
         let name = row.name.as_ref().map_or_else(|| format!("q{}", joints.len() + 1), |(name, _)| name.clone());
         let limits = row.limits.as_ref().and_then(|(limits, place)| ordered(spec, *limits, place, mistakes));
-        joints.push(Joint { name, row: index, kind, limits });
+        let (max_velocity, max_acceleration) = (rate(row.max_velocity.as_ref()), rate(row.max_acceleration.as_ref()));
+        joints.push(Joint { name, row: index, kind, limits, max_velocity, max_acceleration });
     }
     joints
+}
+
+/// A rate in rad or length; infinite where there is none.
+fn rate(written: Option<&RateSpec>) -> f64 {
+    written.map_or(f64::INFINITY, |rate| match rate.size {
+        RateSize::Angle(angle) => Angle::from(angle).rad(),
+        RateSize::Length(length) => length,
+    })
 }
 
 /// The limits in rad or length, the lowest first.

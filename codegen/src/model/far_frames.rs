@@ -53,9 +53,17 @@ impl<'s> Slid<'s> {
         let [alpha, theta] = [self.alpha, self.theta].map(|angle| angle.text(spec.angle_unit));
         keys.push(format!("a: {}, alpha: {alpha}, d: {}, theta: {theta}", self.a, self.d));
         let limits = self.of.and_then(|row| row.limits.as_ref()).map(|(_, place)| ("limits", place));
+        let rates = self.of.into_iter().flat_map(|row| {
+            let rates = [("max_velocity", &row.max_velocity), ("max_acceleration", &row.max_acceleration)];
+            rates.into_iter().filter_map(|(key, rate)| rate.as_ref().map(|rate| (key, &rate.place)))
+        });
         let actuator = self.of.and_then(|row| row.actuator.as_ref()).map(|actuator| ("actuator", &actuator.place));
         keys.extend(
-            limits.into_iter().chain(actuator).map(|(key, place)| format!("{key}: {}", spec.source.written(place))),
+            limits
+                .into_iter()
+                .chain(rates)
+                .chain(actuator)
+                .map(|(key, place)| format!("{key}: {}", spec.source.written(place))),
         );
         format!("- {{{}}}", keys.join(", "))
     }

@@ -20,6 +20,10 @@ pub struct Joint {
     pub kind: JointKind,
     /// Lowest and highest value, rad or length; infinite on a side without an end. `None` without limits.
     pub limits: Option<[f64; 2]>,
+    /// The greatest velocity, rad/s or length/s; infinite without one.
+    pub max_velocity: f64,
+    /// The greatest acceleration, rad/s^2 or length/s^2; infinite without one.
+    pub max_acceleration: f64,
 }
 
 /// A weighted sum of joint values and a constant as text, `q2 - 0.5 q3 + 90 deg`; `number` writes a factor.

@@ -246,3 +246,15 @@ fn structure_rests_on_symbols_not_on_their_defaults() {
     assert_eq!(triples("off", &Bound::All), []);
     assert_eq!(triples("off", &Bound::Fields(vec!["l1".into(), "l2".into()])), [1]);
 }
+
+#[test]
+fn rates_are_in_rad_or_the_length_unit() {
+    let rows = [
+        "{a: 1, alpha: 0, d: 0, theta: 0, max_velocity: 180, max_acceleration: 2*pi}",
+        "{type: prismatic, a: 1, alpha: 0, d: 0, theta: 0, max_velocity: 0.5}",
+        PLAIN,
+    ];
+    let model = model(&arm(&rows, "")).unwrap();
+    let rates: Vec<_> = model.joints.iter().map(|joint| (joint.max_velocity, joint.max_acceleration)).collect();
+    assert_eq!(rates, [(PI, 2.0 * PI), (0.5, f64::INFINITY), (f64::INFINITY, f64::INFINITY)]);
+}

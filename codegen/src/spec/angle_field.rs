@@ -20,6 +20,8 @@ pub enum AngleRole {
     Position,
     /// A small angle of any size.
     Tolerance,
+    /// An angle in a second, or in a second squared.
+    Rate,
 }
 
 /// Advice for a range that is no range.
@@ -33,6 +35,7 @@ impl AngleRole {
             Self::Limit => NO_LIMIT,
             Self::Position => "write the angle at which the joint stands, such as 90 deg; 0 for none",
             Self::Tolerance => "write a small angle, such as `angle: 1e-6 rad`",
+            Self::Rate => "write the greatest rate in a second, such as 180 deg; leave it out where there is no bound",
         }
     }
 }
@@ -89,7 +92,7 @@ impl Reader<'_> {
 
     /// Returns true if a plain number is certainly in the other unit. A number that only may be leaves a warning.
     fn wrong_unit(&mut self, field: &Field<'_>, value: f64, unit: AngleUnit, role: AngleRole) -> bool {
-        if role == AngleRole::Tolerance {
+        if matches!(role, AngleRole::Tolerance | AngleRole::Rate) {
             return false;
         }
         let eighths = looks_like_radians(value);

@@ -6,6 +6,7 @@ use super::angle_field::{AngleRole, NO_LIMIT};
 use super::length::Length;
 use super::parameter::Context;
 use super::place::Place;
+use super::rate::RateSpec;
 use super::reader::{Field, Fields, Reader};
 use super::row_kind::{KIND_SYNONYMS, KINDS, RowKind};
 use super::yaml::Node;
@@ -27,6 +28,10 @@ pub struct RowSpec {
     pub theta: WrittenAngle,
     /// The range, where there is one, and its place.
     pub limits: Option<(LimitsSpec, Place)>,
+    /// `max_velocity`, where there is one.
+    pub max_velocity: Option<RateSpec>,
+    /// `max_acceleration`, where there is one.
+    pub max_acceleration: Option<RateSpec>,
     /// The motor's pulses, where they are given.
     pub actuator: Option<ActuatorSpec>,
     /// The row itself.
@@ -42,7 +47,8 @@ pub enum LimitsSpec {
     Lengths([Option<f64>; 2]),
 }
 
-const KEYS: &[&str] = &["type", "name", "a", "alpha", "d", "theta", "limits", "actuator"];
+const KEYS: &[&str] =
+    &["type", "name", "a", "alpha", "d", "theta", "limits", "max_velocity", "max_acceleration", "actuator"];
 
 impl Reader<'_> {
     /// Reads row `number` (from 1).
@@ -55,6 +61,8 @@ impl Reader<'_> {
             d: Length::ZERO,
             theta: WrittenAngle::ZERO,
             limits: None,
+            max_velocity: None,
+            max_acceleration: None,
             actuator: None,
             place: field.place.clone(),
         };
@@ -80,6 +88,10 @@ impl Reader<'_> {
         row.theta = angle("theta", AngleRole::Offset).unwrap_or(WrittenAngle::ZERO);
         if let Some(field) = fields.get("limits").filter(|_| kind_known) {
             row.limits = self.limits(&field, row.kind, context.angle).map(|limits| (limits, field.place));
+        }
+        if kind_known {
+            let mut rate = |key| self.rate(&fields, key, row.kind, context.angle);
+            (row.max_velocity, row.max_acceleration) = (rate("max_velocity"), rate("max_acceleration"));
         }
         if let Some(field) = fields.get("actuator").filter(|_| kind_known) {
             row.actuator = self.actuator(&field, row.kind, context.angle);

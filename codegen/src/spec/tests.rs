@@ -377,3 +377,20 @@ fn mistakes_come_together() {
     }
     assert_eq!(found.len(), places.len());
 }
+
+#[test]
+fn rates_are_positive_and_stand_on_rows_that_move() {
+    let row = "{a: 1, alpha: 0, d: 0, theta: 0, max_velocity: 180, max_acceleration: null}";
+    let (spec, warnings) = read(&arm(row, ""), "f").unwrap();
+    assert_eq!((spec.mistakes.as_slice(), warnings.as_slice()), (&[][..], &[][..]));
+    let row = spec.rows.first().unwrap();
+    let velocity = row.max_velocity.as_ref().map(|rate| rate.size);
+    assert!(matches!(velocity, Some(RateSize::Angle(WrittenAngle::Degrees(180.0)))));
+    assert!(row.max_acceleration.is_none());
+    let rate =
+        |kind: &str, value: &str| format!("{{type: {kind}, a: 1, alpha: 0, d: 0, theta: 0, max_velocity: {value}}}");
+    row_mistake(&rate("revolute", "0"), "5:68", &["`max_velocity`", "greater than zero", "leave it out"]);
+    row_mistake(&rate("prismatic", "-0.5"), "5:69", &["greater than zero"]);
+    row_mistake(&rate("prismatic", "fast"), "5:69", &["expected a number"]);
+    row_mistake(&rate("fixed", "90"), "5:65", &["`max_velocity` on a fixed row", "remove `max_velocity`"]);
+}
