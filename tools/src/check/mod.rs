@@ -11,15 +11,8 @@ use serde_json::{Value, json};
 
 use crate::{Arm, Units};
 use cost::Cost;
+pub use cost::Processor;
 use zero_configuration::{ZeroConfiguration, zero_configuration};
-
-/// A processor on which arms were measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Processor {
-    /// Arm Cortex-M4 with its single-precision unit.
-    CortexM4f,
-}
 
 /// Findings for one arm file.
 #[derive(Debug)]
