@@ -42,6 +42,9 @@ pub enum DynamicError {
     /// The arm angle is asked for, of an arm whose inverse does not take it.
     #[error("the inverse takes no arm angle")]
     NoArmAngle,
+    /// Pulses are asked for, of an arm whose file has no `actuator`.
+    #[error("no motor of the arm counts pulses: its file has no `actuator`")]
+    NoActuators,
     /// A branch is asked for, of an arm whose inverse holds a joint.
     #[error("the solutions of this arm are numbered anew at every target: no branch can be asked for")]
     NoBranches,

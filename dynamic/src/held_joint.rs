@@ -123,8 +123,8 @@ impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
 }
 
 impl<const N: usize, const M: usize> Solve for HeldJointSolver<N, M> {
-    fn solve(&self, asked: &Asked) -> DynamicSolutions {
-        DynamicSolutions::from(&self.solutions(asked))
+    fn solve(&self, asked: &Asked, solutions: &mut DynamicSolutions) {
+        solutions.set(&self.solutions(asked));
     }
 
     fn one(&self, asked: &Asked) -> Result<DynamicSolution, Status<f64>> {

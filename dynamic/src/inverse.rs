@@ -56,12 +56,12 @@ impl DynamicArm {
         Ok(self.inverse_program()?.capacity)
     }
 
-    fn inverse_program(&self) -> Result<&Inverse, DynamicError> {
+    pub(crate) fn inverse_program(&self) -> Result<&Inverse, DynamicError> {
         self.solver.as_ref().map_err(Clone::clone)?;
         self.program.inverse.as_ref().map_err(|reason| DynamicError::NoInverse(reason.clone()))
     }
 
-    fn solver(&self, target: &DynamicTarget) -> Result<&dyn Solve, DynamicError> {
+    pub(crate) fn solver(&self, target: &DynamicTarget) -> Result<&dyn Solve, DynamicError> {
         let (expected, found) = (self.task()?, target.task());
         if expected != found {
             return Err(DynamicError::Target { expected, found });
@@ -76,8 +76,24 @@ impl DynamicArm {
     /// # Errors
     /// An arm without inverse; a target of another task; another number of given values than the inverse takes.
     pub fn inverse(&self, target: &DynamicTarget, given: &[f64]) -> Result<DynamicSolutions, DynamicError> {
+        let mut solutions = DynamicSolutions::default();
+        self.inverse_into(target, given, &mut solutions)?;
+        Ok(solutions)
+    }
+
+    /// Like [`inverse`](Self::inverse), but overwrites `solutions` and keeps their memory.
+    ///
+    /// # Errors
+    /// As of [`inverse`](Self::inverse); `solutions` stay as they are.
+    pub fn inverse_into(
+        &self,
+        target: &DynamicTarget,
+        given: &[f64],
+        solutions: &mut DynamicSolutions,
+    ) -> Result<(), DynamicError> {
         let given = &self.beside(given)?;
-        Ok(self.solver(target)?.solve(&Asked { target, given, near: None, branch: None }))
+        self.solver(target)?.solve(&Asked { target, given, near: None, branch: None }, solutions);
+        Ok(())
     }
 
     /// Solutions of [`inverse`](Self::inverse) with their joints next to `q_ref`, sorted nearest first. Free joints,
@@ -86,10 +102,26 @@ impl DynamicArm {
     /// # Errors
     /// An arm without inverse; a target of another task; a joint vector whose length is not the number of joints.
     pub fn inverse_near(&self, target: &DynamicTarget, q_ref: &[f64]) -> Result<DynamicSolutions, DynamicError> {
+        let mut solutions = DynamicSolutions::default();
+        self.inverse_near_into(target, q_ref, &mut solutions)?;
+        Ok(solutions)
+    }
+
+    /// Like [`inverse_near`](Self::inverse_near), but overwrites `solutions` and keeps their memory.
+    ///
+    /// # Errors
+    /// As of [`inverse_near`](Self::inverse_near); `solutions` stay as they are.
+    pub fn inverse_near_into(
+        &self,
+        target: &DynamicTarget,
+        q_ref: &[f64],
+        solutions: &mut DynamicSolutions,
+    ) -> Result<(), DynamicError> {
         self.counted(q_ref)?;
         let solver = self.solver(target)?;
         let given = &self.held(q_ref)?;
-        Ok(solver.solve(&Asked { target, given, near: Some(q_ref), branch: None }))
+        solver.solve(&Asked { target, given, near: Some(q_ref), branch: None }, solutions);
+        Ok(())
     }
 
     /// The solution of [`inverse`](Self::inverse) on one branch, or the status that says why there is none.

@@ -29,7 +29,6 @@
 //! # What generated code has besides
 //! - Lengths bound at run time (`parameters` as fields): here they have the values of the file.
 //! - `f32`.
-//! - Pulses, velocities and accelerations, `sample_redundancy`, `manipulability`.
 //!
 //! An inverse whose number of solutions is not one that the planner is known to give is refused as
 //! [`DynamicError::Unsupported`].
@@ -44,7 +43,10 @@ mod inverse;
 mod joints;
 mod kernel;
 mod margins;
+mod motion;
 mod nest;
+mod pulses;
+mod redundancy;
 mod run;
 mod solutions;
 mod solver;
@@ -55,5 +57,6 @@ pub use arm::{DynamicArm, DynamicJacobian};
 pub use error::DynamicError;
 pub use joints::Joints;
 pub use margins::DynamicMargin;
+pub use pulses::DynamicQuantized;
 pub use solutions::{DynamicSolution, DynamicSolutions};
 pub use target::DynamicTarget;

@@ -70,20 +70,24 @@ impl DynamicSolutions {
         self.deviation
     }
 
+    /// Takes the solutions of a call in place of its own.
+    pub(crate) fn set<const N: usize, const M: usize>(&mut self, solutions: &Solutions<f64, N, M>) {
+        self.solutions.clear();
+        self.solutions.extend(solutions.iter().map(DynamicSolution::from));
+        (self.status, self.deviation) = (solutions.status(), solutions.deviation());
+        self.is_complete = solutions.is_complete();
+    }
+
     /// The solutions with every joint within the arm's limits.
     pub fn within_limits(&self) -> impl Iterator<Item = &DynamicSolution> {
         self.solutions.iter().filter(|solution| solution.is_within_limits())
     }
 }
 
-impl<const N: usize, const M: usize> From<&Solutions<f64, N, M>> for DynamicSolutions {
-    fn from(solutions: &Solutions<f64, N, M>) -> Self {
-        DynamicSolutions {
-            solutions: solutions.iter().map(DynamicSolution::from).collect(),
-            status: solutions.status(),
-            deviation: solutions.deviation(),
-            is_complete: solutions.is_complete(),
-        }
+/// An empty list, for [`inverse_into`](crate::DynamicArm::inverse_into). It is the answer to no target.
+impl Default for DynamicSolutions {
+    fn default() -> Self {
+        Self { solutions: Vec::new(), status: Status::BadTarget, deviation: 0.0, is_complete: true }
     }
 }
 

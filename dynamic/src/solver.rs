@@ -30,8 +30,8 @@ pub struct Asked<'a> {
 
 /// An inverse without the number of joints in its type.
 pub trait Solve: std::fmt::Debug + Send + Sync {
-    /// Every branch, or the one asked for.
-    fn solve(&self, asked: &Asked) -> DynamicSolutions;
+    /// Every branch, or the one asked for; overwrites `solutions`.
+    fn solve(&self, asked: &Asked, solutions: &mut DynamicSolutions);
     /// The solution of [`solve`](Self::solve), or its status.
     fn one(&self, asked: &Asked) -> Result<DynamicSolution, Status<f64>>;
     /// Residual of a joint vector, at which the tool has this pose.
@@ -226,8 +226,8 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
 impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send + Sync + 'static> Solve
     for Solver<N, M, P>
 {
-    fn solve(&self, asked: &Asked) -> DynamicSolutions {
-        DynamicSolutions::from(&self.solutions(asked))
+    fn solve(&self, asked: &Asked, solutions: &mut DynamicSolutions) {
+        solutions.set(&self.solutions(asked));
     }
 
     fn one(&self, asked: &Asked) -> Result<DynamicSolution, Status<f64>> {

@@ -7,7 +7,7 @@ use super::margins::margins;
 use super::target_at::target_at;
 use super::tokens::integer;
 use super::{Target, actuator, combined_limits, coupling, docs, given, kinematics, motion, parameters, paths, tables};
-use crate::lower::Functions;
+use crate::lower::{Functions, TaskMotion, task_motion};
 use crate::model::Model;
 use crate::solve::{GivenValues, InversePlan, Unsupported};
 use proc_macro2::TokenStream;
@@ -78,7 +78,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     let associated = tables::associated(model, target);
     let motors = [combined_limits::constant(model, target), linked.methods, actuator::methods(model, target)];
     let bound = parameters::methods(model, target);
-    let counted = motion::counted(model, arm.inverse.as_ref().ok().map(|plan| &plan.outline().task.goal));
+    let counted = task_motion(model, arm.inverse.as_ref().ok().map(|plan| &plan.outline().task.goal));
     let arm_trait = arm_trait(model, &counted, target);
     let motion = motion::methods(model, &counted, target);
     let doc = docs::lines(&impl_doc(arm));
@@ -120,7 +120,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     }
 }
 
-fn arm_trait(model: &Model, counted: &motion::Counted, target: &Target) -> TokenStream {
+fn arm_trait(model: &Model, counted: &TaskMotion, target: &Target) -> TokenStream {
     let (krate, scalar, name, n) =
         (&target.krate, target.scalar.tokens(), &target.type_name, integer(model.joints.len()));
     let motion = motion::trait_methods(model, counted, target);

@@ -2,46 +2,13 @@
 
 use super::tokens::{integer, number};
 use super::{Target, docs};
-use crate::model::{Axis, Model, Task};
-use crate::solve::Goal;
+use crate::lower::TaskMotion;
+use crate::model::Model;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The part of the tool's motion that the arm's task counts.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Counted {
-    /// All six rows of the Jacobian.
-    All,
-    /// Some of the rows `vx vy vz wx wy wz`, and their names.
-    Rows([bool; 6], &'static str),
-    /// The point, and the turns across the tool's axis with this column.
-    Axis(usize),
-    /// The point, and the sum of the joints by these signs.
-    Angle(Vec<f64>),
-}
-
-/// The part counted by the task of the arm's inverse, else by the task that its file names.
-pub fn counted(model: &Model, goal: Option<&Goal>) -> Counted {
-    match (goal, goal.map(Goal::task).or(model.inverse.task)) {
-        (_, Some(Task::Position)) => {
-            Counted::Rows([true, true, true, false, false, false], "`vx vy vz` of the Jacobian")
-        }
-        (_, Some(Task::PlanarPosition)) => {
-            Counted::Rows([true, true, false, false, false, false], "`vx vy` of the Jacobian")
-        }
-        (_, Some(Task::PlanarPose)) => {
-            Counted::Rows([true, true, false, false, false, true], "`vx vy wz` of the Jacobian")
-        }
-        (Some(Goal::PositionAxis { column }), _) => Counted::Axis(*column),
-        (_, Some(Task::PositionAxis)) => Counted::Axis(model.inverse.axis.unwrap_or(Axis::Z).column()),
-        (Some(Goal::PositionAngle { signs, .. }), _) => Counted::Angle(signs.clone()),
-        // Without an inverse the signs are not known.
-        (_, Some(Task::PositionAngle | Task::Pose) | None) => Counted::All,
-    }
-}
-
 /// Velocities, accelerations, the Jacobian's other forms and the manipulability, as methods.
-pub fn methods(model: &Model, counted: &Counted, target: &Target) -> TokenStream {
+pub fn methods(model: &Model, counted: &TaskMotion, target: &Target) -> TokenStream {
     let (krate, t, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
     let unit = model.length_unit.symbol();
     let manipulability = manipulability(model, counted, target);
@@ -52,15 +19,15 @@ pub fn methods(model: &Model, counted: &Counted, target: &Target) -> TokenStream
     }
 }
 
-fn manipulability(model: &Model, counted: &Counted, target: &Target) -> TokenStream {
+fn manipulability(model: &Model, counted: &TaskMotion, target: &Target) -> TokenStream {
     let (t, n) = (target.scalar.tokens(), integer(model.joints.len()));
     let (count, rows, value) = match counted {
-        Counted::All => (6, "all six rows of the Jacobian", quote!(self.jacobian(q).manipulability())),
-        Counted::Rows(counts, rows) => {
+        TaskMotion::All => (6, "all six rows of the Jacobian", quote!(self.jacobian(q).manipulability())),
+        TaskMotion::Rows(counts, rows) => {
             let value = quote!(self.jacobian(q).manipulability_of([#(#counts),*]));
             (counts.iter().filter(|counts| **counts).count(), *rows, value)
         }
-        Counted::Axis(column) => {
+        TaskMotion::Axis(column) => {
             let column = integer(*column);
             let value = quote! {
                 let (pose, jacobian) = self.forward_and_jacobian(q);
@@ -68,7 +35,7 @@ fn manipulability(model: &Model, counted: &Counted, target: &Target) -> TokenStr
             };
             (5, "`vx vy vz` of the Jacobian and the two turns across the tool's axis", value)
         }
-        Counted::Angle(signs) => {
+        TaskMotion::Angle(signs) => {
             let signs = signs.iter().map(|sign| number(*sign));
             let value = quote!(self.jacobian(q).manipulability_turning([#(#signs),*]));
             (4, "`vx vy vz` of the Jacobian and the rate of the tool's angle in its plane", value)
@@ -87,9 +54,9 @@ fn manipulability(model: &Model, counted: &Counted, target: &Target) -> TokenStr
 }
 
 /// The methods of the trait whose defaults do not fit.
-pub fn trait_methods(model: &Model, counted: &Counted, target: &Target) -> TokenStream {
+pub fn trait_methods(model: &Model, counted: &TaskMotion, target: &Target) -> TokenStream {
     let (name, t, n) = (&target.type_name, target.scalar.tokens(), integer(model.joints.len()));
-    if *counted == Counted::All {
+    if *counted == TaskMotion::All {
         return TokenStream::new();
     }
     quote! {

@@ -17,6 +17,7 @@ mod nest;
 mod program;
 mod stage;
 mod straight;
+mod task_motion;
 #[cfg(test)]
 mod tests;
 
@@ -29,6 +30,7 @@ pub use margins::{Margins, Plane, Variable, constant, margins};
 pub use nest::{held_joint, inverse, stages};
 pub use program::{BranchState, Each, Inverse, Level, Root, Statement};
 pub use straight::Straight;
+pub use task_motion::{TaskMotion, task_motion};
 
 pub use crate::solve::kernel::{self, Kernel, Unit};
 pub use crate::solve::{

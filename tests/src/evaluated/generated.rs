@@ -6,6 +6,7 @@ use denhart::{Arm, Branch, InverseKinematics, Jacobian, Margin, PlanarPose, Poin
 use denhart_dynamic::{DynamicArm, DynamicTarget};
 
 use super::bits::{self, Answer, Bits};
+use super::questions;
 use crate::inverse::{self, Derived, OneBranch};
 use crate::sweep::arm;
 use crate::task;
@@ -18,6 +19,7 @@ pub struct Generated {
     pub(super) links: OfJoints<Vec<u64>>,
     pub(super) jacobian: OfJoints<Vec<u64>>,
     pub(super) both: OfJoints<Vec<u64>>,
+    pub(super) motion: OfJoints<Vec<u64>>,
     pub(super) margins: OfJoints<Vec<(String, u64)>>,
     pub(super) inverse: Option<Box<dyn Inverse>>,
 }
@@ -140,6 +142,20 @@ impl Generated {
                 |(pose, jacobian): (Pose<f64>, Jacobian<f64, N>)| {
                     [bits::pose(&pose), bits::jacobian(&jacobian)].concat()
                 },
+            ),
+            motion: of_joints(
+                |q: &[f64; N]| {
+                    let arm = A::default();
+                    let [qd, qdd] = questions::rates(q).map(|rates| *array::<N>(&rates));
+                    let links = arm.link_velocities(q, &qd).map(|link| link.to_array());
+                    let link_accelerations = arm.link_accelerations(q, &qd, &qdd).map(|link| link.to_array());
+                    let tool = [arm.velocity(q, &qd).to_array(), arm.acceleration(q, &qd, &qdd).to_array()];
+                    let motion = tool.into_iter().chain(links).chain(link_accelerations).flatten();
+                    let jacobians = [bits::jacobian(&arm.jacobian_dot(q, &qd)), bits::jacobian(&arm.jacobian_tool(q))];
+                    let manipulability = arm.manipulability(q);
+                    [bits::numbers(motion.chain([manipulability])), jacobians.concat()].concat()
+                },
+                |bits| bits,
             ),
             margins: of_joints(margins, |margins| {
                 margins.iter().map(|margin| (margin.name.to_owned(), bits::number(margin.value))).collect()

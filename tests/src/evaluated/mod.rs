@@ -7,7 +7,7 @@ mod questions;
 use std::path::Path;
 
 use denhart::{Arm, Branch, Elbow, InverseKinematics, Margin};
-use denhart_dynamic::{DynamicArm, DynamicTarget};
+use denhart_dynamic::{DynamicArm, DynamicSolutions, DynamicTarget};
 
 pub use generated::{Generated, NoMargins, Typed};
 
@@ -58,6 +58,7 @@ pub fn compare(name: &str, arm: &DynamicArm, generated: &Generated) {
         assert_eq!(bits::rows(&arm.jacobian(&q).unwrap()), (generated.jacobian)(&q), "Jacobian, {}", at());
         let (pose, jacobian) = arm.forward_and_jacobian(&q).unwrap();
         assert_eq!([bits::pose(&pose), bits::rows(&jacobian)].concat(), (generated.both)(&q), "both, {}", at());
+        assert_eq!(motion(arm, &q), (generated.motion)(&q), "motion, {}", at());
         let margins = arm.margins(&q).unwrap();
         // An arm without margins says so; generated code has no such method.
         assert!(margins.as_ref().is_none_or(|margins| !margins.is_empty()), "margins, {}", at());
@@ -79,6 +80,17 @@ pub fn compare(name: &str, arm: &DynamicArm, generated: &Generated) {
     assert!(generated.inverse.is_none() || solutions > POSES, "{name}: {solutions} solutions");
 }
 
+/// Velocities and accelerations of tool and links, the manipulability, and the forms of the Jacobian.
+fn motion(arm: &DynamicArm, q: &[f64]) -> Vec<u64> {
+    let [qd, qdd] = questions::rates(q);
+    let tool = [arm.velocity(q, &qd).unwrap().to_array(), arm.acceleration(q, &qd, &qdd).unwrap().to_array()];
+    let links = arm.link_velocities(q, &qd).unwrap().into_iter().map(|link| link.to_array());
+    let link_accelerations = arm.link_accelerations(q, &qd, &qdd).unwrap().into_iter().map(|link| link.to_array());
+    let motion = tool.into_iter().chain(links).chain(link_accelerations).flatten();
+    let jacobians = [arm.jacobian_dot(q, &qd), arm.jacobian_tool(q)].map(|rows| bits::rows(&rows.unwrap()));
+    [bits::numbers(motion.chain([arm.manipulability(q).unwrap()])), jacobians.concat()].concat()
+}
+
 /// Asks for one target; returns how many solutions it has.
 fn ask(
     case: &str,
@@ -98,6 +110,11 @@ fn ask(
         assert_eq!(near, generated.near(target, held, reference), "inverse_near, {case}");
         let kept = generated.kept(target, given, reference);
         assert_eq!(kept, [generated.near(target, given, reference), generated.all(target, given)], "one list, {case}");
+        let mut list = DynamicSolutions::default();
+        arm.inverse_near_into(target, reference, &mut list).unwrap();
+        assert_eq!(bits::listed(&list), near, "inverse_near_into, {case}");
+        arm.inverse_into(target, given, &mut list).unwrap();
+        assert_eq!(list, solutions, "inverse_into, {case}");
         let residual = bits::residual(&arm.residual(reference, target).unwrap());
         assert_eq!(residual, generated.residual(target, given, reference), "residual, {case}");
     }

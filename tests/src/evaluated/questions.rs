@@ -25,6 +25,11 @@ pub(super) fn joints(arm: &DynamicArm, round: usize, random: &mut Random) -> Vec
     arm.joint_kinds().iter().zip(arm.limits()).map(joint).collect()
 }
 
+/// Rates and their derivatives for a joint vector.
+pub(super) fn rates(q: &[f64]) -> [Vec<f64>; 2] {
+    [q.iter().map(|q| 1.5 - 0.5 * q).collect(), q.iter().map(|q| 2.0 * q - 0.25).collect()]
+}
+
 /// The target; the same a little off, far out, a little way out, turned off a rotation, and not a number.
 pub(super) fn targets(target: &DynamicTarget, round: usize, random: &mut Random) -> Vec<DynamicTarget> {
     let near = moved(target, |x| x + 1e-9 * random.uniform(-1.0, 1.0));

@@ -8,8 +8,15 @@ use denhart_codegen::Program;
 use denhart_codegen::lower::{Inverse, Statement};
 use serde_json::{Map, Value, json};
 
-use super::Processor;
 use crate::presets::preset;
+
+/// A processor on which arms were measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Processor {
+    /// Arm Cortex-M4 with its single-precision unit.
+    CortexM4f,
+}
 
 /// Measurements, a line for each arm and function: `ur5 forward 2700 260 448`.
 const CORTEX_M4F: &str = include_str!("cortex-m4f.txt");

@@ -11,15 +11,8 @@ use serde_json::{Value, json};
 
 use crate::{Arm, Units};
 use cost::Cost;
+pub use cost::Processor;
 use zero_configuration::{ZeroConfiguration, zero_configuration};
-
-/// A processor on which arms were measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Processor {
-    /// Arm Cortex-M4 with its single-precision unit.
-    CortexM4f,
-}
 
 /// Findings for one arm file.
 #[derive(Debug)]
@@ -49,7 +42,7 @@ struct Found {
 /// let wrong = check("convention: standard\njoints:\n  - {a: 0.3, alfa: 90, d: 0, theta: 0}\n", "arm.yaml", None);
 /// assert!(wrong.report().is_none() && wrong.text(Units::Deg).contains("arm.yaml:3:14: unknown key `alfa`"));
 ///
-/// let right = check("convention: standard\njoints:\n  - {a: 0.3, alpha: 0, d: 0, theta: 0}\n", "arm.yaml", None);
+/// let right = check("convention: standard\nunits: {length: m, angle: deg}\njoints:\n  - {a: 0.3, alpha: 0, d: 0, theta: 0}\n", "arm.yaml", None);
 /// assert!(right.messages().is_empty());
 /// assert_eq!(right.json(Units::Deg)["reach"], 0.3);
 /// ```

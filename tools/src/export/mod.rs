@@ -9,6 +9,7 @@ use denhart_codegen::{Options, ScalarKind, generate};
 
 use crate::Error;
 use arm::Arm;
+pub use project::Dependency;
 
 /// The form of a library for C.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,15 +26,6 @@ impl Default for COptions {
     fn default() -> Self {
         Self { scalar: ScalarKind::F64, prefix: None, denhart: Dependency::Published }
     }
-}
-
-/// Where a library takes the crate denhart from.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Dependency {
-    /// crates.io, in the version of this crate.
-    Published,
-    /// The folder of the crate, as seen from that of the library.
-    Folder(String),
 }
 
 /// A library as files.

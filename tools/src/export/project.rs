@@ -1,7 +1,15 @@
 //! The crate's manifest and the file for CMake.
 
-use super::Dependency;
 use super::arm::Arm;
+
+/// Where a library takes the crate denhart from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Dependency {
+    /// crates.io, in the version of this crate.
+    Published,
+    /// The folder of the crate, as seen from that of the library.
+    Folder(String),
+}
 
 /// `Cargo.toml`.
 pub fn manifest(arm: &Arm<'_>, denhart: &Dependency) -> String {
