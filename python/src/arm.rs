@@ -3,8 +3,8 @@
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
 
-use denhart::numeric::NumericInverse;
 use denhart::JointKind;
+use denhart::numeric::NumericInverse;
 use denhart_codegen::{Builder, check};
 use denhart_draw::{Scene, Style, View};
 use denhart_dynamic::{DynamicArm, DynamicSolution, DynamicTarget};
@@ -105,10 +105,7 @@ impl Arm {
                 (Some(rows), shape.get(..=tail.len()).unwrap_or(&[]))
             }
             _ if threaded.is_some() => {
-                return Err(error::value(format!(
-                    "q: expected shape (N, {joints}), found {}",
-                    shown(numbers.shape())
-                )));
+                return Err(error::value(format!("q: expected shape (N, {joints}), found {}", shown(numbers.shape()))));
             }
             _ => return Err(self.wrong_shape("q", numbers.shape(), Some(0))),
         };
@@ -174,7 +171,11 @@ impl Arm {
             if read.shape() == shape {
                 return Ok(read);
             }
-            Err(error::value(format!("{name}: expected the shape of q, {}, found {}", shown(shape), shown(read.shape()))))
+            Err(error::value(format!(
+                "{name}: expected the shape of q, {}, found {}",
+                shown(shape),
+                shown(read.shape())
+            )))
         });
         let mut vectors: [&[f64]; K] = [&[]; K];
         for (vector, other) in vectors.iter_mut().zip(&others) {
@@ -187,8 +188,11 @@ impl Arm {
             None => Results::new(py, &[6])?,
             Some(rows) => Results::new(py, &[rows, 6])?,
         };
-        for (index, (q, place)) in
-            numbers.values()?.chunks_exact(joints.max(1)).zip(results.writable()?.values()?.chunks_exact_mut(6)).enumerate()
+        for (index, (q, place)) in numbers
+            .values()?
+            .chunks_exact(joints.max(1))
+            .zip(results.writable()?.values()?.chunks_exact_mut(6))
+            .enumerate()
         {
             let each = vectors.map(|vector| vector.get(index * joints..(index + 1) * joints).unwrap_or(&[]));
             place.copy_from_slice(&one(q, each));
@@ -248,10 +252,9 @@ impl Arm {
         let kinds: Option<Vec<String>> = match kinds {
             None => None,
             Some(kinds) => Some(
-                kinds
-                    .try_iter()
-                    .and_then(|kinds| kinds.map(|kind| kind?.extract()).collect::<PyResult<_>>())
-                    .map_err(|_| error::kind("kinds: expected a list such as [\"revolute\", \"prismatic\"], or \"RP\""))?,
+                kinds.try_iter().and_then(|kinds| kinds.map(|kind| kind?.extract()).collect::<PyResult<_>>()).map_err(
+                    |_| error::kind("kinds: expected a list such as [\"revolute\", \"prismatic\"], or \"RP\""),
+                )?,
             ),
         };
         let inverse = [task, redundant];
@@ -331,7 +334,9 @@ impl Arm {
         };
         let (width, height) = size;
         if ![width, height].iter().all(|length| (160.0..=4000.0).contains(length)) {
-            return Err(error::value(format!("size: expected width and height from 160 to 4000 px, found ({width}, {height})")));
+            return Err(error::value(format!(
+                "size: expected width and height from 160 to 4000 px, found ({width}, {height})"
+            )));
         }
         let style = Style::of(seen).with_theme(self::theme(theme)?).with_size(width, height);
         let posture = q.map(|q| self.joints("q", q)).transpose()?;
@@ -345,14 +350,20 @@ impl Arm {
                 let solutions = solutions.get();
                 let arm = solutions.arm.get();
                 if arm.text != self.text {
-                    return Err(error::value(format!("solutions: they are those of another arm, {}", arm.arm.model().name)));
+                    return Err(error::value(format!(
+                        "solutions: they are those of another arm, {}",
+                        arm.arm.model().name
+                    )));
                 }
-                let all = solutions.found.again(&self.arm, &solutions.asked).map_err(|error| error::dynamic(py, &error))?;
+                let all =
+                    solutions.found.again(&self.arm, &solutions.asked).map_err(|error| error::dynamic(py, &error))?;
                 match chain::task_of(&solutions.asked.target, chain::column(&self.arm)) {
                     Some((pose, _)) => Scene::of_solutions(&self.arm, pose, &all).map_err(failed)?,
-                    None => Scene::of(&self.arm, all.first().map_or(&vec![0.0; self.arm.joints()][..], |first| &first.q))
-                        .and_then(|scene| scene.with_solutions(&self.arm, &all))
-                        .map_err(failed)?,
+                    None => {
+                        Scene::of(&self.arm, all.first().map_or(&vec![0.0; self.arm.joints()][..], |first| &first.q))
+                            .and_then(|scene| scene.with_solutions(&self.arm, &all))
+                            .map_err(failed)?
+                    }
                 }
             }
         };
@@ -493,11 +504,7 @@ impl Arm {
     /// Manipulability (Yoshikawa 1985) at q (n,): the product of the singular values of the Jacobian, 0 where the arm is
     /// singular. `counts`: which of the rows vx vy vz wx wy wz count.
     #[pyo3(signature = (q, counts=(true, true, true, true, true, true)))]
-    fn manipulability(
-        &self,
-        q: &Bound<'_, PyAny>,
-        counts: (bool, bool, bool, bool, bool, bool),
-    ) -> PyResult<f64> {
+    fn manipulability(&self, q: &Bound<'_, PyAny>, counts: (bool, bool, bool, bool, bool, bool)) -> PyResult<f64> {
         let py = q.py();
         let q = self.joints("q", q)?;
         let rows = self.arm.jacobian(&q).map_err(|error| error::dynamic(py, &error))?;
@@ -621,7 +628,9 @@ impl Arm {
             Err(_) => DynamicTarget::Pose(target::pose(target)?),
         };
         let Some((goal, task)) = chain::task_of(&target, chain::column(&self.arm)) else {
-            return Err(error::value("numeric: the iteration has no task position_angle; give arm.inverse such a target"));
+            return Err(error::value(
+                "numeric: the iteration has no task position_angle; give arm.inverse such a target",
+            ));
         };
         let chain = chain::of(self.arm.model());
         let numeric =
@@ -644,7 +653,9 @@ impl Arm {
         let kinds: String =
             self.arm.joint_kinds().iter().map(|kind| if *kind == JointKind::Prismatic { 'P' } else { 'R' }).collect();
         let inverse = match (self.arm.task(), self.arm.max_solutions()) {
-            (Ok(task), Ok(most)) => format!("inverse {task}, at most {most} solution{}", if most == 1 { "" } else { "s" }),
+            (Ok(task), Ok(most)) => {
+                format!("inverse {task}, at most {most} solution{}", if most == 1 { "" } else { "s" })
+            }
             _ => "no inverse in closed form".to_owned(),
         };
         let given = self.arm.given().unwrap_or_default();

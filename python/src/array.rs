@@ -65,10 +65,9 @@ impl<'py> Numbers<'py> {
     }
 
     fn borrow(name: &str, array: &Bound<'py, PyArrayDyn<f64>>) -> PyResult<Self> {
-        array
-            .try_readonly()
-            .map(Self)
-            .map_err(|_| error::value(format!("{name}: the array is the out= of a call that is running, or overlaps it")))
+        array.try_readonly().map(Self).map_err(|_| {
+            error::value(format!("{name}: the array is the out= of a call that is running, or overlaps it"))
+        })
     }
 
     /// The shape.

@@ -71,7 +71,8 @@ fn pointing(asked: &PointAxis<f64>, column: usize) -> Pose<f64> {
     let length = u.hypot(v).hypot(w);
     let along = [u / length, v / length, w / length];
     // The axis of the base that is farthest from it gives the other two.
-    let least = along.iter().map(|x| x.abs()).enumerate().min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(index, _)| index);
+    let least =
+        along.iter().map(|x| x.abs()).enumerate().min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(index, _)| index);
     let other = [0, 1, 2].map(|index| if index == least { 1.0 } else { 0.0 });
     let cross = |[a, b, c]: [f64; 3], [d, e, f]: [f64; 3]| [b * f - c * e, c * d - a * f, a * e - b * d];
     let side = cross(along, other);

@@ -296,7 +296,8 @@ impl Batch<'_, '_> {
     pub fn solve(&self, py: Python<'_>, arm: &Arm) -> PyResult<InverseBatch> {
         let solver = &arm.arm;
         let refused = |error: DynamicError| error::dynamic(py, &error);
-        let (task, capacity, joints) = (solver.task().map_err(refused)?, solver.max_solutions().map_err(refused)?, solver.joints());
+        let (task, capacity, joints) =
+            (solver.task().map_err(refused)?, solver.max_solutions().map_err(refused)?, solver.joints());
         let drop = drop(self.limits)?;
         let numbers = Numbers::read("targets", self.targets)?;
         let (words, width) = target::words(task);
@@ -347,9 +348,17 @@ impl Batch<'_, '_> {
                     [] | [_] if numbers.len() == taken => false,
                     _ => {
                         let shape = shown(given.shape());
-                        let each = if taken == 1 { format!(" or one for each target, ({rows},)") } else { format!(" or ({rows}, {taken})") };
+                        let each = if taken == 1 {
+                            format!(" or one for each target, ({rows},)")
+                        } else {
+                            format!(" or ({rows}, {taken})")
+                        };
                         let text = expected(&names, &format!("shape {shape}"), true);
-                        return Err(error::value(if taken == 0 { text } else { text + "; expected (" + &taken.to_string() + ",)" + &each }));
+                        return Err(error::value(if taken == 0 {
+                            text
+                        } else {
+                            text + "; expected (" + &taken.to_string() + ",)" + &each
+                        }));
                     }
                 };
                 Beside { numbers, width: taken, each }

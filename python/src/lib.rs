@@ -16,14 +16,13 @@ mod target;
 
 use pyo3::prelude::*;
 
-
 /// Compiled part of the package denhart.
 #[pymodule(gil_used = false)]
 mod _denhart {
     #[pymodule_export]
     use crate::arm::Arm;
     #[pymodule_export]
-    use crate::inverse::{InverseBatch, _again};
+    use crate::inverse::{_again, InverseBatch};
     #[pymodule_export]
     use crate::picture::Picture;
     #[pymodule_export]

@@ -44,8 +44,14 @@ pub fn share<J: Send>(
 ) -> PyResult<()> {
     let jobs = Mutex::new(jobs);
     let stopped = AtomicBool::new(false);
-    let next = || if stopped.load(Ordering::Relaxed) { None } else { jobs.lock().unwrap_or_else(PoisonError::into_inner).next() };
-    let help = || while let Some(job) = next() { work(job) };
+    let next = || {
+        if stopped.load(Ordering::Relaxed) { None } else { jobs.lock().unwrap_or_else(PoisonError::into_inner).next() }
+    };
+    let help = || {
+        while let Some(job) = next() {
+            work(job)
+        }
+    };
     py.detach(|| {
         thread::scope(|scope| {
             for _ in 1..threads {

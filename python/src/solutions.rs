@@ -189,7 +189,8 @@ impl Solutions {
         let at = |index: usize| Bound::new(py, Solution { of: slf.clone().unbind(), index });
         if let Ok(slice) = index.cast::<PySlice>() {
             let places = slice.indices(isize::try_from(len).unwrap_or(isize::MAX))?;
-            let places = (0..places.slicelength).map(|step| places.start + places.step * isize::try_from(step).unwrap_or(0));
+            let places =
+                (0..places.slicelength).map(|step| places.start + places.step * isize::try_from(step).unwrap_or(0));
             let list = places.filter_map(|place| usize::try_from(place).ok()).map(at).collect::<PyResult<Vec<_>>>()?;
             return Ok(PyList::new(py, list)?.into_any());
         }

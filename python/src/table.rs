@@ -53,7 +53,11 @@ impl Table<'_, '_> {
             None => vec![0.0; joints],
         };
         let counted = |name: &str, found: usize| {
-            if found == joints { Ok(()) } else { Err(error::value(format!("{name}: expected {joints} entries as in a, found {found}"))) }
+            if found == joints {
+                Ok(())
+            } else {
+                Err(error::value(format!("{name}: expected {joints} entries as in a, found {found}")))
+            }
         };
         if let Some(kinds) = &self.kinds {
             counted("kinds", kinds.len())?;
@@ -63,7 +67,10 @@ impl Table<'_, '_> {
         }
         let mut text = format!(
             "name: {}\nconvention: {}\nunits: {{length: {}, angle: {}}}\n",
-            quoted(self.name), self.convention, self.length_unit, self.angle
+            quoted(self.name),
+            self.convention,
+            self.length_unit,
+            self.angle
         );
         let inverse = [("task", self.inverse[0]), ("redundant", self.inverse[1])];
         let inverse: Vec<String> =
@@ -120,11 +127,15 @@ fn column(name: &str, object: &Bound<'_, PyAny>, joints: Option<usize>) -> PyRes
     let values = numbers.values()?.to_vec();
     let shape = crate::array::shown(numbers.shape());
     if numbers.shape().len() != 1 || joints.is_some_and(|joints| joints != values.len()) {
-        let expected = joints.map_or("one number for each row".to_owned(), |joints| format!("{joints} numbers as in a"));
+        let expected =
+            joints.map_or("one number for each row".to_owned(), |joints| format!("{joints} numbers as in a"));
         return Err(error::value(format!("{name}: expected {expected}, found shape {shape}")));
     }
     if let Some(at) = values.iter().position(|value| !value.is_finite()) {
-        return Err(error::value(format!("{name}[{at}]: expected a finite number, found {}", values.get(at).copied().unwrap_or(f64::NAN))));
+        return Err(error::value(format!(
+            "{name}[{at}]: expected a finite number, found {}",
+            values.get(at).copied().unwrap_or(f64::NAN)
+        )));
     }
     Ok(values)
 }

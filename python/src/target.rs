@@ -213,7 +213,8 @@ fn pose_of(object: &Bound<'_, PyAny>) -> PyResult<Option<Pose<f64>>> {
         let is_rotation = rotation.hasattr(as_matrix)?;
         let rotation = if is_rotation { rotation.call_method0(as_matrix)? } else { rotation };
         let (rotation, point) = (Numbers::read("target", &rotation)?, Numbers::read("target", &point)?);
-        if let (&[a, b, c, d, e, f, g, h, i], &[x, y, z], [3, 3]) = (rotation.values()?, point.values()?, rotation.shape())
+        if let (&[a, b, c, d, e, f, g, h, i], &[x, y, z], [3, 3]) =
+            (rotation.values()?, point.values()?, rotation.shape())
         {
             return Ok(Some(Pose { rotation: [[a, b, c], [d, e, f], [g, h, i]], translation: [x, y, z] }));
         }

@@ -1,5 +1,6 @@
 """What the tests share."""
 
+import os
 from pathlib import Path
 
 import numpy as np
@@ -7,7 +8,9 @@ import pytest
 
 import denhart
 
-SPECS = Path(__file__).parents[2] / "specs"
+# The root of the repository, or what check.sh has copied of it.
+ROOT = Path(os.environ.get("DENHART_ROOT", Path(__file__).parents[2]))
+SPECS = ROOT / "specs"
 
 
 @pytest.fixture(scope="session")
