@@ -2,10 +2,10 @@
 
 use denhart::{Residual, Status};
 use denhart_dynamic::{DynamicArm, DynamicSolution, DynamicSolutions, DynamicTarget};
+use denhart_tools::closest::{Closest, Missed, closest};
 use serde_json::{Value, json};
 
 use crate::Failure;
-use crate::closest::{Closest, Missed, closest};
 use crate::forward::pose_json;
 use crate::hints;
 use crate::numbers::{Units, count, outside, short};

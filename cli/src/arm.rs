@@ -1,21 +1,13 @@
-//! The arm of a file as a chain that is computed at run time.
+//! The text of an arm file, and its arm as a chain that is computed at run time.
 
 use std::env;
 use std::io::Read;
 use std::path::Path;
 
-use denhart::{Chain, Convention, DhFrame, DhRow, JointKind};
-use denhart_codegen::model::{self, Frame, Length, Model, RowKind};
-use denhart_codegen::spec;
+use denhart_tools::Arm;
 
 /// Name of the standard input in messages.
 const STANDARD_INPUT: &str = "<stdin>";
-
-/// An arm file, checked.
-pub struct Arm {
-    pub chain: Chain,
-    pub model: Model,
-}
 
 /// The text of an arm file and its name for messages; `-` is the standard input.
 ///
@@ -48,46 +40,5 @@ fn not_urdf(text: String, name: String) -> Result<(String, String), String> {
 /// The message.
 pub fn read(file: &Path) -> Result<Arm, String> {
     let (text, name) = text(file)?;
-    of_text(&text, &name)
-}
-
-/// The arm of the text of an arm file, or the mistakes in it; `file` is its name for messages.
-///
-/// # Errors
-/// The message.
-pub fn of_text(text: &str, file: &str) -> Result<Arm, String> {
-    let (spec, _) = spec::read(text, file).map_err(|errors| crate::each(&errors))?;
-    let model = model::check(&spec).map_err(|errors| crate::each(&errors))?;
-    Ok(Arm { chain: chain(&model), model })
-}
-
-/// The chain of a checked arm.
-pub fn chain(model: &Model) -> Chain {
-    let convention = match model.convention {
-        model::Convention::Standard => Convention::Standard,
-        model::Convention::Modified => Convention::Modified,
-    };
-    let rows: Vec<DhRow> = model
-        .rows
-        .iter()
-        .map(|row| {
-            let kind = match row.kind {
-                RowKind::Revolute => JointKind::Revolute,
-                RowKind::Prismatic => JointKind::Prismatic,
-                RowKind::Fixed => JointKind::Fixed,
-            };
-            DhRow {
-                kind,
-                a: row.a.default_value(),
-                alpha: row.alpha.rad(),
-                d: row.d.default_value(),
-                theta: row.theta.rad(),
-            }
-        })
-        .collect();
-    let frame = |frame: &Frame| DhFrame {
-        xyz: frame.xyz.each_ref().map(Length::default_value),
-        rpy: frame.rpy.map(|angle| angle.rad()),
-    };
-    Chain::new(convention, &rows).with_base(frame(&model.base)).with_tool(frame(&model.tool))
+    Arm::of_text(&text, &name).map_err(|mistakes| crate::each(&mistakes))
 }

@@ -25,7 +25,7 @@ pub struct Options {
     #[arg(long)]
     links: bool,
     /// Unit of angles, given and printed
-    #[arg(long, value_name = "UNIT", default_value = "deg")]
+    #[arg(long, value_name = "UNIT", default_value = "deg", value_parser = crate::numbers::units())]
     units: Units,
     /// Print JSON
     #[arg(long)]

@@ -46,7 +46,7 @@ pub struct Options {
     #[arg(long)]
     within_limits: bool,
     /// Unit of angles, given and printed
-    #[arg(long, value_name = "UNIT", default_value = "deg")]
+    #[arg(long, value_name = "UNIT", default_value = "deg", value_parser = crate::numbers::units())]
     units: Units,
     /// Print JSON
     #[arg(long)]

@@ -6,8 +6,6 @@ mod arm;
 mod arms;
 mod batch;
 mod check;
-mod closest;
-mod cost;
 mod documents;
 #[cfg(feature = "draw")]
 mod draw;
@@ -21,7 +19,6 @@ mod new;
 mod number_arguments;
 mod numbers;
 mod progress;
-mod schema;
 mod style;
 mod suggest;
 mod sweep;
@@ -29,7 +26,6 @@ mod table;
 mod target;
 mod templates;
 mod trace;
-mod zero_configuration;
 
 use std::ffi::OsString;
 use std::io::{self, ErrorKind, Write};
@@ -213,7 +209,7 @@ fn act(action: Action, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), F
         Action::Export(options) => export::run(&options, out, err),
         Action::New(options) => new::run(&options, out),
         Action::Arms(options) => arms::run(&options, out),
-        Action::Schema => Ok(print(out, &schema::text())?),
+        Action::Schema => Ok(print(out, &denhart_tools::schema::text())?),
         Action::Completions(options) => documents::completions(&options, <Command as CommandFactory>::command(), out),
         Action::Man(options) => documents::man(&options, <Command as CommandFactory>::command(), out),
     }
@@ -258,8 +254,8 @@ fn expand(options: Expand) -> Result<String, String> {
 }
 
 /// The mistakes of a file, each with the prefix that the first one gets where it is printed.
-fn each(errors: &Errors) -> String {
-    errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n\nerror: ")
+fn each(mistakes: &Errors) -> String {
+    denhart_tools::Error::from(mistakes.clone()).to_string()
 }
 
 fn print(out: &mut dyn Write, text: &str) -> io::Result<()> {

@@ -5,9 +5,9 @@ use std::io::{ErrorKind, Write};
 use std::path::PathBuf;
 
 use clap::Args;
+use denhart_tools::presets::preset;
 
 use crate::Failure;
-use crate::arms;
 use crate::templates::{self, Convention, SCARA};
 
 /// The arguments of the command.
@@ -62,7 +62,7 @@ fn named(options: &Options) -> Result<(&str, String), String> {
         ));
     }
     if let Some(like) = like {
-        return Ok((name, renamed(arms::file(like)?, name)));
+        return Ok((name, renamed(preset(like).map_err(|error| error.to_string())?.arm_file, name)));
     }
     let template = if *scara { Some(&SCARA) } else { templates::of_joints(*joints) };
     let text = template.map(|template| template.text(name, *convention));
@@ -105,7 +105,7 @@ mod tests {
     #[test]
     fn a_known_arm_keeps_everything_but_its_name() {
         let own = text(&["--like", "ur5"]).unwrap();
-        assert_eq!(own, arms::file("ur5").unwrap());
+        assert_eq!(own, preset("ur5").unwrap().arm_file);
         let crane = text(&["crane", "--like", "ur5"]).unwrap();
         assert_eq!(crane.replace("name: crane\n", "name: ur5\n"), own);
         assert!(crane.contains("name: crane\n"));

@@ -5,7 +5,7 @@ use denhart_codegen::spec::WrittenAngle;
 use denhart_dynamic::DynamicArm;
 
 use crate::Failure;
-use crate::numbers::{Units, count, rounded};
+use crate::numbers::{Units, count};
 
 /// A list of numbers as it was typed: the value of an option, or a line of a file.
 #[derive(Clone, Copy)]
@@ -154,7 +154,7 @@ impl NumberList<'_> {
         let (number, unit) = word.split_at_checked(start)?;
         if let (Ok(number), Some(unit)) = (number.parse::<f64>(), length_unit(unit)) {
             let own = self.length;
-            let converted = || rounded(number * unit.in_meters() / own.in_meters());
+            let converted = || Units::rounded(number * unit.in_meters() / own.in_meters());
             return Some(if own == unit { number.to_string() } else { converted().to_string() });
         }
         let degrees = number.parse::<f64>().ok().filter(|_| matches!(unit, "\u{b0}" | "degree" | "degrees"));

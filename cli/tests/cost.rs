@@ -2,7 +2,7 @@
 //! its kind.
 //!
 //! ```sh
-//! DENHART_ACCEPT=1 cargo test -p denhart-cli --test cost     # writes cli/src/cost/cortex-m4f.txt
+//! DENHART_ACCEPT=1 cargo test -p denhart-cli --test cost     # writes tools/src/check/cortex-m4f.txt
 //! ```
 #![allow(clippy::unwrap_used, clippy::panic)]
 
@@ -13,7 +13,7 @@ use std::{env, fs};
 
 use serde_json::{Value, json};
 
-const TABLE: &str = "cli/src/cost/cortex-m4f.txt";
+const TABLE: &str = "tools/src/check/cortex-m4f.txt";
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")

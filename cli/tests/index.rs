@@ -114,5 +114,5 @@ fn the_command_has_the_files() {
         assert!(text.ends_with('\n') && !text.contains("=== "), "{name}");
         format!("=== {name}\n{text}")
     };
-    is_current("cli/src/arms.txt", &files().iter().map(file).collect::<String>());
+    is_current("tools/src/arms.txt", &files().iter().map(file).collect::<String>());
 }

@@ -9,7 +9,7 @@ use std::path::Path;
 const STAGES: [&str; 7] = ["spec", "model", "symbolic", "kinematics", "solve", "lower", "emit"];
 
 /// Folders without a circle, and the module of the crate that each one is.
-const FOLDERS: [(&str, &[&str]); 11] = [
+const FOLDERS: [(&str, &[&str]); 13] = [
     ("codegen/src/spec", &["spec"]),
     ("codegen/src/model", &["model"]),
     ("codegen/src/symbolic", &["symbolic"]),
@@ -21,6 +21,8 @@ const FOLDERS: [(&str, &[&str]); 11] = [
     ("macros/src", &[]),
     ("cli/src/trace", &["trace"]),
     ("draw/src", &[]),
+    ("tools/src", &[]),
+    ("tools/src/import", &["import"]),
 ];
 
 /// Notes every line under `folder` that names one of the `later` stages, as `file:line: text`.

@@ -9,10 +9,10 @@ use std::path::PathBuf;
 use clap::{ArgGroup, Args, ValueEnum};
 use denhart_draw::{DrawError, Scene, Style, Theme, View, apart, section};
 use denhart_dynamic::{DynamicArm, DynamicError};
+use denhart_tools::closest::{Closest, Missed};
 
 use crate::Failure;
 use crate::answer::{Answer, Asked, Form};
-use crate::closest::{Closest, Missed};
 use crate::inverse::{Beside, GivenOrNear, beside};
 use crate::number_arguments::joint_vector;
 use crate::numbers::{Units, arm, short};
@@ -60,7 +60,7 @@ pub struct Options {
     #[arg(long, value_name = "PX", value_parser = clap::value_parser!(u32).range(16..=8000))]
     width: Option<u32>,
     /// Unit of angles
-    #[arg(long, value_name = "UNIT", default_value = "deg")]
+    #[arg(long, value_name = "UNIT", default_value = "deg", value_parser = crate::numbers::units())]
     units: Units,
     /// Write to this file, .svg or .png; `-` prints the SVG [default: the terminal if it shows pictures, else NAME.svg]
     #[arg(long, short, value_name = "FILE")]

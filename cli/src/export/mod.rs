@@ -1,19 +1,15 @@
 //! `denhart export`: an arm as a library for another language.
 
-mod arm;
-mod header;
-mod library;
-mod project;
+mod dependency;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
-use denhart_codegen::{Options as Code, ScalarKind, generate};
+use denhart_codegen::ScalarKind;
+use denhart_tools::export::{self, COptions, Dependency};
 
-use crate::{Failure, Scalar, arm as arm_file, files};
-use arm::Arm;
-use project::Dependency;
+use crate::{Failure, Scalar, arm, files};
 
 /// The arguments of `denhart export`.
 #[derive(Args)]
@@ -60,42 +56,28 @@ struct C {
 /// Mistakes in the arm file, a prefix that is none, files that are there or cannot be written.
 pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), Failure> {
     let Language::C(options) = &options.language;
-    let (text, name) = arm_file::text(&options.file).map_err(Failure::Other)?;
-    let scalar = ScalarKind::from(options.scalar);
-    let code = Code { scalar, ..Code::new(arm::TYPE) };
-    let refused = |mistakes| Failure::Other(crate::each(&mistakes));
-    let generated = generate(&text, &name, &code).map_err(refused)?;
-    let code = generated.to_file().map_err(refused)?;
-    let program = denhart_codegen::program(&text, &name).map_err(refused)?;
-    let arm = Arm::new(&program, scalar, options.prefix.as_deref()).map_err(Failure::Usage)?;
-    let (folder, beside) = (&options.output, Path::new(project::BUILT_BESIDE));
-    let denhart = Dependency::find(options.crate_path.as_deref(), beside, folder).map_err(Failure::Other)?;
+    let (text, name) = arm::text(&options.file).map_err(Failure::Other)?;
+    let folder = &options.output;
+    let found = dependency::find(options.crate_path.as_deref(), Path::new(dependency::BUILT_BESIDE), folder);
+    // Mistakes in the arm file are told before that there is no crate.
+    let denhart = found.clone().unwrap_or(Dependency::Published);
+    let of = COptions { scalar: ScalarKind::from(options.scalar), prefix: options.prefix.clone(), denhart };
+    let library = export::c(&text, &name, &of)?;
+    let denhart = found.map_err(Failure::Other)?;
+    let remark = dependency::remark(&denhart, folder);
     match denhart {
-        Dependency::Folder(_) => writeln!(out, "{}", denhart.remark(folder))?,
-        Dependency::Published => writeln!(err, "{}", denhart.remark(folder))?,
+        Dependency::Folder(_) => writeln!(out, "{remark}")?,
+        Dependency::Published => writeln!(err, "{remark}")?,
     }
-    if let Some(reason) = &generated.report.unsupported {
-        writeln!(err, "{}", without_inverse(&name, reason, generated.report.hint.as_deref()))?;
+    if let Some(reason) = &library.without_inverse {
+        writeln!(err, "warning: {reason}")?;
     }
-    let header = format!("include/{}.h", arm.prefix);
-    let written = [
-        ("Cargo.toml", project::manifest(&arm, &denhart)),
-        ("CMakeLists.txt", project::cmake(&arm)),
-        ("src/lib.rs", library::text(&arm)),
-        ("src/arm.rs", code),
-        (header.as_str(), header::text(&arm)),
-    ]
-    .map(|(file, text)| (folder.join(file), text));
-    let written = written.each_ref().map(|(path, text)| (path.as_path(), text.as_str()));
+    let written: Vec<(PathBuf, &str)> =
+        library.files.iter().map(|file| (folder.join(&file.path), file.text.as_str())).collect();
+    let written: Vec<(&Path, &str)> = written.iter().map(|(path, text)| (path.as_path(), *text)).collect();
     files::write(&written, options.force).map_err(Failure::Other)?;
     for (path, _) in written {
         writeln!(out, "wrote {}", path.display())?;
     }
     Ok(())
-}
-
-/// The warning of an arm whose library has no inverse.
-fn without_inverse(name: &str, reason: &str, hint: Option<&str>) -> String {
-    let help = hint.unwrap_or("`denhart::numeric`, in a program in Rust, solves any arm by iteration");
-    format!("warning: {name}: the library has no inverse kinematics: {reason}\nhelp: {help}")
 }

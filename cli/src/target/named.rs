@@ -1,11 +1,10 @@
 //! Targets whose numbers have names: the keys of JSON, the columns of a CSV file.
 
-use denhart::Pose;
-use denhart_dynamic::DynamicArm;
+use denhart::{PlanarPose, PointAngle, Pose};
+use denhart_dynamic::{DynamicArm, DynamicTarget};
 
 use super::Target;
-use super::spelled::{of_matrix, of_quaternion, of_rpy, planar_pose, planar_position};
-use super::spelled::{position, position_angle, position_axis, rotation};
+use super::spelled::{of, of_matrix, of_quaternion, of_rpy, position_axis, rotation};
 use crate::Failure;
 use crate::hints;
 use crate::numbers::{Units, count};
@@ -37,7 +36,7 @@ impl Parts {
         let task = arm.task()?;
         let angled = |target: Target, angle: f64| target.with(hints::of_angles("", &[angle], units));
         match (task, self.position.as_deref()) {
-            ("position", Some(&[x, y, z])) => return Ok(position([x, y, z])),
+            ("position", Some(&[x, y, z])) => return Ok(of(arm, DynamicTarget::Position([x, y, z]))),
             ("position_axis", Some(&[x, y, z])) => {
                 if let Some(&[u, v, w]) = self.axis.as_deref() {
                     let found = |found| Failure::Usage(format!("{found}\nhelp: write the direction as a unit vector"));
@@ -46,15 +45,18 @@ impl Parts {
             }
             ("position_angle", Some(&[x, y, z])) => {
                 if let Some(angle) = self.angle {
-                    return Ok(angled(position_angle([x, y, z], units.rad(angle)), angle));
+                    return Ok(angled(
+                        of(arm, DynamicTarget::PositionAngle(PointAngle::new([x, y, z], units.rad(angle)))),
+                        angle,
+                    ));
                 }
             }
             ("planar_pose", Some(&[x, y, ..])) => {
                 if let Some(phi) = self.phi {
-                    return Ok(angled(planar_pose([x, y], units.rad(phi)), phi));
+                    return Ok(angled(of(arm, DynamicTarget::PlanarPose(PlanarPose::new(x, y, units.rad(phi)))), phi));
                 }
             }
-            ("planar_position", Some(&[x, y, ..])) => return Ok(planar_position([x, y])),
+            ("planar_position", Some(&[x, y, ..])) => return Ok(of(arm, DynamicTarget::PlanarPosition([x, y]))),
             _ => {}
         }
         self.whole(arm, units)?.ok_or_else(|| self.lacking(task))

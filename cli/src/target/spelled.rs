@@ -1,10 +1,10 @@
 //! Targets typed as numbers.
 
-use denhart::solve::Pointing;
 use denhart::{PlanarPose, PointAngle, PointAxis, Pose};
 use denhart_dynamic::{DynamicArm, DynamicTarget};
+use denhart_tools::closest::pose_of;
 
-use super::{Target, axis_column};
+use super::Target;
 use crate::Failure;
 use crate::hints;
 use crate::number_arguments::NumberList;
@@ -43,7 +43,7 @@ pub fn of_task(arm: &DynamicArm, option: &str, text: &str, units: Units) -> Resu
     let list = NumberList { option, text, angle: units, length, wanted: &[needed, 6] };
     let values = &list.parse()?[..];
     match (task, values) {
-        ("position", &[x, y, z]) => Ok(position([x, y, z])),
+        ("position", &[x, y, z]) => Ok(of(arm, DynamicTarget::Position([x, y, z]))),
         ("position_axis", &[x, y, z, u, v, w]) => position_axis(arm, [x, y, z], [u, v, w]).map_err(|found| {
             let whole = if option.is_empty() { "the columns x, y, z, roll, pitch, yaw" } else { "--whole-pose" };
             let help = format!(
@@ -54,12 +54,12 @@ pub fn of_task(arm: &DynamicArm, option: &str, text: &str, units: Units) -> Resu
             list.failure(&found, &help)
         }),
         ("position_angle", &[x, y, z, angle]) => {
-            Ok(position_angle([x, y, z], units.rad(angle)).with(hints::of_angles(option, &[angle], units)))
+            Ok(of(arm, DynamicTarget::PositionAngle(PointAngle::new([x, y, z], units.rad(angle))))
+                .with(hints::of_angles(option, &[angle], units)))
         }
-        ("planar_pose", &[x, y, phi]) => {
-            Ok(planar_pose([x, y], units.rad(phi)).with(hints::of_angles(option, &[phi], units)))
-        }
-        ("planar_position", &[x, y]) => Ok(planar_position([x, y])),
+        ("planar_pose", &[x, y, phi]) => Ok(of(arm, DynamicTarget::PlanarPose(PlanarPose::new(x, y, units.rad(phi))))
+            .with(hints::of_angles(option, &[phi], units))),
+        ("planar_position", &[x, y]) => Ok(of(arm, DynamicTarget::PlanarPosition([x, y]))),
         (_, &[x, y, z, roll, pitch, yaw]) => of_rpy(arm, option, [x, y, z], [roll, pitch, yaw], units),
         _ => {
             let found = count(values.len(), "number");
@@ -195,47 +195,19 @@ pub fn rotation(pose: Pose<f64>) -> Result<Pose<f64>, String> {
     }
 }
 
-pub fn position(point: [f64; 3]) -> Target {
-    at(DynamicTarget::Position(point), point, 0.0)
+/// A target with a whole pose that meets it.
+pub fn of(arm: &DynamicArm, target: DynamicTarget) -> Target {
+    let pose = pose_of(arm, &target);
+    Target { target, pose, q: None, given: Vec::new(), hints: Vec::new() }
 }
 
-/// A point and a direction, with a pose that has the tool's axis along it; or the length of an axis that is no unit
-/// vector.
+/// A point and a direction, or the length of an axis that is no unit vector.
 pub fn position_axis(arm: &DynamicArm, point: [f64; 3], axis: [f64; 3]) -> Result<Target, String> {
     let norm = length_of(&axis);
     if (norm - 1.0).abs() > NOT_UNIT {
         return Err(format!("the axis {} has length {}, expected 1", listed(&axis), short(norm)));
     }
-    let asked = PointAxis::new(point, axis);
-    let column = axis_column(arm);
-    // The frame has its z axis along the direction. A cyclic change of its columns brings that one to its place.
-    let frame = Pointing::new(&asked, column).frame();
-    let rotation = frame.rotation.map(|[u, v, w]| match column {
-        0 => [w, u, v],
-        1 => [v, w, u],
-        _ => [u, v, w],
-    });
-    let pose = Pose { rotation, translation: point };
-    Ok(Target { target: DynamicTarget::PositionAxis(asked), pose, q: None, given: Vec::new(), hints: Vec::new() })
-}
-
-/// A point and an angle, rad. The pose has the point alone, which is all that the closest approach reads.
-pub fn position_angle(point: [f64; 3], angle: f64) -> Target {
-    at(DynamicTarget::PositionAngle(PointAngle::new(point, angle)), point, 0.0)
-}
-
-/// A point and a direction, rad.
-pub fn planar_pose([x, y]: [f64; 2], phi: f64) -> Target {
-    at(DynamicTarget::PlanarPose(PlanarPose::new(x, y, phi)), [x, y, 0.0], phi)
-}
-
-pub fn planar_position([x, y]: [f64; 2]) -> Target {
-    at(DynamicTarget::PlanarPosition([x, y]), [x, y, 0.0], 0.0)
-}
-
-fn at(target: DynamicTarget, point: [f64; 3], yaw: f64) -> Target {
-    let pose = Pose::from_xyz_rpy(point, [0.0, 0.0, yaw]);
-    Target { target, pose, q: None, given: Vec::new(), hints: Vec::new() }
+    Ok(of(arm, DynamicTarget::PositionAxis(PointAxis::new(point, axis))))
 }
 
 /// The Euclidean length, without overflow of the squares.

@@ -23,6 +23,7 @@ use crate::numbers::{Units, count};
 use crate::progress::Progress;
 use clap::{Args, ValueEnum};
 use denhart::{Chain, JointKind, Pose};
+use denhart_tools::Arm;
 use jet::Jet;
 use law::Law;
 use limits::Limits;
@@ -62,7 +63,7 @@ pub struct Options {
     #[arg(long, value_name = "T", allow_hyphen_values = true, value_parser = single_number)]
     step: f64,
     /// Unit of angles, in the laws of turning joints and in the output
-    #[arg(long, value_name = "UNIT", default_value = "deg")]
+    #[arg(long, value_name = "UNIT", default_value = "deg", value_parser = crate::numbers::units())]
     units: Units,
     /// How the orientation of the tool is printed
     #[arg(long, value_name = "FORM", default_value = "rpy")]
@@ -119,7 +120,7 @@ pub fn run(options: &Options, out: &mut dyn Write) -> Result<(), Failure> {
         Failure::Usage(pointed(text, error) + &help)
     };
     let laws = law::parse(text).map_err(|error| wrong(&error, None))?;
-    let arm::Arm { chain, model } = arm::read(&options.file).map_err(Failure::Other)?;
+    let Arm { chain, model } = arm::read(&options.file).map_err(Failure::Other)?;
     let names: Vec<String> = model.joints.iter().map(|joint| joint.name.clone()).collect();
     match_up(text, &laws, &names).map_err(|error| wrong(&error, Some(names.len())))?;
     let trace = Trace {

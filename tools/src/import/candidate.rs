@@ -7,7 +7,7 @@ use super::proof::{Difference, compare, of_chain};
 use super::table::Table;
 use super::urdf::Robot;
 use super::write;
-use crate::arm;
+use crate::{Arm, Error};
 
 /// The most by which the poses of file and URDF may differ, m and rad, apart from angles made exact.
 pub const MAX_DIFFERENCE: f64 = 1e-9;
@@ -50,8 +50,8 @@ impl CandidateTable<'_> {
         let (table, lengths) = short_lengths(self.table, width * self.table.size.min(1.0));
         let (robot, path) = self.written;
         let draft = write::file(&robot.name, &[], &table, self.coupling)?;
-        let arm::Arm { chain, .. } = arm::of_text(&draft, "the imported arm")
-            .map_err(|errors| format!("no arm file can say this chain:\n{errors}"))?;
+        let Arm { chain, .. } = Arm::of_text(&draft, "the imported arm")
+            .map_err(|mistakes| format!("no arm file can say this chain:\n{}", Error::from(mistakes)))?;
         let misses = |(robot, path)| compare(robot, path, self.coupling, &|q| of_chain(&chain, q));
         let exact_angles = if self.changed { self.exact_angles } else { self.exact_angles.max(misses(self.exact)) };
         let as_written = misses((robot, path));

@@ -1,23 +1,15 @@
-//! `denhart check --target cortex-m4f`: what the generator knows of the code of an arm before it is flashed, and what the
+//! `check` for a processor: what the generator knows of the code of an arm before it is flashed, and what the
 //! code of the most similar arm takes that was measured.
 
 use std::collections::{BTreeMap, HashMap};
 
-use clap::ValueEnum;
 use denhart::effort::{MOST_CASCADES, MOST_EVALUATIONS, MOST_HELD_JOINT_EVALUATIONS, MOST_PLACES};
 use denhart_codegen::Program;
 use denhart_codegen::lower::{Inverse, Statement};
 use serde_json::{Map, Value, json};
 
-use crate::arms;
-
-/// A processor.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Target {
-    /// Arm Cortex-M4 with its single-precision unit
-    #[value(name = "cortex-m4f")]
-    CortexM4f,
-}
+use super::Processor;
+use crate::presets::preset;
 
 /// Measurements, a line for each arm and function: `ur5 forward 2700 260 448`.
 const CORTEX_M4F: &str = include_str!("cortex-m4f.txt");
@@ -30,6 +22,7 @@ const QUANTITIES: [[&str; 2]; 3] =
 const TOGETHER: &str = "together";
 
 /// Kernels, branches and bound of an arm's inverse, and a measured arm to compare the arm with.
+#[derive(Debug)]
 pub struct Cost {
     table: &'static str,
     kind: Kind,
@@ -41,7 +34,7 @@ pub struct Cost {
 
 /// Kind of a plan: its task, how often each kernel is called for an ordinary target, and whether the search for places
 /// of free joints is linked. Without an inverse there are none of them.
-#[derive(PartialEq)]
+#[derive(Debug, PartialEq)]
 struct Kind {
     task: &'static str,
     kernels: BTreeMap<&'static str, usize>,
@@ -62,13 +55,13 @@ impl Kind {
 impl Cost {
     /// Of an arm. The measured arm is the one of the same kind whose pose and Jacobian take the most similar number of
     /// operations. If none is of that kind, all arms are compared.
-    pub fn new(program: &Program, target: Target) -> Self {
-        let table = match target {
-            Target::CortexM4f => CORTEX_M4F,
+    pub fn new(program: &Program, processor: Processor) -> Self {
+        let table = match processor {
+            Processor::CortexM4f => CORTEX_M4F,
         };
         let kind = Kind::of(program);
         let nearest = rows(table).filter(|[_, function, ..]| *function == "forward").filter_map(|[arm, ..]| {
-            let other = denhart_codegen::program(arms::file(arm).ok()?, arm).ok()?;
+            let other = denhart_codegen::program(preset(arm).ok()?.arm_file, arm).ok()?;
             let differs = Kind::of(&other) != kind;
             Some(((differs, operations(&other).abs_diff(operations(program))), arm))
         });

@@ -6,9 +6,10 @@ use denhart::{Chain, Pose};
 use denhart_codegen::model::geometry::{Line, axes_at_zero};
 use denhart_codegen::model::{self, JointKind, Model};
 
-use crate::arm::Arm;
+use crate::Arm;
 
 /// The arm with all joints at 0, lengths in the file's unit.
+#[derive(Debug)]
 pub struct ZeroConfiguration {
     pub tool: Pose<f64>,
     /// The axis of each joint, in the direction of its positive motion. Each goes through its point nearest to the point
@@ -103,11 +104,10 @@ mod tests {
     #![allow(clippy::unwrap_used)]
 
     use super::*;
-    use crate::arm;
 
     fn of(rows: &str) -> ZeroConfiguration {
         let text = format!("name: a\nconvention: standard\nunits: {{length: m, angle: deg}}\njoints:\n{rows}");
-        zero_configuration(&arm::of_text(&text, "a.yaml").unwrap()).unwrap()
+        zero_configuration(&Arm::of_text(&text, "a.yaml").unwrap()).unwrap()
     }
 
     #[test]

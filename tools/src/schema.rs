@@ -1,17 +1,19 @@
-//! `denhart schema`: the form of an arm file as a JSON schema, for editors.
+//! The form of an arm file as a JSON schema, for editors.
 //!
 //! An editor completes keys by it and marks unknown ones while they are typed. What values mean together is
 //! `denhart check`'s.
 
 use serde_json::{Value, json};
 
-/// The schema, printed.
+/// The schema as text, indented.
+#[must_use]
 pub fn text() -> String {
     format!("{:#}", schema())
 }
 
 /// The schema (draft 7, which editors for YAML read).
-fn schema() -> Value {
+#[must_use]
+pub fn schema() -> Value {
     json!({
         "$schema": "http://json-schema.org/draft-07/schema#",
         "title": "Arm file of denhart",
