@@ -1,13 +1,15 @@
 //! The class `Arm`.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use denhart::JointKind;
 use denhart::numeric::NumericInverse;
-use denhart_codegen::{Builder, check};
+use denhart_codegen::{Builder, ScalarKind, check};
 use denhart_draw::{Scene, Style, View};
 use denhart_dynamic::{DynamicArm, DynamicSolution, DynamicTarget};
+use denhart_tools::export::{self, COptions};
+use denhart_tools::{chain, import, presets};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyTuple, PyType};
 
@@ -17,10 +19,7 @@ use crate::picture::{Picture, theme, view};
 use crate::share::{ROWS, share, threads, told};
 use crate::solutions::{NumericSolution, Solutions, joints};
 use crate::target::{self, Target};
-use crate::{chain, error, table};
-
-/// Name and text of every arm file of the repository.
-const PRESETS: &[(&str, &str)] = &include!(concat!(env!("OUT_DIR"), "/presets.rs"));
+use crate::{beyond, error, table};
 
 /// A robot arm: its kinematics from a Denavit-Hartenberg table.
 ///
@@ -201,6 +200,19 @@ impl Arm {
     }
 }
 
+/// The text of a file, and its name.
+fn read(py: Python<'_>, path: &Path) -> PyResult<(String, String)> {
+    let name = path.display().to_string();
+    let bytes = py.detach(|| std::fs::read(path)).map_err(|reason| {
+        let error = PyErr::from(reason);
+        // Python shows the name behind the reason; without it the error stays as it is.
+        let _ = error.value(py).setattr("filename", &name);
+        error
+    })?;
+    let text = denhart_codegen::decode(bytes, &name).map_err(|message| error::arm(py, message))?;
+    Ok((text, name))
+}
+
 #[pymethods]
 impl Arm {
     /// The arm of the text of an arm file. Messages call the file `name`.
@@ -214,14 +226,22 @@ impl Arm {
     #[staticmethod]
     #[allow(clippy::needless_pass_by_value)]
     fn from_file(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        let bytes = py.detach(|| std::fs::read(&path)).map_err(|reason| {
-            let error = PyErr::from(reason);
-            let _ = error.value(py).setattr("filename", path.display().to_string());
-            error
-        })?;
-        let name = path.display().to_string();
-        let text = denhart_codegen::decode(bytes, &name).map_err(|message| error::arm(py, message))?;
+        let (text, name) = read(py, &path)?;
         Self::new(py, text, name)
+    }
+
+    /// The arm of a chain of a URDF, from the link `base` to the link `tool`; by default from the root to the end of the
+    /// chain with the most moving joints, before its gripper. Its lengths are in m, joint values are those of the URDF.
+    ///
+    /// The poses of the arm are compared with those of the URDF at 1000 configurations. `to_yaml()` gives the arm file.
+    #[staticmethod]
+    #[pyo3(signature = (path, *, base=None, tool=None))]
+    #[allow(clippy::needless_pass_by_value)]
+    fn from_urdf(py: Python<'_>, path: PathBuf, base: Option<String>, tool: Option<String>) -> PyResult<Self> {
+        let (text, name) = read(py, &path)?;
+        let options = import::Options { from: name, base, tool, ..import::Options::default() };
+        let imported = py.detach(|| import::urdf(&text, &options)).map_err(|error| error::tools(py, &error))?;
+        Self::new(py, imported.arm_file, "arm.yaml".to_owned())
     }
 
     /// The arm of a table: a number for each row in `a`, `alpha`, `d` and `theta`.
@@ -265,28 +285,14 @@ impl Arm {
     /// Names of the arms that come with the package.
     #[staticmethod]
     fn presets(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
-        PyList::new(py, PRESETS.iter().map(|(name, _)| *name))
+        PyList::new(py, presets::presets().map(|preset| preset.name).collect::<Vec<_>>())
     }
 
     /// An arm that comes with the package, by its name.
     #[staticmethod]
     fn preset(py: Python<'_>, name: &str) -> PyResult<Self> {
-        match PRESETS.iter().find(|(preset, _)| *preset == name) {
-            Some((name, text)) => Self::new(py, (*text).to_owned(), format!("{name}.yaml")),
-            None => {
-                let mut like: Vec<&str> = PRESETS.iter().map(|(preset, _)| *preset).collect();
-                let known = |preset: &&str| {
-                    let (asked, preset) = (name.to_lowercase().replace(['-', ' '], "_"), *preset);
-                    preset.contains(&asked) || asked.split('_').any(|word| word.len() > 2 && preset.contains(word))
-                };
-                like.retain(known);
-                let advice = match like.as_slice() {
-                    [] => "Arm.presets() lists them".to_owned(),
-                    like => format!("did you mean {}?", like.join(", ")),
-                };
-                Err(error::arm(py, format!("no preset has the name {name:?}\nhelp: {advice}")))
-            }
-        }
+        let preset = presets::preset(name).map_err(|error| error::tools(py, &error))?;
+        Self::new(py, preset.arm_file.to_owned(), format!("{}.yaml", preset.name))
     }
 
     /// The text of the arm file.
@@ -302,6 +308,22 @@ impl Arm {
             builder = builder.type_name(name);
         }
         py.detach(|| builder.generate()).map_err(|error| error::arm(py, error))
+    }
+
+    /// The arm as a static library for C, as `denhart export c` writes it: a dict from the path of each file in the
+    /// library's folder to its text. `scalar` is "f64" or "f32"; `prefix` begins the names in C, by default the arm's name.
+    #[pyo3(signature = (*, scalar="f64", prefix=None))]
+    fn to_c<'py>(&self, py: Python<'py>, scalar: &str, prefix: Option<String>) -> PyResult<Bound<'py, PyDict>> {
+        let scalar = ScalarKind::try_from(scalar)
+            .map_err(|_| error::value(format!("scalar: expected \"f64\" or \"f32\", found {scalar:?}")))?;
+        let options = COptions { scalar, prefix, ..COptions::default() };
+        let library =
+            py.detach(|| export::c(&self.text, &self.file, &options)).map_err(|error| error::tools(py, &error))?;
+        let files = PyDict::new(py);
+        for file in library.files {
+            files.set_item(file.path, file.text)?;
+        }
+        Ok(files)
     }
 
     /// Findings about the arm, as `denhart check` prints them: axes, operations, the plan of the inverse, advice.
@@ -357,7 +379,7 @@ impl Arm {
                 }
                 let all =
                     solutions.found.again(&self.arm, &solutions.asked).map_err(|error| error::dynamic(py, &error))?;
-                match chain::task_of(&solutions.asked.target, chain::column(&self.arm)) {
+                match beyond::task(&self.arm, &solutions.asked.target) {
                     Some((pose, _)) => Scene::of_solutions(&self.arm, pose, &all).map_err(failed)?,
                     None => {
                         Scene::of(&self.arm, all.first().map_or(&vec![0.0; self.arm.joints()][..], |first| &first.q))
@@ -494,7 +516,7 @@ impl Arm {
         qd: &Bound<'py, PyAny>,
         qdd: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let chain = chain::of(self.arm.model());
+        let chain = chain(self.arm.model());
         self.beside(q, [("qd", qd), ("qdd", qdd)], |q, [qd, qdd]| match chain.acceleration(q, qd, qdd) {
             Ok(denhart::Acceleration { linear: [a, b, c], angular: [d, e, f] }) => [a, b, c, d, e, f],
             Err(_) => [f64::NAN; 6],
@@ -509,7 +531,7 @@ impl Arm {
         let q = self.joints("q", q)?;
         let rows = self.arm.jacobian(&q).map_err(|error| error::dynamic(py, &error))?;
         let (a, b, c, d, e, f) = counts;
-        Ok(chain::manipulability(&rows, [a, b, c, d, e, f]))
+        Ok(beyond::manipulability(&rows, [a, b, c, d, e, f]))
     }
 
     /// How far q (n,) is from each kind of singularity: a dict from "shoulder", "elbow", "wrist" or the joints "q1 q3" to
@@ -581,7 +603,7 @@ impl Arm {
         let arm = &slf.get().arm;
         let target = target::read(arm, target)?;
         let drop = drop(limits)?;
-        let values = chain::sweep(arm, n).map_err(|message| error::value(format!("sweep: {message}")))?;
+        let values = beyond::sweep(arm, n).map_err(|message| error::value(format!("sweep: {message}")))?;
         let list = PyList::empty(py);
         for value in values {
             py.check_signals()?;
@@ -627,12 +649,12 @@ impl Arm {
             Ok(_) => target::read(&self.arm, target)?,
             Err(_) => DynamicTarget::Pose(target::pose(target)?),
         };
-        let Some((goal, task)) = chain::task_of(&target, chain::column(&self.arm)) else {
+        let Some((goal, task)) = beyond::task(&self.arm, &target) else {
             return Err(error::value(
                 "numeric: the iteration has no task position_angle; give arm.inverse such a target",
             ));
         };
-        let chain = chain::of(self.arm.model());
+        let chain = chain(self.arm.model());
         let numeric =
             NumericInverse::new().task(task).max_iterations(max_iterations).restarts(restarts).within_limits(limits);
         let within = limits.then(|| self.arm.limits());

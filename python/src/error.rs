@@ -17,6 +17,17 @@ pub fn arm(py: Python<'_>, message: impl ToString) -> PyErr {
     }
 }
 
+/// The exception of an error of the tools, with options as Python has them.
+pub fn tools(py: Python<'_>, error: &denhart_tools::Error) -> PyErr {
+    let text = error.to_string();
+    arm(
+        py,
+        text.replace("--base ", "base=")
+            .replace("--tool ", "tool=")
+            .replace("`denhart arms` lists", "Arm.presets() lists"),
+    )
+}
+
 /// The exception of an error of the solver.
 pub fn dynamic(py: Python<'_>, error: &DynamicError) -> PyErr {
     let text = match error {

@@ -138,7 +138,7 @@ fn given_values(arm: &DynamicArm, given: Option<&Bound<'_, PyAny>>) -> PyResult<
     Err(error::value(expected(&names, &format!("{} of them", values.len()), given.is_some())))
 }
 
-/// What is wrong with the values beside the target.
+/// The message of wrong values beside the target.
 fn expected(names: &[String], found: &str, is_given: bool) -> String {
     let list = names.join(", ");
     match (names, is_given) {

@@ -5,7 +5,7 @@
 
 mod arm;
 mod array;
-mod chain;
+mod beyond;
 mod error;
 mod inverse;
 mod picture;

@@ -35,7 +35,7 @@ pub fn threads(asked: Option<i64>, rows: usize) -> PyResult<usize> {
 /// Does every job, on so many threads, without holding up other threads of Python.
 ///
 /// # Errors
-/// What a signal raises, such as `KeyboardInterrupt`. Some jobs are then not done.
+/// An exception that a signal raises, such as `KeyboardInterrupt`. Some jobs are then not done.
 pub fn share<J: Send>(
     py: Python<'_>,
     jobs: impl Iterator<Item = J> + Send,

@@ -2,6 +2,7 @@
 
 use denhart::{Flags, JointKind, Status};
 use denhart_dynamic::{DynamicArm, DynamicError, DynamicSolution, DynamicSolutions};
+use denhart_tools::closest::{Missed, closest, pose_of};
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -9,7 +10,6 @@ use pyo3::types::{PyIterator, PyList, PySlice, PyTuple, PyType};
 
 use crate::arm::Arm;
 use crate::array::{Results, filled};
-use crate::chain::{self, Missed};
 use crate::inverse::{Asked, answer};
 use crate::target::Target;
 
@@ -158,7 +158,10 @@ impl Solutions {
                                   matrix is off a rotation by more than 1e-3 or mirrors, or near= is many turns away"
                 .to_owned(),
             Status::Unreachable { residual } => {
-                let more = match chain::missed(&arm.arm, &self.asked.target) {
+                let target = &self.asked.target;
+                let start = self.asked.near.clone().unwrap_or_else(|| vec![0.0; arm.arm.joints()]);
+                let closest = closest(&arm.arm, target, &pose_of(&arm.arm, target), &start);
+                let more = match closest.map(|closest| closest.missed) {
                     Some(Missed::Distance(distance)) => {
                         format!(
                             "the point is out of reach; the closest that iteration finds is {distance:.3e} {unit} away"
@@ -302,8 +305,9 @@ impl Solution {
         Ok(format!("<Solution {}>", self.of.get().arm.get().text(self.get()?)))
     }
 
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Py<Solutions>, usize))> {
-        Ok((py.import("operator")?.getattr("getitem")?, (self.of.clone_ref(py), self.index)))
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let place = (self.of.clone_ref(py), self.index).into_pyobject(py)?;
+        Ok((py.import("operator")?.getattr("getitem")?, place))
     }
 }
 
@@ -312,7 +316,7 @@ impl Solution {
 pub struct NumericSolution {
     pub values: Vec<f64>,
     pub kinds: Vec<JointKind>,
-    /// Whether the target is reached within the tolerances.
+    /// True if the target is reached within the tolerances.
     #[pyo3(get)]
     pub converged: bool,
     /// Steps taken, from all starts.

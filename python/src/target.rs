@@ -8,7 +8,7 @@ use pyo3::types::{PyTuple, PyType};
 use crate::array::{self, Numbers, shown};
 use crate::error;
 
-/// By how much the last row of a pose may differ from 0 0 0 1: the rounding of a product of matrices.
+/// The last row of a pose may differ from 0 0 0 1 by this much: the rounding of a product of matrices.
 const LAST_ROW: f64 = 1e-9;
 
 /// A target for the inverse of an arm, made by one of the named constructors.
@@ -151,7 +151,7 @@ fn numbers(target: &DynamicTarget) -> Vec<f64> {
     }
 }
 
-/// What the numbers of a task are, and how many.
+/// The numbers of a task in words, and how many they are.
 pub fn words(task: &str) -> (&'static str, usize) {
     match task {
         "position" => ("x, y, z", 3),
