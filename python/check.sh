@@ -47,6 +47,7 @@ if ! cargo fetch --locked >"$out/log" 2>&1; then
 fi
 
 step 'cargo fmt' cargo fmt --check
+step 'cargo clippy' cargo clippy --locked -- -D warnings
 step 'wheel' "$bin/maturin" build --release --locked --out "$out/wheels" --interpreter "$bin/python"
 size=$(stat -c %s "$out"/wheels/*.whl)
 echo "wheel: $((size / 1024)) KiB"
@@ -60,6 +61,8 @@ cp -r tests "$out/tests"
 cp pyproject.toml "$out"
 ln -s "$(realpath ../specs)" "$out/specs"
 ln -s "$(realpath ../docs)" "$out/docs"
+mkdir "$out/python"
+cp tour.ipynb "$out/python"
 cd "$out"
 step 'type stubs' "$bin/python" -m mypy.stubtest denhart --ignore-missing-stub --ignore-disjoint-bases
 step 'types of the tests' "$bin/mypy" --strict tests/typed.py

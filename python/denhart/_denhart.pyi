@@ -37,7 +37,7 @@ class Arm:
         theta: ArrayLike | None = None,
         convention: Literal["standard", "modified"] = "standard",
         kinds: Sequence[str] | None = None,
-        limits: Sequence[tuple[float, float] | None] | None = None,
+        limits: Sequence[Sequence[float] | NDArray[np.float64] | None] | NDArray[np.float64] | None = None,
         angle: Literal["rad", "deg"] = "rad",
         length_unit: Literal["m", "cm", "mm", "in"] = "m",
         name: str = "arm",

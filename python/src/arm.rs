@@ -261,7 +261,7 @@ impl Arm {
         theta: Option<&Bound<'_, PyAny>>,
         convention: &str,
         kinds: Option<&Bound<'_, PyAny>>,
-        limits: Option<Vec<Option<(f64, f64)>>>,
+        limits: Option<Vec<Option<[f64; 2]>>>,
         angle: &str,
         length_unit: &str,
         name: &str,

@@ -16,7 +16,7 @@ pub struct Table<'a, 'py> {
     pub theta: Option<&'a Bound<'py, PyAny>>,
     pub convention: &'a str,
     pub kinds: Option<Vec<String>>,
-    pub limits: Option<Vec<Option<(f64, f64)>>>,
+    pub limits: Option<Vec<Option<[f64; 2]>>>,
     pub angle: &'a str,
     pub length_unit: &'a str,
     pub name: &'a str,
@@ -98,7 +98,7 @@ impl Table<'_, '_> {
                 angle(*alpha),
                 angle(*theta)
             );
-            if let Some(Some((low, high))) = self.limits.as_ref().and_then(|limits| limits.get(joint)) {
+            if let Some(Some([low, high])) = self.limits.as_ref().and_then(|limits| limits.get(joint)) {
                 if low.is_nan() || high.is_nan() {
                     return Err(error::value(format!("limits[{joint}]: expected two numbers, found ({low}, {high})")));
                 }

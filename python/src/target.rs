@@ -269,15 +269,15 @@ fn found(object: &Bound<'_, PyAny>) -> PyResult<String> {
 /// Numbers that are no target, and what was expected; a target of another task; an arm without inverse.
 pub fn read(arm: &DynamicArm, object: &Bound<'_, PyAny>) -> PyResult<DynamicTarget> {
     let py = object.py();
-    // First the case of most calls.
+    if let Ok(target) = object.cast::<Target>() {
+        return Ok(target.get().0);
+    }
+    // The case of most calls.
     if let Ok(numbers) = Numbers::read("target", object)
         && *numbers.shape() == [4, 4]
     {
         let pose = of_matrix(numbers.values()?).map_err(|message| error::value(format!("target: {message}")))?;
         return of_pose(arm, py, &pose);
-    }
-    if let Ok(target) = object.cast::<Target>() {
-        return Ok(target.get().0);
     }
     let task = arm.task().map_err(|error| error::dynamic(py, &error))?;
     if task != "pose" {

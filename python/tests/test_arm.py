@@ -127,7 +127,7 @@ def test_table_with_slides_limits_and_units():
         d=[0, 0, 0, 0],
         theta=[0, 0, 0, 0],
         kinds="RRPR",
-        limits=[(-150, 150), None, (0, 200.5), (-np.inf, 90)],
+        limits=[(-150, 150), None, [0, 200.5], np.array([-np.inf, 90])],
         angle="deg",
         length_unit="mm",
         name="my scara: \"1\"",

@@ -1,6 +1,7 @@
 """The examples of the pages do what the pages say."""
 
 import doctest
+import json
 import re
 
 import pytest
@@ -18,3 +19,12 @@ def test_examples(page):
     runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS)
     runner.run(test, out=report.append)
     assert not runner.failures, "".join(report)
+
+
+def test_the_tour(capsys):
+    cells = json.loads((ROOT / "python" / "tour.ipynb").read_text())["cells"]
+    names = {}
+    for cell in cells:
+        if cell["cell_type"] == "code":
+            exec("".join(cell["source"]), names)
+    assert "largest step" in capsys.readouterr().out
