@@ -61,7 +61,7 @@ class Arm:
         theme: Literal["auto", "light", "dark"] = "auto",
         frames: bool = False,
         dimensions: bool = False,
-        size: tuple[float, float] = (720.0, 440.0),
+        size: tuple[float, float] | None = None,
     ) -> Picture: ...
     @property
     def name(self) -> str: ...
@@ -95,7 +95,7 @@ class Arm:
     def manipulability(
         self,
         q: ArrayLike,
-        counts: tuple[bool, bool, bool, bool, bool, bool] = (True, True, True, True, True, True),
+        counts: Sequence[bool] | None = None,
     ) -> float: ...
     def margins(self, q: ArrayLike) -> dict[str, float] | None: ...
     def target_at(self, q: ArrayLike) -> Target: ...

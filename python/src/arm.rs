@@ -335,8 +335,9 @@ impl Arm {
     /// A picture of the arm at q, (n,), by default all zero, or of all `solutions` of a target. Jupyter shows it.
     ///
     /// `view` is "front", "side", "top" or "iso", by default the one that shows most; `theme` is "auto", "light" or
-    /// "dark". `frames` shows the frames of the table, `dimensions` its lengths.
-    #[pyo3(signature = (q=None, *, solutions=None, view=None, theme="auto", frames=false, dimensions=false, size=(720.0, 440.0)))]
+    /// "dark"; `size` is width and height in px, by default 720 by 440. `frames` shows the frames of the table,
+    /// `dimensions` its lengths.
+    #[pyo3(signature = (q=None, *, solutions=None, view=None, theme="auto", frames=false, dimensions=false, size=None))]
     #[allow(clippy::too_many_arguments)]
     fn draw(
         &self,
@@ -347,14 +348,14 @@ impl Arm {
         theme: &str,
         frames: bool,
         dimensions: bool,
-        size: (f64, f64),
+        size: Option<(f64, f64)>,
     ) -> PyResult<Picture> {
         let failed = |error: denhart_draw::DrawError| error::arm(py, error);
         let seen = match view {
             Some(name) => self::view(name)?,
             None => View::of(&self.arm),
         };
-        let (width, height) = size;
+        let (width, height) = size.unwrap_or((720.0, 440.0));
         if ![width, height].iter().all(|length| (160.0..=4000.0).contains(length)) {
             return Err(error::value(format!(
                 "size: expected width and height from 160 to 4000 px, found ({width}, {height})"
@@ -524,14 +525,13 @@ impl Arm {
     }
 
     /// Manipulability (Yoshikawa 1985) at q (n,): the product of the singular values of the Jacobian, 0 where the arm is
-    /// singular. `counts`: which of the rows vx vy vz wx wy wz count.
-    #[pyo3(signature = (q, counts=(true, true, true, true, true, true)))]
-    fn manipulability(&self, q: &Bound<'_, PyAny>, counts: (bool, bool, bool, bool, bool, bool)) -> PyResult<f64> {
+    /// singular. `counts`: six truth values, which of the rows vx vy vz wx wy wz count; by default all.
+    #[pyo3(signature = (q, counts=None))]
+    fn manipulability(&self, q: &Bound<'_, PyAny>, counts: Option<[bool; 6]>) -> PyResult<f64> {
         let py = q.py();
         let q = self.joints("q", q)?;
         let rows = self.arm.jacobian(&q).map_err(|error| error::dynamic(py, &error))?;
-        let (a, b, c, d, e, f) = counts;
-        Ok(beyond::manipulability(&rows, [a, b, c, d, e, f]))
+        Ok(beyond::manipulability(&rows, counts.unwrap_or([true; 6])))
     }
 
     /// How far q (n,) is from each kind of singularity: a dict from "shoulder", "elbow", "wrist" or the joints "q1 q3" to

@@ -76,25 +76,11 @@ impl Asked {
         Ok(Found::Some(kept, Summary { status, deviation, complete: true }))
     }
 
-    /// The arguments of [`_again`].
+    /// The arguments of `Solutions._again`.
     pub fn arguments<'py>(&self, py: Python<'py>, arm: &Py<Arm>) -> PyResult<Bound<'py, PyTuple>> {
         let Self { target, near, given, branch, drop } = self;
         (arm.clone_ref(py), Target(*target), near.clone(), given.clone(), branch.clone(), *drop).into_pyobject(py)
     }
-}
-
-/// Solves once more what solutions in a pickle answer.
-#[pyfunction]
-pub fn _again(
-    py: Python<'_>,
-    arm: Py<Arm>,
-    target: &Bound<'_, Target>,
-    near: Option<Vec<f64>>,
-    given: Vec<f64>,
-    branch: Option<String>,
-    drop: bool,
-) -> PyResult<Solutions> {
-    Asked { target: target.get().0, near, given, branch, drop }.solve(py, arm)
 }
 
 /// The solutions of a target.

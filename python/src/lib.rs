@@ -22,7 +22,7 @@ mod _denhart {
     #[pymodule_export]
     use crate::arm::Arm;
     #[pymodule_export]
-    use crate::inverse::{_again, InverseBatch};
+    use crate::inverse::InverseBatch;
     #[pymodule_export]
     use crate::picture::Picture;
     #[pymodule_export]

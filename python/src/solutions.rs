@@ -182,6 +182,20 @@ impl Solutions {
         }
     }
 
+    /// Solves once more, for pickles.
+    #[staticmethod]
+    fn _again(
+        py: Python<'_>,
+        arm: Py<Arm>,
+        target: &Bound<'_, Target>,
+        near: Option<Vec<f64>>,
+        given: Vec<f64>,
+        branch: Option<String>,
+        drop: bool,
+    ) -> PyResult<Self> {
+        Asked { target: target.get().0, near, given, branch, drop }.solve(py, arm)
+    }
+
     fn __len__(&self) -> usize {
         self.found.list().len()
     }
@@ -228,7 +242,7 @@ impl Solutions {
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let py = slf.py();
         let Solutions { arm, asked, .. } = slf.get();
-        Ok((py.import("denhart._denhart")?.getattr("_again")?, asked.arguments(py, arm)?))
+        Ok((slf.get_type().getattr("_again")?.into_any(), asked.arguments(py, arm)?))
     }
 }
 
@@ -347,8 +361,14 @@ impl NumericSolution {
 /// Joint values for people: `[17.189 deg, 0.250000]`.
 pub fn joints(q: &[f64], kinds: &[JointKind]) -> String {
     let one = |(q, kind): (&f64, &JointKind)| match kind {
-        JointKind::Revolute => format!("{:.3} deg", q.to_degrees()),
-        JointKind::Prismatic | JointKind::Fixed => format!("{q:.6}"),
+        JointKind::Revolute => (format!("{:.3}", q.to_degrees()), " deg"),
+        JointKind::Prismatic | JointKind::Fixed => (format!("{q:.6}"), ""),
     };
-    format!("[{}]", q.iter().zip(kinds).map(one).collect::<Vec<_>>().join(", "))
+    // A rounding below zero is no sign.
+    let unsigned = |text: &str| match text.strip_prefix('-') {
+        Some(rest) if rest.bytes().all(|byte| matches!(byte, b'0' | b'.')) => rest.to_owned(),
+        _ => text.to_owned(),
+    };
+    let all = q.iter().zip(kinds).map(one).map(|(number, unit)| unsigned(&number) + unit);
+    format!("[{}]", all.collect::<Vec<_>>().join(", "))
 }

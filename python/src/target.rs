@@ -187,11 +187,8 @@ pub fn of_matrix(numbers: &[f64]) -> Result<Pose<f64>, String> {
     if ![s, t, u, v].iter().all(|number| number.is_finite()) {
         translation = [f64::NAN; 3];
     } else if [s, t, u, v - 1.0].iter().any(|number| number.abs() > LAST_ROW) {
-        let hint = if [c, f, x, y, z].iter().all(|number| *number == 0.0) || [x, y, z, v] == [0.0, 0.0, 0.0, 1.0] {
-            "; the matrix seems to be transposed: write T.T"
-        } else {
-            ""
-        };
+        let hint =
+            if [x, y, z, v] == [0.0, 0.0, 0.0, 1.0] { "; the matrix seems to be transposed: write T.T" } else { "" };
         return Err(format!("the last row of a pose is [0, 0, 0, 1], found [{s}, {t}, {u}, {v}]{hint}"));
     }
     Ok(Pose { rotation: [[a, b, c], [d, e, f], [g, h, i]], translation })

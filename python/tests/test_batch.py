@@ -104,6 +104,7 @@ def test_out(ur5):
     with pytest.raises(ValueError, match="read-only"):
         ur5.inverse_batch(poses, out=into)
     both = np.zeros(100 * 48)
+    both[: 100 * 16] = poses.ravel()
     with pytest.raises(ValueError, match="overlaps"):
         ur5.inverse_batch(both[: 100 * 16].reshape(100, 4, 4), out=both.reshape(100, 8, 6))
 
