@@ -12,6 +12,9 @@ if ! "$python" -c 'import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 
   exit 77
 fi
 export CARGO_TERM_COLOR=never PIP_DISABLE_PIP_VERSION_CHECK=1
+root=$(realpath ..)
+# Of the repository's own workspace, which has the command `denhart`.
+workspace=$(realpath -m "${CARGO_TARGET_DIR:-../target}")
 built=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 export CARGO_TARGET_DIR=$built
 mkdir -p "$built"
@@ -64,7 +67,8 @@ ln -s "$(realpath ../docs)" "$out/docs"
 mkdir "$out/python"
 cp tour.ipynb "$out/python"
 cd "$out"
+step 'the command' env CARGO_TARGET_DIR="$workspace" cargo build --locked --manifest-path "$root/Cargo.toml" -p denhart-cli
 step 'type stubs' "$bin/python" -m mypy.stubtest denhart --ignore-missing-stub --ignore-disjoint-bases
 step 'types of the tests' "$bin/mypy" --strict tests/typed.py
-step 'tests' env DENHART_ROOT="$out" "$bin/pytest" -q -p no:cacheprovider tests
+step 'tests' env DENHART_ROOT="$out" DENHART="$workspace/debug/denhart" "$bin/pytest" -q -p no:cacheprovider tests
 tail -n 1 "$out/log"

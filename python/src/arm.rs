@@ -10,6 +10,7 @@ use denhart_draw::{Scene, Style, View};
 use denhart_dynamic::{DynamicArm, DynamicSolution, DynamicTarget};
 use denhart_tools::export::{self, COptions};
 use denhart_tools::{chain, import, presets};
+use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyTuple, PyType};
 
@@ -203,11 +204,13 @@ impl Arm {
 /// The text of a file, and its name.
 fn read(py: Python<'_>, path: &Path) -> PyResult<(String, String)> {
     let name = path.display().to_string();
-    let bytes = py.detach(|| std::fs::read(path)).map_err(|reason| {
-        let error = PyErr::from(reason);
-        // Python shows the name behind the reason; without it the error stays as it is.
-        let _ = error.value(py).setattr("filename", &name);
-        error
+    let bytes = py.detach(|| std::fs::read(path)).map_err(|reason| match reason.raw_os_error() {
+        // Of these Python makes the class for the number, such as FileNotFoundError.
+        Some(number) => {
+            let words = reason.to_string().replace(&format!(" (os error {number})"), "");
+            PyOSError::new_err((number, words, name.clone()))
+        }
+        None => PyErr::from(reason),
     })?;
     let text = denhart_codegen::decode(bytes, &name).map_err(|message| error::arm(py, message))?;
     Ok((text, name))

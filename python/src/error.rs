@@ -22,7 +22,8 @@ pub fn tools(py: Python<'_>, error: &denhart_tools::Error) -> PyErr {
     let text = error.to_string();
     arm(
         py,
-        text.replace("--base ", "base=")
+        text.replace("--prefix: ", "prefix: ")
+            .replace("--base ", "base=")
             .replace("--tool ", "tool=")
             .replace("`denhart arms` lists", "Arm.presets() lists"),
     )
