@@ -152,6 +152,8 @@ fn every_other_example_is_as_it_is_shown() {
                         assert!(manifest.contains(&format!("\n{feature} = [")), "{place}: no feature {feature}");
                     }
                 }
+                // python/tests/test_pages.py runs these.
+                ("pycon", None, None) => {}
                 ("sh", None, None) => fence.content.lines().for_each(|line| run(&pages, page, &words(line), &place)),
                 _ => panic!("{place}: nothing checks a fence `{}`", fence.info),
             }
@@ -254,6 +256,10 @@ fn run(pages: &[Page], page: &Page, words: &[String], place: &str) {
             }
             let known = ["run", "test", "bench", "install", "new", "insta", "build", "clippy", "fmt", "doc"];
             assert!(words.get(1).is_some_and(|word| known.contains(&word.as_str())), "{place}: {words:?}");
+        }
+        "pip" => {
+            let folder = words.iter().find(|word| word.starts_with("./"));
+            assert!(folder.is_some_and(|folder| root().join(folder).join("pyproject.toml").is_file()), "{place}: {words:?}");
         }
         _ => assert!(root().join(program).is_file(), "{place}: {program} is no command of these pages"),
     }

@@ -1,0 +1,704 @@
+//! The class `Arm`.
+
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+
+use denhart::JointKind;
+use denhart::numeric::NumericInverse;
+use denhart_codegen::{Builder, ScalarKind, check};
+use denhart_draw::{Scene, Style, View};
+use denhart_dynamic::{DynamicArm, DynamicSolution, DynamicTarget};
+use denhart_tools::export::{self, COptions};
+use denhart_tools::{chain, import, presets};
+use pyo3::exceptions::PyOSError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList, PyTuple, PyType};
+
+use crate::array::{Numbers, Results, shown};
+use crate::inverse::{Asked, Batch, InverseBatch, branch, drop};
+use crate::picture::{Picture, theme, view};
+use crate::share::{ROWS, share, threads, told};
+use crate::solutions::{NumericSolution, Solutions, joints};
+use crate::target::{self, Target};
+use crate::{beyond, error, table};
+
+/// A robot arm: its kinematics from a Denavit-Hartenberg table.
+///
+/// Angles are rad, lengths are in `length_unit`. n is the number of moving joints, N any number of joint vectors. An arm
+/// never changes: any number of threads may use one at once.
+///
+///     >>> import denhart
+///     >>> arm = denhart.Arm.preset("ur5")
+///     >>> target = arm.forward([0.3, -1.2, 1.4, 0.2, 0.9, -0.4])
+///     >>> for solution in arm.inverse(target):
+///     ...     print(solution.q, solution.branch)
+#[pyclass(frozen, module = "denhart")]
+pub struct Arm {
+    pub arm: DynamicArm,
+    text: String,
+    file: String,
+}
+
+impl Arm {
+    fn new(py: Python<'_>, text: String, file: String) -> PyResult<Self> {
+        let arm = py.detach(|| DynamicArm::named(&text, &file)).map_err(|error| error::dynamic(py, &error))?;
+        Ok(Self { arm, text, file })
+    }
+
+    /// A solution in one line.
+    pub fn text(&self, solution: &DynamicSolution) -> String {
+        let mut text = format!("{}  {}", joints(&solution.q, self.arm.joint_kinds()), solution.flags);
+        if !solution.free.is_empty() {
+            text += &format!(" {}", solution.free);
+        }
+        if solution.branch != denhart::Branch::NONE {
+            text += &format!("  {}", solution.branch);
+        }
+        text
+    }
+
+    /// One joint vector.
+    pub fn joints(&self, name: &str, object: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
+        let numbers = Numbers::read(name, object)?;
+        if *numbers.shape() != [self.arm.joints()] {
+            return Err(self.wrong_shape(name, numbers.shape(), None));
+        }
+        Ok(numbers.values()?.to_vec())
+    }
+
+    /// A joint vector of another shape than `(n,)`, or than `(rows, n)` where there may be several; 0 rows: any number.
+    pub fn wrong_shape(&self, name: &str, found: &[usize], rows: Option<usize>) -> PyErr {
+        let joints = self.arm.joints();
+        let several = match rows {
+            None => String::new(),
+            Some(0) => format!(" or (N, {joints})"),
+            Some(rows) => format!(" or ({rows}, {joints})"),
+        };
+        let names: Vec<&str> = self.arm.joint_names().collect();
+        error::value(format!(
+            "{name}: expected shape ({joints},){several}, found {}: {} has the joints {}",
+            shown(found),
+            self.arm.model().name,
+            names.join(", ")
+        ))
+    }
+
+    /// A function of joint vectors: of each of them `tail` numbers.
+    fn rows<'py>(
+        &self,
+        q: &Bound<'py, PyAny>,
+        tail: &[usize],
+        threaded: Option<(Option<i64>, Option<&Bound<'py, PyAny>>)>,
+        one: impl Fn(&[f64], &mut [f64]) + Sync,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let py = q.py();
+        let numbers = Numbers::read("q", q)?;
+        let joints = self.arm.joints();
+        let values = numbers.values()?;
+        let mut shape = [0, 0, 0];
+        let (rows, shape) = match *numbers.shape() {
+            [found] if found == joints && threaded.is_none() => (None, tail),
+            [rows, found] if found == joints => {
+                for (place, length) in shape.iter_mut().zip([rows].iter().chain(tail)) {
+                    *place = *length;
+                }
+                (Some(rows), shape.get(..=tail.len()).unwrap_or(&[]))
+            }
+            _ if threaded.is_some() => {
+                return Err(error::value(format!("q: expected shape (N, {joints}), found {}", shown(numbers.shape()))));
+            }
+            _ => return Err(self.wrong_shape("q", numbers.shape(), Some(0))),
+        };
+        let (asked, out) = threaded.unwrap_or((Some(1), None));
+        let results = Results::given(py, out, shape)?;
+        {
+            let mut writable = results.writable()?;
+            let places = writable.values()?;
+            match rows {
+                None => one(values, places),
+                Some(rows) => {
+                    let each: usize = tail.iter().product();
+                    let jobs = values.chunks(ROWS * joints.max(1)).zip(places.chunks_mut(ROWS * each));
+                    let work = |(values, places): (&[f64], &mut [f64])| {
+                        for (q, place) in values.chunks_exact(joints.max(1)).zip(places.chunks_exact_mut(each)) {
+                            one(q, place);
+                        }
+                    };
+                    share(py, jobs, threads(asked, rows)?, work).map_err(|error| told(py, error, out.is_some()))?;
+                }
+            }
+        }
+        Ok(results.into_any())
+    }
+
+    fn write_pose(&self, q: &[f64], place: &mut [f64]) {
+        match self.arm.forward(q) {
+            Ok(pose) => place.copy_from_slice(&target::matrix(&pose)),
+            // The number of values is that of the joints.
+            Err(_) => place.fill(f64::NAN),
+        }
+    }
+
+    fn write_jacobian(&self, q: &[f64], place: &mut [f64]) {
+        match self.arm.jacobian(q) {
+            Ok(rows) => {
+                for (to, row) in place.chunks_exact_mut(self.arm.joints().max(1)).zip(&rows) {
+                    to.copy_from_slice(row);
+                }
+            }
+            Err(_) => place.fill(f64::NAN),
+        }
+    }
+
+    /// `q`, and vectors beside it of the same shape.
+    fn beside<'py, const K: usize>(
+        &self,
+        q: &Bound<'py, PyAny>,
+        others: [(&str, &Bound<'py, PyAny>); K],
+        one: impl Fn(&[f64], [&[f64]; K]) -> [f64; 6],
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let py = q.py();
+        let joints = self.arm.joints();
+        let numbers = Numbers::read("q", q)?;
+        let shape = numbers.shape();
+        let rows = match *shape {
+            [found] if found == joints => None,
+            [rows, found] if found == joints => Some(rows),
+            _ => return Err(self.wrong_shape("q", shape, Some(0))),
+        };
+        let others = others.map(|(name, other)| {
+            let read = Numbers::read(name, other)?;
+            if read.shape() == shape {
+                return Ok(read);
+            }
+            Err(error::value(format!(
+                "{name}: expected the shape of q, {}, found {}",
+                shown(shape),
+                shown(read.shape())
+            )))
+        });
+        let mut vectors: [&[f64]; K] = [&[]; K];
+        for (vector, other) in vectors.iter_mut().zip(&others) {
+            *vector = match other {
+                Ok(other) => other.values()?,
+                Err(error) => return Err(error.clone_ref(py)),
+            };
+        }
+        let results = match rows {
+            None => Results::new(py, &[6])?,
+            Some(rows) => Results::new(py, &[rows, 6])?,
+        };
+        for (index, (q, place)) in numbers
+            .values()?
+            .chunks_exact(joints.max(1))
+            .zip(results.writable()?.values()?.chunks_exact_mut(6))
+            .enumerate()
+        {
+            let each = vectors.map(|vector| vector.get(index * joints..(index + 1) * joints).unwrap_or(&[]));
+            place.copy_from_slice(&one(q, each));
+        }
+        Ok(results.into_any())
+    }
+}
+
+/// The text of a file, and its name.
+fn read(py: Python<'_>, path: &Path) -> PyResult<(String, String)> {
+    let name = path.display().to_string();
+    let bytes = py.detach(|| std::fs::read(path)).map_err(|reason| match reason.raw_os_error() {
+        // Of these Python makes the class for the number, such as FileNotFoundError.
+        Some(number) => {
+            let words = reason.to_string().replace(&format!(" (os error {number})"), "");
+            PyOSError::new_err((number, words, name.clone()))
+        }
+        None => PyErr::from(reason),
+    })?;
+    let text = denhart_codegen::decode(bytes, &name).map_err(|message| error::arm(py, message))?;
+    Ok((text, name))
+}
+
+#[pymethods]
+impl Arm {
+    /// The arm of the text of an arm file. Messages call the file `name`.
+    #[staticmethod]
+    #[pyo3(signature = (text, name="arm.yaml"))]
+    fn from_yaml(py: Python<'_>, text: String, name: &str) -> PyResult<Self> {
+        Self::new(py, text, name.to_owned())
+    }
+
+    /// The arm of an arm file.
+    #[staticmethod]
+    #[allow(clippy::needless_pass_by_value)]
+    fn from_file(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        let (text, name) = read(py, &path)?;
+        Self::new(py, text, name)
+    }
+
+    /// The arm of a chain of a URDF, from the link `base` to the link `tool`; by default from the root to the end of the
+    /// chain with the most moving joints, before its gripper. Its lengths are in m, joint values are those of the URDF.
+    ///
+    /// The poses of the arm are compared with those of the URDF at 1000 configurations. `to_yaml()` gives the arm file.
+    #[staticmethod]
+    #[pyo3(signature = (path, *, base=None, tool=None))]
+    #[allow(clippy::needless_pass_by_value)]
+    fn from_urdf(py: Python<'_>, path: PathBuf, base: Option<String>, tool: Option<String>) -> PyResult<Self> {
+        let (text, name) = read(py, &path)?;
+        let options = import::Options { from: name, base, tool, ..import::Options::default() };
+        let imported = py.detach(|| import::urdf(&text, &options)).map_err(|error| error::tools(py, &error))?;
+        Self::new(py, imported.arm_file, "arm.yaml".to_owned())
+    }
+
+    /// The arm of a table: a number for each row in `a`, `alpha`, `d` and `theta`.
+    ///
+    /// `convention` is "standard" or "modified" (Craig). `kinds` has "revolute" (or "R"), "prismatic" ("P") or "fixed"
+    /// ("F") for each row, `limits` a pair or None. `angle` is the unit of alpha, theta and of the limits of revolute
+    /// joints, "rad" or "deg"; `length_unit` is "m", "cm", "mm" or "in". An angle that is a multiple of 15 degrees to the
+    /// last digits, such as np.pi / 2, is exactly that. `task` and `redundant` are those of an arm file: "pose", "q3".
+    #[staticmethod]
+    #[pyo3(signature = (*, a, alpha, d, theta=None, convention="standard", kinds=None, limits=None, angle="rad", length_unit="m", name="arm", task=None, redundant=None))]
+    #[allow(clippy::too_many_arguments)]
+    fn from_dh(
+        py: Python<'_>,
+        a: &Bound<'_, PyAny>,
+        alpha: &Bound<'_, PyAny>,
+        d: &Bound<'_, PyAny>,
+        theta: Option<&Bound<'_, PyAny>>,
+        convention: &str,
+        kinds: Option<&Bound<'_, PyAny>>,
+        limits: Option<Vec<Option<[f64; 2]>>>,
+        angle: &str,
+        length_unit: &str,
+        name: &str,
+        task: Option<&str>,
+        redundant: Option<&str>,
+    ) -> PyResult<Self> {
+        // "RRP" is a list of its letters.
+        let kinds: Option<Vec<String>> = match kinds {
+            None => None,
+            Some(kinds) => Some(
+                kinds.try_iter().and_then(|kinds| kinds.map(|kind| kind?.extract()).collect::<PyResult<_>>()).map_err(
+                    |_| error::kind("kinds: expected a list such as [\"revolute\", \"prismatic\"], or \"RP\""),
+                )?,
+            ),
+        };
+        let inverse = [task, redundant];
+        let table = table::Table { a, alpha, d, theta, convention, kinds, limits, angle, length_unit, name, inverse };
+        Self::new(py, table.text()?, "arm.yaml".to_owned())
+    }
+
+    /// Names of the arms that come with the package.
+    #[staticmethod]
+    fn presets(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
+        PyList::new(py, presets::presets().map(|preset| preset.name).collect::<Vec<_>>())
+    }
+
+    /// An arm that comes with the package, by its name.
+    #[staticmethod]
+    fn preset(py: Python<'_>, name: &str) -> PyResult<Self> {
+        let preset = presets::preset(name).map_err(|error| error::tools(py, &error))?;
+        Self::new(py, preset.arm_file.to_owned(), format!("{}.yaml", preset.name))
+    }
+
+    /// The text of the arm file.
+    fn to_yaml(&self) -> &str {
+        &self.text
+    }
+
+    /// Rust code of the arm's functions, as `denhart expand` prints it, for a type of this name.
+    #[pyo3(signature = (type_name=None))]
+    fn to_rust(&self, py: Python<'_>, type_name: Option<&str>) -> PyResult<String> {
+        let mut builder = Builder::of_text(self.text.clone(), self.file.clone());
+        if let Some(name) = type_name {
+            builder = builder.type_name(name);
+        }
+        py.detach(|| builder.generate()).map_err(|error| error::arm(py, error))
+    }
+
+    /// The arm as a static library for C, as `denhart export c` writes it: a dict from the path of each file in the
+    /// library's folder to its text. `scalar` is "f64" or "f32"; `prefix` begins the names in C, by default the arm's name.
+    #[pyo3(signature = (*, scalar="f64", prefix=None))]
+    fn to_c<'py>(&self, py: Python<'py>, scalar: &str, prefix: Option<String>) -> PyResult<Bound<'py, PyDict>> {
+        let scalar = ScalarKind::try_from(scalar)
+            .map_err(|_| error::value(format!("scalar: expected \"f64\" or \"f32\", found {scalar:?}")))?;
+        let options = COptions { scalar, prefix, ..COptions::default() };
+        let library =
+            py.detach(|| export::c(&self.text, &self.file, &options)).map_err(|error| error::tools(py, &error))?;
+        let files = PyDict::new(py);
+        for file in library.files {
+            files.set_item(file.path, file.text)?;
+        }
+        Ok(files)
+    }
+
+    /// Findings about the arm, as `denhart check` prints them: axes, operations, the plan of the inverse, advice.
+    fn report(&self, py: Python<'_>) -> PyResult<String> {
+        let report = py.detach(|| check(&self.text, &self.file)).map_err(|error| error::arm(py, error))?;
+        Ok(report.to_string())
+    }
+
+    /// A picture of the arm at q, (n,), by default all zero, or of all `solutions` of a target. Jupyter shows it.
+    ///
+    /// `view` is "front", "side", "top" or "iso", by default the one that shows most; `theme` is "auto", "light" or
+    /// "dark"; `size` is width and height in px, by default 720 by 440. `frames` shows the frames of the table,
+    /// `dimensions` its lengths.
+    #[pyo3(signature = (q=None, *, solutions=None, view=None, theme="auto", frames=false, dimensions=false, size=None))]
+    #[allow(clippy::too_many_arguments)]
+    fn draw(
+        &self,
+        py: Python<'_>,
+        q: Option<&Bound<'_, PyAny>>,
+        solutions: Option<&Bound<'_, Solutions>>,
+        view: Option<&str>,
+        theme: &str,
+        frames: bool,
+        dimensions: bool,
+        size: Option<(f64, f64)>,
+    ) -> PyResult<Picture> {
+        let failed = |error: denhart_draw::DrawError| error::arm(py, error);
+        let seen = match view {
+            Some(name) => self::view(name)?,
+            None => View::of(&self.arm),
+        };
+        let (width, height) = size.unwrap_or((720.0, 440.0));
+        if ![width, height].iter().all(|length| (160.0..=4000.0).contains(length)) {
+            return Err(error::value(format!(
+                "size: expected width and height from 160 to 4000 px, found ({width}, {height})"
+            )));
+        }
+        let style = Style::of(seen).with_theme(self::theme(theme)?).with_size(width, height);
+        let posture = q.map(|q| self.joints("q", q)).transpose()?;
+        let mut scene = match (solutions, posture) {
+            (Some(_), Some(_)) => return Err(error::value("draw: expected q or solutions=, found both")),
+            (None, posture) => {
+                let q = posture.unwrap_or_else(|| vec![0.0; self.arm.joints()]);
+                Scene::of(&self.arm, &q).map_err(failed)?
+            }
+            (Some(solutions), None) => {
+                let solutions = solutions.get();
+                let arm = solutions.arm.get();
+                if arm.text != self.text {
+                    return Err(error::value(format!(
+                        "solutions: they are those of another arm, {}",
+                        arm.arm.model().name
+                    )));
+                }
+                let all =
+                    solutions.found.again(&self.arm, &solutions.asked).map_err(|error| error::dynamic(py, &error))?;
+                match beyond::task(&self.arm, &solutions.asked.target) {
+                    Some((pose, _)) => Scene::of_solutions(&self.arm, pose, &all).map_err(failed)?,
+                    None => {
+                        Scene::of(&self.arm, all.first().map_or(&vec![0.0; self.arm.joints()][..], |first| &first.q))
+                            .and_then(|scene| scene.with_solutions(&self.arm, &all))
+                            .map_err(failed)?
+                    }
+                }
+            }
+        };
+        if frames {
+            scene = scene.with_frames();
+        }
+        if dimensions {
+            scene = scene.with_dimensions();
+        }
+        let svg = py.detach(|| scene.svg(&style));
+        Ok(Picture { svg, arm: self.arm.model().name.clone() })
+    }
+
+    /// Name of the arm.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.arm.model().name
+    }
+
+    /// The number of moving joints, n.
+    #[getter]
+    fn dof(&self) -> usize {
+        self.arm.joints()
+    }
+
+    /// Names of the joints.
+    #[getter]
+    fn joint_names<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        PyTuple::new(py, self.arm.joint_names().collect::<Vec<_>>())
+    }
+
+    /// "revolute" or "prismatic" for each joint.
+    #[getter]
+    fn joint_kinds<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        let word = |kind: &JointKind| if *kind == JointKind::Prismatic { "prismatic" } else { "revolute" };
+        PyTuple::new(py, self.arm.joint_kinds().iter().map(word).collect::<Vec<_>>())
+    }
+
+    /// Lower and upper limit of each joint, (n, 2) float64: rad or the length unit, infinite where the file has none.
+    #[getter]
+    fn limits<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        crate::array::filled(py, &[self.arm.joints(), 2], self.arm.limits().iter().flatten().copied())
+    }
+
+    /// Unit of all lengths: "m", "cm", "mm" or "in".
+    #[getter]
+    fn length_unit(&self) -> String {
+        self.arm.length_unit().to_string()
+    }
+
+    /// The task of the inverse, such as "pose"; None for an arm without inverse.
+    #[getter]
+    fn task(&self) -> Option<&'static str> {
+        self.arm.task().ok()
+    }
+
+    /// Names of the values that the inverse takes as `given=`.
+    #[getter]
+    fn given<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        PyTuple::new(py, self.arm.given().unwrap_or_default())
+    }
+
+    /// The largest number of solutions of a target, S; 0 for an arm without inverse.
+    #[getter]
+    fn max_solutions(&self) -> usize {
+        self.arm.max_solutions().unwrap_or(0)
+    }
+
+    /// Pose of the tool in the base frame, (4, 4), of q (n,); (N, 4, 4) of q (N, n).
+    fn forward<'py>(&self, q: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.rows(q, &[4, 4], None, |q, place| self.write_pose(q, place))
+    }
+
+    /// Poses of the tool in the base frame, (N, 4, 4), of q (N, n), with `threads` threads, by default one a processor.
+    ///
+    /// `out`: an array (N, 4, 4) to write to. No lock of Python is held; do not change `q` or `out` meanwhile.
+    #[pyo3(signature = (q, *, threads=None, out=None))]
+    fn forward_batch<'py>(
+        &self,
+        q: &Bound<'py, PyAny>,
+        threads: Option<i64>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.rows(q, &[4, 4], Some((threads, out)), |q, place| self.write_pose(q, place))
+    }
+
+    /// Poses of the links in the base frame, (n, 4, 4), of q (n,). Each contains the base, the rows up to its joint, and
+    /// the fixed rows behind it; the last one is without the tool.
+    fn link_poses<'py>(&self, q: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        let py = q.py();
+        let q = self.joints("q", q)?;
+        let links = self.arm.link_poses(&q).map_err(|error| error::dynamic(py, &error))?;
+        crate::array::filled(py, &[links.len(), 4, 4], links.iter().flat_map(target::matrix))
+    }
+
+    /// Geometric Jacobian in the base frame, at the tool point, (6, n), of q (n,); (N, 6, n) of q (N, n). The rows are
+    /// vx vy vz wx wy wz.
+    fn jacobian<'py>(&self, q: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.rows(q, &[6, self.arm.joints()], None, |q, place| self.write_jacobian(q, place))
+    }
+
+    /// Jacobians (N, 6, n) of q (N, n), with `threads` threads; `out` as of `forward_batch`.
+    #[pyo3(signature = (q, *, threads=None, out=None))]
+    fn jacobian_batch<'py>(
+        &self,
+        q: &Bound<'py, PyAny>,
+        threads: Option<i64>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.rows(q, &[6, self.arm.joints()], Some((threads, out)), |q, place| self.write_jacobian(q, place))
+    }
+
+    /// Velocity of the tool in the base frame, vx vy vz wx wy wz, (6,) or (N, 6), at q with joint rates qd, of one shape:
+    /// (n,) or (N, n). Length unit / s and rad / s.
+    fn velocity<'py>(&self, q: &Bound<'py, PyAny>, qd: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.beside(q, [("qd", qd)], |q, [qd]| match self.arm.jacobian(q) {
+            Ok(rows) => rows.map(|row| row.iter().zip(qd).map(|(entry, rate)| entry * rate).sum()),
+            Err(_) => [f64::NAN; 6],
+        })
+    }
+
+    /// Acceleration of the tool in the base frame, (6,) or (N, 6), at q with joint rates qd and their derivatives qdd, of
+    /// one shape: (n,) or (N, n). First the second derivative of the tool point's position, then the derivative of the
+    /// angular velocity.
+    fn acceleration<'py>(
+        &self,
+        q: &Bound<'py, PyAny>,
+        qd: &Bound<'py, PyAny>,
+        qdd: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let chain = chain(self.arm.model());
+        self.beside(q, [("qd", qd), ("qdd", qdd)], |q, [qd, qdd]| match chain.acceleration(q, qd, qdd) {
+            Ok(denhart::Acceleration { linear: [a, b, c], angular: [d, e, f] }) => [a, b, c, d, e, f],
+            Err(_) => [f64::NAN; 6],
+        })
+    }
+
+    /// Manipulability (Yoshikawa 1985) at q (n,): the product of the singular values of the Jacobian, 0 where the arm is
+    /// singular. `counts`: six truth values, which of the rows vx vy vz wx wy wz count; by default all.
+    #[pyo3(signature = (q, counts=None))]
+    fn manipulability(&self, q: &Bound<'_, PyAny>, counts: Option<[bool; 6]>) -> PyResult<f64> {
+        let py = q.py();
+        let q = self.joints("q", q)?;
+        let rows = self.arm.jacobian(&q).map_err(|error| error::dynamic(py, &error))?;
+        Ok(beyond::manipulability(&rows, counts.unwrap_or([true; 6])))
+    }
+
+    /// How far q (n,) is from each kind of singularity: a dict from "shoulder", "elbow", "wrist" or the joints "q1 q3" to
+    /// a number without a unit, zero at that singularity and of opposite signs on the branches that meet there. None for
+    /// an arm whose task has no margins.
+    fn margins<'py>(&self, q: &Bound<'py, PyAny>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let py = q.py();
+        let q = self.joints("q", q)?;
+        let Some(margins) = self.arm.margins(&q).map_err(|error| error::dynamic(py, &error))? else {
+            return Ok(None);
+        };
+        let dict = PyDict::new(py);
+        for margin in margins {
+            dict.set_item(margin.name, margin.value)?;
+        }
+        Ok(Some(dict))
+    }
+
+    /// The target of the arm's task that q (n,) reaches.
+    fn target_at(&self, q: &Bound<'_, PyAny>) -> PyResult<Target> {
+        let py = q.py();
+        let q = self.joints("q", q)?;
+        self.arm.target_at(&q).map(Target).map_err(|error| error::dynamic(py, &error))
+    }
+
+    /// Every joint vector that reaches a target.
+    ///
+    /// `target` is a 4 x 4 array, a SciPy RigidTransform, (rotation, point), a `denhart.Target`, or the numbers of the
+    /// arm's task: x y z; x y z u v w; x y z angle; x y phi; x y.
+    ///
+    /// `near` (n,): solutions have their joints on the turns next to it, and are sorted nearest first. `given`: the values
+    /// of the redundant joints that `arm.given` names; `near` has them, too. `limits`: "mark" gives solutions outside the
+    /// joint limits a flag, "drop" leaves them out.
+    #[pyo3(signature = (target, near=None, given=None, limits="mark"))]
+    fn inverse(
+        slf: &Bound<'_, Self>,
+        target: &Bound<'_, PyAny>,
+        near: Option<&Bound<'_, PyAny>>,
+        given: Option<&Bound<'_, PyAny>>,
+        limits: &str,
+    ) -> PyResult<Solutions> {
+        Asked::read(slf.get(), target, near, given, limits)?.solve(slf.py(), slf.clone().unbind())
+    }
+
+    /// The solution on one branch, in words such as "shoulder left, elbow up, wrist flip", as `Solution.branch` has them.
+    #[pyo3(signature = (target, branch, given=None, limits="mark"))]
+    fn inverse_branch(
+        slf: &Bound<'_, Self>,
+        target: &Bound<'_, PyAny>,
+        branch: &str,
+        given: Option<&Bound<'_, PyAny>>,
+        limits: &str,
+    ) -> PyResult<Solutions> {
+        self::branch(branch)?;
+        let asked = Asked::read(slf.get(), target, None, given, limits)?;
+        Asked { branch: Some(branch.to_owned()), ..asked }.solve(slf.py(), slf.clone().unbind())
+    }
+
+    /// Solutions for n values of the redundant joint, evenly over its limits, or over a turn: a list of n pairs of the
+    /// value and its `Solutions`.
+    #[pyo3(signature = (target, n, limits="mark"))]
+    fn sweep<'py>(
+        slf: &Bound<'py, Self>,
+        target: &Bound<'py, PyAny>,
+        n: usize,
+        limits: &str,
+    ) -> PyResult<Bound<'py, PyList>> {
+        let py = slf.py();
+        let arm = &slf.get().arm;
+        let target = target::read(arm, target)?;
+        let drop = drop(limits)?;
+        let values = beyond::sweep(arm, n).map_err(|message| error::value(format!("sweep: {message}")))?;
+        let list = PyList::empty(py);
+        for value in values {
+            py.check_signals()?;
+            let asked = Asked { target, near: None, given: vec![value], branch: None, drop };
+            list.append((value, asked.solve(py, slf.clone().unbind())?))?;
+        }
+        Ok(list)
+    }
+
+    /// Solutions of many targets, with `threads` threads, by default one a processor.
+    ///
+    /// `targets`: (N, 4, 4) poses, or (N, k) numbers of the arm's task. `near`: (n,), or (N, n), one for each target.
+    /// `given`: values for all targets, or for each, (N,) or (N, k). `out`: an array (N, S, n) that `q` is written to. No
+    /// lock of Python is held; do not change the arrays meanwhile. A target that is not finite has the status BAD_TARGET.
+    #[pyo3(signature = (targets, near=None, given=None, limits="mark", *, threads=None, out=None))]
+    #[allow(clippy::too_many_arguments)]
+    fn inverse_batch<'py>(
+        &self,
+        targets: &Bound<'py, PyAny>,
+        near: Option<&Bound<'py, PyAny>>,
+        given: Option<&Bound<'py, PyAny>>,
+        limits: &str,
+        threads: Option<i64>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<InverseBatch> {
+        Batch { targets, near, given, limits, threads, out }.solve(targets.py(), self)
+    }
+
+    /// A joint vector by iteration from `start` (n,): for arms without a closed form, and for the closest approach to a
+    /// target out of reach. Without an inverse the target is a pose. `limits` keeps joints within their limits.
+    #[pyo3(signature = (target, start, *, limits=true, restarts=10, max_iterations=300))]
+    fn numeric(
+        &self,
+        target: &Bound<'_, PyAny>,
+        start: &Bound<'_, PyAny>,
+        limits: bool,
+        restarts: usize,
+        max_iterations: usize,
+    ) -> PyResult<NumericSolution> {
+        let py = target.py();
+        let start = self.joints("start", start)?;
+        let target = match self.arm.task() {
+            Ok(_) => target::read(&self.arm, target)?,
+            Err(_) => DynamicTarget::Pose(target::pose(target)?),
+        };
+        let Some((goal, task)) = beyond::task(&self.arm, &target) else {
+            return Err(error::value(
+                "numeric: the iteration has no task position_angle; give arm.inverse such a target",
+            ));
+        };
+        let chain = chain(self.arm.model());
+        let numeric =
+            NumericInverse::new().task(task).max_iterations(max_iterations).restarts(restarts).within_limits(limits);
+        let within = limits.then(|| self.arm.limits());
+        let found = py.detach(|| numeric.solve_chain(&chain, &goal.into(), &start, within));
+        let found = found.map_err(|reason| error::arm(py, reason))?;
+        Ok(NumericSolution {
+            text: found.to_string(),
+            converged: found.converged(),
+            iterations: found.iterations,
+            restarts: found.restarts,
+            residual: (found.residual.position, found.residual.orientation),
+            values: found.q,
+            kinds: self.arm.joint_kinds().to_vec(),
+        })
+    }
+
+    fn __repr__(&self) -> String {
+        let kinds: String =
+            self.arm.joint_kinds().iter().map(|kind| if *kind == JointKind::Prismatic { 'P' } else { 'R' }).collect();
+        let inverse = match (self.arm.task(), self.arm.max_solutions()) {
+            (Ok(task), Ok(most)) => {
+                format!("inverse {task}, at most {most} solution{}", if most == 1 { "" } else { "s" })
+            }
+            _ => "no inverse in closed form".to_owned(),
+        };
+        let given = self.arm.given().unwrap_or_default();
+        let given = if given.is_empty() { String::new() } else { format!(", given {}", given.join(", ")) };
+        format!("<Arm {}: {kinds}, lengths in {}, {inverse}{given}>", self.name(), self.length_unit())
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Arm>().is_ok_and(|other| other.get().text == self.text)
+    }
+
+    fn __hash__(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        self.text.hash(&mut hasher);
+        hasher.finish()
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (&str, &str))> {
+        Ok((PyType::new::<Self>(py).getattr("from_yaml")?, (&self.text, &self.file)))
+    }
+}

@@ -1,0 +1,441 @@
+//! The inverse: one target, and a batch of them.
+
+use std::sync::Mutex;
+
+use denhart::{Branch, Elbow, Shoulder, Status, Wrist};
+use denhart_dynamic::{DynamicArm, DynamicError, DynamicSolutions, DynamicTarget};
+use numpy::{PyArrayDyn, PyArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+
+use crate::arm::Arm;
+use crate::array::{Numbers, Results, empty, shown};
+use crate::error;
+use crate::share::{ROWS, share, threads, told};
+use crate::solutions::{Found, Solutions, Summary, bits, number};
+use crate::target::{self, Target};
+
+/// A question to the inverse of an arm.
+#[derive(Clone)]
+pub struct Asked {
+    pub target: DynamicTarget,
+    pub near: Option<Vec<f64>>,
+    pub given: Vec<f64>,
+    /// One branch, as text.
+    pub branch: Option<String>,
+    /// Lists only solutions within the limits.
+    pub drop: bool,
+}
+
+impl Asked {
+    /// Reads the arguments of `inverse`.
+    pub fn read(
+        arm: &Arm,
+        target: &Bound<'_, PyAny>,
+        near: Option<&Bound<'_, PyAny>>,
+        given: Option<&Bound<'_, PyAny>>,
+        limits: &str,
+    ) -> PyResult<Self> {
+        let target = target::read(&arm.arm, target)?;
+        let near = near.map(|near| arm.joints("near", near)).transpose()?;
+        let given = match (&near, given) {
+            (Some(_), Some(_)) => return Err(twice()),
+            (Some(_), None) => Vec::new(),
+            (None, given) => given_values(&arm.arm, given)?,
+        };
+        Ok(Self { target, near, given, branch: None, drop: drop(limits)? })
+    }
+
+    /// Solves it.
+    pub fn solve(self, py: Python<'_>, arm: Py<Arm>) -> PyResult<Solutions> {
+        let solver = &arm.get().arm;
+        let found = match &self.branch {
+            Some(text) => self.on_branch(solver, text),
+            None => answer(solver, &self.target, self.near.as_deref(), &self.given).map(|all| match self.drop {
+                false => Found::All(all),
+                true => Found::Some(all.within_limits().copied().collect(), summary(&all)),
+            }),
+        };
+        let found = found.map_err(|error| error::dynamic(py, &error))?;
+        Ok(Solutions { arm, asked: self, found })
+    }
+
+    fn on_branch(&self, arm: &DynamicArm, text: &str) -> Result<Found, DynamicError> {
+        let branch = branch(text).unwrap_or(Branch::NONE);
+        let one = arm.inverse_branch(&self.target, &self.given, branch)?;
+        let (list, status) = match one {
+            Ok(solution) if solution.is_exact() => (vec![solution], Status::Reachable),
+            Ok(solution) => {
+                let residual = solution.residual.position.max(solution.residual.orientation);
+                (vec![solution], Status::Unreachable { residual })
+            }
+            Err(status) => (Vec::new(), status),
+        };
+        let kept = list.into_iter().filter(|solution| !self.drop || solution.is_within_limits()).collect();
+        let deviation = arm.inverse(&self.target, &self.given)?.deviation();
+        Ok(Found::Some(kept, Summary { status, deviation, complete: true }))
+    }
+
+    /// The arguments of `Solutions._again`.
+    pub fn arguments<'py>(&self, py: Python<'py>, arm: &Py<Arm>) -> PyResult<Bound<'py, PyTuple>> {
+        let Self { target, near, given, branch, drop } = self;
+        (arm.clone_ref(py), Target(*target), near.clone(), given.clone(), branch.clone(), *drop).into_pyobject(py)
+    }
+}
+
+/// The solutions of a target.
+pub fn answer(
+    arm: &DynamicArm,
+    target: &DynamicTarget,
+    near: Option<&[f64]>,
+    given: &[f64],
+) -> Result<DynamicSolutions, DynamicError> {
+    match near {
+        Some(near) => arm.inverse_near(target, near),
+        None => arm.inverse(target, given),
+    }
+}
+
+fn summary(all: &DynamicSolutions) -> Summary {
+    Summary { status: all.status(), deviation: all.deviation(), complete: all.is_complete() }
+}
+
+/// Values for a redundant joint beside `near=`, which has them.
+fn twice() -> PyErr {
+    error::value("given: near= has these values already: leave one of them out")
+}
+
+/// The values beside the target.
+fn given_values(arm: &DynamicArm, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<f64>> {
+    let values = match given {
+        Some(given) => Numbers::read("given", given)?.values()?.to_vec(),
+        None => Vec::new(),
+    };
+    if given.is_none()
+        && let Ok(program) = &arm.program().inverse
+        && program.given.values.is_empty()
+    {
+        return Ok(values);
+    }
+    let Ok(names) = arm.given() else { return Ok(values) };
+    if names.len() == values.len() {
+        return Ok(values);
+    }
+    Err(error::value(expected(&names, &format!("{} of them", values.len()), given.is_some())))
+}
+
+/// The message of wrong values beside the target.
+fn expected(names: &[String], found: &str, is_given: bool) -> String {
+    let list = names.join(", ");
+    match (names, is_given) {
+        ([], _) => "given: this arm's inverse takes no value beside the target: leave given= out".to_owned(),
+        ([_], false) => format!(
+            "given: the target leaves {list} to choose: write given= with its value (rad or the length unit), or near= \
+             with joint values to be next to"
+        ),
+        (_, false) => format!(
+            "given: the target leaves {list} to choose: write given= with their values in this order (rad or the length \
+             unit), or near= with joint values to be next to"
+        ),
+        (_, true) => format!("given: expected the values of {list}, found {found}"),
+    }
+}
+
+/// Reads `limits=`.
+pub fn drop(limits: &str) -> PyResult<bool> {
+    match limits {
+        "mark" => Ok(false),
+        "drop" => Ok(true),
+        _ => Err(error::value(format!(
+            "limits: expected \"mark\" (solutions outside the joint limits have a flag) or \"drop\" (they are left out), \
+             found {limits:?}"
+        ))),
+    }
+}
+
+/// A branch by its words.
+pub fn branch(text: &str) -> PyResult<Branch> {
+    let mut branch = Branch::NONE;
+    for part in text.split(',').map(str::trim).filter(|part| !matches!(*part, "" | "-")) {
+        branch = match part {
+            "shoulder left" => branch.with_shoulder(Shoulder::Left),
+            "shoulder right" => branch.with_shoulder(Shoulder::Right),
+            "elbow up" => branch.with_elbow(Elbow::Up),
+            "elbow down" => branch.with_elbow(Elbow::Down),
+            "wrist flip" => branch.with_wrist(Wrist::Flip),
+            "wrist no-flip" => branch.with_wrist(Wrist::NoFlip),
+            part => match part.strip_prefix("root ").map(str::parse) {
+                Some(Ok(root @ 1..=16)) => branch.with_root(root),
+                _ => {
+                    return Err(error::value(format!(
+                        "branch: {part:?} is no part of a branch: write such as \"shoulder left, elbow up, wrist flip\": \
+                         shoulder left or right, elbow up or down, wrist flip or no-flip, root 1 to 16; solution.branch \
+                         has these words"
+                    )));
+                }
+            },
+        };
+    }
+    Ok(branch)
+}
+
+/// Solutions of many targets, as `Arm.inverse_batch` gives them: plain arrays.
+///
+/// S is the arm's `max_solutions`; of target i the first `count[i]` rows of `q[i]` are solutions, the others are NaN.
+#[pyclass(frozen, module = "denhart", get_all)]
+pub struct InverseBatch {
+    /// Joint values, (N, S, n) float64: rad, the arm's length unit for prismatic joints. NaN beyond `count`.
+    q: Py<PyAny>,
+    /// The number of solutions, (N,) int64.
+    count: Py<PyAny>,
+    /// Facts about each solution, (N, S) uint8: bits of `denhart.Flags`; 0 beyond `count`.
+    flags: Py<PyAny>,
+    /// Outcome of each target, (N,) uint8: numbers of `denhart.Status`, 0 where a solution is exact.
+    status: Py<PyAny>,
+}
+
+#[pymethods]
+impl InverseBatch {
+    fn __len__(&self, py: Python<'_>) -> PyResult<usize> {
+        self.count.bind(py).len()
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let shape = self.q.bind(py).getattr("shape")?;
+        let (targets, _, _): (usize, usize, usize) = shape.extract()?;
+        let status = self.status.bind(py).cast::<PyArrayDyn<u8>>()?.try_readonly();
+        let reached = match &status {
+            Ok(status) => status.as_slice().unwrap_or(&[]).iter().filter(|status| **status == 0).count(),
+            Err(_) => 0,
+        };
+        Ok(format!("<InverseBatch: q {shape}, {reached} of {targets} targets reached; count, flags, status>"))
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let parts = [&self.q, &self.count, &self.flags, &self.status].map(|part| part.clone_ref(py));
+        Ok((py.get_type::<Self>().getattr("_of")?, PyTuple::new(py, parts)?))
+    }
+
+    /// The batch of these arrays, for pickles.
+    #[staticmethod]
+    fn _of(q: Py<PyAny>, count: Py<PyAny>, flags: Py<PyAny>, status: Py<PyAny>) -> Self {
+        Self { q, count, flags, status }
+    }
+}
+
+/// Targets of a batch: their numbers, so many for each.
+struct Targets<'a> {
+    numbers: &'a [f64],
+    width: usize,
+    task: &'static str,
+    /// The targets are matrices.
+    poses: bool,
+}
+
+impl Targets<'_> {
+    fn of(&self, arm: &DynamicArm, numbers: &[f64]) -> Option<DynamicTarget> {
+        if !self.poses {
+            return target::of_numbers(self.task, numbers);
+        }
+        let pose = target::of_matrix(numbers).ok()?;
+        if self.task == "pose" { Some(DynamicTarget::Pose(pose)) } else { arm.target_of(&pose).ok().flatten() }
+    }
+}
+
+/// Values for every target of a batch, or the same for all.
+struct Beside<'a> {
+    numbers: &'a [f64],
+    width: usize,
+    each: bool,
+}
+
+impl Beside<'_> {
+    /// The values of a target.
+    fn of(&self, target: usize) -> &[f64] {
+        let from = if self.each { target * self.width } else { 0 };
+        self.numbers.get(from..from + self.width).unwrap_or(&[])
+    }
+}
+
+/// Results of some targets, to be written, the first of which has this number.
+struct Job<'a> {
+    first: usize,
+    targets: &'a [f64],
+    q: &'a mut [f64],
+    count: &'a mut [i64],
+    flags: &'a mut [u8],
+    status: &'a mut [u8],
+}
+
+/// Arguments of `inverse_batch`.
+pub struct Batch<'a, 'py> {
+    pub targets: &'a Bound<'py, PyAny>,
+    pub near: Option<&'a Bound<'py, PyAny>>,
+    pub given: Option<&'a Bound<'py, PyAny>>,
+    pub limits: &'a str,
+    pub threads: Option<i64>,
+    pub out: Option<&'a Bound<'py, PyAny>>,
+}
+
+impl Batch<'_, '_> {
+    /// Solves for every target.
+    pub fn solve(&self, py: Python<'_>, arm: &Arm) -> PyResult<InverseBatch> {
+        let solver = &arm.arm;
+        let refused = |error: DynamicError| error::dynamic(py, &error);
+        let (task, capacity, joints) =
+            (solver.task().map_err(refused)?, solver.max_solutions().map_err(refused)?, solver.joints());
+        let drop = drop(self.limits)?;
+        let numbers = Numbers::read("targets", self.targets)?;
+        let (words, width) = target::words(task);
+        let (rows, width, poses) = match *numbers.shape() {
+            [rows, 4, 4] if task != "position_angle" => (rows, 16, true),
+            [rows, found] if task != "pose" && found == width => (rows, width, false),
+            _ => {
+                let numbers = if task == "pose" { String::new() } else { format!("(N, {width}): {words}") };
+                let poses = if task == "position_angle" { "" } else { "(N, 4, 4)" };
+                let or = if numbers.is_empty() || poses.is_empty() { "" } else { ", or " };
+                return Err(error::value(format!(
+                    "targets: the task of this arm is {task}: expected shape {poses}{or}{numbers}, found {}",
+                    shown(numbers_shape(self.targets)?.as_slice())
+                )));
+            }
+        };
+        let targets = Targets { numbers: numbers.values()?, width, task, poses };
+        if poses {
+            for (index, matrix) in targets.numbers.chunks_exact(width).enumerate() {
+                target::of_matrix(matrix).map_err(|message| error::value(format!("targets[{index}]: {message}")))?;
+            }
+        }
+        let near_numbers = self.near.map(|near| Numbers::read("near", near)).transpose()?;
+        let near = match &near_numbers {
+            None => None,
+            Some(near) => Some(match *near.shape() {
+                [found] if found == joints => Beside { numbers: near.values()?, width: joints, each: false },
+                [found, width] if found == rows && width == joints => {
+                    Beside { numbers: near.values()?, width: joints, each: true }
+                }
+                _ => return Err(arm.wrong_shape("near", near.shape(), Some(rows))),
+            }),
+        };
+        if near.is_some() && self.given.is_some() {
+            return Err(twice());
+        }
+        let names = solver.given().map_err(refused)?;
+        let given_numbers = self.given.map(|given| Numbers::read("given", given)).transpose()?;
+        let taken = names.len();
+        let given = match &given_numbers {
+            None if near.is_some() || taken == 0 => Beside { numbers: &[], width: 0, each: false },
+            None => return Err(error::value(expected(&names, "", false))),
+            Some(given) => {
+                let numbers = given.values()?;
+                let each = match *given.shape() {
+                    [found, width] if found == rows && width == taken => true,
+                    [found] if taken == 1 && found == rows && rows != 1 => true,
+                    [] | [_] if numbers.len() == taken => false,
+                    _ => {
+                        let shape = shown(given.shape());
+                        let each = if taken == 1 {
+                            format!(" or one for each target, ({rows},)")
+                        } else {
+                            format!(" or ({rows}, {taken})")
+                        };
+                        let text = expected(&names, &format!("shape {shape}"), true);
+                        return Err(error::value(if taken == 0 {
+                            text
+                        } else {
+                            text + "; expected (" + &taken.to_string() + ",)" + &each
+                        }));
+                    }
+                };
+                Beside { numbers, width: taken, each }
+            }
+        };
+        let threads = threads(self.threads, rows)?;
+        let results = Results::given(py, self.out, &[rows, capacity, joints])?;
+        let counts = empty(py, &[rows], Some("int64"))?;
+        let flags = empty(py, &[rows, capacity], Some("uint8"))?;
+        let status = empty(py, &[rows], Some("uint8"))?;
+        {
+            let mut q = results.writable()?;
+            let mut counts = counts.cast::<PyArrayDyn<i64>>()?.readwrite();
+            let mut flags = flags.cast::<PyArrayDyn<u8>>()?.readwrite();
+            let mut status = status.cast::<PyArrayDyn<u8>>()?.readwrite();
+            let unexpected = |error: numpy::AsSliceError| error::value(error.to_string());
+            let jobs = targets
+                .numbers
+                .chunks(ROWS * width)
+                .zip(q.values()?.chunks_mut(ROWS * capacity * joints))
+                .zip(counts.as_slice_mut().map_err(unexpected)?.chunks_mut(ROWS))
+                .zip(flags.as_slice_mut().map_err(unexpected)?.chunks_mut(ROWS * capacity))
+                .zip(status.as_slice_mut().map_err(unexpected)?.chunks_mut(ROWS))
+                .enumerate()
+                .map(|(block, ((((targets, q), count), flags), status))| Job {
+                    first: block * ROWS,
+                    targets,
+                    q,
+                    count,
+                    flags,
+                    status,
+                });
+            let failed = Mutex::new(None);
+            let work = |job: Job<'_>| {
+                if let Err(error) = rows_of(solver, &targets, near.as_ref(), &given, drop, job)
+                    && let Ok(mut failed) = failed.lock()
+                {
+                    *failed = Some(error);
+                }
+            };
+            share(py, jobs, threads, work).map_err(|error| told(py, error, self.out.is_some()))?;
+            if let Ok(Some(error)) = failed.into_inner() {
+                return Err(told(py, refused(error), self.out.is_some()));
+            }
+        }
+        Ok(InverseBatch {
+            q: results.into_any().unbind(),
+            count: counts.unbind(),
+            flags: flags.unbind(),
+            status: status.unbind(),
+        })
+    }
+}
+
+/// Solves for the targets of a job.
+fn rows_of(
+    arm: &DynamicArm,
+    targets: &Targets<'_>,
+    near: Option<&Beside<'_>>,
+    given: &Beside<'_>,
+    drop: bool,
+    job: Job<'_>,
+) -> Result<(), DynamicError> {
+    let joints = arm.joints();
+    let row = job.q.len() / job.count.len().max(1);
+    let capacity = row / joints.max(1);
+    let places = job.q.chunks_exact_mut(row.max(1)).zip(job.count).zip(job.flags.chunks_exact_mut(capacity.max(1)));
+    let targets_of_job = job.targets.chunks_exact(targets.width);
+    for (index, ((numbers, ((q, count), flags)), status)) in targets_of_job.zip(places).zip(job.status).enumerate() {
+        let index = job.first + index;
+        let mut listed = 0;
+        let mut outcome = Status::BadTarget;
+        let (mut q, mut flags) = (q.chunks_exact_mut(joints.max(1)), flags.iter_mut());
+        if let Some(target) = targets.of(arm, numbers) {
+            let all = answer(arm, &target, near.map(|near| near.of(index)), given.of(index))?;
+            outcome = all.status();
+            let kept = all.iter().filter(|solution| !drop || solution.is_within_limits());
+            for ((solution, place), flag) in kept.zip(q.by_ref()).zip(flags.by_ref()) {
+                place.copy_from_slice(&solution.q);
+                *flag = bits(solution.flags);
+                listed += 1;
+            }
+        }
+        q.for_each(|row| row.fill(f64::NAN));
+        flags.for_each(|flag| *flag = 0);
+        *count = listed;
+        *status = number(&outcome);
+    }
+    Ok(())
+}
+
+fn numbers_shape(object: &Bound<'_, PyAny>) -> PyResult<Vec<usize>> {
+    Ok(Numbers::read("targets", object)?.shape().to_vec())
+}

@@ -1,0 +1,86 @@
+//! Rows of a batch, shared among threads.
+//!
+//! The threads belong to the call. A kept pool would be dead in a process that Python's `multiprocessing` forks, and a
+//! call would wait for it forever.
+
+use std::num::NonZero;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use pyo3::prelude::*;
+
+use crate::error;
+
+/// Rows that a thread takes at once: a tenth of a millisecond of work, so that no thread waits long for the last one.
+pub const ROWS: usize = 64;
+/// How often the calling thread looks for Ctrl-C.
+const SIGNALS: Duration = Duration::from_millis(20);
+
+/// The number of threads for so many rows: as many as asked for, else one for each processor.
+pub fn threads(asked: Option<i64>, rows: usize) -> PyResult<usize> {
+    let most = rows.div_ceil(ROWS).max(1);
+    match asked {
+        None => Ok(thread::available_parallelism().map_or(1, NonZero::get).min(most)),
+        Some(asked) => match usize::try_from(asked) {
+            Ok(asked) if asked > 0 => Ok(asked.min(most)),
+            _ => Err(error::value(format!(
+                "threads: expected a number from 1, or None for one thread a processor, found {asked}"
+            ))),
+        },
+    }
+}
+
+/// Does every job, on so many threads, without holding up other threads of Python.
+///
+/// # Errors
+/// An exception that a signal raises, such as `KeyboardInterrupt`. Some jobs are then not done.
+pub fn share<J: Send>(
+    py: Python<'_>,
+    jobs: impl Iterator<Item = J> + Send,
+    threads: usize,
+    work: impl Fn(J) + Sync,
+) -> PyResult<()> {
+    let jobs = Mutex::new(jobs);
+    let stopped = AtomicBool::new(false);
+    let next = || {
+        if stopped.load(Ordering::Relaxed) { None } else { jobs.lock().unwrap_or_else(PoisonError::into_inner).next() }
+    };
+    let help = || {
+        while let Some(job) = next() {
+            work(job)
+        }
+    };
+    py.detach(|| {
+        thread::scope(|scope| {
+            for _ in 1..threads {
+                // With fewer threads the work takes longer, and is done.
+                if thread::Builder::new().spawn_scoped(scope, help).is_err() {
+                    break;
+                }
+            }
+            let mut looked = Instant::now();
+            while let Some(job) = next() {
+                work(job);
+                if looked.elapsed() >= SIGNALS {
+                    if let Err(error) = Python::attach(|py| py.check_signals()) {
+                        stopped.store(true, Ordering::Relaxed);
+                        return Err(error);
+                    }
+                    looked = Instant::now();
+                }
+            }
+            Ok(())
+        })
+    })
+}
+
+/// Tells in the exception that an array of the user is partly written.
+pub fn told(py: Python<'_>, error: PyErr, out: bool) -> PyErr {
+    if out {
+        // Where a note cannot be added the exception stays as it is.
+        let _ = error.value(py).call_method1("add_note", ("some rows of out= are written, others are not",));
+    }
+    error
+}
