@@ -113,11 +113,17 @@ pub fn choose(chain: &Chain<f64>) -> Option<Cuts> {
 /// As [`choose`] for a chain with given joints: `chain` makes it of their values, and takes each as an angle in rad from
 /// its argument. Every other pose has round angles.
 pub fn choose_given(chain: &Make) -> Option<Cuts> {
-    [0.0, MOVED].into_iter().find_map(|moved| chosen(chain, moved))
+    let own = chosen(chain, 0.0);
+    // What a cut without others loses, nothing finds: cuts of chains beside the arm's own may lose less.
+    match own {
+        Some((cuts, 0)) => Some(cuts),
+        Some((cuts, _)) if cuts.second.is_some() => Some(cuts),
+        own => own.into_iter().chain(chosen(chain, MOVED)).min_by_key(|(_, lost)| *lost).map(|(cuts, _)| cuts),
+    }
 }
 
-/// The choice on the chain itself, or on chains beside it.
-fn chosen(chain: &Make, moved: f64) -> Option<Cuts> {
+/// The choice on the chain itself, or on chains beside it, and how many random poses its first cut loses.
+fn chosen(chain: &Make, moved: f64) -> Option<(Cuts, u32)> {
     let none = [f64::INFINITY; POSES];
     let mut all = Cut::ALL.map(|cut| Judgment { cut, is_open: true, poses: 0, lost: 0, missed: 0, residuals: none });
     for (round, poses) in ROUNDS.into_iter().enumerate() {
@@ -144,7 +150,8 @@ fn chosen(chain: &Make, moved: f64) -> Option<Cuts> {
         at_end.or_else(|| next(lost, &held, false))
     });
     let [second, third] = [second, third].map(|x| x.map(|x| x.cut));
-    Some(Cuts { first: first.cut, second, third, is_special: moved != 0.0 })
+    let cuts = Cuts { first: first.cut, second, third, is_special: moved != 0.0 };
+    Some((cuts, (first.lost & RANDOM).count_ones()))
 }
 
 /// Of two cuts that hold the same joint the worse one is given up.

@@ -219,7 +219,11 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
             return;
         }
         let mut run = Run::new(&self.nest, asked.given, number, asked.branch);
-        search.run(&constants, near, |search, start| run.cascade(search, start));
+        if let Some(off) = self.nest.program.off_table {
+            search.run_measured(&constants, near, off, |search, start| run.cascade(search, start));
+        } else {
+            search.run(&constants, near, |search, start| run.cascade(search, start));
+        }
     }
 }
 

@@ -143,6 +143,13 @@ pub(super) fn function(
     );
     let missed_doc = miss.as_deref().or(lacking).map(docs::lines);
     let in_doubt = program.in_doubt.then(|| quote!(.in_doubt()));
+    let run = match program.off_table {
+        Some(off) => {
+            let off = number(off);
+            quote!(run_measured(#constants, near, #off, nest))
+        }
+        None => quote!(run(#constants, near, nest)),
+    };
     // Without a choice between roots there is nothing to select.
     let wanted = ident(if program.capacity > 1 { "wanted" } else { "_wanted" });
     quote! {
@@ -169,7 +176,7 @@ pub(super) fn function(
                 let nest = |search: &mut InverseSearch<'_>, start| {
                     #body
                 };
-                search.run(#constants, near, nest);
+                search.#run;
             }
         }
     }

@@ -45,6 +45,7 @@ pub fn held_joint(model: &Model, plan: &HeldJointPlan) -> Inverse {
         capacity: outline.capacity,
         decoupled: false,
         in_doubt: false,
+        off_table: None,
         held_joint: Some(plan.clone()),
     }
 }
@@ -114,6 +115,7 @@ pub fn stages(model: &Model, plan: &Plan) -> Inverse {
         capacity: plan.max_solutions(),
         decoupled: plan.is_decoupled(),
         in_doubt: plan.missed.is_some() || plan.lacks_a_turn(),
+        off_table: plan.off_table,
         held_joint: None,
     }
 }

@@ -54,6 +54,8 @@ pub struct Calibration {
     pub displaced: f64,
     /// The largest turn of a link, rad.
     pub turned: f64,
+    /// The rows of the table alone.
+    pub table: Vec<Row>,
 }
 
 /// A row of the table.

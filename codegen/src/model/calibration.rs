@@ -67,7 +67,7 @@ pub fn compared(
     let pairs: Vec<[Transform; 2]> =
         gathered(nominal).into_iter().zip(gathered(model)).map(|(table, own)| [table, own]).collect();
     let reach: f64 = pairs.iter().map(|[table, _]| length(table.p)).sum();
-    let mut calibration = Calibration { deltas, displaced: 0.0, turned: 0.0 };
+    let mut calibration = Calibration { deltas, displaced: 0.0, turned: 0.0, table: nominal.rows.clone() };
     let (mut farthest, mut most) = (0, 0.0);
     for (link, [table, own]) in pairs.iter().enumerate() {
         let between = table.inverse().then(own);

@@ -318,6 +318,7 @@ impl LoopClosure {
             triple,
             reach: self.reach,
             missed: self.generic.decisions.missed(),
+            off_table: None,
             task,
         }
     }

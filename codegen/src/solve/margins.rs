@@ -26,11 +26,11 @@ pub struct Factor {
 }
 
 /// The factors that are not constant, in the order of the stages, and the graph they are in. None where there are more
-/// equations than joints, and none for a pointing axis, whose target is no entry of the tool's pose.
+/// equations than joints, none for a pointing axis, whose target is no entry of the tool's pose, and none for the equations of a measured arm's table.
 pub fn margins(plan: &Plan) -> (Graph, Vec<Factor>) {
     let mut g = plan.graph.clone();
     let mut factors = Vec::new();
-    if plan.task.overdetermined || plan.task.goal.task() == Task::PositionAxis {
+    if plan.off_table.is_some() || plan.task.overdetermined || plan.task.goal.task() == Task::PositionAxis {
         return (g, factors);
     }
     for (index, stage) in plan.stages().enumerate() {

@@ -29,6 +29,7 @@ mod damped_step;
 mod doubts;
 mod drift;
 mod flip;
+mod folds;
 mod goal;
 mod held_joint;
 mod kernel;

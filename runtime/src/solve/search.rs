@@ -20,6 +20,10 @@ use crate::{Branch, Flags, JointMask, Residual, Solution, Solutions, Status};
 /// The place of a virtual joint in a mask, beyond the joints of any arm with an inverse.
 pub(super) const VIRTUAL: usize = 15;
 
+/// A measured arm misses an equation of its table by at most so many times what one of its links is off: there are seven
+/// links.
+const SLACK: f64 = 8.0;
+
 /// One call of the inverse kinematics of an arm with `N` joints and at most `M` solutions.
 ///
 /// `D`: the most doubts on one branch, one for each call of [`follow`](Self::follow) and [`directed`](Self::directed) on
@@ -47,6 +51,8 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize
     /// Every branch is verified. The arm misses its structure by more than rounding, or the target is so far away that
     /// its rounding alone can exceed what closes. A long slide may reach such a target.
     doubt: bool,
+    /// By how much the links of a measured arm are off the table whose equations are solved, relative to reach and in rad.
+    pub(super) slack: T,
     /// True if there is a reference.
     pub(super) has_reference: bool,
     /// Branches remembered at a pose that needs further passes.
@@ -76,6 +82,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
             verified: None,
             doubts: None,
             doubt: false,
+            slack: T::ZERO,
             has_reference: near.is_some(),
             passes: None,
         }
@@ -207,7 +214,10 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         let rounding = measure.rounding() / amplitude;
         next.clamped |= gap > rounding && loose.is_empty();
         // With a joint earlier on the branch that is free, or nearly, the gap may close by moving that joint.
-        if gap > tolerance.max(rounding) {
+        // A measured arm reaches what its table's arm misses by about as much as its links are off.
+        let unit = if angular { T::ONE } else { self.constants.reach };
+        let slack = self.slack * T::from_f64(SLACK) * unit;
+        if gap > tolerance.max(rounding).max(slack) {
             next.missed |= !free.is_empty();
             if loose.is_empty() {
                 ended = true;
@@ -281,8 +291,31 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         &mut self,
         constants: &ArmConstants<'_, T, N>,
         near: Option<&[T; N]>,
-        mut nest: impl FnMut(&mut Self, BranchState),
+        nest: impl FnMut(&mut Self, BranchState),
     ) {
+        self.cascades(nest);
+        self.finish(constants, near);
+    }
+
+    /// As [`run`](Self::run) for a measured arm, whose stages are those of its table: every solution is verified, and what
+    /// lies beyond folds of the table's arm is looked for. `off`: how far its links are off the table, relative to reach
+    /// and in rad.
+    #[inline(always)]
+    pub fn run_measured(
+        &mut self,
+        constants: &ArmConstants<'_, T, N>,
+        near: Option<&[T; N]>,
+        off: T,
+        nest: impl FnMut(&mut Self, BranchState),
+    ) {
+        (self.doubt, self.slack) = (true, off);
+        self.cascades(nest);
+        self.unfold();
+        self.finish(constants, near);
+    }
+
+    #[inline(always)]
+    fn cascades(&mut self, mut nest: impl FnMut(&mut Self, BranchState)) {
         // One place of the call: the nest is inlined into it.
         for _ in 0..MOST_CASCADES {
             crate::effort::cascade();
@@ -292,7 +325,6 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
                 break;
             }
         }
-        self.finish(constants, near);
     }
 
     /// Unwinds and sorts next to a reference, marks limits, and sets the status.

@@ -30,6 +30,9 @@ use crate::model::{Convention, Model, Redundant, Task};
 /// The plan for the task of the file, or for the most specific task the arm can do. Without stages, six joints, virtual ones
 /// among them, are solved with one joint held.
 pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<InversePlan, Unsupported> {
+    if let Some(plan) = of_the_table(model, geometry) {
+        return Ok(plan);
+    }
     match in_stages(model, chain, geometry) {
         Ok(plan) => Ok(InversePlan::Stages(Box::new(plan))),
         Err(unsupported) => {
@@ -39,9 +42,36 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Inverse
     }
 }
 
+/// Up to this distance from its table, relative to reach and in rad, the equations of the table give starts to the solutions
+/// of a measured arm. The arm's own equation of degree 8 has too few digits there.
+const NEAR_TABLE: f64 = 3e-7;
+
+/// The plan of a measured arm near its table: the plan of the table, with every solution verified on the arm that was
+/// measured.
+fn of_the_table(model: &Model, geometry: &Geometry) -> Option<InversePlan> {
+    let calibration = model.calibration.as_ref()?;
+    let off = calibration.turned.max(calibration.displaced / geometry.reach);
+    if off > NEAR_TABLE || model.joints.len() != 6 || !model.inverse.redundant.is_empty() {
+        return None;
+    }
+    let table = Model { rows: calibration.table.clone(), calibration: None, ..model.clone() };
+    let chain = Chain::of(&table);
+    let geometry = geometry::geometry(&table, &chain);
+    match in_stages(&table, &chain, &geometry) {
+        Ok(mut plan) if plan.task.goal.task() == Task::Pose => {
+            (plan.missed, plan.off_table) = (Some(off), Some(off));
+            Some(InversePlan::Stages(Box::new(plan)))
+        }
+        Ok(_) => None,
+        Err(unsupported) => held_joint::plan_of_table(&table, &chain, &geometry, unsupported),
+    }
+}
+
 /// Returns true if the plan takes a choice of the joints that are held, which takes a tenth of a second.
 pub fn takes_a_choice(model: &Model, chain: &Chain, geometry: &Geometry) -> bool {
-    held_joint::takes_a_choice(model, chain, geometry) && in_stages(model, chain, geometry).is_err()
+    of_the_table(model, geometry).is_none()
+        && held_joint::takes_a_choice(model, chain, geometry)
+        && in_stages(model, chain, geometry).is_err()
 }
 
 /// The plan in stages.

@@ -1,0 +1,267 @@
+//! Solutions of a measured arm that the equations of its table lack: the other root of a fold.
+//!
+//! Where the table's arm is singular, two of its branches meet, and beyond there is none. The arm that was measured is
+//! singular beside that place: between the two it has two solutions where its table has one double root, or none. Both
+//! follow from a joint vector near the fold: along the direction n in which the joints move the tool least the target is
+//! missed by a quadratic function, whose slope and bend two Jacobians give.
+
+use super::kernel::tolerances::Tolerances;
+use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
+use super::passes::Missed;
+use super::search::Search;
+use super::verify::coincident;
+use crate::{Flags, Solution};
+
+/// A solution at which the joints move the tool by more than this along n, relative to reach and in rad, is not near a
+/// fold.
+const STEEP: f64 = 0.05;
+/// The bend is taken between Jacobians so far apart, rad.
+const ASIDE: f64 = 1e-3;
+/// The other root is not looked for beyond this, rad.
+const FAR: f64 = 1.0;
+/// Evaluations kept for the reference of `inverse_near`: the first one, and its steps.
+const RESERVED: usize = MOST_STEPS + 1;
+/// Coordinates of a motion of the tool, and joints that move it.
+const SIX: usize = 6;
+
+/// Directions of a square matrix that is nearly singular, of length 1, and the Jacobian's slope `w . J n` along them.
+#[derive(Clone, Copy, Debug)]
+struct Nearly<T> {
+    right: [T; SIX],
+    left: [T; SIX],
+    slope: T,
+    /// The part of the error along w.
+    missed: T,
+}
+
+/// Elimination with complete pivoting, whose last pivot is taken for 0. None if an earlier one vanishes.
+fn nearly_singular<T: Tolerances>(columns: &[[T; SIX]; SIX], error: &[T; SIX]) -> Option<Nearly<T>> {
+    let mut m = [[T::ZERO; SIX]; SIX];
+    for (i, row) in m.iter_mut().enumerate() {
+        for (entry, column) in row.iter_mut().zip(columns) {
+            *entry = column[i];
+        }
+    }
+    let (mut rows, mut joints) = ([0, 1, 2, 3, 4, 5], [0, 1, 2, 3, 4, 5]);
+    for k in 0..SIX - 1 {
+        let (mut pivot, mut most) = ((k, k), T::ZERO);
+        for (i, row) in m.iter().enumerate().skip(k) {
+            for (j, entry) in row.iter().enumerate().skip(k) {
+                if entry.abs() > most {
+                    (pivot, most) = ((i, j), entry.abs());
+                }
+            }
+        }
+        if !(most > T::ZERO) {
+            return None;
+        }
+        m.swap(k, pivot.0);
+        rows.swap(k, pivot.0);
+        m.iter_mut().for_each(|row| row.swap(k, pivot.1));
+        joints.swap(k, pivot.1);
+        let top = m[k];
+        for row in m.iter_mut().skip(k + 1) {
+            let factor = row[k] / top[k];
+            // The factors take the place of what vanishes.
+            row[k] = factor;
+            for (entry, above) in row.iter_mut().zip(&top).skip(k + 1) {
+                *entry -= factor * *above;
+            }
+        }
+    }
+    let [mut right, mut left] = [[T::ZERO; SIX]; 2];
+    (right[SIX - 1], left[SIX - 1]) = (T::ONE, T::ONE);
+    for k in (0..SIX - 1).rev() {
+        let (mut x, mut y) = (T::ZERO, T::ZERO);
+        for i in k + 1..SIX {
+            x -= m[k][i] * right[i];
+            y -= m[i][k] * left[i];
+        }
+        (right[k], left[k]) = (x / m[k][k], y);
+    }
+    let unit = |v: [T; SIX], order: [usize; SIX]| {
+        let length = v.iter().fold(T::ZERO, |sum, x| sum + *x * *x).sqrt();
+        let mut out = [T::ZERO; SIX];
+        for (x, place) in v.iter().zip(order) {
+            out[place] = *x / length;
+        }
+        out
+    };
+    let (right, left) = (unit(right, joints), unit(left, rows));
+    let near = Nearly { right, left, slope: T::ZERO, missed: dot(error, &left) };
+    Some(Nearly { slope: slope(columns, &near), ..near })
+}
+
+/// `left . J right`.
+fn slope<T: Tolerances>(columns: &[[T; SIX]; SIX], Nearly { right, left, .. }: &Nearly<T>) -> T {
+    columns.iter().zip(right).fold(T::ZERO, |sum, (column, x)| sum + dot(column, left) * *x)
+}
+
+fn dot<T: Tolerances>(a: &[T; SIX], b: &[T; SIX]) -> T {
+    a.iter().zip(b).fold(T::ZERO, |sum, (x, y)| sum + *x * *y)
+}
+
+impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T, M>> Search<'_, T, N, M, D, P> {
+    /// Lists what lies on the other side of a fold from the solutions that are listed. One that missed its target was a
+    /// start, and leaves the list where it led to solutions.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn unfold(&mut self) {
+        let (mut place, mut starts) = (0, [false; M]);
+        while let Some(solution) = self.solutions.get(place).copied() {
+            for start in self.beyond(&solution).into_iter().flatten() {
+                let is_led = self.towards(&solution, &start);
+                if let Some(start) = starts.get_mut(place) {
+                    *start |= is_led && !solution.is_exact();
+                }
+            }
+            place += 1;
+        }
+        let mut starts = starts.iter();
+        self.solutions.retain(|solution| {
+            let was_start = starts.next() == Some(&true);
+            solution.is_exact() || !was_start
+        });
+        self.number_shared();
+    }
+
+    /// Solutions that share a name have numbers, but for the first.
+    fn number_shared(&mut self) {
+        let mut place = 1;
+        while let Some(solution) = self.solutions.get(place) {
+            let name = solution.branch;
+            let plain = |other: &&Solution<T, N>| other.branch.with_root(0) == name.with_root(0);
+            let before = self.solutions.iter().take(place).filter(plain).count();
+            if let Some(solution) = self.solutions.as_mut_slice().get_mut(place).filter(|_| before > 0) {
+                solution.branch = name.with_root_index(before);
+            }
+            place += 1;
+        }
+    }
+
+    /// Returns true if steps from a joint vector lead to a solution. It is listed under the name of that beside it, unless it
+    /// already is.
+    fn towards(&mut self, beside: &Solution<T, N>, start: &[T; N]) -> bool {
+        let Some(mut left) = self.left.checked_sub(RESERVED + 1) else { return false };
+        let constants = self.constants;
+        let mut iterate = Iterate::at(*start);
+        iterate.evaluate(constants, self.goal, self.arm);
+        refine(constants, self.goal, self.arm, &mut iterate, &mut left);
+        self.left = left + RESERVED;
+        if !(constants.relative(&iterate.residual) <= T::EXACT) {
+            return false;
+        }
+        let mut q = iterate.q;
+        wrap_angles(&mut q, self.goal.given(), constants.prismatic);
+        let is_listed = self.solutions.exact().any(|other| coincident(constants, &other.q, &q));
+        if !is_listed {
+            let mut solution = Solution { q, residual: iterate.residual, ..*beside };
+            solution.flags.remove(Flags::APPROXIMATE);
+            solution.flags |= Flags::EXACT;
+            self.solutions.mark_awkward();
+            if !self.solutions.push(solution) {
+                match self.solutions.as_mut_slice().iter_mut().find(|other| !other.is_exact()) {
+                    Some(start) => *start = solution,
+                    None => self.solutions.mark_incomplete(),
+                }
+            }
+        }
+        true
+    }
+
+    /// The joint vectors near a solution at which the quadratic function vanishes.
+    fn beyond(&mut self, solution: &Solution<T, N>) -> [Option<[T; N]>; 2] {
+        let none = [None; 2];
+        let Some(left) = self.left.checked_sub(2 + RESERVED) else { return none };
+        self.left = left + 1 + RESERVED;
+        let Some((columns, error)) = self.columns(&solution.q) else { return none };
+        let Some(near) = nearly_singular(&columns, &error) else { return none };
+        if !(near.slope.abs() <= T::from_f64(STEEP)) {
+            return none;
+        }
+        self.left = left + RESERVED;
+        let aside = T::from_f64(ASIDE);
+        let Some((columns, _)) = self.columns(&self.along(&solution.q, &near, aside)) else { return none };
+        let bend = (slope(&columns, &near) - near.slope) / aside;
+        // Of a solution one root is its own place.
+        let missed = if solution.is_exact() { T::ZERO } else { near.missed };
+        let height = (near.slope * near.slope + T::TWO * bend * missed).max(T::ZERO).sqrt();
+        [height, -height].map(|height| {
+            let distance = (height - near.slope) / bend;
+            let is_beyond = distance.abs() <= T::from_f64(FAR) && distance.abs() > T::COINCIDENT;
+            is_beyond.then(|| self.along(&solution.q, &near, distance))
+        })
+    }
+
+    /// A joint vector so far away in the direction n.
+    fn along(&self, q: &[T; N], nearly: &Nearly<T>, distance: T) -> [T; N] {
+        let (mut out, given) = (*q, self.goal.given());
+        let moving = out.iter_mut().enumerate().filter(|(joint, _)| !given.contains(*joint));
+        for ((joint, value), change) in moving.zip(&nearly.right) {
+            *value += *change * distance * self.constants.unit(joint);
+        }
+        out
+    }
+
+    /// The columns of the joints that move, and the error; `None` if these are not six.
+    fn columns(&self, q: &[T; N]) -> Option<([[T; SIX]; SIX], [T; SIX])> {
+        let given = self.goal.given();
+        if (0..N).filter(|joint| !given.contains(*joint)).count() != SIX {
+            return None;
+        }
+        let (pose, mut jacobian) = self.arm.evaluate(q);
+        self.goal.restrict(&pose, &mut jacobian);
+        let k = T::ONE / self.constants.reach;
+        let mut columns = [[T::ZERO; SIX]; SIX];
+        let moving = (0..N).filter(|joint| !given.contains(*joint));
+        for (column, joint) in columns.iter_mut().zip(moving) {
+            let unit = self.constants.unit(joint);
+            for (place, (entry, row)) in column.iter_mut().zip(&jacobian.rows).enumerate() {
+                let scale = if place < 3 { k * unit } else { unit };
+                *entry = row.get(joint).copied().unwrap_or(T::ZERO) * scale;
+            }
+        }
+        let [x, y, z, u, v, w] = self.goal.error(q, &pose);
+        Some((columns, [x * k, y * k, z * k, u, v, w]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Columns without structure, the third one a sum of two others but for a part of the last axis.
+    fn columns(part: f64) -> [[f64; SIX]; SIX] {
+        let mut columns: [[f64; SIX]; SIX] = core::array::from_fn(|joint| {
+            core::array::from_fn(|row| ((7 * row + 3 * joint + row * joint) as f64 + 0.3).sin())
+        });
+        let (first, last) = (columns[0], columns[5]);
+        for ((entry, x), y) in columns[2].iter_mut().zip(first).zip(last) {
+            *entry = x - 2.0 * y;
+        }
+        columns[2][5] += part;
+        columns
+    }
+
+    #[test]
+    fn the_directions_are_those_of_the_singular_matrix() {
+        let matrix = columns(0.0);
+        let near = nearly_singular(&matrix, &[0.0; SIX]);
+        assert!(near.is_some());
+        let Some(near) = near else { return };
+        // n is in proportion to (1, 0, -1, 0, 0, -2), and w is at right angles to every column.
+        let [a, b, c, d, e, f] = near.right;
+        assert!((a + c).abs() < 1e-12 && (2.0 * c - f).abs() < 1e-12 && b.abs() + d.abs() + e.abs() < 1e-12);
+        assert!(matrix.iter().all(|column| dot(column, &near.left).abs() < 1e-12));
+        assert!(near.slope.abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_slope_is_that_along_the_directions() {
+        let error = [0.1, -0.4, 0.3, 0.2, 0.0, 0.7];
+        let near = nearly_singular(&columns(1e-4), &error);
+        assert!(near.is_some_and(|near| near.slope.abs() > 1e-7 && near.slope.abs() < 1e-4));
+        assert!(near.is_some_and(|near| near.missed == dot(&error, &near.left)));
+        assert!(nearly_singular(&[[0.0; SIX]; SIX], &error).is_none());
+    }
+}
