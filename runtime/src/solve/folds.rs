@@ -55,10 +55,12 @@ fn nearly_singular<T: Tolerances>(columns: &[[T; SIX]; SIX], error: &[T; SIX]) -
         if !(most > T::ZERO) {
             return None;
         }
-        m.swap(k, pivot.0);
-        rows.swap(k, pivot.0);
-        m.iter_mut().for_each(|row| row.swap(k, pivot.1));
-        joints.swap(k, pivot.1);
+        // Rows and columns of the matrix, as the compiler has to know: nothing here may fail.
+        let (row, column) = (pivot.0.min(SIX - 1), pivot.1.min(SIX - 1));
+        m.swap(k, row);
+        rows.swap(k, row);
+        m.iter_mut().for_each(|row| row.swap(k, column));
+        joints.swap(k, column);
         let top = m[k];
         for row in m.iter_mut().skip(k + 1) {
             let factor = row[k] / top[k];
@@ -83,7 +85,9 @@ fn nearly_singular<T: Tolerances>(columns: &[[T; SIX]; SIX], error: &[T; SIX]) -
         let length = v.iter().fold(T::ZERO, |sum, x| sum + *x * *x).sqrt();
         let mut out = [T::ZERO; SIX];
         for (x, place) in v.iter().zip(order) {
-            out[place] = *x / length;
+            if let Some(entry) = out.get_mut(place) {
+                *entry = *x / length;
+            }
         }
         out
     };
