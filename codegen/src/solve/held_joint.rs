@@ -11,7 +11,6 @@ use denhart_core::meet::{Meet, Structure};
 use denhart_core::slides::Slides;
 use denhart_core::{Chain as NumericChain, Transform as NumericTransform, choice, math};
 
-use super::inverse_plan::InversePlan;
 use super::loop_chain::LoopChain;
 use super::rank::{self, ToolMotion};
 use super::task::{Given, Goal, Outline, PlanTask};
@@ -121,11 +120,14 @@ pub fn plan(
 
 /// The plan of the table of a measured arm, where two of its axes meet and two are parallel: the other structures take as
 /// long on the arm itself.
-pub fn plan_of_table(model: &Model, chain: &Chain, geometry: &Geometry, no_stages: Unsupported) -> Option<InversePlan> {
-    if holding(model, chain, geometry, &model.inverse.redundant)? != Holding::Meet {
-        return None;
-    }
-    plan(model, chain, geometry, no_stages).ok().map(|plan| InversePlan::HeldJoint(Box::new(plan)))
+pub fn plan_of_table(
+    model: &Model,
+    chain: &Chain,
+    geometry: &Geometry,
+    no_stages: Unsupported,
+) -> Option<HeldJointPlan> {
+    let meets = holding(model, chain, geometry, &model.inverse.redundant)? == Holding::Meet;
+    if meets { plan(model, chain, geometry, no_stages).ok() } else { None }
 }
 
 /// The task of the file and its six joints; `None` if no joint of them can be held.

@@ -63,7 +63,10 @@ fn of_the_table(model: &Model, geometry: &Geometry) -> Option<InversePlan> {
             Some(InversePlan::Stages(Box::new(plan)))
         }
         Ok(_) => None,
-        Err(unsupported) => held_joint::plan_of_table(&table, &chain, &geometry, unsupported),
+        Err(unsupported) => {
+            let plan = held_joint::plan_of_table(&table, &chain, &geometry, unsupported)?;
+            Some(InversePlan::HeldJoint(Box::new(plan)))
+        }
     }
 }
 
