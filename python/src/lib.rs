@@ -13,6 +13,7 @@ mod share;
 mod solutions;
 mod table;
 mod target;
+mod vectors;
 
 use pyo3::prelude::*;
 
