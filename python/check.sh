@@ -65,7 +65,7 @@ cp pyproject.toml "$out"
 ln -s "$(realpath ../specs)" "$out/specs"
 ln -s "$(realpath ../docs)" "$out/docs"
 mkdir "$out/python"
-cp tour.ipynb "$out/python"
+cp tour.ipynb README.md "$out/python"
 cd "$out"
 step 'the command' env CARGO_TARGET_DIR="$workspace" cargo build --locked --manifest-path "$root/Cargo.toml" -p denhart-cli
 step 'type stubs' "$bin/python" -m mypy.stubtest denhart --ignore-missing-stub --ignore-disjoint-bases
