@@ -259,7 +259,10 @@ fn run(pages: &[Page], page: &Page, words: &[String], place: &str) {
         }
         "pip" => {
             let folder = words.iter().find(|word| word.starts_with("./"));
-            assert!(folder.is_some_and(|folder| root().join(folder).join("pyproject.toml").is_file()), "{place}: {words:?}");
+            assert!(
+                folder.is_some_and(|folder| root().join(folder).join("pyproject.toml").is_file()),
+                "{place}: {words:?}"
+            );
         }
         _ => assert!(root().join(program).is_file(), "{place}: {program} is no command of these pages"),
     }

@@ -39,7 +39,7 @@ pub struct Inverse {
     pub decoupled: bool,
     /// True if every branch is verified, because the arm misses the structure by more than rounding.
     pub in_doubt: bool,
-    /// By how much the links of a measured arm are off its table, relative to reach and in rad, if the equations are those of
+    /// Distance of the links of a measured arm from its table, relative to reach and in rad, if the equations are those of
     /// the table.
     pub off_table: Option<f64>,
     /// The solver of an arm without stages: it holds a joint, and there are no statements.

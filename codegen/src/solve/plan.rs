@@ -27,7 +27,7 @@ pub struct Plan {
     /// Largest miss of the structure that the plan relies on, relative to reach and in rad, if it is more than
     /// rounding.
     pub missed: Option<f64>,
-    /// By how much the links of a measured arm are off its table, relative to reach and in rad, if the equations are those of
+    /// Distance of the links of a measured arm from its table, relative to reach and in rad, if the equations are those of
     /// the table.
     pub off_table: Option<f64>,
 }

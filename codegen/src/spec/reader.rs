@@ -73,7 +73,10 @@ impl<'s> Reader<'s> {
     pub fn mapping<'n>(&mut self, field: &Field<'n>, what: &str, known: &[&'static str]) -> Option<Fields<'n>> {
         let Node::Mapping(entries) = field.node else {
             let help = suggestions::mapping(&field.key, &self.source.written(&field.place), field.node, known);
-            self.unexpected(field, &format!("a mapping with {}", known.join(", ")), help);
+            // Where the help has an example, that has the keys.
+            let expected =
+                if help.is_some() { "a mapping".to_owned() } else { format!("a mapping with {}", known.join(", ")) };
+            self.unexpected(field, &expected, help);
             return None;
         };
         let mut fields = Fields { entries: Vec::new(), meant: Vec::new(), place: field.place.clone() };

@@ -51,7 +51,7 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize
     /// Every branch is verified. The arm misses its structure by more than rounding, or the target is so far away that
     /// its rounding alone can exceed what closes. A long slide may reach such a target.
     doubt: bool,
-    /// By how much the links of a measured arm are off the table whose equations are solved, relative to reach and in rad.
+    /// Distance of the links of a measured arm from the table whose equations are solved, relative to reach and in rad.
     pub(super) slack: T,
     /// True if there is a reference.
     pub(super) has_reference: bool,
