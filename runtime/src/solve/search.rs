@@ -214,10 +214,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         let rounding = measure.rounding() / amplitude;
         next.clamped |= gap > rounding && loose.is_empty();
         // With a joint earlier on the branch that is free, or nearly, the gap may close by moving that joint.
-        // A measured arm reaches what its table's arm misses by about as much as its links are off.
-        let unit = if angular { T::ONE } else { self.constants.reach };
-        let slack = self.slack * T::from_f64(SLACK) * unit;
-        if gap > tolerance.max(rounding).max(slack) {
+        if gap > tolerance.max(rounding) && (self.slack == T::ZERO || self.is_beyond_slack(gap, angular)) {
             next.missed |= !free.is_empty();
             if loose.is_empty() {
                 ended = true;
@@ -225,6 +222,15 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
             }
         }
         self.with_doubts(state, next, ended)
+    }
+
+    /// Returns true for a gap of the table's equations that is too wide for the arm that was measured. That arm reaches what
+    /// its table's misses by about as much as its links are off.
+    #[cold]
+    #[inline(never)]
+    fn is_beyond_slack(&self, gap: T, angular: bool) -> bool {
+        let unit = if angular { T::ONE } else { self.constants.reach };
+        gap > self.slack * T::from_f64(SLACK) * unit
     }
 
     /// Notes a branch that misses by `gap`, a length or an angle.
@@ -291,9 +297,17 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         &mut self,
         constants: &ArmConstants<'_, T, N>,
         near: Option<&[T; N]>,
-        nest: impl FnMut(&mut Self, BranchState),
+        mut nest: impl FnMut(&mut Self, BranchState),
     ) {
-        self.cascades(nest);
+        // One place of the call: the nest is inlined into it.
+        for _ in 0..MOST_CASCADES {
+            crate::effort::cascade();
+            let start = BranchState::start(self.doubt || self.passes.is_some());
+            nest(self, start);
+            if self.passes.is_none() || !self.next_pass() {
+                break;
+            }
+        }
         self.finish(constants, near);
     }
 
@@ -306,25 +320,19 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         constants: &ArmConstants<'_, T, N>,
         near: Option<&[T; N]>,
         off: T,
-        nest: impl FnMut(&mut Self, BranchState),
+        mut nest: impl FnMut(&mut Self, BranchState),
     ) {
         (self.doubt, self.slack) = (true, off);
-        self.cascades(nest);
-        self.unfold();
-        self.finish(constants, near);
-    }
-
-    #[inline(always)]
-    fn cascades(&mut self, mut nest: impl FnMut(&mut Self, BranchState)) {
-        // One place of the call: the nest is inlined into it.
+        // A function for this loop and that of `run` would cost every arm: the compiler inlines the nest last.
         for _ in 0..MOST_CASCADES {
             crate::effort::cascade();
-            let start = BranchState::start(self.doubt || self.passes.is_some());
-            nest(self, start);
+            nest(self, BranchState::start(true));
             if self.passes.is_none() || !self.next_pass() {
                 break;
             }
         }
+        self.unfold();
+        self.finish(constants, near);
     }
 
     /// Unwinds and sorts next to a reference, marks limits, and sets the status.
