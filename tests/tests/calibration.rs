@@ -5,7 +5,10 @@
 
 use std::fmt::Write;
 
+use denhart::{Arm, Pose};
 use denhart_dynamic::DynamicArm;
+use denhart_tests::evaluated::{Generated, compare};
+use denhart_tests::margins_of;
 use denhart_tests::random::Random;
 
 /// Arms of every kind of wrist and elbow.
@@ -100,4 +103,100 @@ fn branches_have_the_names_of_the_table() {
             assert!(poses > 200, "{arm} {s:e}: {poses}");
         }
     }
+}
+
+macro_rules! measured {
+    ($Type:ident $Single:ident $text:ident $yaml:literal) => {
+        #[derive(Default, Arm)]
+        #[arm(yaml = $yaml)]
+        struct $Type;
+
+        #[derive(Default, Arm)]
+        #[arm(yaml = $yaml, scalar = "f32")]
+        struct $Single;
+
+        const $text: &str = $yaml;
+    };
+}
+
+// A UR5 so near its table that the branches of the table are the starts.
+measured! { Measured Single MEASURED "
+name: measured
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose}
+joints:
+  - {a: 0, alpha: 90, d: 0.089159, theta: 0}
+  - {a: -0.425, alpha: 0, d: 0, theta: 0}
+  - {a: -0.39225, alpha: 0, d: 0, theta: 0}
+  - {a: 0, alpha: 90, d: 0.10915, theta: 0}
+  - {a: 0, alpha: -90, d: 0.09465, theta: 0}
+  - {a: 0, alpha: 0, d: 0.0823, theta: 0}
+calibration:
+  q1: {a: 8e-8, alpha: -6e-8 rad, d: 3e-8, theta: 5e-8 rad}
+  q2: {a: -5e-8, alpha: 9e-8 rad, d: 2e-8, theta: -4e-8 rad}
+  q3: {a: 7e-8, alpha: -3e-8 rad, d: -6e-8, theta: 8e-8 rad}
+  q4: {a: -2e-8, alpha: 4e-8 rad, d: 9e-8, theta: -7e-8 rad}
+  q5: {a: 6e-8, alpha: 5e-8 rad, d: -8e-8, theta: 1e-8 rad}
+" }
+
+// A Jaco whose table has two axes that meet and two that are parallel: a joint of it is held.
+measured! { Bent BentSingle BENT "
+name: bent
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose}
+joints:
+  - {type: revolute, a: 0, alpha: 90, d: 0.2755, theta: 0}
+  - {type: revolute, a: 0.41, alpha: 180, d: 0, theta: -90}
+  - {type: revolute, a: 0, alpha: 90, d: -0.0098, theta: 90}
+  - {type: revolute, a: 0, alpha: 60, d: -0.2501971250007892, theta: 0}
+  - {type: revolute, a: 0, alpha: 60, d: -0.08579425000157839, theta: -180}
+  - {type: revolute, a: 0, alpha: 180, d: -0.2115971250007892, theta: 100}
+calibration:
+  q1: {a: 8e-8, alpha: -6e-8 rad, d: 3e-8, theta: 5e-8 rad}
+  q3: {a: 7e-8, alpha: -3e-8 rad, d: -6e-8, theta: 8e-8 rad}
+  q5: {a: 6e-8, alpha: 5e-8 rad, d: -8e-8, theta: 1e-8 rad}
+" }
+
+#[test]
+fn generated_code_gives_what_is_evaluated() {
+    let arm = DynamicArm::from_yaml(MEASURED).unwrap();
+    assert!(arm.program().inverse.as_ref().is_ok_and(|inverse| inverse.off_table.is_some()));
+    let one_branch = denhart_tests::branch_of!(Measured);
+    compare("measured", &arm, &Generated::with_inverse::<Measured, 6>(&arm, margins_of!(Measured), one_branch));
+    // In single precision it compiles, and reaches where it stands.
+    assert!(BentSingle.inverse(&BentSingle.forward(&[0.3, -0.7, 1.1, 0.4, -0.9, 0.2])).status().is_reachable());
+    let arm = DynamicArm::from_yaml(BENT).unwrap();
+    let one_branch = denhart_tests::branch_of!(Bent);
+    compare("bent", &arm, &Generated::with_inverse::<Bent, 6>(&arm, margins_of!(Bent), one_branch));
+}
+
+/// In single precision an exact solution stands beside each of double precision, under its name.
+#[test]
+fn single_precision_has_the_same_branches() {
+    let mut random = Random::named("measured in single precision");
+    let mut solutions = 0;
+    for _ in 0..1000 {
+        let q: [f64; 6] = std::array::from_fn(|_| random.uniform(-3.1, 3.1));
+        // At a regular pose rounding decides nothing.
+        let pose = Measured.forward(&q);
+        let found = Measured.inverse(&pose);
+        if found.iter().any(|solution| Measured.manipulability(&solution.q) < 1e-3) {
+            continue;
+        }
+        let single = |row: [f64; 3]| row.map(|x| x as f32);
+        let pose = Pose { rotation: pose.rotation.map(single), translation: single(pose.translation) };
+        let singles = Single.inverse(&pose);
+        assert_eq!(singles.len(), found.len(), "{q:?}");
+        for solution in &found {
+            let is_near = |other: &[f32; 6]| {
+                solution.q.iter().zip(other).all(|(a, b)| denhart::math::wrap(a - f64::from(*b)).abs() < 2e-3)
+            };
+            let other = singles.iter().find(|other| other.branch == solution.branch && is_near(&other.q));
+            assert!(other.is_some_and(|other| other.is_exact()), "{q:?} {solution:?}");
+            solutions += 1;
+        }
+    }
+    assert!(solutions > 3000, "{solutions}");
 }

@@ -65,9 +65,12 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
             code
         }
         Ok(InversePlan::Stages(plan)) => {
-            dimensions.collect_from(&plan.graph, &plan.inputs());
+            // The equations of a measured arm are those of its table, whose dimensions have other values under the same names.
+            let mut of_table = Dimensions::default();
+            let of_equations = if plan.off_table.is_some() { &mut of_table } else { &mut dimensions };
+            of_equations.collect_from(&plan.graph, &plan.inputs());
             let margins = margins(model, plan, target, &mut dimensions);
-            let mut code = inverse(model, plan, target);
+            let mut code = inverse(model, plan, &of_table.items(model, target), target);
             code.methods.extend([target_at(model, &plan.outline(), target), margins]);
             code
         }

@@ -1,6 +1,6 @@
 //! The inverse: its program as nested loops over the roots of its stages.
 
-use super::inverse_frame::{Solver, function, inverse_branch, inverse_trait, items, methods};
+use super::inverse_frame::{Body, Solver, function, inverse_branch, inverse_trait, items, methods};
 use super::kernel;
 use super::nest::Nest;
 use super::task::task;
@@ -26,11 +26,11 @@ pub struct Inverse {
     pub trait_impl: TokenStream,
 }
 
-/// Emits the plan.
-pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
+/// Emits the plan. `dimensions` are constants of its equations alone.
+pub fn inverse(model: &Model, plan: &Plan, dimensions: &TokenStream, target: &Target) -> Inverse {
     let program = lower::stages(model, plan);
     let nest = Nest { plan, target, program: &program, bound: !model.parameters.is_empty() };
-    let body = nest.levels();
+    let body = Body { dimensions, given_symbols: given_symbols(&program, target), levels: nest.levels() };
     let task = task(model, &program, target);
     let outline = &plan.outline();
     let solver = Solver {
@@ -44,7 +44,7 @@ pub fn inverse(model: &Model, plan: &Plan, target: &Target) -> Inverse {
     };
     Inverse {
         items: items(model, &program.constants, target, [measure(model, target), nest.constants()]),
-        function: function(model, plan, &program, target, &task, &given_symbols(&program, target), &body),
+        function: function(model, plan, &program, target, &task, &body),
         methods: methods(model, outline, target, &task, &solver),
         trait_impl: inverse_trait(outline, true, target, &task),
     }

@@ -96,6 +96,16 @@ pub(super) fn sought(outline: &Outline, task: &TaskCode, target: &Target) -> Sou
     Sought { bind, name }
 }
 
+/// The parts of the function that solves.
+pub(super) struct Body<'a> {
+    /// Constants of the equations alone.
+    pub(super) dimensions: &'a TokenStream,
+    /// Sines and cosines of the joints whose values are given.
+    pub(super) given_symbols: TokenStream,
+    /// The loops.
+    pub(super) levels: TokenStream,
+}
+
 /// The function around the loops.
 pub(super) fn function(
     model: &Model,
@@ -103,9 +113,9 @@ pub(super) fn function(
     program: &Inverse,
     target: &Target,
     task: &TaskCode,
-    given_symbols: &TokenStream,
-    body: &TokenStream,
+    body: &Body<'_>,
 ) -> TokenStream {
+    let Body { dimensions, given_symbols, levels } = body;
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
     let (n, m) = (integer(plan.joints()), integer(plan.max_solutions()));
     let outline = &plan.outline();
@@ -135,9 +145,13 @@ pub(super) fn function(
     let search_doc = docs::lines(&format!("{search_doc} Its numbers: joints, solutions, stages that may be in doubt."));
     let doubts = integer(program.most_doubts());
     let nest_doc = docs::lines(nest_doc);
-    let miss = plan
-        .missed
-        .map(|by| format!("The axes miss the structure of the equations by {by:.0e}: every branch is verified."));
+    let miss = plan.missed.map(|by| match plan.off_table {
+        Some(_) => format!(
+            "The equations and the dimensions above are those of the table. The arm that was measured is up to {by:.0e} off it: \
+             every branch is verified."
+        ),
+        None => format!("The axes miss the structure of the equations by {by:.0e}: every branch is verified."),
+    });
     let lacking = plan.lacks_a_turn().then_some(
         "The equations are those of a chain with a joint more, whose value has to be 0: every branch is verified.",
     );
@@ -165,6 +179,7 @@ pub(super) fn function(
             #wanted: impl #krate::solve::Select,
             solutions: &mut #solutions,
         ) {
+            #dimensions
             #sizes
             #goal
             #missed_doc
@@ -174,7 +189,7 @@ pub(super) fn function(
                 #given_symbols
                 #nest_doc
                 let nest = |search: &mut InverseSearch<'_>, start| {
-                    #body
+                    #levels
                 };
                 search.#run;
             }
