@@ -111,15 +111,13 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
     #[cold]
     #[inline(never)]
     pub(super) fn unfold(&mut self) {
-        let (mut place, mut starts) = (0, [false; M]);
-        while let Some(solution) = self.solutions.get(place).copied() {
+        let mut starts = [false; M];
+        // What is found on the way lengthens the list, up to its M places.
+        for (place, was_start) in starts.iter_mut().enumerate() {
+            let Some(solution) = self.solutions.get(place).copied() else { break };
             for start in self.beyond(&solution).into_iter().flatten() {
-                let is_led = self.towards(&solution, &start);
-                if let Some(start) = starts.get_mut(place) {
-                    *start |= is_led && !solution.is_exact();
-                }
+                *was_start |= self.towards(&solution, &start) && !solution.is_exact();
             }
-            place += 1;
         }
         let mut starts = starts.iter();
         self.solutions.retain(|solution| {
@@ -131,15 +129,13 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
 
     /// Solutions that share a name have numbers, but for the first.
     fn number_shared(&mut self) {
-        let mut place = 1;
-        while let Some(solution) = self.solutions.get(place) {
-            let name = solution.branch;
+        for place in 1..M {
+            let Some(name) = self.solutions.get(place).map(|solution| solution.branch) else { break };
             let plain = |other: &&Solution<T, N>| other.branch.with_root(0) == name.with_root(0);
             let before = self.solutions.iter().take(place).filter(plain).count();
             if let Some(solution) = self.solutions.as_mut_slice().get_mut(place).filter(|_| before > 0) {
                 solution.branch = name.with_root_index(before);
             }
-            place += 1;
         }
     }
 

@@ -297,17 +297,9 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         &mut self,
         constants: &ArmConstants<'_, T, N>,
         near: Option<&[T; N]>,
-        mut nest: impl FnMut(&mut Self, BranchState),
+        nest: impl FnMut(&mut Self, BranchState),
     ) {
-        // One place of the call: the nest is inlined into it.
-        for _ in 0..MOST_CASCADES {
-            crate::effort::cascade();
-            let start = BranchState::start(self.doubt || self.passes.is_some());
-            nest(self, start);
-            if self.passes.is_none() || !self.next_pass() {
-                break;
-            }
-        }
+        self.cascades(nest);
         self.finish(constants, near);
     }
 
@@ -320,19 +312,25 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         constants: &ArmConstants<'_, T, N>,
         near: Option<&[T; N]>,
         off: T,
-        mut nest: impl FnMut(&mut Self, BranchState),
+        nest: impl FnMut(&mut Self, BranchState),
     ) {
         (self.doubt, self.slack) = (true, off);
-        // A function for this loop and that of `run` would cost every arm: the compiler inlines the nest last.
+        self.cascades(nest);
+        self.unfold();
+        self.finish(constants, near);
+    }
+
+    #[inline(always)]
+    fn cascades(&mut self, mut nest: impl FnMut(&mut Self, BranchState)) {
+        // One place of the call: the nest is inlined into it.
         for _ in 0..MOST_CASCADES {
             crate::effort::cascade();
-            nest(self, BranchState::start(true));
+            let start = BranchState::start(self.doubt || self.passes.is_some());
+            nest(self, start);
             if self.passes.is_none() || !self.next_pass() {
                 break;
             }
         }
-        self.unfold();
-        self.finish(constants, near);
     }
 
     /// Unwinds and sorts next to a reference, marks limits, and sets the status.
