@@ -29,6 +29,9 @@ pub struct Reader<'s> {
     pub lengths: Vec<(f64, Place)>,
 }
 
+/// The longest list of keys in a message.
+const LONGEST_LIST: usize = 72;
+
 impl<'n> Field<'n> {
     /// The entries of its list `nodes`, each with the key of the list.
     pub fn items(&self, nodes: &'n [Node]) -> Vec<Self> {
@@ -73,9 +76,10 @@ impl<'s> Reader<'s> {
     pub fn mapping<'n>(&mut self, field: &Field<'n>, what: &str, known: &[&'static str]) -> Option<Fields<'n>> {
         let Node::Mapping(entries) = field.node else {
             let help = suggestions::mapping(&field.key, &self.source.written(&field.place), field.node, known);
-            // Where the help has an example, that has the keys.
-            let expected =
-                if help.is_some() { "a mapping".to_owned() } else { format!("a mapping with {}", known.join(", ")) };
+            // A list that is no line any more is left to the example of the help.
+            let keys = known.join(", ");
+            let is_told = keys.len() <= LONGEST_LIST || help.is_none();
+            let expected = if is_told { format!("a mapping with {keys}") } else { what.to_owned() };
             self.unexpected(field, &expected, help);
             return None;
         };

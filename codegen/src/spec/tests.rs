@@ -163,7 +163,7 @@ fn actuators() {
     row_mistake(&row("{pulses_per_rev: 9, gear_ratio: -5}"), "5:80", &["greater than zero"]);
     row_mistake(&slide("{pulses_per_unit: 9, gear_ratio: 5}"), "5:98", &["`gear_ratio` of a prismatic joint"]);
     row_mistake(&slide("{pulses_per_unit: 9, home: 90 deg}"), "5:92", &["`home`: expected a number"]);
-    row_mistake(&row("12800"), "5:48", &["a mapping, found the number 12800"]);
+    row_mistake(&row("12800"), "5:48", &["a mapping with pulses_per_rev"]);
     row_mistake(&row("{pulses: 12800}"), "5:49", &["unknown key `pulses`", "pulses_per_rev"]);
     let fixed = row("{pulses_per_rev: 9}").replace("{a", "{type: fixed, a");
     row_mistake(&fixed, "5:61", &["`actuator` on a fixed row"]);
@@ -204,7 +204,11 @@ fn couplings_and_sums() {
 
 #[test]
 fn wrong_types() {
-    row_mistake("42", "5:5", &["`row 1`: expected a mapping, found", "the number 42"]);
+    row_mistake(
+        "42",
+        "5:5",
+        &["`row 1`: expected a joint row, found the number 42", "{a: 0, alpha: 90, d: 0.4, theta: 0}"],
+    );
     row_mistake("{a: [1], alpha: 0, d: 0, theta: 0}", "5:9", &["`a`: expected a number", "found a list"]);
     row_mistake("{a: \"0.4 m\", alpha: 0, d: 0, theta: 0}", "5:9", &["found `0.4 m`", "write the number alone"]);
     row_mistake("{a: , alpha: 0, d: 0, theta: 0}", "5:6", &["`a`: expected a number", "found nothing"]);
@@ -317,7 +321,7 @@ fn limits() {
 fn frames_and_requests() {
     more_mistake("tool: {xyz: [0, 1]}\n", "6:13", &["`xyz`: expected three lengths", "a list of 2 entries"]);
     more_mistake("base: {rpy: 5}\n", "6:13", &["`rpy`: expected three angles"]);
-    more_mistake("base: [1, 2, 3]\n", "6:7", &["expected a mapping", "xyz"]);
+    more_mistake("base: [1, 2, 3]\n", "6:7", &["expected a mapping with xyz, rpy"]);
     more_mistake("inverse: pose\n", "6:10", &["write `inverse: {task: pose}`"]);
     more_mistake("inverse: {redundant: 3}\n", "6:22", &["did you mean `q3`?"]);
     more_mistake("inverse: {redundant: [q1, 3]}\n", "6:27", &["did you mean `q3`?"]);
