@@ -191,6 +191,9 @@ impl Scene {
 /// Length and direction, of vectors too whose squares are not finite.
 fn polar(vector: Vector) -> (f64, Vector) {
     let greatest = vector.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    if greatest == 0.0 {
+        return (0.0, vector);
+    }
     let part = vector.map(|x| x / greatest);
     (greatest * length(part), unit(part).unwrap_or_default())
 }
