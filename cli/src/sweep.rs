@@ -4,7 +4,6 @@ use std::f64::consts::PI;
 use std::io::Write;
 
 use denhart::solve::steps;
-use denhart_codegen::lower::Given;
 use denhart_dynamic::DynamicArm;
 use serde_json::json;
 
@@ -47,20 +46,14 @@ pub fn sweep(
 
 /// The values, rad or length.
 fn values(arm: &DynamicArm, n: u32) -> Result<impl Iterator<Item = f64>, Failure> {
-    let inverse = arm.program().inverse.as_ref().ok();
-    let (given, reach) =
-        inverse.map_or((&[][..], 1.0), |inverse| (inverse.given.values.as_slice(), inverse.constants.reach));
-    let ([low, high], whole) = match *given {
-        [Given::ArmAngle] => ([-PI, PI], PI),
-        [Given::Joint { joint, revolute }] => {
-            let limits = arm.limits().get(joint).copied().unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
-            (limits, if revolute { PI } else { reach })
-        }
+    let ranges = arm.given_ranges()?;
+    let [low, high] = match *ranges.as_slice() {
+        [range] => range,
         [_, _, ..] => {
             return Err(Failure::Usage(format!(
                 "--sweep walks one value, and this arm's inverse takes {}: {}\n\
                  help: call it with --given \"a, b\" for each; `sample_redundancy` of generated code walks a grid",
-                given.len(),
+                ranges.len(),
                 arm.given()?.join(", ")
             )));
         }
@@ -72,7 +65,8 @@ fn values(arm: &DynamicArm, n: u32) -> Result<impl Iterator<Item = f64>, Failure
             ));
         }
     };
-    Ok(steps(low, high, whole, usize::try_from(n).unwrap_or(usize::MAX)))
+    // Both ends are finite.
+    Ok(steps(low, high, PI, usize::try_from(n).unwrap_or(usize::MAX)))
 }
 
 fn json(name: &str, answers: &[Answer]) -> Result<serde_json::Value, Failure> {

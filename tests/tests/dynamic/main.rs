@@ -3,6 +3,17 @@
 //! An arm with inverse is compared in the suite that compiles its inverse for other tests: `inverse`, `tasks`, `parameters`
 //! or `found`. Here are the others, and that none is left out.
 
+macro_rules! arm {
+    ($Type:ident $text:ident $yaml:literal) => {
+        #[derive(Debug, Clone, Copy, Default, denhart::Arm)]
+        #[arm(yaml = $yaml)]
+        pub struct $Type;
+
+        pub const $text: &str = $yaml;
+    };
+}
+
+mod besides;
 mod lists;
 mod more;
 mod wound;

@@ -1,6 +1,5 @@
 //! Features that few arms have: linked motors, limits of sums, the arm angle; and files that are refused.
 
-use denhart::Arm;
 use denhart_dynamic::{DynamicArm, DynamicError, DynamicTarget};
 use denhart_tests::evaluated::{Generated, bits, compare};
 use denhart_tests::margins_of;
@@ -14,25 +13,15 @@ fn random<const N: usize>(random: &mut Random) -> [f64; N] {
     std::array::from_fn(|_| random.uniform(-3.0, 3.0))
 }
 
-macro_rules! arm {
-    ($Type:ident $text:ident $yaml:literal) => {
-        #[derive(Debug, Clone, Copy, Default, Arm)]
-        #[arm(yaml = $yaml)]
-        struct $Type;
-
-        const $text: &str = $yaml;
-    };
-}
-
 arm! { Linked LINKED "
 name: linked
 convention: standard
 units: {length: mm, angle: deg}
 joints:
-  - {a: 325, alpha: 0, d: 400, theta: 0, limits: [-100, 90]}
-  - {a: 275, alpha: 0, d: 0, theta: 0, limits: [-140, 140]}
-  - {a: 0, alpha: 180, d: 0, theta: 0}
-  - {name: z, type: prismatic, a: 0, alpha: 0, d: 0, theta: 0, limits: [0, 200]}
+  - {a: 325, alpha: 0, d: 400, theta: 0, limits: [-100, 90], actuator: {pulses_per_rev: 4000, gear_ratio: 20, home: 15}}
+  - {a: 275, alpha: 0, d: 0, theta: 0, limits: [-140, 140], actuator: {pulses_per_rev: 6400, direction: -1}}
+  - {a: 0, alpha: 180, d: 0, theta: 0, actuator: {pulses_per_rev: 3200, home: -30}}
+  - {name: z, type: prismatic, a: 0, alpha: 0, d: 0, theta: 0, limits: [0, 200], actuator: {pulses_per_unit: 80}}
 coupling:
   q2: {q1: 1, q2: 3, offset: -90}
   z: {z: 2, q3: 20 per rev, offset: 5}
