@@ -7,7 +7,7 @@ use crate::model::chain::Chain;
 use crate::model::geometry::{Geometry, geometry};
 use crate::model::{self, Bound, Model, Parameter, Sizes};
 use crate::report::Report;
-use crate::solve::{self, InversePlan, Unsupported, plan};
+use crate::solve::{self, InversePlan, Unsupported, by_the_table, plan};
 use crate::{ScalarKind, spec, stages};
 use proc_macro2::TokenStream;
 use quote::ToTokens;
@@ -92,7 +92,7 @@ fn analyze(text: &str, file: &str, bound: &Bound, scalar: ScalarKind) -> Result<
     let model = model.bind(bound);
     let chain = Chain::of(&model);
     let geometry = geometry(&model, &chain);
-    let inverse = plan(&model, &chain, &geometry).and_then(|plan| fits(plan, scalar));
+    let inverse = plan(&model, &chain, &geometry).and_then(|plan| fits(plan, scalar, &model, &geometry));
     warnings.extend(
         model.inverse.changed_task(&model.joints, inverse.as_ref().ok().map(|plan| plan.outline().task.goal.task())),
     );
@@ -102,8 +102,17 @@ fn analyze(text: &str, file: &str, bound: &Bound, scalar: ScalarKind) -> Result<
     Ok(Analyzed { model, parameters, chain, geometry, functions, inverse, warnings })
 }
 
-/// The inverse, unless the scalar has too few digits for it.
-fn fits(plan: InversePlan, scalar: ScalarKind) -> Result<InversePlan, Unsupported> {
+/// The inverse, unless the scalar has too few digits for it. A measured arm is then solved by the equations of its table.
+fn fits(plan: InversePlan, scalar: ScalarKind, model: &Model, geometry: &Geometry) -> Result<InversePlan, Unsupported> {
+    let fits = |plan: &InversePlan| match plan {
+        InversePlan::HeldJoint(plan) => scalar != ScalarKind::F32 || plan.fits_single(),
+        InversePlan::Stages(_) => true,
+    };
+    if !fits(&plan)
+        && let Some(plan) = by_the_table(model, geometry).filter(fits)
+    {
+        return Ok(plan);
+    }
     match plan {
         InversePlan::HeldJoint(plan) if scalar == ScalarKind::F32 && !plan.fits_single() => {
             let why = "f32 has too few digits for the equation of degree 8 that holds a joint: f64 has enough";

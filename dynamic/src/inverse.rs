@@ -134,7 +134,7 @@ impl DynamicArm {
         given: &[f64],
         branch: Branch,
     ) -> Result<Result<DynamicSolution, Status<f64>>, DynamicError> {
-        if self.inverse_program()?.held_joint.is_some() {
+        if self.inverse_program()?.held_joint.as_ref().is_some_and(|plan| plan.names.is_none()) {
             return Err(DynamicError::NoBranches);
         }
         let given = &self.beside(given)?;
