@@ -26,7 +26,7 @@ enum Kind {
 
 /// A computation over lanes. Its function is `#[inline(always)]`, as everything that it calls.
 pub trait Work {
-    /// What is computed.
+    /// Result of the computation.
     type Output;
     /// Computes it with lanes of one instruction set.
     fn run<L: Lanes>(self, set: L::Set) -> Self::Output;

@@ -33,6 +33,24 @@ pub fn sin_cos<L: Lanes>(angle: L) -> ((L, L), L::Mask) {
     (L::quarters(rounded, sine, cosine, angle), L::not(magnitude.at_most(of(LIMIT))))
 }
 
+/// Sines and cosines of several angles in rad, and where one of them is too large.
+#[inline(always)]
+pub fn sin_cos_array<L: Lanes, const N: usize>(set: L::Set, angles: [L; N]) -> (([L; N], [L; N]), L::Mask) {
+    let (mut sines, mut cosines, mut doubt) = (angles, angles, L::mask(set, false));
+    for (angle, (sine, cosine)) in angles.iter().zip(sines.iter_mut().zip(&mut cosines)) {
+        let far;
+        ((*sine, *cosine), far) = sin_cos(*angle);
+        doubt = L::either(doubt, far);
+    }
+    ((sines, cosines), doubt)
+}
+
+/// [`sqrt`](super::sqrt).
+#[inline(always)]
+pub fn sqrt<L: Lanes>(x: L) -> L {
+    x.sqrt()
+}
+
 /// [`angle`](super::angle) of a unit vector, rad.
 #[inline(always)]
 pub fn angle<L: Lanes>(sin: L, cos: L) -> L {

@@ -6,9 +6,9 @@ use denhart_codegen::lower::{Given, Inverse};
 use denhart_codegen::model::MOST_JOINTS;
 
 use super::plan::Plan;
-use super::rows::{first, lanes_of};
+use super::rows::{first, lanes_of, of_lane};
 use super::run::Run;
-use super::sink::{All, Nearest, of_lane};
+use super::sink::{All, Nearest};
 use super::target::{Beside, target};
 use crate::DynamicSolutions;
 use crate::solver::{Asked, Solve};

@@ -22,7 +22,7 @@ use inverse::Targets;
 use plan::Plan;
 use straight::Evaluation;
 
-/// What an arm keeps for its batches.
+/// Memory of an arm for its batches.
 #[derive(Debug, Default)]
 pub struct ForLanes {
     /// Made at the first batch; none of an inverse that has no lane form.

@@ -65,7 +65,7 @@ pub struct Step {
     pub action: Action,
 }
 
-/// What a statement does.
+/// Effect of a statement.
 #[derive(Debug)]
 pub enum Action {
     Nothing,

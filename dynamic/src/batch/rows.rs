@@ -97,6 +97,47 @@ fn of_two<L: Lanes>(set: L::Set, a: &Row, b: &Row, to: &mut Row, f: impl Fn(L, L
     }
 }
 
+/// Writes registers of a block to rows of so many numbers; four at a time, whose rows stay in the cache.
+#[inline(always)]
+pub fn written(rows: &Rows, registers: &[Register], to: &mut [f64], width: usize) {
+    let (fours, rest) = registers.as_chunks::<4>();
+    for (number, four) in fours.iter().enumerate() {
+        let [Some(a), Some(b), Some(c), Some(d)] = four.map(|register| rows.row(register)) else { continue };
+        for (lane, place) in to.chunks_exact_mut(width.max(1)).take(BLOCK).enumerate() {
+            let place = place.get_mut(4 * number..).and_then(<[f64]>::first_chunk_mut::<4>);
+            if let Some(place) = place {
+                *place = [a, b, c, d].map(|row| of_lane(row, lane));
+            }
+        }
+    }
+    for (number, register) in rest.iter().enumerate() {
+        let Some(row) = rows.row(*register) else { continue };
+        for (value, place) in row.0.iter().zip(to.chunks_exact_mut(width.max(1))) {
+            if let Some(place) = place.get_mut(4 * fours.len() + number) {
+                *place = *value;
+            }
+        }
+    }
+}
+
+/// Reads rows of so many numbers, each column to its register.
+#[inline(always)]
+pub fn read(rows: &mut Rows, registers: &[Register], from: &[f64], width: usize) {
+    for (number, register) in registers.iter().enumerate() {
+        let Some(row) = rows.0.get_mut(*register) else { continue };
+        for (place, numbers) in row.0.iter_mut().zip(from.chunks_exact(width.max(1))) {
+            *place = numbers.get(number).copied().unwrap_or(f64::NAN);
+        }
+    }
+}
+
+/// The number of a lane.
+#[inline(always)]
+pub fn of_lane(row: &Row, lane: usize) -> f64 {
+    // Without the remainder each access would be compared with the end.
+    row.0.get(lane % BLOCK).copied().unwrap_or(f64::NAN)
+}
+
 /// The lanes of a mask, the first one first.
 #[inline(always)]
 pub fn lanes_of(mut mask: u32) -> impl Iterator<Item = usize> {

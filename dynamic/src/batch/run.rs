@@ -5,7 +5,7 @@ use denhart::batch::{self, BLOCK, LaneRoots, Lanes, Row, math};
 use denhart::solve::{Cone, Elbow, Turn};
 use denhart_codegen::lower::Input;
 
-use super::plan::{Action, Count, Equation, MOST_ROOTS, NONE, Plan, RootRegisters, Step};
+use super::plan::{Action, Count, Equation, MOST_ROOTS, Plan, RootRegisters, Step};
 use super::rows::{Rows, lanes_of};
 use super::straight::signed;
 use crate::tape::Register;
@@ -23,6 +23,8 @@ pub trait Sink {
 pub struct Run<'a> {
     plan: &'a Plan,
     pub rows: Rows,
+    /// The numbers of a pose, each of all targets.
+    pub columns: [Row; 12],
     states: Vec<u32>,
     /// Lanes of each stage that have ended, that are in doubt, and that have each root.
     stages: Vec<Stage>,
@@ -48,6 +50,7 @@ impl<'a> Run<'a> {
         Run {
             plan,
             rows: Rows::new(&plan.start),
+            columns: [Row::all(0.0); 12],
             states: vec![0; plan.states],
             stages: vec![stage; plan.stages],
             doubt: 0,
@@ -58,11 +61,11 @@ impl<'a> Run<'a> {
 
     /// Lanes whose target, a pose, is ordinary.
     #[inline(always)]
-    pub fn ordinary<L: Lanes>(&self, set: L::Set, target: &[Row; 12], strokes: &Row) -> u32 {
+    pub fn ordinary<L: Lanes>(&self, set: L::Set, strokes: &Row) -> u32 {
         let mut ordinary = 0;
         for at in 0..BLOCK / L::WIDTH {
             let of = |row: &Row| L::load(set, row, at);
-            let [a, b, c, d, e, f, g, h, i, x, y, z] = target;
+            let [a, b, c, d, e, f, g, h, i, x, y, z] = &self.columns;
             let rotation = [[of(a), of(b), of(c)], [of(d), of(e), of(f)], [of(g), of(h), of(i)]];
             let pose = Pose { rotation, translation: [of(x), of(y), of(z)] };
             let mask = batch::ordinary(&pose, of(strokes), self.plan.reach);
@@ -349,11 +352,10 @@ fn put<L: Lanes, const K: usize, const R: usize>(
 ) {
     for (root, to) in roots.roots.iter().zip(to) {
         for (turn, [value, sin, cos]) in root.iter().zip(to) {
-            for (register, part) in [(*value, turn.value), (*sin, turn.sin), (*cos, turn.cos)] {
-                if register != NONE {
-                    rows.store(register, at, part);
-                }
-            }
+            // A part that nobody reads has no register, and is not stored.
+            rows.store(*value, at, turn.value);
+            rows.store(*sin, at, turn.sin);
+            rows.store(*cos, at, turn.cos);
         }
     }
     let shift = at * L::WIDTH;

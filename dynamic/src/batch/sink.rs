@@ -5,7 +5,7 @@ use denhart::batch::{BLOCK, Found, Lanes, Row, next_to_lanes, within_lanes};
 use denhart_codegen::model::MOST_JOINTS;
 
 use super::plan::Plan;
-use super::rows::{Rows, lanes_of};
+use super::rows::{Rows, lanes_of, of_lane};
 use super::run::Sink;
 use crate::tape::Register;
 
@@ -23,20 +23,46 @@ impl Sink for All<'_> {
         let outside = outside::<L>(set, plan, |joint, at| {
             rows.load(set, q.get(joint).copied().unwrap_or(Register::MAX), at)
         });
-        let values = values(rows, q);
-        let joints = q.len();
+        // With the number of joints known, their values are copied without a loop.
+        match q.len() {
+            2 => self.list::<2>(rows, q, alive, outside),
+            3 => self.list::<3>(rows, q, alive, outside),
+            4 => self.list::<4>(rows, q, alive, outside),
+            5 => self.list::<5>(rows, q, alive, outside),
+            6 => self.list::<6>(rows, q, alive, outside),
+            7 => self.list::<7>(rows, q, alive, outside),
+            8 => self.list::<8>(rows, q, alive, outside),
+            9 => self.list::<9>(rows, q, alive, outside),
+            10 => self.list::<10>(rows, q, alive, outside),
+            // No inverse of an arm has another number of joints: what is not listed takes a single call.
+            _ => return u32::MAX,
+        }
+        0
+    }
+}
+
+impl All<'_> {
+    /// Appends the joint vector of every lane of the mask.
+    #[inline(always)]
+    fn list<const N: usize>(&mut self, rows: &Rows, q: &[Register], alive: u32, outside: u32) {
+        static NOTHING: Row = Row::all(f64::NAN);
+        let mut values: [&Row; N] = [&NOTHING; N];
+        for (value, register) in values.iter_mut().zip(q) {
+            *value = rows.row(*register).unwrap_or(&NOTHING);
+        }
         for lane in lanes_of(alive) {
-            let Some((found, q)) = self.found.get_mut(lane).zip(self.q.get_mut(lane * self.width..)) else { continue };
+            let Some(found) = self.found.get_mut(lane) else { continue };
             let number = usize::from(found.count);
-            let place = q.get_mut(number * joints..(number + 1) * joints);
-            let (Some(place), Some(flags)) = (place, found.flags.get_mut(number)) else { continue };
-            for (place, row) in place.iter_mut().zip(&values) {
-                *place = of_lane(row, lane);
-            }
+            let place = self.q.get_mut(lane * self.width + number * N..).and_then(<[f64]>::first_chunk_mut::<N>);
+            let (Some(place), Some(flags), true) =
+                (place, found.flags.get_mut(number), (number + 1) * N <= self.width)
+            else {
+                continue;
+            };
+            *place = values.map(|row| of_lane(row, lane));
             *flags = if outside >> lane & 1 == 0 { Flags::EXACT } else { Flags::EXACT.union(Flags::OUT_OF_LIMITS) };
             found.count += 1;
         }
-        0
     }
 }
 
@@ -112,23 +138,6 @@ impl Sink for Nearest<'_> {
         self.listed |= candidates;
         doubt
     }
-}
-
-/// Rows of the joints of a solution.
-#[inline(always)]
-fn values<'r>(rows: &'r Rows, q: &[Register]) -> [&'r Row; MOST_JOINTS] {
-    static NOTHING: Row = Row::all(f64::NAN);
-    let mut values: [&Row; MOST_JOINTS] = [&NOTHING; MOST_JOINTS];
-    for (value, register) in values.iter_mut().zip(q) {
-        *value = rows.row(*register).unwrap_or(&NOTHING);
-    }
-    values
-}
-
-/// The number of a lane.
-#[inline(always)]
-pub fn of_lane(row: &Row, lane: usize) -> f64 {
-    row.0.get(lane % BLOCK).copied().unwrap_or(f64::NAN)
 }
 
 /// Lanes whose joint vector is outside the limits. Joints whose limits are a whole turn or more are not looked at.

@@ -2,7 +2,7 @@
 
 use denhart::batch::{BLOCK, Lanes, Work, math};
 
-use super::rows::{Rows, first, lanes_of};
+use super::rows::{Rows, first, lanes_of, read, written};
 use crate::function::Straight;
 
 /// Evaluates a function for rows of joint values, and writes a row of results for each.
@@ -26,11 +26,7 @@ impl Work for Evaluation<'_> {
         // A chunk of a slice that is not asked for is empty.
         let mut others = others.chunks_mut((other * BLOCK).max(1));
         for (q, poses) in q.chunks(joints * BLOCK).zip(poses.chunks_mut(pose * BLOCK)) {
-            for (lane, q) in q.chunks_exact(joints).enumerate() {
-                for (register, value) in function.joints.iter().zip(q) {
-                    rows.set(*register, lane, *value);
-                }
-            }
+            read(&mut rows, &function.joints, q, joints);
             let mut doubt = 0;
             for (sum, pair) in function.sums.iter().zip(&function.pairs) {
                 for at in 0..BLOCK / L::WIDTH {
@@ -69,17 +65,6 @@ pub fn signed<L: Lanes>(sum: Option<L>, value: L, negative: bool) -> L {
         (None, true) => -value,
         (Some(sum), false) => sum + value,
         (Some(sum), true) => sum - value,
-    }
-}
-
-/// Writes registers of a block to rows of so many results.
-#[inline(always)]
-fn written(rows: &Rows, registers: &[usize], to: &mut [f64], width: usize) {
-    for (number, register) in registers.iter().enumerate() {
-        let Some(row) = rows.row(*register) else { continue };
-        for (value, place) in row.0.iter().zip(to.iter_mut().skip(number).step_by(width.max(1))) {
-            *place = *value;
-        }
     }
 }
 

@@ -59,10 +59,9 @@ impl Run<'_> {
         }
         let ordinary = match &beside.program.goal {
             lower::Goal::Pose => {
-                let mut columns = [Row::all(0.0); 12];
                 for (lane, numbers) in targets.as_chunks::<12>().0.iter().take(BLOCK).enumerate() {
-                    for (column, number) in columns.iter_mut().zip(numbers) {
-                        if let Some(place) = column.0.get_mut(lane) {
+                    for (column, number) in self.columns.iter_mut().zip(numbers) {
+                        if let Some(place) = column.0.get_mut(lane % BLOCK) {
                             *place = *number;
                         }
                     }
@@ -73,11 +72,11 @@ impl Run<'_> {
                         Input::Position(component) => 9 + component,
                         _ => continue,
                     };
-                    if let Some(column) = columns.get(place) {
+                    if let Some(column) = self.columns.get(place) {
                         self.rows.put(*register, column);
                     }
                 }
-                self.ordinary::<L>(set, &columns, &strokes)
+                self.ordinary::<L>(set, &strokes)
             }
             goal => self.others(goal, targets, width, &strokes),
         };

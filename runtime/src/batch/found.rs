@@ -1,4 +1,4 @@
-//! What a batch tells of each target.
+//! The outcome of each target of a batch.
 
 use crate::{Flags, Status};
 

@@ -6,6 +6,9 @@
 //!
 //! Nothing here takes a thread: split the slices.
 
+mod arm;
+mod branches;
+mod drivers;
 mod found;
 mod ordinary;
 
@@ -18,5 +21,8 @@ pub use crate::solve::{
     slide_lanes, slide_to_lanes, wrist_lanes,
 };
 pub use crate::windings::next_to_lanes;
+pub use arm::{BatchArm, BatchInverse};
+pub use branches::Branches;
+pub use drivers::{Lengths, forward, forward_and_jacobian, forward_with, inverse, inverse_with};
 pub use found::{Found, MOST_SOLUTIONS, Summary};
 pub use ordinary::{FAR, ordinary};

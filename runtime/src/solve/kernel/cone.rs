@@ -95,6 +95,28 @@ fn gap<T: Tolerances>(d: T, rho: T, end: T, across: T) -> T {
     if length > T::ZERO { (rho * end - d * across.abs()).abs() / length } else { T::ZERO }
 }
 
+/// The lane form of the scalar function of [`Cone`].
+#[cfg(feature = "batch")]
+impl<L: Lanes> Cone<L> {
+    /// The same range in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn in_lanes(set: L::Set, cone: Cone<f64>) -> Self {
+        let ([a, b], [c, d]) = (cone.max, cone.min);
+        Self { max: [L::all(set, a), L::all(set, b)], min: [L::all(set, c), L::all(set, d)] }
+    }
+
+    /// A vector with component `along` the turning axis and `across` it, and the angle to the other axis.
+    #[inline(always)]
+    #[must_use]
+    pub fn new_lanes(along: L, across: L, cos: L, sin: L) -> Self {
+        Self {
+            max: [along * cos + across * sin, across * cos - along * sin],
+            min: [along * cos - across * sin, across * cos + along * sin],
+        }
+    }
+}
+
 /// [`cone()`] over lanes.
 #[cfg(feature = "batch")]
 #[inline(always)]

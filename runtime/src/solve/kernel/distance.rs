@@ -95,6 +95,40 @@ fn end<T: Tolerances>(measure: Measure<T>, outer: T, inner: T, side: T) -> Roots
     Roots::edge([turn], gap.max(T::ZERO), measure)
 }
 
+/// The lane forms of the scalar functions of [`Elbow`].
+#[cfg(feature = "batch")]
+impl<L: Lanes> Elbow<L> {
+    /// The same range in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn in_lanes(set: L::Set, elbow: Elbow<f64>) -> Self {
+        Self { max: L::all(set, elbow.max), min: L::all(set, elbow.min), side: L::all(set, elbow.side) }
+    }
+
+    /// Points at distances `a` and `b` from the axis, `height` apart along it.
+    #[inline(always)]
+    #[must_use]
+    pub fn new_lanes(a: L, b: L, height: L) -> Self {
+        let (sum, difference) = (a + b, a - b);
+        let zero = a.of(0.0);
+        let flat = L::both(height.at_most(zero), zero.at_most(height));
+        let square = height * height;
+        Self {
+            max: sum.where_or(flat, (sum * sum + square).sqrt()),
+            min: difference.abs().where_or(flat, (difference * difference + square).sqrt()),
+            side: a.of(1.0),
+        }
+    }
+
+    /// Sets the side by the sign of the product of the links' lengths.
+    #[inline(always)]
+    #[must_use]
+    pub fn signed_lanes(mut self, product: L) -> Self {
+        self.side = product.of(-1.0).where_or(product.less(product.of(0.0)), product.of(1.0));
+        self
+    }
+}
+
 /// [`distance`] over lanes.
 #[cfg(feature = "batch")]
 #[inline(always)]

@@ -8,8 +8,6 @@
 
 use denhart_core::lanes::Lanes;
 
-use super::cone::Cone;
-use super::distance::Elbow;
 use super::tolerances::Tolerances;
 use super::turn::Turn;
 use crate::math::lanes::{angle, wrap};
@@ -79,6 +77,20 @@ impl<L: Lanes, const K: usize, const R: usize> LaneRoots<L, K, R> {
         let ended = L::both(edge.at, beyond);
         let doubt = L::either(L::both(edge.at, L::not(beyond)), L::both(weak, L::not(edge.at)));
         Self { roots, present: [L::mask(set, true); R], ended, gap: edge.gap, doubt }
+    }
+
+    /// A root; the first one beyond the last.
+    #[inline(always)]
+    #[must_use]
+    pub fn root(&self, index: usize) -> [Turn<L>; K] {
+        let zero = self.gap.of(0.0);
+        self.roots.get(index).copied().unwrap_or([Turn { value: zero, sin: zero, cos: zero }; K])
+    }
+
+    /// The lanes of a mask that have a root.
+    #[inline(always)]
+    pub fn on(&self, state: L::Mask, index: usize) -> L::Mask {
+        self.present.get(index).map_or(state, |present| L::both(state, *present))
     }
 
     /// The roots turned by a further half turn (first joint) where `product` is negative.
@@ -172,44 +184,5 @@ impl<L: Lanes> Turn<L> {
         let ordinary = L::both(x.of(0.0).less(square), square.at_most(x.of(f64::MAX)));
         let k = x.of(1.0) / square.sqrt();
         (Self::of_lanes(y * k, x * k), L::not(ordinary))
-    }
-}
-
-/// The lane forms of the scalar functions of [`Elbow`].
-impl<L: Lanes> Elbow<L> {
-    /// Points at distances `a` and `b` from the axis, `height` apart along it.
-    #[inline(always)]
-    #[must_use]
-    pub fn new_lanes(a: L, b: L, height: L) -> Self {
-        let (sum, difference) = (a + b, a - b);
-        let zero = a.of(0.0);
-        let flat = L::both(height.at_most(zero), zero.at_most(height));
-        let square = height * height;
-        Self {
-            max: sum.where_or(flat, (sum * sum + square).sqrt()),
-            min: difference.abs().where_or(flat, (difference * difference + square).sqrt()),
-            side: a.of(1.0),
-        }
-    }
-
-    /// Sets the side by the sign of the product of the links' lengths.
-    #[inline(always)]
-    #[must_use]
-    pub fn signed_lanes(mut self, product: L) -> Self {
-        self.side = product.of(-1.0).where_or(product.less(product.of(0.0)), product.of(1.0));
-        self
-    }
-}
-
-/// The lane form of the scalar function of [`Cone`].
-impl<L: Lanes> Cone<L> {
-    /// A vector with component `along` the turning axis and `across` it, and the angle to the other axis.
-    #[inline(always)]
-    #[must_use]
-    pub fn new_lanes(along: L, across: L, cos: L, sin: L) -> Self {
-        Self {
-            max: [along * cos + across * sin, across * cos - along * sin],
-            min: [along * cos - across * sin, across * cos + along * sin],
-        }
     }
 }
