@@ -246,7 +246,8 @@ impl From<io::Error> for Failure {
 fn expand(options: Expand) -> Result<String, String> {
     let Expand { file, type_name, scalar, parameters, batch } = options;
     let (text, name) = arm::text(&file)?;
-    let mut builder = Builder::of_text(text, name).scalar(ScalarKind::from(scalar)).runtime_parameters(parameters).batch(batch);
+    let mut builder =
+        Builder::of_text(text, name).scalar(ScalarKind::from(scalar)).runtime_parameters(parameters).batch(batch);
     if let Some(name) = type_name {
         builder = builder.type_name(name);
     }

@@ -97,13 +97,17 @@ fn target(like: &DynamicTarget, numbers: &[f64]) -> DynamicTarget {
     let mut numbers = numbers.iter().copied();
     let mut take = |place: &mut f64| *place = numbers.next().unwrap();
     match &mut target {
-        DynamicTarget::Pose(pose) => pose.rotation.iter_mut().flatten().chain(&mut pose.translation).for_each(&mut take),
+        DynamicTarget::Pose(pose) => {
+            pose.rotation.iter_mut().flatten().chain(&mut pose.translation).for_each(&mut take)
+        }
         DynamicTarget::Position(point) => point.iter_mut().for_each(&mut take),
         DynamicTarget::PositionAxis(asked) => asked.point.iter_mut().chain(&mut asked.axis).for_each(&mut take),
         DynamicTarget::PositionAngle(asked) => {
             asked.point.iter_mut().chain([&mut asked.angle]).for_each(&mut take);
         }
-        DynamicTarget::PlanarPose(asked) => [&mut asked.x, &mut asked.y, &mut asked.phi].into_iter().for_each(&mut take),
+        DynamicTarget::PlanarPose(asked) => {
+            [&mut asked.x, &mut asked.y, &mut asked.phi].into_iter().for_each(&mut take)
+        }
         DynamicTarget::PlanarPosition(point) => point.iter_mut().for_each(&mut take),
     }
     target
@@ -351,12 +355,15 @@ fn lanes_are_left_out_and_tried_again() {
     let ordinary = numbers(&arm.target_at(&[0.3, -1.1, 1.4, -0.7, 0.9, 0.2]).unwrap());
     let none = vec![f64::NAN; 12];
     let blocks = 40;
-    let rows: Vec<f64> =
-        (0..2 * blocks * BLOCK).flat_map(|target| if target < blocks * BLOCK { &none } else { &ordinary }).copied().collect();
+    let rows: Vec<f64> = (0..2 * blocks * BLOCK)
+        .flat_map(|target| if target < blocks * BLOCK { &none } else { &ordinary })
+        .copied()
+        .collect();
     let targets = rows.len() / 12;
     let (mut q, mut found) = (vec![0.0; 48 * targets], vec![Found::NOTHING; targets]);
     let summary = arm.inverse_batch(&rows, &[], &mut q, &mut found).unwrap();
-    let [first, second] = [&found[..blocks * BLOCK], &found[blocks * BLOCK..]].map(|half| half.iter().filter(|found| found.scalar).count());
+    let [first, second] = [&found[..blocks * BLOCK], &found[blocks * BLOCK..]]
+        .map(|half| half.iter().filter(|found| found.scalar).count());
     assert_eq!(first, blocks * BLOCK);
     assert!(second < 32 * BLOCK && !found.last().unwrap().scalar, "{second}");
     assert_eq!((summary.scalar, summary.reached), (first + second, blocks * BLOCK));

@@ -6,7 +6,9 @@ use super::inverse::{Inverse as InverseCode, inverse};
 use super::margins::margins;
 use super::target_at::target_at;
 use super::tokens::integer;
-use super::{Target, actuator, batch, combined_limits, coupling, docs, given, kinematics, motion, parameters, paths, tables};
+use super::{
+    Target, actuator, batch, combined_limits, coupling, docs, given, kinematics, motion, parameters, paths, tables,
+};
 use crate::lower::{Functions, TaskMotion, task_motion};
 use crate::model::Model;
 use crate::solve::{GivenValues, InversePlan, Unsupported};

@@ -7,7 +7,9 @@ use super::nest::Nest;
 use super::tokens::{Writer, array, bound, ident, integer};
 use super::{Target, angle, kinematics};
 use crate::lower::kernel::{Argument, Phase};
-use crate::lower::{self, BranchState, Call, Counted, Each, Function, Functions, Goal, Kernel, RootRange, Statement, Unit};
+use crate::lower::{
+    self, BranchState, Call, Counted, Each, Function, Functions, Goal, Kernel, RootRange, Statement, Unit,
+};
 use crate::model::{Angle, Model};
 use crate::solve::Plan;
 use crate::symbolic::Input;
@@ -60,11 +62,7 @@ fn forward(model: &Model, functions: &Functions, target: &Target) -> TokenStream
     }
 }
 
-fn body(
-    function: &Function,
-    target: &Target,
-    result: impl Fn(&Writer, &[lower::Slot]) -> TokenStream,
-) -> TokenStream {
+fn body(function: &Function, target: &Target, result: impl Fn(&Writer, &[lower::Slot]) -> TokenStream) -> TokenStream {
     let krate = &target.krate;
     let straight = &function.straight;
     let writer = Writer { graph: &straight.graph, bound: &straight.names, krate, lanes: true };
@@ -174,9 +172,8 @@ impl Nest<'_> {
         let krate = &self.target.krate;
         let measure = |name: &str, scale: TokenStream, part: &str| {
             let (named, part) = (ident(name), ident(part));
-            names(levels, name).then(|| {
-                quote!(let #named = #krate::batch::LaneMeasure::new(#scale, CONSTANTS.tolerance.#part);)
-            })
+            names(levels, name)
+                .then(|| quote!(let #named = #krate::batch::LaneMeasure::new(#scale, CONSTANTS.tolerance.#part);))
         };
         let lengths = measure("lengths", quote!(REACH), "position");
         let directions = measure("directions", quote!(1.0), "orientation");

@@ -198,9 +198,9 @@ impl Reference {
                 if let Some(place) = row.0.get_mut(lane) {
                     *place = *q;
                 }
-                if !(q.abs() <= *most) {
-                    fine &= !(1 << lane);
-                }
+                // What is not a number is no reference.
+                let can_refer = q.abs() <= *most;
+                fine &= !(u32::from(!can_refer) << (lane % BLOCK));
             }
         }
         fine

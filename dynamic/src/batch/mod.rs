@@ -160,10 +160,9 @@ impl DynamicArm {
         let solver = self.solver.as_deref().map_err(Clone::clone)?;
         // The arm angle of a reference is a function of its own.
         let angles: Vec<f64> = match program.given.values.as_slice() {
-            [Given::ArmAngle] => q_ref
-                .chunks_exact(program.joints.max(1))
-                .map(|q| self.arm_angle(q))
-                .collect::<Result<_, _>>()?,
+            [Given::ArmAngle] => {
+                q_ref.chunks_exact(program.joints.max(1)).map(|q| self.arm_angle(q)).collect::<Result<_, _>>()?
+            }
             _ => Vec::new(),
         };
         Ok(self.set().run(Targets::<true> {

@@ -185,10 +185,11 @@ impl Builder {
             let revolute = kinds.get(joint) == Some(&JointKind::Revolute);
             revolute && low <= -core::f64::consts::PI && high >= core::f64::consts::PI
         };
-        let limited = (0..).zip(constants.limits.iter().copied()).filter(|(joint, limits)| {
-            limits.iter().any(|limit| limit.is_finite()) && !turn(*joint, *limits)
-        });
-        let factors = |factors: &[f64]| (0..).zip(factors.iter().copied()).filter(|(_, factor)| *factor != 0.0).collect();
+        let limited = (0..)
+            .zip(constants.limits.iter().copied())
+            .filter(|(joint, limits)| limits.iter().any(|limit| limit.is_finite()) && !turn(*joint, *limits));
+        let factors =
+            |factors: &[f64]| (0..).zip(factors.iter().copied()).filter(|(_, factor)| *factor != 0.0).collect();
         Some(Plan {
             operations: self.nest.tape.parts().0.to_vec(),
             levels,

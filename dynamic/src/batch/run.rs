@@ -312,13 +312,7 @@ impl<'a> Run<'a> {
 
     /// The roots with the angle counted from where it is.
     #[inline(always)]
-    fn counted<L: Lanes>(
-        &self,
-        set: L::Set,
-        roots: LaneRoots<L, 1, 2>,
-        from: Count,
-        at: usize,
-    ) -> LaneRoots<L, 1, 2> {
+    fn counted<L: Lanes>(&self, set: L::Set, roots: LaneRoots<L, 1, 2>, from: Count, at: usize) -> LaneRoots<L, 1, 2> {
         match from {
             Count::FromZero => roots,
             Count::TurnedBack(register) => roots.turned_back(self.rows.load(set, register, at)),

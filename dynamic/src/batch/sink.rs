@@ -20,9 +20,8 @@ pub struct All<'a> {
 impl Sink for All<'_> {
     #[inline(always)]
     fn push<L: Lanes>(&mut self, set: L::Set, plan: &Plan, rows: &Rows, q: &[Register], alive: u32) -> u32 {
-        let outside = outside::<L>(set, plan, |joint, at| {
-            rows.load(set, q.get(joint).copied().unwrap_or(Register::MAX), at)
-        });
+        let outside =
+            outside::<L>(set, plan, |joint, at| rows.load(set, q.get(joint).copied().unwrap_or(Register::MAX), at));
         // With the number of joints known, their values are copied without a loop.
         match q.len() {
             2 => self.list::<2>(rows, q, alive, outside),
@@ -54,8 +53,7 @@ impl All<'_> {
             let Some(found) = self.found.get_mut(lane) else { continue };
             let number = usize::from(found.count);
             let place = self.q.get_mut(lane * self.width + number * N..).and_then(<[f64]>::first_chunk_mut::<N>);
-            let (Some(place), Some(flags), true) =
-                (place, found.flags.get_mut(number), (number + 1) * N <= self.width)
+            let (Some(place), Some(flags), true) = (place, found.flags.get_mut(number), (number + 1) * N <= self.width)
             else {
                 continue;
             };

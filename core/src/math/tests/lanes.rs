@@ -5,8 +5,8 @@ use std::vec::Vec;
 
 use super::random::Random;
 use crate::lanes::{BLOCK, InstructionSet, Lanes, Row, Work};
-use crate::math::lanes::{angle, atan2, sin_cos, wrap};
 use crate::math;
+use crate::math::lanes::{angle, atan2, sin_cos, wrap};
 
 /// A function of two numbers over a block, and its doubts.
 struct Block<F>(F, Row, Row);
@@ -119,9 +119,38 @@ fn pairs() -> Vec<(f64, f64)> {
     /// The largest angle that is reduced in three parts.
     const LIMIT: f64 = 205_887.0;
     let special = [
-        0.0, -0.0, 1.0, -1.0, 0.5, -0.5, PI, -PI, FRAC_PI_2, TAU, -TAU, 9.42, -9.42, 9.43, 1e-300, -1e-300, 1e300,
-        -1e300, 1e-160, 1e160, LIMIT, -LIMIT, LIMIT * 1.01, f64::MIN_POSITIVE, 5e-324, f64::INFINITY,
-        f64::NEG_INFINITY, f64::NAN, 0.41421356237309503, 3.0, 4.0, -4.0,
+        0.0,
+        -0.0,
+        1.0,
+        -1.0,
+        0.5,
+        -0.5,
+        PI,
+        -PI,
+        FRAC_PI_2,
+        TAU,
+        -TAU,
+        9.42,
+        -9.42,
+        9.43,
+        1e-300,
+        -1e-300,
+        1e300,
+        -1e300,
+        1e-160,
+        1e160,
+        LIMIT,
+        -LIMIT,
+        LIMIT * 1.01,
+        f64::MIN_POSITIVE,
+        5e-324,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        f64::NAN,
+        0.41421356237309503,
+        3.0,
+        4.0,
+        -4.0,
     ];
     let mut pairs = Vec::new();
     for a in special {

@@ -129,15 +129,12 @@ pub fn cone_lanes<L: Lanes>(set: L::Set, measure: LaneMeasure, d: L, rho: L, con
     };
     let (top, bottom) = (below(max, max_across), -below(min, min_across));
     let close = d.of(f64::EPSILON * 4.0 * measure.scale);
-    let touches = |end: L, across: L| {
-        L::both((end - d).abs().at_most(close), (rho - across.abs()).abs().at_most(close))
-    };
+    let touches =
+        |end: L, across: L| L::both((end - d).abs().at_most(close), (rho - across.abs()).abs().at_most(close));
     let stretched = L::either(L::not(zero.less(top)), touches(max, max_across));
     let folded = L::either(L::not(zero.less(bottom)), touches(min, min_across));
     let length = (d * d + rho * rho).sqrt();
-    let gap = |end: L, across: L| {
-        ((rho * end - d * across.abs()).abs() / length).where_or(zero.less(length), zero)
-    };
+    let gap = |end: L, across: L| ((rho * end - d * across.abs()).abs() / length).where_or(zero.less(length), zero);
     let gap = gap(max, max_across).where_or(stretched, gap(min, min_across));
     let k = d.of(1.0) / (top + bottom);
     let half_sine = (top * bottom).sqrt() * k;

@@ -5,9 +5,9 @@ use denhart_core::lanes::Lanes;
 
 #[cfg(feature = "batch")]
 use super::lanes::{LaneMeasure, LaneRoots, small_beside};
+use super::offset::offset;
 #[cfg(feature = "batch")]
 use super::offset::{Circle, circle};
-use super::offset::offset;
 use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
 use super::turn::DefaultValue;

@@ -3,9 +3,9 @@
 #[cfg(feature = "batch")]
 use denhart_core::lanes::Lanes;
 
+use super::doubt::Doubt;
 #[cfg(feature = "batch")]
 use super::lanes::{Edge, LaneMeasure, LaneRoots, small};
-use super::doubt::Doubt;
 use super::level::LevelOf;
 use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;

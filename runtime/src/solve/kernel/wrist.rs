@@ -83,8 +83,7 @@ pub fn wrist_lanes<L: Lanes>(set: L::Set, m: [[L; 3]; 3]) -> LaneRoots<L, 3, 2> 
     let rho = square.sqrt();
     let k = rho * (rho.of(1.0) / square);
     let (sin_c, cos_c) = (m13 * m21 - m23 * m11, m13 * m22 - m23 * m12);
-    let (a, b, c) =
-        (Turn::of_lanes(m23 * k, m13 * k), Turn::of_lanes(rho, m33), Turn::of_lanes(sin_c * k, cos_c * k));
+    let (a, b, c) = (Turn::of_lanes(m23 * k, m13 * k), Turn::of_lanes(rho, m33), Turn::of_lanes(sin_c * k, cos_c * k));
     let roots = [[a, b, c], [a.opposite_lanes(), b.reversed_lanes(), c.opposite_lanes()]];
     LaneRoots::solved(roots, small(rho, 1.0), set, rho.of(0.0))
 }
