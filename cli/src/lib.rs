@@ -129,6 +129,9 @@ struct Expand {
     /// Bind the `parameters` of the file at run time: a public field of the struct for each
     #[arg(long)]
     parameters: bool,
+    /// Emit the functions over lanes, too, for denhart::batch: many poses at a time
+    #[arg(long)]
+    batch: bool,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -241,9 +244,10 @@ impl From<io::Error> for Failure {
 }
 
 fn expand(options: Expand) -> Result<String, String> {
-    let Expand { file, type_name, scalar, parameters } = options;
+    let Expand { file, type_name, scalar, parameters, batch } = options;
     let (text, name) = arm::text(&file)?;
-    let mut builder = Builder::of_text(text, name).scalar(ScalarKind::from(scalar)).runtime_parameters(parameters);
+    let mut builder =
+        Builder::of_text(text, name).scalar(ScalarKind::from(scalar)).runtime_parameters(parameters).batch(batch);
     if let Some(name) = type_name {
         builder = builder.type_name(name);
     }

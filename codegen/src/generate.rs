@@ -23,13 +23,15 @@ pub struct Options {
     pub crate_path: syn::Path,
     /// Which parameters of the file are fields of the type, bound at run time.
     pub bound: Bound,
+    /// True if the functions are to exist over lanes, too: for `f64`, with the feature `batch` of the runtime.
+    pub batch: bool,
 }
 
 impl Options {
     /// f64, with the runtime at `::denhart`.
     pub fn new(type_name: impl Into<String>) -> Self {
         let crate_path = syn::parse_quote!(::denhart);
-        Options { type_name: type_name.into(), scalar: ScalarKind::F64, crate_path, bound: Bound::None }
+        Options { type_name: type_name.into(), scalar: ScalarKind::F64, crate_path, bound: Bound::None, batch: false }
     }
 }
 
@@ -179,11 +181,15 @@ pub fn generate(text: &str, file: &str, options: &Options) -> Result<Generated, 
     if let Some(mistake) = analyzed.lacking() {
         return Err(Errors::from(mistake));
     }
+    if options.batch && options.scalar != ScalarKind::F64 {
+        let mistake = Diagnostic::error("`batch` of an arm in f32: lanes are numbers of f64");
+        return Err(Errors::from(mistake.help("leave `batch` out, or the number type")));
+    }
     let type_name = syn::parse_str::<proc_macro2::Ident>(&options.type_name).map_err(|_| {
         Errors::from(Diagnostic::error(format!("`{}` is not a name for a Rust type", options.type_name)))
     })?;
     let target = Target { scalar: options.scalar, krate: options.crate_path.to_token_stream(), type_name };
-    let arm = Arm { model, functions, inverse };
+    let arm = Arm { model, functions, inverse, batch: options.batch };
     Ok(Generated {
         impls: emit::impls(&arm, &target),
         item: emit::item(&arm, &target),

@@ -142,7 +142,7 @@ impl DynamicArm {
     }
 
     /// The values as the solver takes them.
-    fn beside(&self, given: &[f64]) -> Result<Vec<f64>, DynamicError> {
+    pub(crate) fn beside(&self, given: &[f64]) -> Result<Vec<f64>, DynamicError> {
         let kinds = &self.inverse_program()?.given.values;
         if kinds.len() != given.len() {
             return Err(DynamicError::Given { expected: self.given()?, found: given.len() });

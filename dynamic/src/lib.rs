@@ -33,8 +33,12 @@
 //! An inverse whose number of solutions is not one that the planner is known to give is refused as
 //! [`DynamicError::Unsupported`].
 
+#![cfg_attr(docsrs, feature(doc_cfg))]
+
 mod arm;
 mod arm_constants;
+#[cfg(feature = "batch")]
+mod batch;
 mod branches;
 mod error;
 mod function;

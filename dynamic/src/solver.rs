@@ -271,7 +271,7 @@ pub fn held(given: &GivenValues, joints: usize, values: &[f64]) -> Vec<(usize, f
 }
 
 /// A number of a pose.
-fn entry(pose: &Pose<f64>, input: Input) -> f64 {
+pub fn entry(pose: &Pose<f64>, input: Input) -> f64 {
     match input {
         Input::Rotation(row, column) => {
             pose.rotation.get(row).and_then(|row| row.get(column)).copied().unwrap_or(f64::NAN)
@@ -281,7 +281,7 @@ fn entry(pose: &Pose<f64>, input: Input) -> f64 {
 }
 
 /// A component of a point.
-fn component(point: &[f64], input: Input) -> f64 {
+pub fn component(point: &[f64], input: Input) -> f64 {
     match input {
         Input::Position(index) => point.get(index).copied().unwrap_or(f64::NAN),
         _ => f64::NAN,

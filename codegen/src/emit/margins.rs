@@ -18,7 +18,7 @@ pub fn margins(model: &Model, plan: &Plan, target: &Target, dimensions: &mut Dim
     dimensions.collect(straight);
     let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
     let count = integer(factors.len());
-    let writer = Writer { graph: &straight.graph, bound: &straight.names, krate };
+    let writer = Writer { graph: &straight.graph, bound: &straight.names, krate, lanes: false };
     let statements = straight.shared.iter().map(|e| writer.statement(*e));
     let bound = !model.parameters.is_empty();
     let reach = ident(if bound { "reach" } else { "REACH" });
