@@ -3,6 +3,7 @@
 import { build } from "esbuild";
 import { readFile, writeFile } from "node:fs/promises";
 import { gzipSync } from "node:zlib";
+import { slimThree } from "./slim.mjs";
 
 const out = process.argv[2] ?? "dist/page.html";
 
@@ -29,13 +30,12 @@ const worker = {
   },
 };
 
-const [made, style, template, wasm] = await Promise.all([
-  build({ ...options, entryPoints: ["src/main.ts"], plugins: [worker] }),
+const [made, style, template, packed] = await Promise.all([
+  build({ ...options, entryPoints: ["src/main.ts"], plugins: [worker, slimThree] }),
   build({ ...options, format: undefined, entryPoints: ["style.css"] }),
   readFile("index.html", "utf8"),
-  readFile("pkg/denhart_page_bg.wasm"),
+  readFile("pkg/denhart_page.wasm.gz"),
 ]);
-const packed = gzipSync(wasm, { level: 9 });
 const parts = {
   "/*STYLE*/": style.outputFiles[0].text.trim(),
   "/*WASM*/": packed.toString("base64"),

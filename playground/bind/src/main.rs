@@ -1,7 +1,11 @@
 //! Makes the JavaScript that calls the page's WebAssembly.
 //!
-//! `denhart-bind WASM FOLDER` writes `denhart_page.js`, its types and `denhart_page_bg.wasm` to the folder.
+//! `denhart-bind WASM FOLDER` writes `denhart_page.js`, its types, and `denhart_page.wasm.gz` to the folder.
 
+mod pack;
+
+use std::fs;
+use std::path::Path;
 use std::process::ExitCode;
 
 use wasm_bindgen_cli_support::Bindgen;
@@ -12,15 +16,32 @@ fn main() -> ExitCode {
         eprintln!("usage: denhart-bind WASM FOLDER");
         return ExitCode::from(2);
     };
-    let made = Bindgen::new()
-        .input_path(wasm)
-        .web(true)
-        .and_then(|bindgen| bindgen.typescript(true).omit_default_module_path(true).generate(folder));
-    match made {
-        Ok(()) => ExitCode::SUCCESS,
+    match make(Path::new(&wasm), Path::new(&folder)) {
+        Ok(said) => {
+            println!("{said}");
+            ExitCode::SUCCESS
+        }
         Err(error) => {
-            eprintln!("error: {error:#}");
+            eprintln!("error: {error}");
             ExitCode::FAILURE
         }
     }
+}
+
+fn make(wasm: &Path, folder: &Path) -> Result<String, String> {
+    let mut bindgen = Bindgen::new();
+    let bindgen = bindgen.input_path(wasm).web(true).map_err(|error| format!("{error:#}"))?;
+    bindgen.typescript(true).omit_default_module_path(true).remove_name_section(true).remove_producers_section(true);
+    bindgen.generate(folder).map_err(|error| format!("{error:#}"))?;
+    let bound = folder.join("denhart_page_bg.wasm");
+    let module = fs::read(&bound).map_err(|error| format!("{}: {error}", bound.display()))?;
+    let packed = pack::pack(&module)?;
+    let mut zipped = Vec::new();
+    let options = zopfli::Options { iteration_count: 5.try_into().unwrap_or(std::num::NonZeroU64::MIN), ..Default::default() };
+    zopfli::compress(options, zopfli::Format::Gzip, packed.as_slice(), &mut zipped).map_err(|error| error.to_string())?;
+    let out = folder.join("denhart_page.wasm.gz");
+    fs::write(&out, &zipped).map_err(|error| format!("{}: {error}", out.display()))?;
+    fs::remove_file(&bound).map_err(|error| format!("{}: {error}", bound.display()))?;
+    let [before, after, small] = [module.len(), packed.len(), zipped.len()].map(|bytes| bytes / 1000);
+    Ok(format!("module of {before} kB, {after} kB packed, {small} kB gzip"))
 }

@@ -39,10 +39,10 @@ export class Figure3D {
   private readonly drums: THREE.InstancedMesh;
   private readonly boxes: THREE.InstancedMesh;
   private readonly tips: THREE.InstancedMesh;
-  private readonly material: THREE.MeshStandardMaterial;
+  private readonly material: THREE.MeshLambertMaterial;
 
   constructor(private readonly joints: JointFacts[], private look: Look) {
-    this.material = new THREE.MeshStandardMaterial({ roughness: 0.6, metalness: 0.05 });
+    this.material = new THREE.MeshLambertMaterial();
     const make = (geometry: THREE.BufferGeometry, count: number): THREE.InstancedMesh => {
       const mesh = new THREE.InstancedMesh(geometry, this.material, Math.max(count, 1));
       mesh.frustumCulled = false;

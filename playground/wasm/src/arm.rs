@@ -111,10 +111,10 @@ impl PageArm {
         names.collect::<Vec<String>>().join("\n")
     }
 
-    /// Why a target has no solution.
+    /// Why a target has no solution; empty where that is not known.
     pub fn why(&self, pose: &[f64], angle: f64, given: &[f64]) -> String {
-        let _ = (pose, angle, given);
-        String::new()
+        let miss = target(&self.arm, pose, angle).and_then(|target| self.arm.why(&target, given));
+        miss.ok().flatten().map(|miss| miss.to_string()).unwrap_or_default()
     }
 
     /// The closest approach to a target out of reach from a joint vector: JSON, `null` where there is none.
