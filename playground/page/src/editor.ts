@@ -120,9 +120,8 @@ export class Editor {
   private rows(): { from: number; to: number }[] {
     const { state } = this.view;
     const rows: { from: number; to: number }[] = [];
-    const root = syntaxTree(state).topNode.firstChild;
-    let map = root?.firstChild ?? null;
-    while (map && map.name !== "BlockMapping") map = map.nextSibling;
+    const document = syntaxTree(state).topNode.getChild("Document");
+    const map = document?.getChild("BlockMapping") ?? document?.getChild("FlowMapping");
     for (let pair = map?.firstChild ?? null; pair; pair = pair.nextSibling) {
       const key = pair.getChild("Key");
       if (!key || state.sliceDoc(key.from, key.to).trim() !== "joints") continue;

@@ -185,6 +185,8 @@ const tests = {
 
   async "the target is dragged with eight ghosts, and one is taken"(browser) {
     const page = await open(browser);
+    // Well within the workspace of all eight.
+    await page.evaluate(() => window.denhart.app.moveTo([10, -60, 80, -30, 45, 20].map((value) => (value * Math.PI) / 180)));
     const before = await state(page);
     await page.evaluate(() => (window.denhart.app.times.length = 0));
     const box = await page.locator("#view").boundingBox();
@@ -239,6 +241,7 @@ const tests = {
       return [color.r, color.g, color.b];
     });
     const singular = await link();
+    await page.locator("#family input[type=range]").blur();
     await page.evaluate(() => window.denhart.app.moveTo([0.3, -0.5, 0.4, 0.2, 0.9, 0.1]));
     const [red, , blue] = await link();
     assert.ok(singular[0] - singular[2] > 0.5 && red - blue < 0.1, `${singular} and ${[red, blue]}`);
@@ -302,7 +305,7 @@ const tests = {
   async "a row marks its numbers in the code and in the picture, and back"(browser) {
     const page = await open(browser);
     await until(page, () => document.querySelector("#panel-rust").innerText.includes("0.425"));
-    await page.locator("#editor .cm-line", { hasText: "-0.425" }).hover();
+    await page.locator("#editor .cm-line", { hasText: "-0.425" }).hover({ position: { x: 60, y: 6 } });
     await until(page, () => document.querySelectorAll(".marked-number").length > 0);
     assert.equal(await page.locator(".marked-number").first().innerText(), "0.425");
     assert.match(await page.locator("#labels .measure.strong").innerText(), /a2 -0.425 m/);
