@@ -37,7 +37,10 @@ if ! (cd page && npm ci --no-progress) >"$log" 2>&1; then
   exit 77
 fi
 cargo build --release --locked -p denhart-bind
-cargo build --release --locked -p denhart-page --target "$target"
+# No path of this machine gets into the page: the same sources give the same bytes.
+registry=$(realpath -m "${CARGO_HOME:-$HOME/.cargo}")/registry/src
+RUSTFLAGS="--remap-path-prefix=$(realpath ..)= --remap-path-prefix=$registry=" \
+  cargo build --release --locked -p denhart-page --target "$target"
 "$built/release/denhart-bind" "$built/$target/release/denhart_page.wasm" page/pkg
 mkdir -p "$built/page"
 (cd page && npx tsc -p . && node build.mjs "$built/page/page.html")

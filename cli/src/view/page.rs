@@ -6,7 +6,7 @@ use serde_json::json;
 const PAGE: &str = include_str!("page.html");
 
 /// The element that has the arm.
-const EMPTY: &str = "<script type=\"application/json\" id=\"given\">null</script>";
+const EMPTY: &str = "<script type=\"application/json\" id=\"opened\">null</script>";
 
 /// The arm that a page opens.
 pub struct Given<'a> {
@@ -21,8 +21,9 @@ pub struct Given<'a> {
 /// The page with an arm. No text of an arm ends its element: `<` is written as an escape.
 pub fn page(given: &Given) -> String {
     let Given { text, name, follow, write } = given;
-    let data = json!({"text": text, "name": name, "follow": follow, "write": write}).to_string().replace('<', "\\u003c");
-    let filled = format!("<script type=\"application/json\" id=\"given\">{data}</script>");
+    let data =
+        json!({"text": text, "name": name, "follow": follow, "write": write}).to_string().replace('<', "\\u003c");
+    let filled = format!("<script type=\"application/json\" id=\"opened\">{data}</script>");
     PAGE.replacen(EMPTY, &filled, 1)
 }
 

@@ -81,8 +81,7 @@ impl Served {
         match (&asked.method, path) {
             (Method::Get, "/") => {
                 let text = self.now().unwrap_or_else(|_| self.text.clone());
-                let given =
-                    Given { text: &text, name: &self.name, follow: self.file.is_some(), write: self.write };
+                let given = Given { text: &text, name: &self.name, follow: self.file.is_some(), write: self.write };
                 Answer::new(200, "text/html; charset=utf-8", page(&given))
             }
             (Method::Get, "/arm") => match self.now() {
@@ -221,7 +220,13 @@ mod tests {
         let token = served.token.clone();
         assert_eq!(token.len(), 32);
         let half = token.get(..16).unwrap();
-        for url in ["/".to_owned(), "/arm".to_owned(), "/?token=".to_owned(), format!("/?token={half}"), format!("/?t={token}")] {
+        for url in [
+            "/".to_owned(),
+            "/arm".to_owned(),
+            "/?token=".to_owned(),
+            format!("/?token={half}"),
+            format!("/?t={token}"),
+        ] {
             assert_eq!(status(&served, Method::Get, &url, Some(HERE), None), 403, "{url}");
             assert_eq!(status(&served, Method::Put, &url, Some(HERE), None), 403, "{url}");
         }
@@ -231,7 +236,17 @@ mod tests {
     #[test]
     fn no_path_leads_to_another_file() {
         let served = served(false);
-        let paths = ["/arm/", "/../arm", "//arm", "/arm/../../etc/passwd", "/%2e%2e/arm", "/etc/passwd", "/arm%00", "arm", "file:///etc/passwd"];
+        let paths = [
+            "/arm/",
+            "/../arm",
+            "//arm",
+            "/arm/../../etc/passwd",
+            "/%2e%2e/arm",
+            "/etc/passwd",
+            "/arm%00",
+            "arm",
+            "file:///etc/passwd",
+        ];
         for path in paths {
             let url = format!("{path}?token={}", served.token);
             assert_eq!(status(&served, Method::Get, &url, Some(HERE), None), 404, "{path}");

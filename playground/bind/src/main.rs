@@ -37,8 +37,10 @@ fn make(wasm: &Path, folder: &Path) -> Result<String, String> {
     let module = fs::read(&bound).map_err(|error| format!("{}: {error}", bound.display()))?;
     let packed = pack::pack(&module)?;
     let mut zipped = Vec::new();
-    let options = zopfli::Options { iteration_count: 5.try_into().unwrap_or(std::num::NonZeroU64::MIN), ..Default::default() };
-    zopfli::compress(options, zopfli::Format::Gzip, packed.as_slice(), &mut zipped).map_err(|error| error.to_string())?;
+    let options =
+        zopfli::Options { iteration_count: 5.try_into().unwrap_or(std::num::NonZeroU64::MIN), ..Default::default() };
+    zopfli::compress(options, zopfli::Format::Gzip, packed.as_slice(), &mut zipped)
+        .map_err(|error| error.to_string())?;
     let out = folder.join("denhart_page.wasm.gz");
     fs::write(&out, &zipped).map_err(|error| format!("{}: {error}", out.display()))?;
     fs::remove_file(&bound).map_err(|error| format!("{}: {error}", bound.display()))?;

@@ -109,7 +109,8 @@ fn packed(wasm: &[u8]) -> Result<Vec<u8>, Failed> {
             break;
         }
     }
-    let beginning = |index: &usize| codes.get(*index).map(|code| code.iter().skip(8).take(BEGINNING).copied().collect::<Vec<u8>>());
+    let beginning =
+        |index: &usize| codes.get(*index).map(|code| code.iter().skip(8).take(BEGINNING).copied().collect::<Vec<u8>>());
     packer.order.sort_by_cached_key(beginning);
     let mut place = vec![0; bodies.len()];
     for (new, old) in packer.order.iter().enumerate() {

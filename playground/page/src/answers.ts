@@ -59,7 +59,7 @@ export class Answers {
     const why = byId("why");
     why.hidden = !app.miss && answer.complete;
     why.textContent = app.miss
-      ? [missWords(app), app.miss.words].filter(Boolean).join(": ")
+      ? [missWords(app), app.miss.words].filter(Boolean).join("; ") || "The target is too far away to tell more."
       : answer.complete ? "" : "There may be more solutions than these.";
     const same = this.same();
     while (this.buttons.length < count) this.buttons.push(this.button(this.buttons.length));

@@ -10,7 +10,7 @@ import { answerOf, APPROXIMATE, EXACT, figureOf, type Answer, type Figure, type 
 /** An arm file is a page or two. Longer texts are something else. */
 export const LONGEST_TEXT = 100_000;
 
-export type Change = "text" | "messages" | "arm" | "posture" | "marked" | "shown";
+export type Change = "text" | "messages" | "arm" | "posture" | "marked" | "shown" | "kept";
 
 /** Why there is no solution. */
 export interface Miss {
@@ -284,6 +284,7 @@ export class App {
   /** A state that undo comes back to. */
   remember(): void {
     if (this.arm && !this.restoring) this.history.push(this.snapshot());
+    this.emit("kept");
   }
 
   undo(): void {

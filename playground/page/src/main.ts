@@ -10,6 +10,7 @@ import { FlatView } from "./flat";
 import { Gallery } from "./gallery";
 import { Jobs } from "./jobs";
 import { listenToKeys } from "./keys";
+import { Motors } from "./motors";
 import { Results } from "./results";
 import { follow, given } from "./served";
 import { offerLink, stateOf } from "./share";
@@ -86,6 +87,7 @@ async function start(): Promise<void> {
   const view = picture(app);
   new Sliders(app);
   new Answers(app);
+  new Motors(app);
   byId("version").textContent = version();
   // For the tests in a browser, and for the curious.
   Object.assign(window, { denhart: { app, view } });

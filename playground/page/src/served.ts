@@ -17,7 +17,7 @@ export interface Given {
 const INTERVAL = 700;
 
 export function given(): Given | undefined {
-  return (JSON.parse(byId("given").textContent || "null") as Given | null) ?? undefined;
+  return (JSON.parse(byId("opened").textContent || "null") as Given | null) ?? undefined;
 }
 
 const token = (): string => new URLSearchParams(location.search).get("token") ?? "";

@@ -74,7 +74,7 @@ export class View {
       for (const ghost of this.ghosts.splice(0)) ghost.dispose();
       this.arm = undefined;
     }
-    if (change === "text" || change === "messages") return;
+    if (change === "text" || change === "messages" || change === "kept") return;
     this.update();
     if (change === "arm") this.frame();
   }
@@ -143,7 +143,7 @@ export class View {
     const labels: Label[] = [];
     if (app.miss) {
       const words = missWords(app);
-      labels.push({ point: middle(figure.tool, app.target), text: words, kind: "miss", color: css(color("target")) });
+      labels.push({ point: pointOfTool(figure), text: words, kind: "miss", color: css(color("target")) });
     }
     const marked = app.marked === undefined ? undefined : app.marked + 1;
     const wants = app.shown.frames || app.shown.dimensions || marked !== undefined;
@@ -303,10 +303,6 @@ export class View {
 
 const pointOfTool = ({ tool }: { tool: number[] }): Point => [tool[9] ?? 0, tool[10] ?? 0, tool[11] ?? 0];
 
-function middle(a: number[], b: number[]): Point {
-  return [9, 10, 11].map((index) => ((a[index] ?? 0) + (b[index] ?? 0)) / 2) as Point;
-}
-
 /** The joint in the middle of an arm, at which its solutions are apart. */
 function elbow(figure: Figure): Point {
   return figure.joints[Math.floor(figure.joints.length / 2)]?.point ?? [0, 0, 0];
@@ -341,5 +337,5 @@ export function missWords(app: App): string {
   if (!miss) return "";
   if (miss.distance !== null) return `out of reach by ${short(miss.distance)} ${facts?.unit ?? ""}`;
   if (miss.direction !== null) return `this direction is missed by ${short((miss.direction * 180) / Math.PI, 2)}°`;
-  return "no solution";
+  return "";
 }

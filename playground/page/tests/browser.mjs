@@ -264,6 +264,29 @@ const tests = {
     assert.ok(await page.locator("#sliders .slider.outside").count() === 1);
   },
 
+  async "the stepper arm tells its pulses and the lines that would be sent"(browser) {
+    const page = await open(browser);
+    await choose(page, "salman_rrr");
+    await page.locator("#sliders input[type=range]").nth(0).fill("30");
+    await page.locator("#sliders input[type=range]").nth(0).dispatchEvent("change");
+    const counts = (await page.locator("#counts").innerText()).match(/-?\d+(?= {3}|$)/g).map(Number);
+    assert.equal(counts.length, 3);
+    // One pulse is the resolution: the counts are those of the angles.
+    const line = (await page.locator("#lines li").last().innerText()).trim();
+    const [words, sum] = line.split("*");
+    assert.equal(words, `MOVE ${counts.join(" ")}`);
+    assert.equal(Number.parseInt(sum, 16), [...words].reduce((all, letter) => all ^ letter.charCodeAt(0), 0));
+    const before = await page.locator("#lines li").count();
+    // Every solution for the point, those out of limits crossed out.
+    const { solutions } = await state(page);
+    assert.ok(solutions.length >= 2, String(solutions.length));
+    const outside = solutions.filter(({ flags }) => flags & 16).length;
+    assert.equal(await page.locator(".solution.outside").count(), outside);
+    await page.locator(".solution").nth(1).click();
+    assert.equal(await page.locator("#lines li").count(), before + 1);
+    await page.screenshot({ path: join(shots, "pulses.png") });
+  },
+
   async "a URDF that is dropped becomes an arm file"(browser) {
     const page = await open(browser);
     const urdf = readFileSync(join(root, "cli/tests/urdf/kuka_kr6_r700.urdf"), "utf8");
@@ -354,7 +377,7 @@ const tests = {
       await page.waitForTimeout(400);
       const far = await state(page);
       assert.equal(far.status, "missed", name);
-      assert.match(await page.locator("#why").innerText(), /out of reach|no solution/);
+      assert.match(await page.locator("#why").innerText(), /out of reach|too far away/);
     }
     await page.screenshot({ path: join(shots, "far.png") });
     await page.locator("#sliders input[type=range]").nth(0).fill("5");

@@ -53,7 +53,9 @@ impl PageArm {
         let measures: Vec<_> = skeleton
             .measures
             .iter()
-            .map(|measure| json!({"name": measure.name, "value": measure.value, "from": measure.from, "to": measure.to}))
+            .map(
+                |measure| json!({"name": measure.name, "value": measure.value, "from": measure.from, "to": measure.to}),
+            )
             .collect();
         Ok(json!({"frames": frames, "measures": measures, "far": skeleton.far}).to_string())
     }
