@@ -10,7 +10,7 @@ import { answerOf, APPROXIMATE, EXACT, figureOf, type Answer, type Figure, type 
 /** An arm file is a page or two. Longer texts are something else. */
 export const LONGEST_TEXT = 100_000;
 
-export type Change = "text" | "messages" | "arm" | "posture" | "marked" | "shown" | "kept";
+export type Change = "text" | "messages" | "arm" | "posture" | "marked" | "shown" | "kept" | "framed";
 
 /** Why there is no solution. */
 export interface Miss {
@@ -127,6 +127,7 @@ export class App {
     const q = is(posture.q) ? posture.q : same && is(this.q) ? this.q : Array.from(arm.apart());
     // May throw: nothing has changed until here.
     const figure = figureOf(arm.figure(Float64Array.from(q)), joints);
+    const before = this.facts;
     this.arm?.free();
     this.arm = arm;
     this.facts = facts;
@@ -135,14 +136,30 @@ export class App {
     this.figure = figure;
     this.marked = undefined;
     this.pointed = undefined;
+    // Nothing of the arm before is left for those who listen.
+    this.target = figure.tool;
+    this.angle = NaN;
+    this.given = [];
+    this.answer = undefined;
+    this.branches = [];
+    this.miss = undefined;
+    this.here = { flags: 0, free: 0 };
     this.emit("arm");
     this.moveTo(q);
+    if (this.isOther(before)) this.emit("framed");
     if (posture.target?.length === 12 && posture.target.every(Number.isFinite) && this.facts.task) {
       this.given = posture.given?.length === this.given.length ? posture.given : this.given;
       this.aim(posture.target, posture.angle ?? this.angle);
       if (is(posture.q)) this.stand(posture.q);
     }
     this.remember();
+  }
+
+  /** True for an arm that is not the one before with other numbers: the picture looks at it anew. */
+  private isOther(before: Facts | undefined): boolean {
+    const { facts } = this;
+    if (!before || !facts) return true;
+    return before.name !== facts.name || before.unit !== facts.unit || before.joints.length !== facts.joints.length;
   }
 
   /** Runs a handler and notes its time. */

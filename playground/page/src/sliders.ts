@@ -22,7 +22,7 @@ export class Sliders {
   constructor(private readonly app: App) {
     app.listen((change) => {
       if (change === "arm") this.build();
-      if (change === "arm" || change === "posture") this.update();
+      if (change === "posture") this.update();
       if (change === "arm" || change === "marked") this.mark();
     });
   }
@@ -144,9 +144,14 @@ export function slider(
   return { range, field, row, inner, shown };
 }
 
+/** Shows a value. A field that is being typed into keeps its text while that is the value. */
 function set(line: Line, value: number): void {
   const shown = line.shown(value);
+  if (Number.isNaN(shown)) {
+    line.field.value = "";
+    return;
+  }
   line.range.value = String(shown);
-  if (document.activeElement !== line.field || !line.field.matches(":focus")) line.field.value = short(shown, 4);
-  else if (Math.abs(Number(line.field.value) - shown) > 1e-3) line.field.value = short(shown, 4);
+  const isTyped = document.activeElement === line.field && Math.abs(Number(line.field.value) - shown) <= 1e-3;
+  if (!isTyped) line.field.value = short(shown, 4);
 }

@@ -76,7 +76,7 @@ export class View {
     }
     if (change === "text" || change === "messages" || change === "kept") return;
     this.update();
-    if (change === "arm") this.frame();
+    if (change === "framed") this.frame();
   }
 
   /** Radius of a link. */

@@ -409,11 +409,14 @@ const tests = {
       const found = await page.evaluate(async (name) => {
         const { app } = window.denhart;
         await app.setText(await app.jobs.run({ kind: "file", name }));
+        const { width, height } = document.getElementById("view").getBoundingClientRect();
+        const hidden = window.denhart.view.read().joints.filter(([x, y]) => !(x > 0 && x < width && y > 0 && y < height)).length;
         app.moveTo(app.q.map((value, joint) => value + 0.1 * Math.sin(joint + 1)));
-        return { name: app.facts.name, task: app.facts.task, solutions: app.answer?.solutions.length, mistakes: app.messages.filter((one) => one.severity === "error").length };
+        return { hidden, name: app.facts.name, task: app.facts.task, solutions: app.answer?.solutions.length, mistakes: app.messages.filter((one) => one.severity === "error").length };
       }, name);
       assert.equal(found.name, name);
       assert.equal(found.mistakes, 0, name);
+      assert.equal(found.hidden, 0, `joints of ${name} outside the picture`);
       if (found.task) assert.ok(found.solutions > 0, `${name} reaches its own pose`);
     }
     assert.deepEqual(page.failures, []);
