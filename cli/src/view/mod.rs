@@ -44,7 +44,7 @@ pub fn run(options: &Options, out: &mut dyn Write) -> Result<(), Failure> {
         files::write(&[(path.as_path(), html.as_str())], options.force).map_err(Failure::Other)?;
         return Ok(writeln!(out, "wrote {}", path.display())?);
     }
-    // What came from the standard input does not change.
+    // A text from the standard input does not change.
     let file = Some(&options.file).filter(|file| file.as_os_str() != "-");
     if options.write && file.is_none() {
         return Err(Failure::Usage("--write needs a file to write\nhelp: name the arm file instead of `-`".to_owned()));

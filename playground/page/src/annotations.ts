@@ -1,4 +1,4 @@
-// What is drawn on demand: frames of the table, its lengths as dimension lines, and the way to a target that is missed.
+// Drawn on demand: frames of the table, its lengths as dimension lines, and the way to a target that is missed.
 
 import * as THREE from "three";
 import { color, css } from "./colors";

@@ -1,4 +1,4 @@
-// What is known of an arm beside its posture: playground/wasm/src/facts.rs.
+// Facts of an arm beside its posture: playground/wasm/src/facts.rs.
 
 export interface JointFacts {
   name: string;

@@ -74,6 +74,13 @@ async function linked(): Promise<Partial<Snapshot> | undefined> {
   }
 }
 
+/** A trap leaves the module's memory in the middle of a call: only a new page is sure to be right. */
+addEventListener("error", (event) => {
+  if (event.error instanceof WebAssembly.RuntimeError) {
+    notice("The generator failed here, which is a defect of denhart. Load the page again; a link keeps the arm.", true);
+  }
+});
+
 /** The browser has drawn. */
 const drawn = (): Promise<void> => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
 

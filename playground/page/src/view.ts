@@ -183,7 +183,7 @@ export class View {
     for (const point of figures.flatMap((one) => one.links.flat())) around.expandByPoint(new THREE.Vector3(...point));
     const { center, radius } = around.getBoundingSphere(new THREE.Sphere());
     const half = Math.min(this.camera.fov / 2, Math.atan(Math.tan((this.camera.fov * Math.PI) / 360) * this.camera.aspect) * (180 / Math.PI));
-    const away = (1.06 * Math.max(radius, 0.3 * reach)) / Math.sin((half * Math.PI) / 180);
+    const away = (1.25 * Math.max(radius, 0.3 * reach)) / Math.sin((half * Math.PI) / 180);
     const direction = facts?.planar ? new THREE.Vector3(0, -0.02, 1) : new THREE.Vector3(0.85, -1.35, 0.75);
     this.camera.position.copy(center).addScaledVector(direction.normalize(), away);
     this.camera.near = reach * 0.02;

@@ -188,6 +188,9 @@ const tests = {
     // Well within the workspace of all eight.
     await page.evaluate(() => window.denhart.app.moveTo([10, -60, 80, -30, 45, 20].map((value) => (value * Math.PI) / 180)));
     const before = await state(page);
+    await page.click("#frame");
+    // The handles stand where they were drawn last.
+    await page.waitForTimeout(500);
     await page.evaluate(() => (window.denhart.app.times.length = 0));
     const box = await page.locator("#view").boundingBox();
     const [x, y] = await page.evaluate(() => {

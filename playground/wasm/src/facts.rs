@@ -1,4 +1,4 @@
-//! What the page tells of an arm beside its picture.
+//! Facts that the page tells of an arm beside its picture.
 
 use denhart::JointKind;
 use denhart_codegen::model::RowKind;

@@ -1,4 +1,4 @@
-//! What the page calls, in WebAssembly.
+//! The functions that the page calls, in WebAssembly.
 //!
 //! Text goes in, text or JSON comes out; what is called while a slider or the target moves takes and gives numbers. The numbers of
 //! a call are laid out by [`numbers`] and read by `page/src/numbers.ts`.
