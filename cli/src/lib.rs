@@ -26,6 +26,8 @@ mod table;
 mod target;
 mod templates;
 mod trace;
+#[cfg(feature = "view")]
+mod view;
 
 use std::ffi::OsString;
 use std::io::{self, ErrorKind, Write};
@@ -94,6 +96,13 @@ enum Action {
     /// closest approach.
     #[cfg(feature = "draw")]
     Draw(draw::Options),
+    /// Show an arm in the browser, with the generator in the page, or write that page to a file
+    ///
+    /// The arm is moved by sliders and by dragging its target, with every solution beside it; the arm file is edited in place,
+    /// with its mistakes, the generated code and the report. The page is served at 127.0.0.1 alone, at a free port; it follows
+    /// changes of the file, and writes it only with --write.
+    #[cfg(feature = "view")]
+    View(view::Options),
     /// Print an arm file for a serial chain of a URDF
     ///
     /// Joints that turn, slide or are fixed; limits and names are kept, and so are zero and direction of each joint.
@@ -208,6 +217,8 @@ fn act(action: Action, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), F
             true => Ok(()),
             false => Err(Failure::NoSolution),
         },
+        #[cfg(feature = "view")]
+        Action::View(options) => view::run(&options, out),
         Action::Import(options) => import::run(&options, out, err).map_err(Failure::Other),
         Action::Export(options) => export::run(&options, out, err),
         Action::New(options) => new::run(&options, out),

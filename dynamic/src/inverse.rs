@@ -92,7 +92,7 @@ impl DynamicArm {
         solutions: &mut DynamicSolutions,
     ) -> Result<(), DynamicError> {
         let given = &self.beside(given)?;
-        self.solver(target)?.solve(&Asked { target, given, near: None, branch: None }, solutions);
+        self.solver(target)?.solve(&Asked { target, given, near: None, branch: None, trace: None }, solutions);
         Ok(())
     }
 
@@ -120,7 +120,7 @@ impl DynamicArm {
         self.counted(q_ref)?;
         let solver = self.solver(target)?;
         let given = &self.held(q_ref)?;
-        solver.solve(&Asked { target, given, near: Some(q_ref), branch: None }, solutions);
+        solver.solve(&Asked { target, given, near: Some(q_ref), branch: None, trace: None }, solutions);
         Ok(())
     }
 
@@ -138,7 +138,7 @@ impl DynamicArm {
             return Err(DynamicError::NoBranches);
         }
         let given = &self.beside(given)?;
-        Ok(self.solver(target)?.one(&Asked { target, given, near: None, branch: Some(branch) }))
+        Ok(self.solver(target)?.one(&Asked { target, given, near: None, branch: Some(branch), trace: None }))
     }
 
     /// The values as the solver takes them.

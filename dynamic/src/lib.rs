@@ -56,6 +56,8 @@ mod solutions;
 mod solver;
 mod tape;
 mod target;
+mod trace;
+mod why;
 
 pub use arm::{DynamicArm, DynamicJacobian};
 pub use error::DynamicError;
@@ -64,3 +66,4 @@ pub use margins::DynamicMargin;
 pub use pulses::DynamicQuantized;
 pub use solutions::{DynamicSolution, DynamicSolutions};
 pub use target::DynamicTarget;
+pub use why::DynamicMiss;

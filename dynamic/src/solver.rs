@@ -1,5 +1,6 @@
 //! The inverse of an arm with `N` joints and at most `M` solutions.
 
+use std::cell::RefCell;
 use std::marker::PhantomData;
 
 use denhart::math;
@@ -10,11 +11,13 @@ use denhart::{Branch, Jacobian, Pose, Residual, Solutions, Status};
 use denhart_codegen::lower::{self, Given, GivenValues, Input, Inverse};
 
 use crate::arm_constants::ArmConstants;
+use crate::branches::Branches;
 use crate::function::Straight;
 use crate::held_joint::HeldJointSolver;
 use crate::kernel::MOST_DOUBTS;
 use crate::nest::Nest;
 use crate::run::Run;
+use crate::trace::{Trace, Traced};
 use crate::{DynamicError, DynamicSolution, DynamicSolutions, DynamicTarget};
 
 /// Query to an inverse.
@@ -26,6 +29,8 @@ pub struct Asked<'a> {
     pub near: Option<&'a [f64]>,
     /// The branch; none for all of them.
     pub branch: Option<Branch>,
+    /// Notes where branches end.
+    pub trace: Option<&'a RefCell<Trace>>,
 }
 
 /// An inverse without the number of joints in its type.
@@ -219,10 +224,14 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
             return;
         }
         let mut run = Run::new(&self.nest, asked.given, number, asked.branch);
+        let mut cascade = |search: &mut dyn Branches, start| match asked.trace {
+            None => run.cascade(search, start),
+            Some(trace) => run.cascade(&mut Traced { search, trace }, start),
+        };
         if let Some(off) = self.nest.program.off_table {
-            search.run_measured(&constants, near, off, |search, start| run.cascade(search, start));
+            search.run_measured(&constants, near, off, |search, start| cascade(search, start));
         } else {
-            search.run(&constants, near, |search, start| run.cascade(search, start));
+            search.run(&constants, near, |search, start| cascade(search, start));
         }
     }
 }
