@@ -40,6 +40,7 @@ mod delegate;
 mod dh;
 pub mod effort;
 mod flags;
+pub mod follow;
 pub mod held_joint;
 mod jacobian;
 mod limits;
