@@ -39,9 +39,15 @@
 //! ```
 
 mod advance;
+mod bounds;
+mod brake;
+mod choice;
+mod deviate;
 mod follower;
+mod least_squares;
 mod path;
 mod settings;
+mod signs;
 mod step;
 
 pub use advance::{Advance, Progress};
