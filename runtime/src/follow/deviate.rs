@@ -10,6 +10,7 @@ use super::least_squares::Normal;
 use super::settings::FollowSettings;
 use super::step::Tracking;
 use crate::arm::{Arm, InverseKinematics};
+use crate::deviation::Deviation;
 use crate::dh::JointKind;
 use crate::flags::JointMask;
 use crate::math::Scalar;
@@ -23,6 +24,8 @@ const DESCENT: f64 = 0.5;
 const SLOW: f64 = 0.5;
 /// Weighted error beyond which every joint goes to its own goal.
 const FAR: f64 = 0.3;
+/// Default of the length that weighs as 1 rad, in ways along the links: a tenth of what data sheets call the reach of an arm.
+const LENGTH: f64 = 0.09;
 /// A goal that moves by more than so many times the largest step is not followed.
 const FLIGHT: f64 = 2.0;
 /// A way that takes longer than so many times the least, and this time in s, ends with every joint on its own.
@@ -84,7 +87,7 @@ pub(super) struct Weights<T, const N: usize> {
 impl<T: Scalar, const N: usize> Weights<T, N> {
     pub(super) fn new<A: Arm<T, N>>(arm: &A, settings: &FollowSettings<T, N>, q: &[T; N]) -> Self {
         let reach = way_along_the_links(arm, q);
-        let (length, angle) = (T::ONE / reach, settings.length.map_or(T::from_f64(0.1), |length| length / reach));
+        let (length, angle) = (T::ONE / reach, settings.length.map_or(T::from_f64(LENGTH), |length| length / reach));
         Self { rows: [length, length, length, angle, angle, angle], units: units::<A, T, N>(reach) }
     }
 
@@ -117,6 +120,72 @@ struct Own<T, const N: usize> {
     fast: bool,
 }
 
+/// The least squares of a tick, weighted: which step leaves least of a deviation.
+struct System<T, const N: usize> {
+    rows: [[T; N]; 6],
+    normal: Normal<T, N>,
+    /// What the last tick left, and what the target has moved by since.
+    left: [T; 6],
+    moved: [T; 6],
+    /// The way of each motor to the ends of its range.
+    rooms: Interval<T, N>,
+    units: [T; N],
+}
+
+impl<T: Scalar, const N: usize> System<T, N> {
+    /// `left`, `twist`: what is left of the last tick's deviation, and the one from this tick's target, both weighted.
+    fn new(
+        follower: &Follower<T, N>,
+        deviation: &Deviation<T, N>,
+        left: [T; 6],
+        twist: [T; 6],
+        descends: T,
+    ) -> Self {
+        let rows = follower.weights.rows(follower.bounds.by_motors(&deviation.jacobian));
+        let normal = Normal::new(&rows, T::from_f64(DAMPING) + descends);
+        let mut moved = twist;
+        for (moved, left) in moved.iter_mut().zip(&left) {
+            *moved -= *left;
+        }
+        let units = follower.weights.units;
+        let mut rooms = follower.bounds.rooms(&follower.q);
+        for ((low, high), unit) in rooms.low.iter_mut().zip(&mut rooms.high).zip(units) {
+            (*low, *high) = (*low / unit, *high / unit);
+        }
+        Self { rows, normal, left, moved, rooms, units }
+    }
+
+    /// The step of all motors, and the way of each to the posture that misses the target least. Those that are `alone`
+    /// take their own step, and the others go along with them and with the target. Of their way they take `share`, and
+    /// brake in time.
+    fn step(&self, follower: &Follower<T, N>, alone: &[Option<T>; N], share: T) -> ([T; N], [T; N]) {
+        let mut rooms = self.rooms;
+        let mut moved = self.moved;
+        for (joint, alone) in alone.iter().enumerate() {
+            let Some(step) = alone else { continue };
+            let scaled = *step / self.units[joint];
+            for (moved, row) in moved.iter_mut().zip(&self.rows) {
+                *moved -= row[joint] * scaled;
+            }
+            (rooms.low[joint], rooms.high[joint]) = (T::ZERO, T::ZERO);
+        }
+        let closing = self.normal.within(&self.rows, &self.left, &rooms.low, &rooms.high);
+        for ((low, high), closing) in rooms.low.iter_mut().zip(&mut rooms.high).zip(&closing) {
+            (*low, *high) = ((*low - *closing).min(T::ZERO), (*high - *closing).max(T::ZERO));
+        }
+        let forward = self.normal.within(&self.rows, &moved, &rooms.low, &rooms.high);
+        let (mut step, mut ways) = ([T::ZERO; N], [T::ZERO; N]);
+        for joint in 0..N {
+            let unit = self.units[joint];
+            ways[joint] = closing[joint] * unit;
+            step[joint] = alone[joint].unwrap_or_else(|| {
+                forward[joint] * unit + braked(share * ways[joint], follower.bounds.change[joint])
+            });
+        }
+        (step, ways)
+    }
+}
+
 impl<T: Scalar, const N: usize> Follower<T, N> {
     /// The step of the motors of a tick without a solution.
     pub(super) fn deviate<A: InverseKinematics<T, N>>(
@@ -142,43 +211,34 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         {
             return own.step;
         }
-        let leads = |joint: usize| leader.is_some_and(|own| own.leader == Some(joint));
-        let rows = self.weights.rows(self.bounds.by_motors(&deviation.jacobian));
-        // What moves by itself: the leader, joints whose value is given, and those that are locked.
-        let mut step = [T::ZERO; N];
-        let mut alone = [false; N];
-        for (joint, (alone, step)) in alone.iter_mut().zip(&mut step).enumerate() {
-            *alone = leads(joint) || deviation.given.contains(joint) || self.bounds.most.get(joint) == Some(&T::ZERO);
-            if *alone && let Some(own) = own.as_ref().and_then(|own| own.step.get(joint)) {
-                *step = *own;
-            }
-        }
-        let mut moved = twist;
-        for ((moved, row), left) in moved.iter_mut().zip(&rows).zip(&left) {
-            let led = row.iter().zip(&step).zip(self.weights.units).fold(T::ZERO, |sum, ((a, x), u)| sum + *a * *x / u);
-            *moved = *moved - *left - led;
-        }
         let descends = if own.is_some() { T::ZERO } else { T::from_f64(DESCENT) * size };
-        let normal = Normal::new(&rows, T::from_f64(DAMPING) + descends);
-        let mut rooms = self.bounds.rooms(&self.q);
-        for (((low, high), alone), unit) in
-            rooms.low.iter_mut().zip(&mut rooms.high).zip(&alone).zip(self.weights.units)
-        {
-            (*low, *high) = if *alone { (T::ZERO, T::ZERO) } else { (*low / unit, *high / unit) };
-        }
-        let closing = normal.within(&rows, &left, &rooms.low, &rooms.high);
-        for ((low, high), closing) in rooms.low.iter_mut().zip(&mut rooms.high).zip(&closing) {
-            (*low, *high) = ((*low - *closing).min(T::ZERO), (*high - *closing).max(T::ZERO));
-        }
-        let forward = normal.within(&rows, &moved, &rooms.low, &rooms.high);
-        let share = if leader.is_some() { T::ONE } else { T::from_f64(SLOW) };
-        for i in 0..N {
-            if !alone[i] {
-                let unit = self.weights.units[i];
-                step[i] = forward[i] * unit + braked(share * closing[i] * unit, self.bounds.change[i]);
+        let system = System::new(self, &deviation, left, twist, descends);
+        // What moves by itself: the leader, joints whose value is given, and those that are locked.
+        let mut alone = [None; N];
+        for (joint, alone) in alone.iter_mut().enumerate() {
+            let locked = self.bounds.most.get(joint) == Some(&T::ZERO);
+            let leads = leader.is_some_and(|own| own.leader == Some(joint));
+            if leads || locked || deviation.given.contains(joint) {
+                *alone = Some(own.as_ref().and_then(|own| own.step.get(joint)).copied().unwrap_or(T::ZERO));
             }
         }
-        interval.cut(step)
+        if leader.is_some() {
+            return interval.cut(system.step(self, &alone, T::ONE).0);
+        }
+        // Without a goal for each joint the one leads whose way by least squares takes longest.
+        let (step, ways) = system.step(self, &alone, T::from_f64(SLOW));
+        let step = interval.cut(step);
+        let (mut most, mut longest) = (T::ONE, None);
+        for (joint, (way, velocity)) in ways.iter().zip(&self.bounds.most).enumerate() {
+            if *velocity > T::ZERO && way.abs() > most * *velocity {
+                (most, longest) = (way.abs() / *velocity, Some(joint));
+            }
+        }
+        let Some(joint) = longest else { return step };
+        if let (Some(alone), Some(step)) = (alone.get_mut(joint), step.get(joint)) {
+            *alone = Some(*step);
+        }
+        interval.cut(system.step(self, &alone, T::from_f64(SLOW)).0)
     }
 
     /// What each joint does to go to the goal.

@@ -35,7 +35,14 @@ pub struct Follower<T, const N: usize> {
     here: Place,
     /// The branch that the arm is sent to, until it is there.
     sent: Option<Branch>,
+    /// The branch that was followed before the arm strayed from it, until a solution is reached.
+    strayed_from: Option<Place>,
+    /// Ticks for which the solution on the branch that was entered so has been out of the arm's limits or reach.
+    stuck: T,
 }
+
+/// Time at a limit after which an arm that has strayed goes back to the branch that it came from, s.
+const STUCK: f64 = 1.0;
 
 impl<T: Scalar, const N: usize> Follower<T, N> {
     /// An arm at rest at `q`.
@@ -67,6 +74,8 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             wanted: here,
             here,
             sent: None,
+            strayed_from: None,
+            stuck: T::ZERO,
         })
     }
 
@@ -94,13 +103,14 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             return self.arrive(&candidate);
         }
         let aim = self.choose(arm, target, found.as_ref());
+        self.go_back_if_stuck(&aim);
         let step = self.deviate(arm, target, &aim, &interval);
         let step = self.bounds.within_sums(arm, &self.q, &self.step, &interval, step);
         self.advance(step);
+        self.goal = aim.goal;
         let crossed = self.note_crossing(arm, Some(target), found);
         let twist = arm.deviation(&self.q, target).twist;
         self.left = Some(twist);
-        self.goal = aim.goal;
         Step { held: aim.held, remaining: aim.ticks * self.settings.period, ..self.state(aim.tracking, twist, crossed) }
     }
 
@@ -203,7 +213,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         self.goal = Some(candidate.q);
         self.left = Some([T::ZERO; 6]);
         (self.under_way, self.allowed) = (T::ZERO, T::ZERO);
-        self.sent = None;
+        (self.sent, self.strayed_from) = (None, None);
         let place = Place {
             signs: candidate.place.signs.or(self.here.signs),
             branch: candidate.place.branch.with_root(0),
@@ -239,6 +249,15 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         Aim::at::<A>(&candidate, &self.q)
     }
 
+    /// Goes back to the branch from which the arm has strayed, where the other one keeps it from its target for too long.
+    fn go_back_if_stuck(&mut self, aim: &Aim<T, N>) {
+        let Some(origin) = self.strayed_from else { return };
+        self.stuck = if aim.tracking == Tracking::Rates { T::ZERO } else { self.stuck + T::ONE };
+        if self.stuck > T::from_f64(STUCK) * self.second() {
+            (self.wanted, self.strayed_from) = (origin, None);
+        }
+    }
+
     /// Moves the joints by a step of the motors.
     fn advance(&mut self, step: [T; N]) {
         let rooms = self.bounds.rooms(&self.q);
@@ -268,6 +287,13 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         } else {
             self.wanted.branch.with_root(0)
         };
+        // Who left the branch that was followed, while its solution fled, follows the one that was entered.
+        let strayed = !left.signs.differ(self.wanted.signs) && signs.differ(self.wanted.signs);
+        if strayed && self.sent.is_none() && self.settings.crossing.allows(self.wanted.branch, self.here.branch) {
+            (self.strayed_from, self.stuck) = (Some(self.wanted), T::ZERO);
+            self.wanted = self.here;
+            self.goal = None;
+        }
         Some(left.branch)
     }
 

@@ -3,6 +3,7 @@
 
 pub mod arms;
 pub mod path;
+pub mod random;
 pub mod sight;
 pub mod table;
 pub mod watch;
