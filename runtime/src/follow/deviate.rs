@@ -169,11 +169,12 @@ impl<T: Scalar, const N: usize> System<T, N> {
             }
             (rooms.low[joint], rooms.high[joint]) = (T::ZERO, T::ZERO);
         }
-        let closing = self.normal.within(&self.rows, &self.left, &rooms.low, &rooms.high);
+        let mut factor = None;
+        let closing = self.normal.within(&self.rows, &self.left, &rooms.low, &rooms.high, &mut factor);
         for ((low, high), closing) in rooms.low.iter_mut().zip(&mut rooms.high).zip(&closing) {
             (*low, *high) = ((*low - *closing).min(T::ZERO), (*high - *closing).max(T::ZERO));
         }
-        let forward = self.normal.within(&self.rows, &moved, &rooms.low, &rooms.high);
+        let forward = self.normal.within(&self.rows, &moved, &rooms.low, &rooms.high, &mut factor);
         let (mut step, mut ways) = ([T::ZERO; N], [T::ZERO; N]);
         for joint in 0..N {
             let unit = self.units[joint];
@@ -202,7 +203,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             Some(_) => {}
             None => (self.under_way, self.allowed) = (T::ZERO, T::ZERO),
         }
-        let deviation = arm.deviation(&self.q, target);
+        let deviation = self.deviation(arm, target);
         let twist = self.weights.twist(deviation.twist);
         let left = self.left.map_or(twist, |left| self.weights.twist(left));
         let size = left.iter().fold(T::ZERO, |sum, entry| sum + *entry * *entry).sqrt();
