@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use denhart::{Arm, InverseKinematics, Pose};
+use denhart::{InverseKinematics, Pose};
 
 use super::arms::{Data, IRB2400, Irb2400, KR210, Kr210, UR5, Ur5};
 use super::path::{Path, law, line, moved};
