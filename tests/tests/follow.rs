@@ -1,8 +1,6 @@
 //! Followers: the rows of the measured table, random splines, targets that jump, bad settings.
 
-use denhart::follow::{
-    Crossing, FollowError, FollowSettings, Follower, PathFollower, Progress, Rates, Step, Tracking,
-};
+use denhart::follow::{Crossing, FollowError, FollowSettings, Follower, PathFollower, Progress, Rates, Step, Tracking};
 use denhart::{Arm, Branch, InverseKinematics, JointMask, PointAxis, Pose, Wrist};
 use denhart_tests::follow::arms::{
     ANTHRO, Anthro, Data, IIWA, IRB2400, Iiwa, Irb2400, JACO, Jaco, KR210, Kr210, LINKED, Linked, PUMA560, Puma560,
@@ -191,8 +189,7 @@ fn single_precision() {
 #[test]
 fn linked_motors_keep_their_rates() {
     let rates = LINKED.rates();
-    let settings =
-        FollowSettings::new(PERIOD, rates).linked(|q| Linked.to_motor(q), |motor| Linked.from_motor(motor));
+    let settings = FollowSettings::new(PERIOD, rates).linked(|q| Linked.to_motor(q), |motor| Linked.from_motor(motor));
     let q = [0.2, 0.3, -0.2, 0.4, 0.9, 0.1];
     let mut follower = Follower::new(&Linked, settings, &q).expect("a start");
     let mut found = Linked.inverse(&Linked.forward(&q));

@@ -134,13 +134,7 @@ struct System<T, const N: usize> {
 
 impl<T: Scalar, const N: usize> System<T, N> {
     /// `left`, `twist`: what is left of the last tick's deviation, and the one from this tick's target, both weighted.
-    fn new(
-        follower: &Follower<T, N>,
-        deviation: &Deviation<T, N>,
-        left: [T; 6],
-        twist: [T; 6],
-        descends: T,
-    ) -> Self {
+    fn new(follower: &Follower<T, N>, deviation: &Deviation<T, N>, left: [T; 6], twist: [T; 6], descends: T) -> Self {
         let rows = follower.weights.rows(follower.bounds.by_motors(&deviation.jacobian));
         let normal = Normal::new(&rows, T::from_f64(DAMPING) + descends);
         let mut moved = twist;
@@ -268,7 +262,8 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
                 *motion = *way - *last;
             }
         }
-        let faster = |times: T| last.is_none() || motion.iter().zip(most).any(|(motion, most)| motion.abs() > times * *most);
+        let faster =
+            |times: T| last.is_none() || motion.iter().zip(most).any(|(motion, most)| motion.abs() > times * *most);
         let flees = tracking == Tracking::Rates && faster(T::from_f64(FLIGHT));
         let mut own = Own { step: interval.rest(), leader: None, ticks: T::ZERO, fast: flees || faster(T::ONE) };
         for i in 0..N {

@@ -219,10 +219,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         self.left = Some([T::ZERO; 6]);
         (self.under_way, self.allowed) = (T::ZERO, T::ZERO);
         (self.sent, self.strayed_from) = (None, None);
-        let place = Place {
-            signs: place.signs.or(self.here.signs),
-            branch: place.branch.with_root(0),
-        };
+        let place = Place { signs: place.signs.or(self.here.signs), branch: place.branch.with_root(0) };
         let crossed = place.signs.differ(self.here.signs).then_some(self.here.branch);
         self.here = Place { branch: if crossed.is_some() { place.branch } else { self.here.branch }, ..place };
         self.wanted = self.here;

@@ -109,11 +109,7 @@ impl<T: Scalar, const N: usize> FollowSettings<T, N> {
     /// The rates are those of motors that are linked, `motor = A q + b`: the arm's `to_motor` and `from_motor`. Ranges
     /// stay those of the joints.
     #[must_use]
-    pub fn linked(
-        mut self,
-        to_motor: impl Fn(&[T; N]) -> [T; N],
-        from_motor: impl Fn(&[T; N]) -> [T; N],
-    ) -> Self {
+    pub fn linked(mut self, to_motor: impl Fn(&[T; N]) -> [T; N], from_motor: impl Fn(&[T; N]) -> [T; N]) -> Self {
         self.linked = Some(Linked { to_motor: slopes(to_motor), from_motor: slopes(from_motor) });
         self
     }

@@ -93,8 +93,7 @@ joints:
 pub struct Ur5;
 
 /// The data of [`Ur5`].
-pub const UR5: Data<6> =
-    Data { name: "UR5", velocity: [180.0; 6], reach: 0.85, drawn: [[-150.0, 150.0]; 6] };
+pub const UR5: Data<6> = Data { name: "UR5", velocity: [180.0; 6], reach: 0.85, drawn: [[-150.0, 150.0]; 6] };
 
 /// Unimation Puma 560, specs/puma560.yaml.
 #[derive(Arm, Clone, Copy)]
@@ -229,7 +228,9 @@ pub const JACO: Data<6> = Data {
 
 /// [`Kr210`] in single precision.
 #[derive(Arm, Clone, Copy)]
-#[arm(scalar = "f32", yaml = "
+#[arm(
+    scalar = "f32",
+    yaml = "
 name: kr210_f32
 convention: standard
 units: {length: m, angle: deg}
@@ -241,7 +242,8 @@ joints:
   - {a: 0, alpha: 90, d: 1.2, theta: 0, limits: [-350, 350]}
   - {a: 0, alpha: -90, d: 0, theta: 0, limits: [-125, 125]}
   - {a: 0, alpha: 0, d: 0.215, theta: 180, limits: [-350, 350]}
-")]
+"
+)]
 pub struct Single;
 
 /// An arm whose motors 2 and 3 are linked, specs/fanuc_lrmate200id.yaml with limits, one of them of a sum.

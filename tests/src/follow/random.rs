@@ -153,7 +153,11 @@ where
         for tick in 0..3000 {
             if (interrupted..interrupted.saturating_add(20)).contains(&tick) {
                 result.bad += 1;
-                if jump % 8 == 1 { watch.tick(&bad()) } else { watch.stop() };
+                if jump % 8 == 1 {
+                    watch.tick(&bad())
+                } else {
+                    watch.stop()
+                };
             } else {
                 watch.tick(&target);
             }

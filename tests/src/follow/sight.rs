@@ -15,7 +15,12 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 }
 
 /// The twist that the arm loses at `q`, lengths over `reach`, and the least singular value. `locked`: this joint stays.
-pub fn lost<A: Arm<f64, N>, const N: usize>(arm: &A, q: &[f64; N], reach: f64, locked: Option<usize>) -> ([f64; 6], f64) {
+pub fn lost<A: Arm<f64, N>, const N: usize>(
+    arm: &A,
+    q: &[f64; N],
+    reach: f64,
+    locked: Option<usize>,
+) -> ([f64; 6], f64) {
     let rows = arm.jacobian(q).rows;
     let scale = |row: usize, joint: usize| match Some(joint) == locked {
         true => 0.0,
