@@ -10,6 +10,7 @@ pub mod boundary;
 pub mod branches;
 pub mod effort;
 pub mod evaluated;
+pub mod follow;
 pub mod inverse;
 pub mod poses;
 pub mod random;

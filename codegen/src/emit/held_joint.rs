@@ -37,7 +37,7 @@ pub fn held_joint(model: &Model, plan: &HeldJointPlan, target: &Target) -> Inver
         items: items(model, &program.constants, target, [TokenStream::new(), quote!(#constants #item)]),
         function: function(plan, target, &task),
         methods: methods(model, outline, target, &task, &solver),
-        trait_impl: inverse_trait(outline, plan.names.is_some(), target, &task),
+        trait_impl: inverse_trait(model, outline, [plan.names.is_some(), false], target, &task, &solver),
     }
 }
 

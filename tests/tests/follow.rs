@@ -1,0 +1,315 @@
+//! Followers: the rows of the measured table, random splines, targets that jump, bad settings.
+
+use denhart::follow::{Crossing, FollowError, FollowSettings, Follower, PathFollower, Progress, Rates, Step, Tracking};
+use denhart::{Arm, Branch, InverseKinematics, JointMask, PointAxis, Pose, Wrist};
+use denhart_tests::follow::arms::{
+    ANTHRO, Anthro, Data, IIWA, IRB2400, Iiwa, Irb2400, JACO, Jaco, KR210, Kr210, LINKED, Linked, PUMA560, Puma560,
+    Single, TORCH, Torch, UR5, Ur5,
+};
+use denhart_tests::follow::random::{Jumps, Many, jumps, splines};
+use denhart_tests::follow::table::{Case, PERIOD, elbow_arc, elbow_radial, limit, shoulder, wrist};
+use denhart_tests::follow::watch::{Run, Watch, keep};
+
+/// Splines and jumps of each arm here; `cargo run -p denhart-tests --bin follow` takes as many as asked for.
+const COUNT: usize = 38;
+
+fn run<A>(arm: &A, data: &Data<6>, case: &Case<6>, crossing: Crossing, accelerations: bool) -> Run
+where
+    A: InverseKinematics<f64, 6, Target = Pose<f64>>,
+{
+    let rates = if accelerations { data.rates() } else { Rates::velocity(data.rates().velocity) };
+    let settings = FollowSettings::new(PERIOD, rates).crossing(crossing).length(0.1 * data.reach);
+    let mut watch = Watch::new(arm, PERIOD, rates, settings, &case.q);
+    for tick in 1..=(case.time / PERIOD) as usize + 500 {
+        watch.tick(&(case.path)(tick as f64 * PERIOD));
+    }
+    watch.run
+}
+
+/// A row: mm, degrees and ms away are at most those given, with velocities alone and with accelerations too.
+fn row<A>(arm: &A, data: &Data<6>, case: impl Fn(f64) -> Case<6>, crossing: Crossing, most: [[f64; 3]; 2])
+where
+    A: InverseKinematics<f64, 6, Target = Pose<f64>>,
+{
+    for (accelerations, [mm, degrees, ms]) in [false, true].into_iter().zip(most) {
+        for phase in [0.0, 0.5] {
+            let run = run(arm, data, &case(phase), crossing, accelerations);
+            assert!(run.holds(1e-9), "{run:?}");
+            assert_eq!(run.end, Some(Tracking::Exact), "{run:?}");
+            if phase == 0.0 {
+                let [length, angle] = run.deviation;
+                let (length, angle) = (length * 1e3, angle.to_degrees());
+                assert!(length <= mm && angle <= degrees && run.away as f64 <= ms, "{length} mm, {angle}, {run:?}");
+            }
+        }
+    }
+}
+
+/// The prototype's figures and a fifth.
+#[test]
+fn past_a_wrist() {
+    let rows = [
+        (0.0, [[1e-6, 1e-6, 0.0]; 2]),
+        (1e-6, [[5e-4, 4e-4, 1.0], [5e-4, 5e-4, 31.0]]),
+        (1e-4, [[0.005, 0.007, 27.0], [0.024, 0.036, 150.0]]),
+        (1e-3, [[0.048, 0.072, 90.0], [0.132, 0.204, 273.0]]),
+        (1e-2, [[0.48, 0.72, 283.0], [0.96, 1.44, 531.0]]),
+    ];
+    for (off, most) in rows {
+        row(&Kr210, &KR210, |phase| wrist(off, phase), Crossing::Wrist, most);
+    }
+}
+
+#[test]
+fn past_a_shoulder() {
+    let rows = [(1e-3, [[1.8, 0.36, 160.0], [4.56, 0.96, 386.0]]), (1e-2, [[25.0, 5.0, 1500.0], [50.0, 8.0, 1600.0]])];
+    for (off, most) in rows {
+        row(&Irb2400, &IRB2400, |phase| shoulder(off, phase), Crossing::Any, most);
+    }
+}
+
+#[test]
+fn to_the_edge_of_reach_and_beyond() {
+    let radial = [[1e-6, 1e-6, 0.0], [142.8, 9.12, 756.0]];
+    row(&Ur5, &UR5, |phase| elbow_radial(-1e-3, phase), Crossing::Wrist, radial);
+    let arc = [[22.8, 3.48, 1159.0], [22.8, 3.84, 1481.0]];
+    row(&Ur5, &UR5, |phase| elbow_arc(2e-2, phase), Crossing::Wrist, arc);
+}
+
+#[test]
+fn past_a_limit() {
+    let most = [[13.2, 21.6, 1578.0], [13.2, 21.6, 1609.0]];
+    row(&Irb2400, &IRB2400, limit, Crossing::Wrist, most);
+}
+
+/// The path follower keeps the path: the time it takes, or why it does not go on.
+#[test]
+fn the_path_is_kept() {
+    fn kept<A>(arm: &A, data: &Data<6>, case: &Case<6>) -> (f64, Progress)
+    where
+        A: InverseKinematics<f64, 6, Target = Pose<f64>>,
+    {
+        let rates = Rates::velocity(data.rates().velocity);
+        let kept = keep(arm, rates, FollowSettings::new(PERIOD, rates), PERIOD, &case.path, case.time, &case.q);
+        assert!(kept.rates[0] <= 1.0 + 1e-9 && kept.deviation < 1e-9, "{kept:?}");
+        (kept.time, kept.end)
+    }
+    for (off, most) in [(0.0, 1.41), (1e-6, 2.48), (1e-4, 2.45), (1e-3, 2.37), (1e-2, 2.2)] {
+        let (time, end) = kept(&Kr210, &KR210, &wrist(off, 0.0));
+        assert!(end == Progress::Done && time < most, "{off}: {time} {end:?}");
+    }
+    let (time, end) = kept(&Irb2400, &IRB2400, &shoulder(1e-2, 0.0));
+    assert!(end == Progress::Done && time < 2.19, "{time} {end:?}");
+    assert_eq!(kept(&Ur5, &UR5, &elbow_arc(2e-2, 0.0)).1, Progress::Blocked(Tracking::Reach));
+    assert_eq!(kept(&Irb2400, &IRB2400, &limit(0.0)).1, Progress::Blocked(Tracking::Limits));
+}
+
+fn paths<A: InverseKinematics<f64, N>, const N: usize>(
+    arm: &A,
+    data: &Data<N>,
+    target: impl Fn(&Pose<f64>, &[f64; N]) -> A::Target,
+) {
+    for accelerations in [false, true] {
+        let many: Many = splines(arm, data, accelerations, COUNT / 2, 7, &target);
+        assert!(many.paths[1] > 0 && many.lost == 0 && many.wrong == 0 && many.restless == 0, "{} {many:?}", data.name);
+    }
+}
+
+#[test]
+fn splines_end_exact() {
+    paths(&Irb2400, &IRB2400, |pose, _| *pose);
+    paths(&Ur5, &UR5, |pose, _| *pose);
+    paths(&Puma560, &PUMA560, |pose, _| *pose);
+    paths(&Kr210, &KR210, |pose, _| *pose);
+    paths(&Iiwa, &IIWA, |pose, q| (*pose, q[2]));
+    paths(&Torch, &TORCH, |pose, _| PointAxis::new(pose.translation, pose.rotation.map(|[_, _, z]| z)));
+    paths(&Anthro, &ANTHRO, |pose, _| pose.translation);
+    paths(&Jaco, &JACO, |pose, _| *pose);
+}
+
+fn jumping<A: InverseKinematics<f64, N>, const N: usize>(
+    arm: &A,
+    data: &Data<N>,
+    target: impl Fn(&[f64; N], f64) -> A::Target,
+    bad: impl Fn() -> A::Target,
+) {
+    let jumps: Jumps = jumps(arm, data, Crossing::Wrist, COUNT, 3, target, bad);
+    assert!(jumps.run.holds(1e-9) && jumps.restless == 0 && jumps.bad > 0, "{} {jumps:?}", data.name);
+    assert!(jumps.ends[0] * 10 >= COUNT * 7, "{} {jumps:?}", data.name);
+}
+
+fn longer<A: Arm<f64, N>, const N: usize>(arm: &A, q: &[f64; N], factor: f64) -> Pose<f64> {
+    let mut pose = arm.forward(q);
+    pose.translation = pose.translation.map(|x| x * factor);
+    pose
+}
+
+#[test]
+fn targets_jump() {
+    let mut bad = Pose::identity();
+    bad.translation[1] = f64::NAN;
+    let mirror = Pose { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]], translation: [1.0, 0.0, 0.5] };
+    jumping(&Irb2400, &IRB2400, |q, f| longer(&Irb2400, q, f), || bad);
+    jumping(&Ur5, &UR5, |q, f| longer(&Ur5, q, f), || mirror);
+    jumping(&Puma560, &PUMA560, |q, f| longer(&Puma560, q, f), || bad);
+    jumping(&Kr210, &KR210, |q, f| longer(&Kr210, q, f), || mirror);
+    jumping(&Iiwa, &IIWA, |q, f| (longer(&Iiwa, q, f), q[2]), || (Pose::identity(), f64::NAN));
+    let axis = |pose: Pose<f64>| PointAxis::new(pose.translation, pose.rotation.map(|[_, _, z]| z));
+    jumping(&Torch, &TORCH, |q, f| axis(longer(&Torch, q, f)), || PointAxis::new([0.5, 0.0, 0.0], [0.0; 3]));
+    jumping(&Anthro, &ANTHRO, |q, f| longer(&Anthro, q, f).translation, || [f64::INFINITY; 3]);
+    jumping(&Jaco, &JACO, |q, f| longer(&Jaco, q, f), || bad);
+}
+
+/// In single precision, by the velocity that is returned.
+#[test]
+fn single_precision() {
+    let rates = KR210.rates();
+    let single = |x: [f64; 6]| x.map(|x| x as f32);
+    let rates = Rates { velocity: single(rates.velocity), acceleration: single(rates.acceleration) };
+    for off in [0.0, 1e-4, 1e-3, 1e-2] {
+        for phase in [0.0, 0.5] {
+            let case = wrist(off, phase);
+            let settings = FollowSettings::new(PERIOD as f32, rates);
+            let mut watch = Watch::new(&Single, PERIOD as f32, rates, settings, &single(case.q));
+            for tick in 1..=(case.time / PERIOD) as usize + 500 {
+                let Pose { rotation, translation } = (case.path)(tick as f64 * PERIOD);
+                let rotation = rotation.map(|row| row.map(|x| x as f32));
+                watch.tick(&Pose { rotation, translation: translation.map(|x| x as f32) });
+            }
+            let run = watch.run;
+            // The acceleration is the difference of two velocities, each rounded.
+            assert!(run.rates[0] <= 1.0 + 1e-6 && run.rates[1] <= 1.001, "{off} {run:?}");
+            assert!(run.wrong == 0 && run.beyond <= 0.0 && run.deviation[0] < 2e-3, "{off} {run:?}");
+            assert_eq!(run.end, Some(Tracking::Exact), "{off} {run:?}");
+        }
+    }
+}
+
+/// The rates are those of motors that are linked.
+#[test]
+fn linked_motors_keep_their_rates() {
+    let rates = LINKED.rates();
+    let settings = FollowSettings::new(PERIOD, rates).linked(|q| Linked.to_motor(q), |motor| Linked.from_motor(motor));
+    let q = [0.2, 0.3, -0.2, 0.4, 0.9, 0.1];
+    let mut follower = Follower::new(&Linked, settings, &q).expect("a start");
+    let mut found = Linked.inverse(&Linked.forward(&q));
+    let (mut motors, mut before) = (Linked.to_motor(&q), [0.0; 6]);
+    let goals = [[1.0, 1.2, 0.6, -0.5, -0.8, 1.0], [-1.0, -0.5, -0.9, 0.5, 0.8, 1.0], [0.0, 1.5, -1.2, 0.5, 0.8, 0.0]];
+    for goal in goals {
+        let target = Linked.forward(&goal);
+        let mut end = None;
+        for _ in 0..3000 {
+            let step = follower.step(&Linked, &target, &mut found);
+            let now = Linked.to_motor(&step.q);
+            for joint in 0..6 {
+                let velocity = (now[joint] - motors[joint]) / PERIOD;
+                assert!(velocity.abs() <= rates.velocity[joint] * (1.0 + 1e-9));
+                let change = (velocity - before[joint]) / PERIOD;
+                assert!(change.abs() <= rates.acceleration[joint] * (1.0 + 1e-6), "{joint}: {change}");
+                before[joint] = velocity;
+                let [low, high] = Linked::LIMITS[joint];
+                assert!(step.q[joint] >= low - 1e-9 && step.q[joint] <= high + 1e-9);
+            }
+            motors = now;
+            end = Some(step.tracking);
+        }
+        assert_eq!(end, Some(Tracking::Exact), "{goal:?}");
+    }
+}
+
+/// A redundant joint follows the value that comes with the target, or stays.
+#[test]
+fn a_redundant_joint_is_given_or_held() {
+    let rates = IIWA.rates();
+    let q = [0.2, 0.6, 0.1, -1.2, 0.3, 0.8, 0.0];
+    let mut wanted = q;
+    wanted[2] = 0.5;
+    let target = (Iiwa.forward(&q), 0.5);
+    let end = |settings: FollowSettings<f64, 7>| -> Step<f64, 7> {
+        let mut watch = Watch::new(&Iiwa, PERIOD, rates, settings, &q);
+        for _ in 0..1999 {
+            watch.tick(&target);
+        }
+        let step = watch.tick(&target);
+        assert!(watch.run.holds(1e-9), "{:?}", watch.run);
+        step
+    };
+    let settings = FollowSettings::new(PERIOD, rates);
+    let given = end(settings);
+    assert!(given.tracking.is_exact() && given.q[2] == 0.5, "{given:?}");
+    for settings in [settings.held(), settings.locked(JointMask::single(2))] {
+        let held = end(settings);
+        assert!(held.tracking.is_exact() && held.q[2] == q[2], "{held:?}");
+    }
+}
+
+/// A far branch is reached only by request, and the crossing is told.
+#[test]
+fn an_arm_goes_to_the_branch_that_it_is_sent_to() {
+    let q = [10.0, -80.0, 100.0, 20.0, 50.0, 30.0].map(f64::to_radians);
+    let rates = KR210.rates();
+    let target = Kr210.forward(&q);
+    let settings = FollowSettings::new(PERIOD, rates).crossing(Crossing::Exact);
+    let mut watch = Watch::new(&Kr210, PERIOD, rates, settings, &q);
+    let start = watch.tick(&target);
+    assert!(start.tracking.is_exact() && start.crossed.is_none());
+    let other = if start.branch.wrist() == Some(Wrist::Flip) { Wrist::NoFlip } else { Wrist::Flip };
+    watch.follower.go_to_branch(&Kr210, start.branch.with_wrist(other));
+    let mut crossed = None;
+    let mut end = start;
+    for _ in 0..4000 {
+        end = watch.tick(&target);
+        crossed = crossed.or(end.crossed);
+    }
+    assert!(end.tracking.is_exact() && end.branch.wrist() == Some(other), "{end:?}");
+    assert_eq!(crossed, Some(start.branch));
+    assert!(watch.run.holds(1e-9), "{:?}", watch.run);
+}
+
+/// A stop brakes to rest, from any motion.
+#[test]
+fn a_stop_brakes() {
+    let case = wrist(1e-2, 0.0);
+    let rates = KR210.rates();
+    let mut watch = Watch::new(&Kr210, PERIOD, rates, FollowSettings::new(PERIOD, rates), &case.q);
+    for tick in 1..700 {
+        watch.tick(&(case.path)(f64::from(tick) * PERIOD));
+    }
+    let mut step = watch.stop();
+    assert!(step.tracking == Tracking::Target && step.remaining.is_infinite());
+    for _ in 0..200 {
+        step = watch.stop();
+    }
+    assert_eq!(step.velocity, [0.0; 6]);
+    assert!(watch.run.holds(1e-9), "{:?}", watch.run);
+}
+
+#[test]
+fn bad_settings_and_starts_are_refused() {
+    let (rates, q) = (KR210.rates(), [0.1, -1.0, 1.0, 0.1, 0.5, 0.1]);
+    let refused = |settings: FollowSettings<f64, 6>, q: [f64; 6]| {
+        let path = PathFollower::new(&Kr210, settings, &q).err();
+        assert_eq!(Follower::new(&Kr210, settings, &q).err(), path);
+        path
+    };
+    let settings = FollowSettings::new(PERIOD, rates);
+    assert_eq!(refused(settings, q), None);
+    for period in [0.0, -1e-3, f64::NAN, f64::INFINITY] {
+        assert_eq!(refused(FollowSettings::new(period, rates), q), Some(FollowError::Period));
+    }
+    for velocity in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let mut slow = rates;
+        slow.velocity[2] = velocity;
+        assert_eq!(refused(FollowSettings::new(PERIOD, slow), q), Some(FollowError::Rate(2)));
+    }
+    let mut slow = rates;
+    slow.acceleration[4] = 0.0;
+    assert_eq!(refused(FollowSettings::new(PERIOD, slow), q), Some(FollowError::Rate(4)));
+    assert_eq!(refused(settings.length(f64::NAN), q), Some(FollowError::Length));
+    for value in [f64::NAN, 0.5, f64::INFINITY] {
+        let mut start = q;
+        start[1] = value;
+        assert_eq!(refused(settings, start), Some(FollowError::Start(1)));
+    }
+    assert_eq!(Branch::NONE.wrist(), None);
+}
