@@ -52,6 +52,7 @@ mod solutions;
 mod solver;
 mod tape;
 mod target;
+mod view;
 
 pub use arm::{DynamicArm, DynamicJacobian};
 pub use error::DynamicError;
@@ -60,3 +61,4 @@ pub use margins::DynamicMargin;
 pub use pulses::DynamicQuantized;
 pub use solutions::{DynamicSolution, DynamicSolutions};
 pub use target::DynamicTarget;
+pub use view::{DynamicView, ViewSolutions, WholeTarget};
