@@ -45,6 +45,7 @@ mod kernel;
 mod margins;
 mod motion;
 mod nest;
+pub mod plan;
 mod pulses;
 mod redundancy;
 mod run;

@@ -1,0 +1,349 @@
+//! Dynamic programming over branches and turns.
+
+use std::collections::HashMap;
+
+use denhart::solve::wrap;
+use denhart::{Branch, InverseKinematics, JointKind, Solution, Status, Windings};
+
+use super::{JointSample, Obstacle, PlanError, PlanSettings};
+
+/// The largest step of a joint between two places, rad.
+const STEP: f64 = 0.05;
+/// How often an interval is halved at most.
+const DEPTH: u32 = 26;
+/// The most places that halving adds.
+const MOST_ADDED: usize = 100_000;
+/// The most joint vectors that a plan begins with: turns of all solutions of the first target.
+const MOST_STARTS: usize = 4096;
+/// A start is this near to a solution, rad.
+const NEAR: f64 = 1e-3;
+/// Joint vectors nearer than this, rad, are one.
+const ONE: f64 = 1e-9;
+/// A value is this near to its limit, relative to 1 and itself, by rounding.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// Places between two reports of progress.
+const BETWEEN_REPORTS: usize = 64;
+
+/// A joint vector at a place, with the cheapest way to it.
+#[derive(Debug, Clone, Copy)]
+struct Node<const N: usize> {
+    q: [f64; N],
+    branch: Branch,
+    cost: f64,
+    /// The node before it.
+    from: usize,
+}
+
+struct Layer<const N: usize> {
+    at: f64,
+    nodes: Vec<Node<N>>,
+}
+
+/// A place ahead.
+struct Place<G, const N: usize> {
+    at: f64,
+    target: G,
+    solutions: Vec<Solution<f64, N>>,
+    /// How often the interval before it was halved.
+    depth: u32,
+}
+
+struct Search<'a, A, F, const N: usize> {
+    arm: &'a A,
+    path: &'a F,
+    settings: &'a PlanSettings<N>,
+    limits: [[f64; 2]; N],
+    kinds: [JointKind; N],
+}
+
+/// The joint path of the least cost.
+pub fn search<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: usize>(
+    arm: &A,
+    path: &F,
+    end: f64,
+    settings: &PlanSettings<N>,
+    progress: &mut dyn FnMut(f64),
+) -> Result<Vec<JointSample<N>>, PlanError> {
+    let search = Search { arm, path, settings, limits: arm.limits(), kinds: arm.joint_kinds() };
+    let intervals = settings.intervals.clamp(16, MOST_ADDED);
+    let first = search.place(0.0, 0)?;
+    let mut layers = vec![Layer { at: 0.0, nodes: search.starts(&first)? }];
+    let mut added = 0;
+    for index in 1..=intervals {
+        let at = if index == intervals { end } else { end * index as f64 / intervals as f64 };
+        // The places up to here, the next one last.
+        let mut ahead = vec![search.place(at, 0)?];
+        while let Some(place) = ahead.last_mut() {
+            let Some(before) = layers.last() else { break };
+            let middle = 0.5 * (before.at + place.at);
+            let (nodes, halve) = search.advance(before, place);
+            if halve && place.depth < DEPTH && added < MOST_ADDED && middle > before.at && middle < place.at {
+                place.depth += 1;
+                added += 1;
+                let depth = place.depth;
+                ahead.push(search.place(middle, depth)?);
+                continue;
+            }
+            if nodes.is_empty() {
+                return Err(search.obstacle(before, place));
+            }
+            layers.push(Layer { at: place.at, nodes });
+            ahead.pop();
+            if layers.len() % BETWEEN_REPORTS == 0 {
+                progress(layers.last().map_or(0.0, |layer| layer.at));
+            }
+        }
+    }
+    Ok(cheapest(&layers))
+}
+
+/// The cheapest way, read from its end.
+fn cheapest<const N: usize>(layers: &[Layer<N>]) -> Vec<JointSample<N>> {
+    let by_cost = |(_, a): &(usize, &Node<N>), (_, b): &(usize, &Node<N>)| a.cost.total_cmp(&b.cost);
+    let mut index =
+        layers.last().and_then(|layer| layer.nodes.iter().enumerate().min_by(by_cost)).map_or(0, |(index, _)| index);
+    let mut samples = Vec::with_capacity(layers.len());
+    for layer in layers.iter().rev() {
+        let Some(node) = layer.nodes.get(index) else { break };
+        samples.push(JointSample { at: layer.at, q: node.q, branch: node.branch });
+        index = node.from;
+    }
+    samples.reverse();
+    samples
+}
+
+/// What becomes of a way to a solution.
+enum Way<const N: usize> {
+    /// It stands, and ends here.
+    Stands([f64; N]),
+    /// It would stand but for the limits.
+    Outside,
+    /// The tool leaves the path, or a joint moves too far.
+    Leaves,
+}
+
+impl<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: usize> Search<'_, A, F, N> {
+    /// The target of a place and its exact solutions.
+    fn place(&self, at: f64, depth: u32) -> Result<Place<A::Target, N>, PlanError> {
+        let target = (self.path)(at);
+        let found = self.arm.inverse(&target);
+        if A::status(&found) == Status::BadTarget {
+            return Err(PlanError::Target { at });
+        }
+        let solutions = found.as_ref().iter().filter(|solution| solution.is_exact()).copied().collect();
+        Ok(Place { at, target, solutions, depth })
+    }
+
+    /// The nodes of the first place.
+    fn starts(&self, place: &Place<A::Target, N>) -> Result<Vec<Node<N>>, PlanError> {
+        let node = |q, branch| Node { q, branch, cost: 0.0, from: 0 };
+        let Some(start) = &self.settings.start else {
+            let turns = place.solutions.iter().flat_map(|solution| {
+                let windings = Windings::new(&solution.q, &self.limits, &self.kinds);
+                windings.map(|q| node(q, solution.branch)).filter(|node| self.sums_hold(&node.q))
+            });
+            let nodes: Vec<Node<N>> = turns.take(MOST_STARTS).collect();
+            if nodes.is_empty() {
+                return Err(self.no_start(place));
+            }
+            return Ok(nodes);
+        };
+        let outside = |(q, [low, high]): (&f64, &[f64; 2])| !(*q >= *low - slack(*q) && *q <= *high + slack(*q));
+        if let Some(joint) = start.iter().zip(&self.limits).position(outside) {
+            return Err(PlanError::StartOutside { joint });
+        }
+        let near = self.arm.inverse_near(&place.target, start);
+        let nearest = near
+            .as_ref()
+            .iter()
+            .filter(|solution| solution.is_exact())
+            .filter_map(|solution| {
+                let q = self.next_to(start, &solution.q);
+                Some((self.distance(start, &q), self.inside(q)?, solution.branch))
+            })
+            .min_by(|(a, ..), (b, ..)| a.total_cmp(b));
+        match nearest {
+            Some((distance, q, branch)) if distance <= NEAR => Ok(vec![node(q, branch)]),
+            Some((distance, q, _)) => Err(PlanError::StartAway { distance, nearest: q.to_vec() }),
+            None => Err(self.no_start(place)),
+        }
+    }
+
+    /// Why no joint vector reaches the first target.
+    fn no_start(&self, place: &Place<A::Target, N>) -> PlanError {
+        let Some(solution) = place.solutions.first() else {
+            return PlanError::NoPath { at: place.at, branch: Branch::NONE, obstacle: Obstacle::Reach };
+        };
+        let obstacle = self.broken(&solution.q);
+        PlanError::NoPath { at: place.at, branch: solution.branch, obstacle }
+    }
+
+    /// The solution with each joint on the turn next to `q`.
+    fn next_to(&self, q: &[f64; N], solution: &[f64; N]) -> [f64; N] {
+        let mut next = *solution;
+        for ((next, q), kind) in next.iter_mut().zip(q).zip(&self.kinds) {
+            if *kind == JointKind::Revolute {
+                *next = q + wrap(*next - q);
+            }
+        }
+        next
+    }
+
+    /// The largest difference of a joint, rad.
+    fn distance(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
+        let length = self.settings.length();
+        let each = a.iter().zip(b).zip(&self.kinds).map(|((a, b), kind)| match kind {
+            JointKind::Revolute => (a - b).abs(),
+            _ => (a - b).abs() / length,
+        });
+        each.fold(0.0, f64::max)
+    }
+
+    /// The joint vector, if it is within all limits. A value beyond one by rounding is put there.
+    fn inside(&self, mut q: [f64; N]) -> Option<[f64; N]> {
+        for (q, [low, high]) in q.iter_mut().zip(&self.limits) {
+            if !(*q >= *low - slack(*q) && *q <= *high + slack(*q)) {
+                return None;
+            }
+            *q = q.max(*low).min(*high);
+        }
+        self.sums_hold(&q).then_some(q)
+    }
+
+    fn sums_hold(&self, q: &[f64; N]) -> bool {
+        self.settings.combined_limits.iter().all(|limit| limit.holds(q))
+    }
+
+    /// The nodes at the next place, and true if the interval needs to be halved: a way ends here and not for the limits alone.
+    fn advance(&self, before: &Layer<N>, place: &Place<A::Target, N>) -> (Vec<Node<N>>, bool) {
+        let mut nodes: Vec<Node<N>> = Vec::new();
+        let mut known: HashMap<(usize, [i64; N]), usize> = HashMap::new();
+        let halfway = |part: f64| (self.path)(before.at + part * (place.at - before.at));
+        let middle = halfway(0.5);
+        let span = if self.settings.is_timed { place.at - before.at } else { 0.0 };
+        let has_free = place.solutions.iter().any(|solution| !solution.free.is_empty());
+        let (mut limited, mut left) = (false, false);
+        for (from, node) in before.nodes.iter().enumerate() {
+            let (mut goes_on, mut outside) = (false, false);
+            let mut take = |solution: &Solution<f64, N>, key: Option<usize>| {
+                let way = self.way(node, solution, &middle, &halfway);
+                let Way::Stands(q) = way else {
+                    outside |= matches!(way, Way::Outside);
+                    return;
+                };
+                goes_on = true;
+                // Of two ways of the same time the one of less motion.
+                let time = self.settings.time(&node.q, &q);
+                let cost = node.cost + time.max(span) + 1e-6 * self.distance(&node.q, &q);
+                let new = Node { q, branch: solution.branch, cost, from };
+                let index = match key {
+                    Some(number) => {
+                        let mut turns = [0; N];
+                        for (turns, (q, own)) in turns.iter_mut().zip(q.iter().zip(&solution.q)) {
+                            *turns = ((q - own) / std::f64::consts::TAU).round() as i64;
+                        }
+                        *known.entry((number, turns)).or_insert(nodes.len())
+                    }
+                    None => {
+                        let is_there = |old: &Node<N>| self.distance(&old.q, &q) <= ONE;
+                        nodes.iter().position(is_there).unwrap_or(nodes.len())
+                    }
+                };
+                match nodes.get_mut(index) {
+                    Some(old) if old.cost <= cost => {}
+                    Some(old) => *old = new,
+                    None => nodes.push(new),
+                }
+            };
+            for (number, solution) in place.solutions.iter().enumerate() {
+                take(solution, Some(number));
+            }
+            // Each way has its own member of a singular family.
+            if has_free {
+                let near = self.arm.inverse_near(&place.target, &node.q);
+                for solution in near.as_ref().iter().filter(|one| one.is_exact() && !one.free.is_empty()) {
+                    take(solution, None);
+                }
+            }
+            limited |= !goes_on && outside;
+            left |= !goes_on && !outside;
+        }
+        let halve = left || (limited && nodes.is_empty());
+        (nodes, halve)
+    }
+
+    fn way(
+        &self,
+        node: &Node<N>,
+        solution: &Solution<f64, N>,
+        middle: &A::Target,
+        halfway: &impl Fn(f64) -> A::Target,
+    ) -> Way<N> {
+        let q = self.next_to(&node.q, &solution.q);
+        if self.distance(&node.q, &q) > STEP {
+            return Way::Leaves;
+        }
+        let on_path = |part: f64, target: &A::Target| {
+            let between = super::curve::between(&node.q, &q, part);
+            self.settings.allows(&self.arm.residual(&between, target))
+        };
+        // Around a crossing the middle alone may be on the path by symmetry.
+        let stays = on_path(0.5, middle)
+            && (node.branch == solution.branch || [0.25, 0.75].iter().all(|part| on_path(*part, &halfway(*part))));
+        match (stays, self.inside(q)) {
+            (true, Some(q)) => Way::Stands(q),
+            (true, None) => Way::Outside,
+            (false, _) => Way::Leaves,
+        }
+    }
+
+    /// The limit that a joint vector breaks.
+    fn broken(&self, q: &[f64; N]) -> Obstacle {
+        let outside = |(q, [low, high]): (&f64, &[f64; 2])| !(*q >= *low - slack(*q) && *q <= *high + slack(*q));
+        let Some(joint) = q.iter().zip(&self.limits).position(outside) else { return Obstacle::CombinedLimit };
+        let turns = q
+            .iter()
+            .zip(&self.limits)
+            .zip(&self.kinds)
+            .nth(joint)
+            .is_some_and(|((q, limits), kind)| Windings::new(&[*q], &[*limits], &[*kind]).next().is_some());
+        if turns { Obstacle::WholeTurn(joint) } else { Obstacle::Limit(joint) }
+    }
+
+    /// Why no way goes on from these nodes, by the cheapest of them.
+    fn obstacle(&self, before: &Layer<N>, place: &Place<A::Target, N>) -> PlanError {
+        let no_path = |branch, obstacle| PlanError::NoPath { at: before.at, branch, obstacle };
+        let Some(node) = before.nodes.iter().min_by(|a, b| a.cost.total_cmp(&b.cost)) else {
+            return no_path(Branch::NONE, Obstacle::Reach);
+        };
+        let near = self.arm.inverse_near(&place.target, &node.q);
+        let exact = || near.as_ref().iter().filter(|solution| solution.is_exact());
+        let ways = exact().map(|solution| {
+            let q = self.next_to(&node.q, &solution.q);
+            (self.distance(&node.q, &q), q, solution.branch)
+        });
+        let Some((distance, q, _)) = ways.clone().min_by(|(a, ..), (b, ..)| a.total_cmp(b)) else {
+            return no_path(node.branch, Obstacle::Reach);
+        };
+        if distance <= STEP && self.inside(q).is_none() {
+            return no_path(node.branch, self.broken(&q));
+        }
+        let same = ways.filter(|(_, _, branch)| *branch == node.branch).min_by(|(a, ..), (b, ..)| a.total_cmp(b));
+        let before_it = self.arm.inverse_near(&(self.path)(before.at), &node.q);
+        let ends = before_it.as_ref().iter().filter(|solution| solution.is_exact()).count() > exact().count();
+        let obstacle = match same {
+            // Of numbered branches another one may have the number.
+            Some((_, q, branch)) if !(ends && branch.root().is_some()) => {
+                let moved = node.q.iter().zip(&q).map(|(a, b)| (a - b).abs());
+                let most = moved.enumerate().max_by(|(_, a), (_, b)| a.total_cmp(b));
+                Obstacle::Singularity(most.map_or(0, |(joint, _)| joint))
+            }
+            _ => Obstacle::Reach,
+        };
+        no_path(node.branch, obstacle)
+    }
+}
+
+fn slack(value: f64) -> f64 {
+    ROUNDING * (1.0 + value.abs())
+}
