@@ -308,7 +308,7 @@ mod tests {
         check::<2>("planar2r");
         check::<3>("planar3r");
         check::<4>("scara_rrrp_325_275");
-        check::<5>("al5d");
+        check::<5>("scorbot_er5");
         check::<6>("ur5");
         check::<7>("kuka_iiwa7_r800");
     }

@@ -14,6 +14,8 @@ const SHORTEST: f64 = 1e-6;
 const ONE: f64 = 1e-12;
 /// How often a stretch is halved at most.
 const DEPTH: u32 = 20;
+/// How often the first and the last stretch are halved: from rest the speed rises over the first one.
+const ENDS: usize = 8;
 /// Rounds of halving where the curve leaves the path.
 const ROUNDS: usize = 8;
 /// The most knots of a curve, with those of the search.
@@ -254,6 +256,15 @@ impl<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: usize> Make
                 } else {
                     points.push(to);
                     from = to;
+                }
+            }
+        }
+        for _ in 0..ENDS {
+            for is_last in [false, true] {
+                let index = if is_last { points.len().saturating_sub(2) } else { 0 };
+                if let (Some(a), Some(b)) = (points.get(index), points.get(index + 1)) {
+                    let middle = self.middle(a, b);
+                    points.insert(index + 1, middle);
                 }
             }
         }

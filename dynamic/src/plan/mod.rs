@@ -151,6 +151,12 @@ impl<const N: usize> JointPath<N> {
         &self.samples
     }
 
+    /// The number of knots of its curve.
+    #[must_use]
+    pub fn knots(&self) -> usize {
+        self.curve.knots.len()
+    }
+
     /// Changes of the branch: the parameter behind each, with the branches before and after it.
     pub fn crossings(&self) -> impl Iterator<Item = (f64, Branch, Branch)> {
         let pairs = self.samples.iter().zip(self.samples.iter().skip(1));

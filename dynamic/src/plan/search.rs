@@ -21,6 +21,8 @@ const NEAR: f64 = 1e-3;
 const ONE: f64 = 1e-9;
 /// A value is this near to its limit, relative to 1 and itself, by rounding.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// A way past a swing ends before this many times the interval in which it was met.
+const PAST: f64 = 3.5;
 /// Places between two reports of progress.
 const BETWEEN_REPORTS: usize = 64;
 
@@ -30,13 +32,23 @@ struct Node<const N: usize> {
     q: [f64; N],
     branch: Branch,
     cost: f64,
-    /// The node before it.
-    from: usize,
+    /// The layer and the number of the node before it.
+    from: (usize, usize),
 }
 
 struct Layer<const N: usize> {
     at: f64,
     nodes: Vec<Node<N>>,
+}
+
+/// A node from which no way leads to the next place. Where a joint swings there, a way may lead past the swing.
+struct Waiting<const N: usize> {
+    node: Node<N>,
+    at: f64,
+    /// Its layer and its number there.
+    index: (usize, usize),
+    /// The last parameter that such a way may end at.
+    until: f64,
 }
 
 /// A place ahead.
@@ -68,24 +80,39 @@ pub fn search<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: us
     let intervals = settings.intervals.clamp(16, MOST_ADDED);
     let first = search.place(0.0, 0)?;
     let mut layers = vec![Layer { at: 0.0, nodes: search.starts(&first)? }];
+    let mut waiting: Vec<Waiting<N>> = Vec::new();
+    // The place that no way but one past a swing leads beyond.
+    let mut ended = None;
     let mut added = 0;
-    for index in 1..=intervals {
-        let at = if index == intervals { end } else { end * index as f64 / intervals as f64 };
+    for number in 1..=intervals {
+        let at = if number == intervals { end } else { end * number as f64 / intervals as f64 };
         // The places up to here, the next one last.
         let mut ahead = vec![search.place(at, 0)?];
         while let Some(place) = ahead.last_mut() {
             let Some(before) = layers.last() else { break };
-            let middle = 0.5 * (before.at + place.at);
-            let (nodes, halve) = search.advance(before, place);
+            let (middle, index) = (0.5 * (before.at + place.at), layers.len() - 1);
+            waiting.retain(|waiting| waiting.until >= place.at);
+            let Next { nodes, left, halve } = search.advance(before, index, &waiting, place);
             if halve && place.depth < DEPTH && added < MOST_ADDED && middle > before.at && middle < place.at {
+                let until = before.at + PAST * (place.at - before.at);
+                for (number, node) in left {
+                    let index = (index, number);
+                    if waiting.last().is_none_or(|last| last.index < index) {
+                        waiting.push(Waiting { node, at: before.at, index, until });
+                    }
+                }
                 place.depth += 1;
                 added += 1;
                 let depth = place.depth;
                 ahead.push(search.place(middle, depth)?);
                 continue;
             }
-            if nodes.is_empty() {
-                return Err(search.obstacle(before, place));
+            if nodes.is_empty() && !before.nodes.is_empty() {
+                ended = Some(search.obstacle(before, place));
+            }
+            if nodes.is_empty() && waiting.is_empty() {
+                let nowhere = PlanError::NoPath { at: before.at, branch: Branch::NONE, obstacle: Obstacle::Reach };
+                return Err(ended.unwrap_or(nowhere));
             }
             layers.push(Layer { at: place.at, nodes });
             ahead.pop();
@@ -94,22 +121,82 @@ pub fn search<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: us
             }
         }
     }
-    Ok(cheapest(&layers))
+    match (layers.last().is_some_and(|last| last.nodes.is_empty()), ended) {
+        (true, Some(error)) => Err(error),
+        _ => Ok(cheapest(&layers)),
+    }
 }
 
 /// The cheapest way, read from its end.
 fn cheapest<const N: usize>(layers: &[Layer<N>]) -> Vec<JointSample<N>> {
     let by_cost = |(_, a): &(usize, &Node<N>), (_, b): &(usize, &Node<N>)| a.cost.total_cmp(&b.cost);
-    let mut index =
-        layers.last().and_then(|layer| layer.nodes.iter().enumerate().min_by(by_cost)).map_or(0, |(index, _)| index);
+    let last = layers.last().and_then(|layer| layer.nodes.iter().enumerate().min_by(by_cost));
+    let mut index = (layers.len().saturating_sub(1), last.map_or(0, |(index, _)| index));
     let mut samples = Vec::with_capacity(layers.len());
-    for layer in layers.iter().rev() {
-        let Some(node) = layer.nodes.get(index) else { break };
+    for _ in layers {
+        let Some(layer) = layers.get(index.0) else { break };
+        let Some(node) = layer.nodes.get(index.1) else { break };
         samples.push(JointSample { at: layer.at, q: node.q, branch: node.branch });
+        if index.0 == 0 {
+            break;
+        }
         index = node.from;
     }
     samples.reverse();
     samples
+}
+
+/// What the next place has.
+struct Next<const N: usize> {
+    nodes: Vec<Node<N>>,
+    /// The nodes before it, with their numbers, that no way leads on from, and not for the limits.
+    left: Vec<(usize, Node<N>)>,
+    /// The interval needs to be halved.
+    halve: bool,
+}
+
+/// The nodes of a place, each once.
+struct Nodes<const N: usize> {
+    nodes: Vec<Node<N>>,
+    /// By the number of the solution and the turns of the joints.
+    known: HashMap<(usize, [i64; N]), usize>,
+}
+
+impl<const N: usize> Nodes<N> {
+    /// Adds a node at a solution of this number, or one of a singular family; of two at one joint vector the cheaper stays.
+    fn take<A, F>(
+        &mut self,
+        new: Node<N>,
+        solution: &Solution<f64, N>,
+        number: Option<usize>,
+        search: &Search<A, F, N>,
+    ) {
+        let index = match number {
+            Some(number) => {
+                let mut turns = [0; N];
+                for (turns, (q, own)) in turns.iter_mut().zip(new.q.iter().zip(&solution.q)) {
+                    *turns = ((q - own) / std::f64::consts::TAU).round() as i64;
+                }
+                *self.known.entry((number, turns)).or_insert(self.nodes.len())
+            }
+            None => {
+                let is_there = |old: &Node<N>| search.distance(&old.q, &new.q) <= ONE;
+                self.nodes.iter().position(is_there).unwrap_or(self.nodes.len())
+            }
+        };
+        match self.nodes.get_mut(index) {
+            Some(old) if old.cost <= new.cost => {}
+            Some(old) => *old = new,
+            None => self.nodes.push(new),
+        }
+    }
+}
+
+/// A way between two places: targets between them by the part of the way, and the time that the path takes.
+struct Stretch<'a, G> {
+    targets: Vec<(f64, G)>,
+    span: f64,
+    inner: Box<dyn Fn(f64) -> (f64, G) + 'a>,
 }
 
 /// What becomes of a way to a solution.
@@ -120,6 +207,18 @@ enum Way<const N: usize> {
     Outside,
     /// The tool leaves the path, or a joint moves too far.
     Leaves,
+}
+
+impl<A, F, const N: usize> Search<'_, A, F, N> {
+    /// The largest difference of a joint, rad.
+    fn distance(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
+        let length = self.settings.length();
+        let each = a.iter().zip(b).zip(&self.kinds).map(|((a, b), kind)| match kind {
+            JointKind::Revolute => (a - b).abs(),
+            _ => (a - b).abs() / length,
+        });
+        each.fold(0.0, f64::max)
+    }
 }
 
 impl<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: usize> Search<'_, A, F, N> {
@@ -136,7 +235,7 @@ impl<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: usize> Sear
 
     /// The nodes of the first place.
     fn starts(&self, place: &Place<A::Target, N>) -> Result<Vec<Node<N>>, PlanError> {
-        let node = |q, branch| Node { q, branch, cost: 0.0, from: 0 };
+        let node = |q, branch| Node { q, branch, cost: 0.0, from: (0, 0) };
         let Some(start) = &self.settings.start else {
             let turns = place.solutions.iter().flat_map(|solution| {
                 let windings = Windings::new(&solution.q, &self.limits, &self.kinds);
@@ -189,16 +288,6 @@ impl<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: usize> Sear
         next
     }
 
-    /// The largest difference of a joint, rad.
-    fn distance(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
-        let length = self.settings.length();
-        let each = a.iter().zip(b).zip(&self.kinds).map(|((a, b), kind)| match kind {
-            JointKind::Revolute => (a - b).abs(),
-            _ => (a - b).abs() / length,
-        });
-        each.fold(0.0, f64::max)
-    }
-
     /// The joint vector, if it is within all limits. A value beyond one by rounding is put there.
     fn inside(&self, mut q: [f64; N]) -> Option<[f64; N]> {
         for (q, [low, high]) in q.iter_mut().zip(&self.limits) {
@@ -214,46 +303,22 @@ impl<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: usize> Sear
         self.settings.combined_limits.iter().all(|limit| limit.holds(q))
     }
 
-    /// The nodes at the next place, and true if the interval needs to be halved: a way ends here and not for the limits alone.
-    fn advance(&self, before: &Layer<N>, place: &Place<A::Target, N>) -> (Vec<Node<N>>, bool) {
-        let mut nodes: Vec<Node<N>> = Vec::new();
-        let mut known: HashMap<(usize, [i64; N]), usize> = HashMap::new();
-        let halfway = |part: f64| (self.path)(before.at + part * (place.at - before.at));
-        let middle = halfway(0.5);
-        let span = if self.settings.is_timed { place.at - before.at } else { 0.0 };
+    /// The nodes at the next place, and those of the layer before that no way leads on from.
+    fn advance(&self, before: &Layer<N>, layer: usize, waiting: &[Waiting<N>], place: &Place<A::Target, N>) -> Next<N> {
+        let mut next = Nodes { nodes: Vec::new(), known: HashMap::new() };
         let has_free = place.solutions.iter().any(|solution| !solution.free.is_empty());
-        let (mut limited, mut left) = (false, false);
-        for (from, node) in before.nodes.iter().enumerate() {
+        let mut left = Vec::new();
+        let (mut limited, mut swings) = (false, false);
+        let way = self.stretch(before.at, place.at, 2);
+        for (number, node) in before.nodes.iter().enumerate() {
             let (mut goes_on, mut outside) = (false, false);
-            let mut take = |solution: &Solution<f64, N>, key: Option<usize>| {
-                let way = self.way(node, solution, &middle, &halfway);
-                let Way::Stands(q) = way else {
-                    outside |= matches!(way, Way::Outside);
-                    return;
-                };
-                goes_on = true;
-                // Of two ways of the same time the one of less motion.
-                let time = self.settings.time(&node.q, &q);
-                let cost = node.cost + time.max(span) + 1e-6 * self.distance(&node.q, &q);
-                let new = Node { q, branch: solution.branch, cost, from };
-                let index = match key {
-                    Some(number) => {
-                        let mut turns = [0; N];
-                        for (turns, (q, own)) in turns.iter_mut().zip(q.iter().zip(&solution.q)) {
-                            *turns = ((q - own) / std::f64::consts::TAU).round() as i64;
-                        }
-                        *known.entry((number, turns)).or_insert(nodes.len())
-                    }
-                    None => {
-                        let is_there = |old: &Node<N>| self.distance(&old.q, &q) <= ONE;
-                        nodes.iter().position(is_there).unwrap_or(nodes.len())
-                    }
-                };
-                match nodes.get_mut(index) {
-                    Some(old) if old.cost <= cost => {}
-                    Some(old) => *old = new,
-                    None => nodes.push(new),
+            let mut take = |solution: &Solution<f64, N>, key: Option<usize>| match self.way(node, solution, &way) {
+                Way::Stands(q) => {
+                    goes_on = true;
+                    next.take(self.node(node, (layer, number), q, solution, &way), solution, key, self);
                 }
+                Way::Outside => outside = true,
+                Way::Leaves => {}
             };
             for (number, solution) in place.solutions.iter().enumerate() {
                 take(solution, Some(number));
@@ -266,19 +331,50 @@ impl<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: usize> Sear
                 }
             }
             limited |= !goes_on && outside;
-            left |= !goes_on && !outside;
+            if !goes_on && !outside {
+                swings = true;
+                left.push((number, *node));
+            }
         }
-        let halve = left || (limited && nodes.is_empty());
-        (nodes, halve)
+        for waiting in waiting.iter().filter(|waiting| waiting.index.0 < layer) {
+            let near = |(_, solution): &(usize, &Solution<f64, N>)| {
+                let q = self.next_to(&waiting.node.q, &solution.q);
+                self.distance(&waiting.node.q, &q) <= STEP
+            };
+            let Some((number, solution)) = place.solutions.iter().enumerate().find(near) else { continue };
+            let way = self.stretch(waiting.at, place.at, 8);
+            if let Way::Stands(q) = self.way(&waiting.node, solution, &way) {
+                next.take(self.node(&waiting.node, waiting.index, q, solution, &way), solution, Some(number), self);
+            }
+        }
+        let halve = swings || (limited && next.nodes.is_empty());
+        Next { nodes: next.nodes, left, halve }
     }
 
-    fn way(
+    /// The inner targets of a way, so many parts of it apart.
+    fn stretch(&self, from: f64, to: f64, parts: u32) -> Stretch<'_, A::Target> {
+        let inner = move |part: f64| (part, (self.path)(from + part * (to - from)));
+        let targets = (1..parts).map(|k| inner(f64::from(k) / f64::from(parts))).collect();
+        let span = if self.settings.is_timed { to - from } else { 0.0 };
+        Stretch { targets, span, inner: Box::new(inner) }
+    }
+
+    /// The node at the end of a way.
+    fn node(
         &self,
-        node: &Node<N>,
+        from: &Node<N>,
+        index: (usize, usize),
+        q: [f64; N],
         solution: &Solution<f64, N>,
-        middle: &A::Target,
-        halfway: &impl Fn(f64) -> A::Target,
-    ) -> Way<N> {
+        way: &Stretch<A::Target>,
+    ) -> Node<N> {
+        // Of two ways of the same time the one of less motion.
+        let time = self.settings.time(&from.q, &q).max(way.span);
+        let cost = from.cost + time + 1e-6 * self.distance(&from.q, &q);
+        Node { q, branch: solution.branch, cost, from: index }
+    }
+
+    fn way(&self, node: &Node<N>, solution: &Solution<f64, N>, way: &Stretch<A::Target>) -> Way<N> {
         let q = self.next_to(&node.q, &solution.q);
         if self.distance(&node.q, &q) > STEP {
             return Way::Leaves;
@@ -287,9 +383,13 @@ impl<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: usize> Sear
             let between = super::curve::between(&node.q, &q, part);
             self.settings.allows(&self.arm.residual(&between, target))
         };
+        let on_quarter = |part: f64| {
+            let (part, target) = (way.inner)(part);
+            on_path(part, &target)
+        };
         // Around a crossing the middle alone may be on the path by symmetry.
-        let stays = on_path(0.5, middle)
-            && (node.branch == solution.branch || [0.25, 0.75].iter().all(|part| on_path(*part, &halfway(*part))));
+        let stays = way.targets.iter().all(|(part, target)| on_path(*part, target))
+            && (node.branch == solution.branch || [0.25, 0.75].into_iter().all(on_quarter));
         match (stays, self.inside(q)) {
             (true, Some(q)) => Way::Stands(q),
             (true, None) => Way::Outside,
