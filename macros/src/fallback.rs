@@ -264,6 +264,13 @@ fn traits(name: &Ident, outline: &Outline, krate: &Path, number: &TokenStream) -
             fn target_at(&self, _: &[#number; #q]) -> Self::Target {
                 #krate::Pose::identity()
             }
+            fn deviation(&self, _: &[#number; #q], _: &Self::Target) -> #krate::Deviation<#number, #q> {
+                #krate::Deviation {
+                    twist: [0.0; 6],
+                    jacobian: #krate::Jacobian { rows: [[0.0; #q]; 6] },
+                    given: #krate::JointMask::NONE,
+                }
+            }
             fn status(_: &Self::Solutions) -> #krate::Status<#number> {
                 #krate::Status::BadTarget
             }

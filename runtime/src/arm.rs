@@ -1,6 +1,8 @@
 //! Traits of generated arms, for code that is generic over the arm.
 
 use crate::branch::Branch;
+use crate::combined_limit::CombinedLimit;
+use crate::deviation::Deviation;
 use crate::dh::JointKind;
 use crate::jacobian::Jacobian;
 use crate::math::{Scalar, radians};
@@ -270,6 +272,30 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
     /// singularities [`inverse`](Self::inverse) of the target lists `q`, its angles brought into `(-pi, pi]`.
     #[must_use]
     fn target_at(&self, q: &[T; N]) -> Self::Target;
+
+    /// Twist from the tool at `q` to the target, and its derivative by the joints: as far as the task asks for it.
+    #[must_use]
+    fn deviation(&self, q: &[T; N], target: &Self::Target) -> Deviation<T, N>;
+
+    /// Like [`inverse_near_into`](Self::inverse_near_into), but values that come with the target, of redundant joints or of
+    /// the arm angle, are the target's and not those of `q_ref`.
+    fn inverse_given_near_into(&self, target: &Self::Target, q_ref: &[T; N], solutions: &mut Self::Solutions) {
+        self.inverse_near_into(target, q_ref, solutions);
+    }
+
+    /// Writes the factors of the determinant of the Jacobian at `q`, as the arm's `margins` have them, and gives their
+    /// number; what has no room is left out. A factor is 0 at a singularity of its kind, with opposite signs beside it.
+    ///
+    /// An arm that has no `margins` gives 0.
+    fn factors(&self, _q: &[T; N], _factors: &mut [T]) -> usize {
+        0
+    }
+
+    /// Limits of sums of joint values; none where the arm's file has none.
+    #[must_use]
+    fn combined_limits(&self) -> &[CombinedLimit<T, N>] {
+        &[]
+    }
 
     /// Outcome of the call that gave `solutions`.
     #[must_use]

@@ -19,6 +19,18 @@ impl<T> Margin<T> {
     }
 }
 
+impl<T: Copy> Margin<T> {
+    /// Writes the values of margins, as far as there is room; gives their number.
+    #[doc(hidden)]
+    #[inline]
+    pub fn write<const K: usize>(margins: &[Self; K], factors: &mut [T]) -> usize {
+        for (factor, margin) in factors.iter_mut().zip(margins) {
+            *factor = margin.value;
+        }
+        K
+    }
+}
+
 /// As in `elbow 0.125`.
 impl<T: fmt::Display> fmt::Display for Margin<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -32,7 +32,7 @@ pub fn held_joint(model: &Model, plan: &HeldJointPlan, target: &Target) -> Inver
         items: items(model, &program.constants, target, [TokenStream::new(), quote!(#constants #item)]),
         function: function(plan, target, &task),
         methods: methods(model, outline, target, &task, &solver),
-        trait_impl: inverse_trait(outline, false, target, &task),
+        trait_impl: inverse_trait(model, outline, [false, false], target, &task, &solver),
     }
 }
 

@@ -458,8 +458,16 @@ fn sample_redundancy(model: &Model, outline: &Outline, target: &Target, task: &T
     }
 }
 
-/// The trait impl, whose target includes the value of a redundant joint; `branches`: they have names.
-pub(super) fn inverse_trait(outline: &Outline, branches: bool, target: &Target, task: &TaskCode) -> TokenStream {
+/// The trait impl, whose target includes the value of a redundant joint; `branches`: they have names. `margins`: the arm
+/// has that method.
+pub(super) fn inverse_trait(
+    model: &Model,
+    outline: &Outline,
+    [branches, margins]: [bool; 2],
+    target: &Target,
+    task: &TaskCode,
+    solver: &Solver,
+) -> TokenStream {
     let (krate, scalar, name) = (&target.krate, target.scalar.tokens(), &target.type_name);
     let (n, m) = (integer(outline.joints), integer(outline.capacity));
     let target_type = &task.target;
@@ -473,12 +481,72 @@ pub(super) fn inverse_trait(outline: &Outline, branches: bool, target: &Target, 
             }
         }
     });
+    let following = following(model, outline, margins, target, task, solver);
     quote! {
         #[automatically_derived]
         impl #krate::InverseKinematics<#scalar, #n> for #name {
             #krate::delegate_inverse!(#name, #scalar, #n, #m, #target_type #given);
+            #following
         }
         #branch
+    }
+}
+
+/// The items of the trait that followers of a path call.
+fn following(
+    model: &Model,
+    outline: &Outline,
+    margins: bool,
+    target: &Target,
+    task: &TaskCode,
+    solver: &Solver,
+) -> TokenStream {
+    let (krate, scalar, name) = (&target.krate, target.scalar.tokens(), &target.type_name);
+    let n = integer(outline.joints);
+    let (goal, Solver { function, arguments, .. }) = (&task.goal, solver);
+    let values = &outline.task.given;
+    let names = given::collected(values);
+    let unpack = names.as_ref().map(|names| quote!(let (target, #names) = (&target.0, target.1);));
+    let locked = given::locked(outline, target);
+    let sought = ident(if locked.is_some() { "locked" } else { "goal" });
+    let near = given::wrapped(values, target).map(|wrapped| {
+        quote! {
+            fn inverse_given_near_into(
+                &self,
+                target: &Self::Target,
+                q_ref: &[#scalar; #n],
+                solutions: &mut Self::Solutions,
+            ) {
+                #unpack
+                solutions.reset(#krate::Status::BadTarget);
+                #function(self, target, #wrapped, ::core::option::Option::Some(q_ref), #arguments solutions);
+            }
+        }
+    });
+    let factors = margins.then(|| {
+        quote! {
+            fn factors(&self, q: &[#scalar; #n], factors: &mut [#scalar]) -> ::core::primitive::usize {
+                #krate::Margin::write(&#name::margins(self, q), factors)
+            }
+        }
+    });
+    let combined = (!model.combined_limits.is_empty()).then(|| {
+        quote! {
+            fn combined_limits(&self) -> &[#krate::CombinedLimit<#scalar, #n>] {
+                &#name::COMBINED_LIMITS
+            }
+        }
+    });
+    quote! {
+        fn deviation(&self, q: &[#scalar; #n], target: &Self::Target) -> #krate::Deviation<#scalar, #n> {
+            #unpack
+            let goal = #goal;
+            #locked
+            #krate::Deviation::new(#sought, q, #name::forward_and_jacobian(self, q))
+        }
+        #near
+        #factors
+        #combined
     }
 }
 

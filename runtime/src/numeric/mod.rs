@@ -62,7 +62,7 @@
 mod descent;
 mod limits;
 mod linear;
-mod model;
+pub(crate) mod model;
 mod report;
 mod settings;
 mod starts;

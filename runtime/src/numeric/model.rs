@@ -50,6 +50,11 @@ pub(super) fn characteristic_length<T: Scalar, M: Model<T>>(model: &M, q: &M::Jo
     if length > T::ZERO && length.is_finite() { length } else { T::ONE }
 }
 
+/// The way along the links of an arm.
+pub(crate) fn way_along_the_links<A: Arm<T, N>, T: Scalar, const N: usize>(arm: &A, q: &[T; N]) -> T {
+    characteristic_length(&Generated::new(arm), q)
+}
+
 /// A generated arm.
 pub(super) struct Generated<'a, A, T, const N: usize> {
     arm: &'a A,

@@ -27,6 +27,14 @@ pub trait Goal<T, const N: usize> {
     /// Turns the geometric Jacobian into the derivative of that error by the joints.
     fn restrict(&self, pose: &Pose<T>, jacobian: &mut Jacobian<T, N>);
 
+    /// The error for targets that are far away: angles count as such, up to half a turn.
+    fn twist(&self, q: &[T; N], pose: &Pose<T>) -> [T; 6]
+    where
+        Self: Sized,
+    {
+        self.error(q, pose)
+    }
+
     /// The joints whose value is given and that nothing may move.
     #[inline]
     fn given(&self) -> JointMask {
@@ -80,6 +88,10 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for Pose<T> {
     }
 
     fn restrict(&self, _: &Pose<T>, _: &mut Jacobian<T, N>) {}
+
+    fn twist(&self, _: &[T; N], pose: &Pose<T>) -> [T; 6] {
+        pose.error_to(self)
+    }
 }
 
 /// A point.
@@ -186,6 +198,19 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for Pointing<T> {
             let about = dot(axis, [*u, *v, *w]);
             (*u, *v, *w) = (*u - about * ax, *v - about * ay, *w - about * az);
         }
+    }
+
+    fn twist(&self, q: &[T; N], pose: &Pose<T>) -> [T; 6] {
+        let [x, y, z, turns @ ..] = self.error(q, pose);
+        let sine = norm(turns);
+        let angle = atan2(sine, dot(column(&pose.rotation, self.column), self.direction));
+        // Opposite directions have no axis between them: any across will do, of which `frame` has one.
+        let [u, v, w] = match sine > T::EPSILON {
+            true => turns.map(|part| part * (angle / sine)),
+            false if angle > T::ONE => column(&self.frame().rotation, 0).map(|part| part * angle),
+            false => turns,
+        };
+        [x, y, z, u, v, w]
     }
 }
 

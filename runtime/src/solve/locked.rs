@@ -43,6 +43,10 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize> Goal<T, N> for Locked<'_, T, 
         self.goal.error(q, pose)
     }
 
+    fn twist(&self, q: &[T; N], pose: &Pose<T>) -> [T; 6] {
+        self.goal.twist(q, pose)
+    }
+
     fn restrict(&self, pose: &Pose<T>, jacobian: &mut Jacobian<T, N>) {
         self.goal.restrict(pose, jacobian);
         for entry in jacobian.rows.iter_mut().filter_map(|row| row.get_mut(self.joint)) {
@@ -99,6 +103,10 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize> Goal<T, N> for AllLocked<'_, 
 
     fn error(&self, q: &[T; N], pose: &Pose<T>) -> [T; 6] {
         self.goal.error(q, pose)
+    }
+
+    fn twist(&self, q: &[T; N], pose: &Pose<T>) -> [T; 6] {
+        self.goal.twist(q, pose)
     }
 
     fn restrict(&self, pose: &Pose<T>, jacobian: &mut Jacobian<T, N>) {

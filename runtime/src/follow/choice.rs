@@ -1,0 +1,83 @@
+//! The choice of a goal among the solutions of a target.
+
+use super::settings::Crossing;
+use super::signs::Signs;
+use crate::branch::Branch;
+use crate::math::Scalar;
+use crate::solution::Solution;
+
+/// A part of the joint space that singularities bound: the signs of its factors, and its name.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Place {
+    pub(super) signs: Signs,
+    pub(super) branch: Branch,
+}
+
+/// A solution, as a place where the arm may go.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Candidate<T, const N: usize> {
+    pub(super) q: [T; N],
+    pub(super) within_limits: bool,
+    pub(super) place: Place,
+    /// Time of the way at full rates, in ticks.
+    pub(super) ticks: T,
+}
+
+impl<T: Scalar, const N: usize> Candidate<T, N> {
+    pub(super) fn new(solution: &Solution<T, N>, signs: Signs, ticks: T) -> Self {
+        let place = Place { signs, branch: solution.branch };
+        Self { q: solution.q, within_limits: solution.is_within_limits(), place, ticks }
+    }
+}
+
+impl Crossing {
+    /// Returns true if a deviation may lead from a branch to another one.
+    pub(super) fn allows(self, from: Branch, to: Branch) -> bool {
+        match self {
+            Self::Exact => false,
+            Self::Wrist => {
+                let flips = from.wrist().is_some() && to.wrist().is_some() && from.wrist() != to.wrist();
+                flips && from.shoulder() == to.shoulder() && from.elbow() == to.elbow()
+            }
+            Self::Any => true,
+        }
+    }
+}
+
+/// The candidates that a follower chooses from.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Choice<T, const N: usize> {
+    /// The nearest solution on the branch that is followed.
+    pub(super) own: Option<Candidate<T, N>>,
+    /// The nearest one on another branch, within the limits, to which a deviation may lead.
+    pub(super) other: Option<Candidate<T, N>>,
+}
+
+impl<T: Scalar, const N: usize> Choice<T, N> {
+    /// No candidate.
+    pub(super) const NONE: Self = Self { own: None, other: None };
+
+    /// Notes a solution.
+    pub(super) fn note(&mut self, candidate: Candidate<T, N>, own: bool) {
+        let place = if own { &mut self.own } else { &mut self.other };
+        if place.is_none_or(|known| candidate.ticks < known.ticks) {
+            *place = Some(candidate);
+        }
+    }
+
+    /// The candidate to go to, and true if it is on another branch. `second`: ticks of a second.
+    pub(super) fn made(&self, second: T) -> Option<(Candidate<T, N>, bool)> {
+        let part = |share: f64| T::from_f64(share) * second;
+        let worth = |other: &Candidate<T, N>| match &self.own {
+            Some(own) if own.within_limits => {
+                other.ticks < T::from_f64(0.8) * own.ticks && other.ticks < part(0.4) && own.ticks > T::TWO
+            }
+            Some(_) => false,
+            None => other.ticks < part(0.02),
+        };
+        match self.other.filter(worth) {
+            Some(other) => Some((other, true)),
+            None => self.own.map(|own| (own, false)),
+        }
+    }
+}

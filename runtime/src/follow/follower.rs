@@ -1,0 +1,328 @@
+//! The follower that keeps the time.
+
+use super::bounds::{Bounds, Interval};
+use super::choice::{Candidate, Choice, Place};
+use super::deviate::{Aim, Weights};
+use super::settings::{FollowError, FollowSettings};
+use super::signs::Signs;
+use super::step::{Step, Tracking};
+use crate::arm::{InverseBranch, InverseKinematics};
+use crate::branch::Branch;
+use crate::flags::JointMask;
+use crate::math::Scalar;
+use crate::solution::{Residual, Solution, Status};
+use crate::vector::norm;
+
+/// Follows a target that moves, one step a tick: exact where the rates of the joints allow, else with a deviation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Follower<T, const N: usize> {
+    settings: FollowSettings<T, N>,
+    pub(super) bounds: Bounds<T, N>,
+    pub(super) weights: Weights<T, N>,
+    pub(super) q: [T; N],
+    /// The last step, of the motors.
+    pub(super) step: [T; N],
+    /// The goal of the last tick, if it is on the branch that is followed.
+    pub(super) goal: Option<[T; N]>,
+    /// The twist that the last tick left to its target.
+    pub(super) left: Option<[T; 6]>,
+    /// Ticks for which the arm has been on the way to a goal that it can follow, and for which it may be.
+    pub(super) under_way: T,
+    pub(super) allowed: T,
+    /// The branch that is followed.
+    wanted: Place,
+    /// The branch that the joint values are on.
+    here: Place,
+    /// The branch that the arm is sent to, until it is there.
+    sent: Option<Branch>,
+    /// The branch that was followed before the arm strayed from it, until a solution is reached.
+    strayed_from: Option<Place>,
+    /// Ticks for which the solution on the branch that was entered so has been out of the arm's limits or reach.
+    stuck: T,
+}
+
+/// Time at a limit after which an arm that has strayed goes back to the branch that it came from, s.
+const STUCK: f64 = 1.0;
+
+impl<T: Scalar, const N: usize> Follower<T, N> {
+    /// An arm at rest at `q`.
+    ///
+    /// # Errors
+    /// Settings or a start with which no tick is possible.
+    pub fn new<A: InverseKinematics<T, N>>(
+        arm: &A,
+        settings: FollowSettings<T, N>,
+        q: &[T; N],
+    ) -> Result<Self, FollowError> {
+        settings.check::<A>(q)?;
+        if let Some(limit) = arm.combined_limits().iter().position(|limit| !limit.holds(q)) {
+            return Err(FollowError::Combined(limit));
+        }
+        let target = arm.target_at(q);
+        let branch = name(&arm.inverse_near(&target, q));
+        let here = Place { signs: Signs::at(arm, q, Some(&target)), branch };
+        Ok(Self {
+            settings,
+            bounds: Bounds::new::<A>(&settings),
+            weights: Weights::new(arm, &settings, q),
+            q: *q,
+            step: [T::ZERO; N],
+            goal: Some(*q),
+            left: Some([T::ZERO; 6]),
+            under_way: T::ZERO,
+            allowed: T::ZERO,
+            wanted: here,
+            here,
+            sent: None,
+            strayed_from: None,
+            stuck: T::ZERO,
+        })
+    }
+
+    /// The step towards a target. `found` is overwritten.
+    ///
+    /// # The longest tick
+    /// One `inverse_near`, and one more in the tick of a crossing. Besides, at most one evaluation of `factors` for each
+    /// solution and two more, two of `deviation`, and `8 N` linear systems of `N` equations.
+    pub fn step<A: InverseKinematics<T, N>>(
+        &mut self,
+        arm: &A,
+        target: &A::Target,
+        found: &mut A::Solutions,
+    ) -> Step<T, N> {
+        if self.settings.held {
+            arm.inverse_near_into(target, &self.q, found);
+        } else {
+            arm.inverse_given_near_into(target, &self.q, found);
+        }
+        if matches!(A::status(found), Status::BadTarget) {
+            return self.stop(arm);
+        }
+        let interval = self.bounds.interval(&self.q, &self.step);
+        if let Some(candidate) = self.exact(arm, target, found.as_ref(), &interval) {
+            return self.arrive(&candidate);
+        }
+        let aim = self.choose(arm, target, found.as_ref());
+        self.go_back_if_stuck(&aim);
+        let step = self.deviate(arm, target, &aim, &interval);
+        let step = self.bounds.within_sums(arm, &self.q, &self.step, &interval, step);
+        self.advance(step);
+        self.goal = aim.goal;
+        let crossed = self.note_crossing(arm, Some(target), found);
+        let twist = arm.deviation(&self.q, target).twist;
+        self.left = Some(twist);
+        Step { held: aim.held, remaining: aim.ticks * self.settings.period, ..self.state(aim.tracking, twist, crossed) }
+    }
+
+    /// A step without a target: every joint brakes.
+    pub fn stop<A: InverseKinematics<T, N>>(&mut self, arm: &A) -> Step<T, N> {
+        let interval = self.bounds.interval(&self.q, &self.step);
+        let rest = interval.rest();
+        let step = self.bounds.within_sums(arm, &self.q, &self.step, &interval, rest);
+        self.advance(step);
+        (self.goal, self.left) = (None, None);
+        (self.under_way, self.allowed) = (T::ZERO, T::ZERO);
+        let target = arm.target_at(&self.q);
+        let signs = Signs::at(arm, &self.q, Some(&target)).or(self.here.signs);
+        let crossed = signs.differ(self.here.signs).then(|| {
+            let left = self.here.branch;
+            self.here.branch = name(&arm.inverse_near(&target, &self.q));
+            left
+        });
+        self.here.signs = signs;
+        Step { remaining: T::INFINITY, ..self.state(Tracking::Target, [T::ZERO; 6], crossed) }
+    }
+
+    /// Sends the arm to another branch. From the next tick on the solution there is the goal, through whatever
+    /// singularities lie between; it is the only way to a branch that is far. Components unset in `branch` match any.
+    pub fn go_to_branch<A: InverseBranch<T, N>>(&mut self, _arm: &A, branch: Branch) {
+        self.sent = Some(branch);
+    }
+
+    /// The joint values now, rad or length unit.
+    #[must_use]
+    pub const fn q(&self) -> &[T; N] {
+        &self.q
+    }
+
+    /// A second, in ticks.
+    pub(super) fn second(&self) -> T {
+        T::ONE / self.settings.period
+    }
+
+    /// The way of the motors to joint values.
+    pub(super) fn way(&self, to: &[T; N]) -> [T; N] {
+        self.bounds.way(&self.q, to)
+    }
+
+    /// The solution that is reached in this tick: one of the branch that is followed; else any, as two branches meet there.
+    fn exact<A: InverseKinematics<T, N>>(
+        &self,
+        arm: &A,
+        target: &A::Target,
+        solutions: &[Solution<T, N>],
+        interval: &Interval<T, N>,
+    ) -> Option<Candidate<T, N>> {
+        let mut meeting = None;
+        let mut own_fits = false;
+        for solution in solutions.iter().filter(|solution| solution.is_exact() && solution.is_within_limits()) {
+            let way = self.way(&solution.q);
+            if !self.fits(arm, &solution.q, &way, interval) {
+                continue;
+            }
+            let candidate = Candidate::new(solution, Signs::at(arm, &solution.q, Some(target)), T::ZERO);
+            let own = self.is_followed(&candidate.place);
+            own_fits |= own;
+            if own && self.follows_on() {
+                return Some(candidate);
+            }
+            if !own && self.sent.is_none() && meeting.is_none() {
+                meeting = Some(candidate);
+            }
+        }
+        meeting.filter(|_| !own_fits)
+    }
+
+    /// Returns true if a solution is on the branch that is followed, or that the arm is sent to.
+    fn is_followed(&self, place: &Place) -> bool {
+        self.sent.map_or(!place.signs.differ(self.wanted.signs), |sent| sent.agrees_with(place.branch))
+    }
+
+    /// Returns true if the way to a solution is a step that the limits allow, up to rounding.
+    fn fits<A: InverseKinematics<T, N>>(&self, arm: &A, q: &[T; N], way: &[T; N], interval: &Interval<T, N>) -> bool {
+        let ends = interval.low.iter().zip(&interval.high);
+        let inside = way.iter().zip(q).zip(ends).all(|((way, q), (low, high))| {
+            let rounding = rounding(*q);
+            *way >= *low - rounding && *way <= *high + rounding
+        });
+        inside && self.bounds.sums_hold(arm, &self.q, way)
+    }
+
+    /// Returns true if the arm is so near to the goal of the last tick that it can go on with the goal's own rate.
+    fn follows_on(&self) -> bool {
+        let Some(goal) = self.goal else { return self.bounds.change.iter().all(|change| !change.is_finite()) };
+        let ways = self.way(&goal);
+        ways.iter().zip(&self.bounds.change).zip(&goal).all(|((way, change), q)| way.abs() <= *change + rounding(*q))
+    }
+
+    /// Takes the step to a solution.
+    fn arrive(&mut self, candidate: &Candidate<T, N>) -> Step<T, N> {
+        let interval = self.bounds.interval(&self.q, &self.step);
+        self.step = interval.cut(self.way(&candidate.q));
+        self.q = candidate.q;
+        self.goal = Some(candidate.q);
+        self.left = Some([T::ZERO; 6]);
+        (self.under_way, self.allowed) = (T::ZERO, T::ZERO);
+        (self.sent, self.strayed_from) = (None, None);
+        let place = Place {
+            signs: candidate.place.signs.or(self.here.signs),
+            branch: candidate.place.branch.with_root(0),
+        };
+        let crossed = place.signs.differ(self.here.signs).then_some(self.here.branch);
+        self.here = Place { branch: if crossed.is_some() { place.branch } else { self.here.branch }, ..place };
+        self.wanted = self.here;
+        self.state(Tracking::Exact, [T::ZERO; 6], crossed)
+    }
+
+    /// The goal of this tick.
+    fn choose<A: InverseKinematics<T, N>>(
+        &mut self,
+        arm: &A,
+        target: &A::Target,
+        solutions: &[Solution<T, N>],
+    ) -> Aim<T, N> {
+        let mut choice = Choice::NONE;
+        for solution in solutions.iter().filter(|solution| solution.is_exact()) {
+            let signs = Signs::at(arm, &solution.q, Some(target));
+            let candidate = Candidate::new(solution, signs, self.bounds.ticks(&self.way(&solution.q)));
+            let own = self.is_followed(&candidate.place);
+            let allowed = || self.settings.crossing.allows(self.wanted.branch, candidate.place.branch);
+            if own || (self.sent.is_none() && candidate.within_limits && allowed()) {
+                choice.note(candidate, own);
+            }
+        }
+        let Some((candidate, other)) = choice.made(self.second()) else { return Aim::out_of_reach() };
+        if other {
+            self.wanted = candidate.place;
+            self.goal = None;
+        }
+        Aim::at::<A>(&candidate, &self.q)
+    }
+
+    /// Goes back to the branch from which the arm has strayed, where the other one keeps it from its target for too long.
+    fn go_back_if_stuck(&mut self, aim: &Aim<T, N>) {
+        let Some(origin) = self.strayed_from else { return };
+        self.stuck = if aim.tracking == Tracking::Rates { T::ZERO } else { self.stuck + T::ONE };
+        if self.stuck > T::from_f64(STUCK) * self.second() {
+            (self.wanted, self.strayed_from) = (origin, None);
+        }
+    }
+
+    /// Moves the joints by a step of the motors.
+    fn advance(&mut self, step: [T; N]) {
+        let rooms = self.bounds.rooms(&self.q);
+        let joints = self.bounds.to_joints(step);
+        for ((q, step), (low, high)) in self.q.iter_mut().zip(joints).zip(rooms.low.iter().zip(&rooms.high)) {
+            *q += super::brake::clamp(step, *low, *high);
+        }
+        self.step = step;
+    }
+
+    /// The branch that was left, if the last step led through a singularity.
+    fn note_crossing<A: InverseKinematics<T, N>>(
+        &mut self,
+        arm: &A,
+        target: Option<&A::Target>,
+        found: &mut A::Solutions,
+    ) -> Option<Branch> {
+        let signs = Signs::at(arm, &self.q, target).or(self.here.signs);
+        let left = self.here;
+        self.here.signs = signs;
+        if !signs.differ(left.signs) {
+            return None;
+        }
+        self.here.branch = if signs.differ(self.wanted.signs) {
+            arm.inverse_near_into(&arm.target_at(&self.q), &self.q, found);
+            name(found)
+        } else {
+            self.wanted.branch.with_root(0)
+        };
+        // Who left the branch that was followed, while its solution fled, follows the one that was entered.
+        let strayed = !left.signs.differ(self.wanted.signs) && signs.differ(self.wanted.signs);
+        if strayed && self.sent.is_none() && self.settings.crossing.allows(self.wanted.branch, self.here.branch) {
+            (self.strayed_from, self.stuck) = (Some(self.wanted), T::ZERO);
+            self.wanted = self.here;
+            self.goal = None;
+        }
+        Some(left.branch)
+    }
+
+    /// The answer to a tick, without what a deviation has besides.
+    fn state(&self, tracking: Tracking, twist: [T; 6], crossed: Option<Branch>) -> Step<T, N> {
+        let [x, y, z, turns @ ..] = twist;
+        let period = self.settings.period;
+        Step {
+            q: self.q,
+            velocity: self.bounds.to_joints(self.step).map(|step| step / period),
+            tracking,
+            deviation: twist,
+            residual: Residual { position: norm([x, y, z]), orientation: norm(turns) },
+            branch: self.here.branch,
+            crossed: crossed.filter(|left| *left != Branch::NONE || self.here.branch != Branch::NONE),
+            held: JointMask::NONE,
+            remaining: T::ZERO,
+        }
+    }
+}
+
+/// The name of the branch of the nearest solution. Numbers of roots are left out: they mean something at one target only.
+pub(super) fn name<T: Copy, const N: usize>(solutions: &impl AsRef<[Solution<T, N>]>) -> Branch {
+    let solutions = solutions.as_ref();
+    let nearest = solutions.iter().find(|solution| solution.is_exact()).or(solutions.first());
+    nearest.map_or(Branch::NONE, |solution| solution.branch.with_root(0))
+}
+
+/// How far a joint value of this size may be off by rounding.
+fn rounding<T: Scalar>(q: T) -> T {
+    T::from_f64(4.0) * T::EPSILON * (T::ONE + q.abs())
+}

@@ -1,0 +1,218 @@
+//! Least squares within a box.
+
+use super::brake::clamp;
+use crate::math::Scalar;
+
+/// The equations `rows x = error` of six rows, with a damping: the least of `|rows x - error|^2 + damping |x|^2`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Normal<T, const N: usize> {
+    matrix: [[T; N]; N],
+}
+
+/// Where a joint is in its interval.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Place {
+    Free,
+    Low,
+    High,
+    Fixed,
+}
+
+impl<T: Scalar, const N: usize> Normal<T, N> {
+    /// The matrix `rows^T rows + damping`.
+    pub(super) fn new(rows: &[[T; N]; 6], damping: T) -> Self {
+        let mut matrix = [[T::ZERO; N]; N];
+        for row in rows {
+            for (line, left) in matrix.iter_mut().zip(row) {
+                for (entry, right) in line.iter_mut().zip(row) {
+                    *entry += *left * *right;
+                }
+            }
+        }
+        for (joint, line) in matrix.iter_mut().enumerate() {
+            if let Some(entry) = line.get_mut(joint) {
+                *entry += damping;
+            }
+        }
+        Self { matrix }
+    }
+
+    /// The least squares within `low <= x <= high`, where `low <= 0 <= high`, by an active set: every iterate is within
+    /// the box and better than the last one (Nocedal and Wright, "Numerical Optimization", section 16.5). At most `4 N`
+    /// systems are solved.
+    pub(super) fn within(&self, rows: &[[T; N]; 6], error: &[T; 6], low: &[T; N], high: &[T; N]) -> [T; N] {
+        let mut right = [T::ZERO; N];
+        for (row, error) in rows.iter().zip(error) {
+            for (sum, entry) in right.iter_mut().zip(row) {
+                *sum += *entry * *error;
+            }
+        }
+        let mut x = [T::ZERO; N];
+        let mut places = [Place::Free; N];
+        for (place, (low, high)) in places.iter_mut().zip(low.iter().zip(high)) {
+            *place = match () {
+                () if *low >= *high => Place::Fixed,
+                () if *low >= T::ZERO => Place::Low,
+                () if *high <= T::ZERO => Place::High,
+                () => Place::Free,
+            };
+        }
+        for _ in 0..4 * N {
+            let slope = self.slope(&right, &x);
+            let way = self.solve(&places, &slope);
+            let (share, stop) = shortened(&x, &way, &places, low, high);
+            for i in 0..N {
+                if places[i] == Place::Free {
+                    x[i] = clamp(x[i] + share * way[i], low[i], high[i]);
+                }
+            }
+            if let Some((joint, place)) = stop {
+                if let Some(at) = places.get_mut(joint) {
+                    *at = place;
+                }
+                continue;
+            }
+            match pulled(&places, &self.slope(&right, &x)) {
+                Some(joint) => {
+                    if let Some(at) = places.get_mut(joint) {
+                        *at = Place::Free;
+                    }
+                }
+                None => break,
+            }
+        }
+        x
+    }
+
+    /// Where the sum of squares falls: `right - matrix x`.
+    fn slope(&self, right: &[T; N], x: &[T; N]) -> [T; N] {
+        let mut slope = *right;
+        for (slope, line) in slope.iter_mut().zip(&self.matrix) {
+            for (entry, x) in line.iter().zip(x) {
+                *slope -= *entry * *x;
+            }
+        }
+        slope
+    }
+
+    /// The step of the free joints to their least, by a Cholesky factorization.
+    fn solve(&self, places: &[Place; N], slope: &[T; N]) -> [T; N] {
+        let free = |i: usize| places[i] == Place::Free;
+        let mut lower = [[T::ZERO; N]; N];
+        let mut inverse = [T::ZERO; N];
+        let mut y = [T::ZERO; N];
+        for i in 0..N {
+            if !free(i) {
+                continue;
+            }
+            let mut sum = slope[i];
+            for j in 0..i {
+                if !free(j) {
+                    continue;
+                }
+                let mut entry = self.matrix[i][j];
+                for k in 0..j {
+                    entry -= lower[i][k] * lower[j][k];
+                }
+                lower[i][j] = entry * inverse[j];
+                sum -= lower[i][j] * y[j];
+            }
+            let square = lower[i].iter().fold(self.matrix[i][i], |rest, entry| rest - *entry * *entry);
+            // The damping is above the rounding of a matrix of this size.
+            inverse[i] = T::ONE / square.max(T::EPSILON * T::EPSILON).sqrt();
+            y[i] = sum * inverse[i];
+        }
+        for i in (0..N).rev() {
+            let mut sum = y[i];
+            for k in i + 1..N {
+                sum -= lower[k][i] * y[k];
+            }
+            y[i] = sum * inverse[i];
+        }
+        y
+    }
+}
+
+/// The share of the way up to the first end of an interval, with that joint and end; 1 if there is none.
+fn shortened<T: Scalar, const N: usize>(
+    x: &[T; N],
+    way: &[T; N],
+    places: &[Place; N],
+    low: &[T; N],
+    high: &[T; N],
+) -> (T, Option<(usize, Place)>) {
+    let (mut share, mut stop) = (T::ONE, None);
+    for i in 0..N {
+        if places[i] != Place::Free || way[i] == T::ZERO {
+            continue;
+        }
+        let up = way[i] > T::ZERO;
+        let room = if up { high[i] - x[i] } else { low[i] - x[i] };
+        if room / way[i] < share {
+            share = (room / way[i]).max(T::ZERO);
+            stop = Some((i, if up { Place::High } else { Place::Low }));
+        }
+    }
+    (share, stop)
+}
+
+/// The joint at an end of its interval that is pulled inward most.
+fn pulled<T: Scalar, const N: usize>(places: &[Place; N], slope: &[T; N]) -> Option<usize> {
+    let (mut most, mut joint) = (T::EPSILON, None);
+    for (i, (place, slope)) in places.iter().zip(slope).enumerate() {
+        let inward = match place {
+            Place::Low => *slope,
+            Place::High => -*slope,
+            Place::Free | Place::Fixed => T::ZERO,
+        };
+        if inward > most {
+            (most, joint) = (inward, Some(i));
+        }
+    }
+    joint
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ROWS: [[f64; 3]; 6] =
+        [[2.0, 0.5, 0.0], [0.5, 1.0, -0.3], [0.0, -0.3, 0.7], [0.1, 0.0, 0.2], [0.0; 3], [0.0; 3]];
+
+    fn cost(error: &[f64; 6], damping: f64, x: &[f64; 3]) -> f64 {
+        let miss = |(row, e): (&[f64; 3], &f64)| row.iter().zip(x).map(|(a, b)| a * b).sum::<f64>() - e;
+        let squares = ROWS.iter().zip(error).map(miss).map(|m| m * m).sum::<f64>();
+        squares + damping * x.iter().map(|x| x * x).sum::<f64>()
+    }
+
+    /// No point of a fine grid in the box is better.
+    #[test]
+    fn nothing_in_the_box_is_better() {
+        let grid = |low: f64, high: f64| (0..=20).map(move |k| low + (high - low) * f64::from(k) / 20.0);
+        for case in 0..60 {
+            let at = |k: f64| (f64::from(case) * k).sin();
+            let error = [2.0 * at(1.1), at(2.3), at(3.7), at(0.7), 0.0, 0.0];
+            let low = [-0.1 - 0.3 * at(1.9).abs(), 0.0, -2.0];
+            let high = [0.2 * at(2.9).abs(), 0.4, 0.3 + at(4.1).abs()];
+            let normal = Normal::new(&ROWS, 1e-4);
+            let x = normal.within(&ROWS, &error, &low, &high);
+            assert!((0..3).all(|i| x[i] >= low[i] && x[i] <= high[i]), "{x:?}");
+            let least = cost(&error, 1e-4, &x);
+            for a in grid(low[0], high[0]) {
+                for b in grid(low[1], high[1]) {
+                    for c in grid(low[2], high[2]) {
+                        assert!(cost(&error, 1e-4, &[a, b, c]) >= least - 1e-12, "{case}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn fixed_joints_stay() {
+        let normal = Normal::new(&ROWS, 1e-4);
+        let x = normal.within(&ROWS, &[1.0; 6], &[0.0, -5.0, -5.0], &[0.0, 5.0, 5.0]);
+        assert_eq!(x[0], 0.0);
+        assert!(x[1] != 0.0 && x[2] != 0.0);
+    }
+}

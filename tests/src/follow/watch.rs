@@ -1,0 +1,187 @@
+//! What has to hold in each tick, and what a run comes to.
+
+use denhart::follow::{FollowSettings, Follower, PathFollower, Progress, Rates, Step, Tracking};
+use denhart::{InverseKinematics, Scalar};
+
+/// How a run went.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Run {
+    /// Largest velocity and acceleration, in parts of their limits.
+    pub rates: [f64; 2],
+    /// Largest distance beyond the range of a joint.
+    pub beyond: f64,
+    /// Largest deviations: length, rad.
+    pub deviation: [f64; 2],
+    /// Ticks with a deviation above 1e-6.
+    pub away: usize,
+    /// Tracking of the last tick.
+    pub end: Option<Tracking>,
+    /// Largest step of a joint in the last tick.
+    pub last_step: f64,
+    /// Crossings that were reported.
+    pub crossings: usize,
+    /// Ticks in which something did not hold: a sign or a branch changed without a word, an exact tick was not.
+    pub wrong: usize,
+}
+
+impl Run {
+    /// Returns true if every tick held the limits, and reported its crossings. `slack`: of the rates.
+    #[must_use]
+    pub fn holds(&self, slack: f64) -> bool {
+        self.rates.iter().all(|rate| *rate <= 1.0 + slack) && self.beyond <= 1e-9 && self.wrong == 0
+    }
+}
+
+/// A follower, watched.
+pub struct Watch<'a, A: InverseKinematics<T, N>, T, const N: usize> {
+    arm: &'a A,
+    rates: Rates<T, N>,
+    period: T,
+    /// The follower.
+    pub follower: Follower<T, N>,
+    found: A::Solutions,
+    last: Option<Step<T, N>>,
+    factors: [f64; 8],
+    /// What was seen.
+    pub run: Run,
+}
+
+impl<'a, A: InverseKinematics<T, N>, T: Scalar, const N: usize> Watch<'a, A, T, N> {
+    /// A follower at `q`.
+    ///
+    /// # Panics
+    /// If it does not begin.
+    pub fn new(arm: &'a A, period: T, rates: Rates<T, N>, settings: FollowSettings<T, N>, q: &[T; N]) -> Self {
+        let follower = match Follower::new(arm, settings, q) {
+            Ok(follower) => follower,
+            Err(error) => panic!("{error}"),
+        };
+        let found = arm.inverse(&arm.target_at(q));
+        let factors = factors(arm, q);
+        Self { arm, rates, period, follower, found, last: None, factors, run: Run::default() }
+    }
+
+    /// A tick towards a target.
+    pub fn tick(&mut self, target: &A::Target) -> Step<T, N> {
+        let before = *self.follower.q();
+        let step = self.follower.step(self.arm, target, &mut self.found);
+        let residual = self.arm.residual(&step.q, target);
+        let [position, angle] = [residual.position, residual.orientation].map(Scalar::to_f64);
+        if position.is_finite() && step.tracking != Tracking::Target {
+            let [most, turned] = self.run.deviation;
+            self.run.deviation = [most.max(position), turned.max(angle)];
+            self.run.away += usize::from(position > 1e-6 || angle > 1e-6);
+        }
+        self.look(&before, &step, position.max(angle));
+        step
+    }
+
+    /// A tick without a target.
+    pub fn stop(&mut self) -> Step<T, N> {
+        let before = *self.follower.q();
+        let step = self.follower.stop(self.arm);
+        self.look(&before, &step, 0.0);
+        step
+    }
+
+    fn look(&mut self, before: &[T; N], step: &Step<T, N>, residual: f64) {
+        let run = &mut self.run;
+        let last = self.last.map_or([T::ZERO; N], |last| last.velocity);
+        run.last_step = 0.0;
+        for joint in 0..N {
+            let (v, a) = (self.rates.velocity[joint].to_f64(), self.rates.acceleration[joint].to_f64());
+            let (now, then) = (step.velocity[joint].to_f64(), last[joint].to_f64());
+            let (q, h) = (step.q[joint].to_f64(), self.period.to_f64());
+            let ulp = T::EPSILON.to_f64() * (1.0 + q.abs());
+            run.rates[0] = run.rates[0].max(now.abs() / v);
+            run.rates[1] = run.rates[1].max((now - then).abs() / h / a);
+            // The velocity is that of the step.
+            let moved = q - before[joint].to_f64();
+            run.wrong += usize::from((moved - now * h).abs() > 8.0 * ulp);
+            run.last_step = run.last_step.max(moved.abs());
+            let [low, high] = A::LIMITS[joint].map(Scalar::to_f64);
+            let beyond = (q - high).max(low - q);
+            run.beyond = run.beyond.max(beyond - 16.0 * ulp);
+            run.wrong += usize::from(!q.is_finite() || !now.is_finite());
+        }
+        let now = factors(self.arm, &step.q);
+        let flipped = |(a, b): (&f64, &f64)| a * b < 0.0 && a.abs().min(b.abs()) > 1e3 * T::EPSILON.to_f64();
+        let changed = now.iter().zip(&self.factors).any(flipped);
+        run.wrong += usize::from(changed && step.crossed.is_none());
+        let renamed = self.last.is_some_and(|last| last.branch != step.branch);
+        run.wrong += usize::from(renamed && step.crossed.is_none());
+        run.crossings += usize::from(step.crossed.is_some());
+        if step.tracking.is_exact() {
+            let bound = if T::EPSILON.to_f64() < 1e-10 { 1e-8 } else { 2e-3 };
+            run.wrong += usize::from(residual > bound);
+        }
+        run.end = Some(step.tracking);
+        for (known, now) in self.factors.iter_mut().zip(now) {
+            if now.abs() > 1e3 * T::EPSILON.to_f64() {
+                *known = now;
+            }
+        }
+        self.last = Some(*step);
+    }
+}
+
+fn factors<A: InverseKinematics<T, N>, T: Scalar, const N: usize>(arm: &A, q: &[T; N]) -> [f64; 8] {
+    let mut factors = [T::ZERO; 8];
+    arm.factors(q, &mut factors);
+    factors.map(Scalar::to_f64)
+}
+
+/// How a path was kept.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Kept {
+    /// Largest velocity and acceleration, in parts of their limits (accelerations of 8/s where none are given).
+    pub rates: [f64; 2],
+    /// Time that the path took, s.
+    pub time: f64,
+    /// State of the last tick.
+    pub end: Progress,
+    /// Part of the path that was gone.
+    pub share: f64,
+    /// Largest deviation.
+    pub deviation: f64,
+}
+
+/// Keeps a path.
+///
+/// # Panics
+/// If the follower does not begin.
+pub fn keep<A: InverseKinematics<f64, N>, const N: usize>(
+    arm: &A,
+    rates: Rates<f64, N>,
+    settings: FollowSettings<f64, N>,
+    period: f64,
+    path: impl Fn(f64) -> A::Target,
+    end: f64,
+    q: &[f64; N],
+) -> Kept {
+    let mut follower = match PathFollower::new(arm, settings, q) {
+        Ok(follower) => follower,
+        Err(error) => panic!("{error}"),
+    };
+    let mut found = arm.inverse(&path(0.0));
+    let mut kept = Kept { rates: [0.0; 2], time: 0.0, end: Progress::Full, share: 0.0, deviation: 0.0 };
+    let mut last = [0.0; N];
+    for _ in 0..100_000 {
+        let advance = follower.step(arm, &path, end, &mut found);
+        kept.time += period;
+        for joint in 0..N {
+            let (v, a) = (rates.velocity[joint], rates.velocity[joint] * 8.0);
+            kept.rates[0] = kept.rates[0].max(advance.velocity[joint].abs() / v);
+            kept.rates[1] = kept.rates[1].max((advance.velocity[joint] - last[joint]).abs() / period / a);
+        }
+        last = advance.velocity;
+        let residual = arm.residual(&advance.q, &path(advance.at));
+        kept.deviation = kept.deviation.max(residual.position).max(residual.orientation);
+        kept.end = advance.state;
+        kept.share = advance.at / end;
+        if matches!(advance.state, Progress::Done | Progress::Blocked(_)) {
+            break;
+        }
+    }
+    kept
+}
