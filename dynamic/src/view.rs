@@ -1,10 +1,14 @@
 //! An arm known at run time, as code that is generic over arms takes it.
 
+use denhart::solve::{AllLocked, Goal, Pointing};
 use denhart::{
-    Arm, Branch, InverseBranch, InverseKinematics, Jacobian, JointKind, OneSolution, Pose, Residual, Solution, Status,
+    Arm, Branch, CombinedLimit, Deviation, InverseBranch, InverseKinematics, Jacobian, JointKind, JointMask,
+    OneSolution, Pose, Residual, Solution, Status,
 };
+use denhart_codegen::lower::{self, Inverse};
 use denhart_codegen::model::MOST_JOINTS;
 
+use crate::solver::{held, in_plane};
 use crate::{DynamicArm, DynamicError, DynamicSolution, DynamicSolutions, DynamicTarget, Joints};
 
 /// A view of an arm with `N` joints and an inverse, by [`DynamicArm::view`].
@@ -41,11 +45,12 @@ use crate::{DynamicArm, DynamicError, DynamicSolution, DynamicSolutions, Dynamic
 /// # Ok(())
 /// # }
 /// ```
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct DynamicView<'a, const N: usize> {
     arm: &'a DynamicArm,
     limits: [[f64; 2]; N],
     kinds: [JointKind; N],
+    combined_limits: Vec<CombinedLimit<f64, N>>,
 }
 
 impl DynamicArm {
@@ -58,7 +63,12 @@ impl DynamicArm {
         let wrong = |_| DynamicError::Joints { expected: self.joints(), found: N };
         let limits = <[[f64; 2]; N]>::try_from(self.limits()).map_err(wrong)?;
         let kinds = <[JointKind; N]>::try_from(self.joint_kinds()).map_err(wrong)?;
-        Ok(DynamicView { arm: self, limits, kinds })
+        let combined = |limit: &denhart_codegen::model::CombinedLimit| CombinedLimit {
+            factors: array(&limit.factors),
+            limits: limit.limits,
+        };
+        let combined_limits = self.program.model.combined_limits.iter().map(combined).collect();
+        Ok(DynamicView { arm: self, limits, kinds, combined_limits })
     }
 }
 
@@ -139,6 +149,20 @@ fn array<const N: usize>(values: &[f64]) -> [f64; N] {
 const NAMES: [&str; MOST_JOINTS] = ["q1", "q2", "q3", "q4", "q5", "q6", "q7", "q8", "q9", "q10"];
 
 impl<const N: usize> DynamicView<'_, N> {
+    fn deviation_from(
+        &self,
+        program: &Inverse,
+        goal: &impl Goal<f64, N>,
+        given: &[f64],
+        q: &[f64; N],
+    ) -> Deviation<f64, N> {
+        let here = self.forward_and_jacobian(q);
+        match held(&program.given, N, given).as_slice() {
+            [] => Deviation::new(goal, q, here),
+            held => Deviation::new(&AllLocked::new(goal, held), q, here),
+        }
+    }
+
     /// The arm that is viewed.
     #[must_use]
     pub const fn arm(&self) -> &DynamicArm {
@@ -229,6 +253,41 @@ impl<const N: usize> InverseKinematics<f64, N> for DynamicView<'_, N> {
     fn target_at(&self, q: &[f64; N]) -> WholeTarget {
         let target = self.arm.target_at(q).unwrap_or(DynamicTarget::Pose(NO_POSE));
         WholeTarget::new(target, &self.arm.held(q).unwrap_or_default())
+    }
+
+    fn deviation(&self, q: &[f64; N], target: &WholeTarget) -> Deviation<f64, N> {
+        let none = Deviation { twist: [f64::NAN; 6], jacobian: no_jacobian(), given: JointMask::NONE };
+        let Ok(program) = self.arm.inverse_program() else { return none };
+        let given = &target.given;
+        match (&program.goal, &target.target) {
+            (_, DynamicTarget::Pose(goal)) => self.deviation_from(program, goal, given, q),
+            (_, DynamicTarget::Position(goal)) => self.deviation_from(program, goal, given, q),
+            (lower::Goal::PositionAxis { column }, DynamicTarget::PositionAxis(target)) => {
+                self.deviation_from(program, &Pointing::new(target, *column), given, q)
+            }
+            (goal, DynamicTarget::PositionAngle(target)) => {
+                self.deviation_from(program, &in_plane(goal, target), given, q)
+            }
+            (_, DynamicTarget::PlanarPose(goal)) => self.deviation_from(program, goal, given, q),
+            (_, DynamicTarget::PlanarPosition(goal)) => self.deviation_from(program, goal, given, q),
+            _ => none,
+        }
+    }
+
+    fn inverse_given_near_into(&self, target: &WholeTarget, q_ref: &[f64; N], solutions: &mut ViewSolutions<N>) {
+        solutions.fill(|found| self.arm.inverse_given_near_into(&target.target, &target.given, q_ref, found));
+    }
+
+    fn factors(&self, q: &[f64; N], factors: &mut [f64]) -> usize {
+        let margins = self.arm.margins(q).ok().flatten().unwrap_or_default();
+        for (factor, margin) in factors.iter_mut().zip(&margins) {
+            *factor = margin.value;
+        }
+        margins.len()
+    }
+
+    fn combined_limits(&self) -> &[CombinedLimit<f64, N>] {
+        &self.combined_limits
     }
 
     fn status(solutions: &ViewSolutions<N>) -> Status<f64> {

@@ -6,7 +6,7 @@ mod jet;
 mod law;
 mod limits;
 #[cfg(feature = "draw")]
-mod plot;
+pub mod plot;
 mod samples;
 mod times;
 mod token;

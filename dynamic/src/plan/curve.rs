@@ -124,7 +124,8 @@ impl<const N: usize> Curve<N> {
         path: &impl Fn(f64) -> A::Target,
         settings: &PlanSettings<N>,
     ) -> Self {
-        let maker = Maker { arm, path, settings, limits: arm.limits() };
+        let found = arm.inverse(&path(0.0));
+        let mut maker = Maker { arm, path, settings, limits: arm.limits(), found };
         let mut points = maker.refined(samples);
         for _ in 0..ROUNDS {
             let curve = Curve::of(&points, settings);
@@ -211,33 +212,35 @@ fn chord<const N: usize>(settings: &PlanSettings<N>, a: &Point<N>, b: &Point<N>)
     joints.fold(own * own, |sum, way| sum + way * way).sqrt()
 }
 
-struct Maker<'a, A, F, const N: usize> {
+struct Maker<'a, A: InverseKinematics<f64, N>, F, const N: usize> {
     arm: &'a A,
     path: &'a F,
     settings: &'a PlanSettings<N>,
     limits: [[f64; 2]; N],
+    /// The list of solutions that is kept.
+    found: A::Solutions,
 }
 
 impl<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: usize> Maker<'_, A, F, N> {
     /// The point in the middle of the path between two: the solution there, or the middle of the joints where no solution is
     /// beside that, as in a crossing.
-    fn middle(&self, a: &Point<N>, b: &Point<N>) -> Point<N> {
+    fn middle(&mut self, a: &Point<N>, b: &Point<N>) -> Point<N> {
         let at = 0.5 * (a.0 + b.0);
         let q = between(&a.1, &b.1, 0.5);
         let length = a.1.iter().zip(&b.1).fold(0.0, |most: f64, (a, b)| most.max((b - a).abs()));
-        let near = self.arm.inverse_near(&(self.path)(at), &q);
+        self.arm.inverse_given_near_into(&(self.path)(at), &q, &mut self.found);
         let is_beside = |other: &[f64; N]| {
             let mut joints = other.iter().zip(&q).zip(&self.limits);
             joints.all(|((other, q), [low, high])| {
                 (other - q).abs() <= BESIDE * length && *other >= *low && *other <= *high
             })
         };
-        let solution = near.as_ref().iter().find(|solution| solution.is_exact() && is_beside(&solution.q));
+        let solution = self.found.as_ref().iter().find(|solution| solution.is_exact() && is_beside(&solution.q));
         (at, solution.map_or(q, |solution| solution.q))
     }
 
     /// The points of the samples, and more between them until each stretch is nearly straight and even.
-    fn refined(&self, samples: &[JointSample<N>]) -> Vec<Point<N>> {
+    fn refined(&mut self, samples: &[JointSample<N>]) -> Vec<Point<N>> {
         let mut points: Vec<Point<N>> = Vec::with_capacity(2 * samples.len());
         for sample in samples {
             let end = (sample.at, sample.q);

@@ -39,7 +39,7 @@ mod interpolation;
 mod search;
 mod times;
 
-use denhart::{Branch, CombinedLimit, InverseKinematics, Residual};
+use denhart::{Branch, InverseKinematics, Residual};
 
 use curve::Curve;
 pub use error::{Obstacle, PlanError};
@@ -47,7 +47,7 @@ pub use interpolation::{PathError, TargetPath};
 pub use times::{Trajectory, TrajectoryPoint};
 
 /// The bounds of a plan.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlanSettings<const N: usize> {
     /// Greatest velocity of each joint, rad/s or length unit/s; finite and above 0.
     pub velocity: [f64; N],
@@ -58,8 +58,6 @@ pub struct PlanSettings<const N: usize> {
     pub tolerance: Residual<f64>,
     /// Joint values at the start of the path; without them any solution of its first target within the limits.
     pub start: Option<[f64; N]>,
-    /// Limits of sums of joint values, beside those of the joints.
-    pub combined_limits: Vec<CombinedLimit<f64, N>>,
     /// The path's parameter is a time, s: the arm is never ahead of it. Without it the arm goes as fast as its joints can.
     pub is_timed: bool,
     /// Intervals of the path that the plan begins with; they are halved where needed.
@@ -67,19 +65,10 @@ pub struct PlanSettings<const N: usize> {
 }
 
 impl<const N: usize> PlanSettings<N> {
-    /// Settings with these rates and this tolerance: no start, no combined limits, no times, 256 intervals.
+    /// Settings with these rates and this tolerance: no start, no times, 256 intervals.
     #[must_use]
     pub const fn new(velocity: [f64; N], acceleration: [f64; N], tolerance: Residual<f64>) -> Self {
-        let combined_limits = Vec::new();
-        PlanSettings {
-            velocity,
-            acceleration,
-            tolerance,
-            start: None,
-            combined_limits,
-            is_timed: false,
-            intervals: 256,
-        }
+        PlanSettings { velocity, acceleration, tolerance, start: None, is_timed: false, intervals: 256 }
     }
 
     /// Returns true if a miss is within the tolerance; false for one that is not a number.
@@ -142,7 +131,7 @@ impl<const N: usize> JointPath<N> {
         check(end, settings)?;
         let samples = search::search(arm, path, end, settings, progress)?;
         let curve = Curve::through(&samples, arm, path, settings);
-        Ok(JointPath { settings: settings.clone(), limits: arm.limits(), samples, curve })
+        Ok(JointPath { settings: *settings, limits: arm.limits(), samples, curve })
     }
 
     /// The places that the plan has looked at, in the order of the path.

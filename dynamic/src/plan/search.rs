@@ -251,7 +251,7 @@ impl<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: usize> Sear
         if let Some(joint) = start.iter().zip(&self.limits).position(outside) {
             return Err(PlanError::StartOutside { joint });
         }
-        let near = self.arm.inverse_near(&place.target, start);
+        let near = self.near(&place.target, start);
         let nearest = near
             .as_ref()
             .iter()
@@ -277,6 +277,13 @@ impl<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: usize> Sear
         PlanError::NoPath { at: place.at, branch: solution.branch, obstacle }
     }
 
+    /// The solutions next to a joint vector, with the target's own given values.
+    fn near(&self, target: &A::Target, q: &[f64; N]) -> A::Solutions {
+        let mut near = self.arm.inverse(target);
+        self.arm.inverse_given_near_into(target, q, &mut near);
+        near
+    }
+
     /// The solution with each joint on the turn next to `q`.
     fn next_to(&self, q: &[f64; N], solution: &[f64; N]) -> [f64; N] {
         let mut next = *solution;
@@ -300,7 +307,7 @@ impl<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: usize> Sear
     }
 
     fn sums_hold(&self, q: &[f64; N]) -> bool {
-        self.settings.combined_limits.iter().all(|limit| limit.holds(q))
+        self.arm.combined_limits().iter().all(|limit| limit.holds(q))
     }
 
     /// The nodes at the next place, and those of the layer before that no way leads on from.
@@ -325,7 +332,7 @@ impl<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: usize> Sear
             }
             // Each way has its own member of a singular family.
             if has_free {
-                let near = self.arm.inverse_near(&place.target, &node.q);
+                let near = self.near(&place.target, &node.q);
                 for solution in near.as_ref().iter().filter(|one| one.is_exact() && !one.free.is_empty()) {
                     take(solution, None);
                 }
@@ -416,7 +423,7 @@ impl<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: usize> Sear
         let Some(node) = before.nodes.iter().min_by(|a, b| a.cost.total_cmp(&b.cost)) else {
             return no_path(Branch::NONE, Obstacle::Reach);
         };
-        let near = self.arm.inverse_near(&place.target, &node.q);
+        let near = self.near(&place.target, &node.q);
         let exact = || near.as_ref().iter().filter(|solution| solution.is_exact());
         let ways = exact().map(|solution| {
             let q = self.next_to(&node.q, &solution.q);
@@ -429,7 +436,7 @@ impl<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: usize> Sear
             return no_path(node.branch, self.broken(&q));
         }
         let same = ways.filter(|(_, _, branch)| *branch == node.branch).min_by(|(a, ..), (b, ..)| a.total_cmp(b));
-        let before_it = self.arm.inverse_near(&(self.path)(before.at), &node.q);
+        let before_it = self.near(&(self.path)(before.at), &node.q);
         let ends = before_it.as_ref().iter().filter(|solution| solution.is_exact()).count() > exact().count();
         let obstacle = match same {
             // Of numbered branches another one may have the number.

@@ -51,17 +51,17 @@ impl<T: Scalar, const N: usize> Aim<T, N> {
     }
 
     /// A solution; where limits keep the arm from it, without the whole turns that they ask for, and within the range.
-    pub(super) fn at<A: Arm<T, N>>(candidate: &Candidate<T, N>, q: &[T; N]) -> Self {
+    pub(super) fn at<A: Arm<T, N>>(arm: &A, candidate: &Candidate<T, N>, q: &[T; N]) -> Self {
         let mut goal = candidate.q;
         let turns = |(goal, (q, kind)): (&T, (&T, JointKind))| {
             kind == JointKind::Revolute && (*goal - *q).abs() > T::from_f64(TURN)
         };
-        let wound = goal.iter().zip(q.iter().zip(A::JOINT_KINDS)).any(turns);
+        let wound = goal.iter().zip(q.iter().zip(arm.joint_kinds())).any(turns);
         if candidate.within_limits && !wound {
             return Self { goal: Some(goal), tracking: Tracking::Rates, held: JointMask::NONE, ticks: candidate.ticks };
         }
         let mut held = JointMask::NONE;
-        let limits = A::LIMITS.into_iter().zip(A::JOINT_KINDS);
+        let limits = arm.limits().into_iter().zip(arm.joint_kinds());
         for (joint, ((goal, q), ([low, high], kind))) in goal.iter_mut().zip(q).zip(limits).enumerate() {
             if kind == JointKind::Revolute {
                 *goal -= ((*goal - *q) / T::TAU).round_ties_even() * T::TAU;
@@ -88,7 +88,7 @@ impl<T: Scalar, const N: usize> Weights<T, N> {
     pub(super) fn new<A: Arm<T, N>>(arm: &A, settings: &FollowSettings<T, N>, q: &[T; N]) -> Self {
         let reach = way_along_the_links(arm, q);
         let (length, angle) = (T::ONE / reach, settings.length.map_or(T::from_f64(LENGTH), |length| length / reach));
-        Self { rows: [length, length, length, angle, angle, angle], units: units::<A, T, N>(reach) }
+        Self { rows: [length, length, length, angle, angle, angle], units: units(arm, reach) }
     }
 
     fn twist(&self, mut twist: [T; 6]) -> [T; 6] {
@@ -134,13 +134,7 @@ struct System<T, const N: usize> {
 
 impl<T: Scalar, const N: usize> System<T, N> {
     /// `left`, `twist`: what is left of the last tick's deviation, and the one from this tick's target, both weighted.
-    fn new(
-        follower: &Follower<T, N>,
-        deviation: &Deviation<T, N>,
-        left: [T; 6],
-        twist: [T; 6],
-        descends: T,
-    ) -> Self {
+    fn new(follower: &Follower<T, N>, deviation: &Deviation<T, N>, left: [T; 6], twist: [T; 6], descends: T) -> Self {
         let rows = follower.weights.rows(follower.bounds.by_motors(&deviation.jacobian));
         let normal = Normal::new(&rows, T::from_f64(DAMPING) + descends);
         let mut moved = twist;
@@ -178,9 +172,8 @@ impl<T: Scalar, const N: usize> System<T, N> {
         for joint in 0..N {
             let unit = self.units[joint];
             ways[joint] = closing[joint] * unit;
-            step[joint] = alone[joint].unwrap_or_else(|| {
-                forward[joint] * unit + braked(share * ways[joint], follower.bounds.change[joint])
-            });
+            step[joint] = alone[joint]
+                .unwrap_or_else(|| forward[joint] * unit + braked(share * ways[joint], follower.bounds.change[joint]));
         }
         (step, ways)
     }
@@ -252,7 +245,8 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
                 *motion = *way - *last;
             }
         }
-        let faster = |times: T| last.is_none() || motion.iter().zip(most).any(|(motion, most)| motion.abs() > times * *most);
+        let faster =
+            |times: T| last.is_none() || motion.iter().zip(most).any(|(motion, most)| motion.abs() > times * *most);
         let flees = tracking == Tracking::Rates && faster(T::from_f64(FLIGHT));
         let mut own = Own { step: interval.rest(), leader: None, ticks: T::ZERO, fast: flees || faster(T::ONE) };
         for i in 0..N {

@@ -54,7 +54,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         settings: FollowSettings<T, N>,
         q: &[T; N],
     ) -> Result<Self, FollowError> {
-        settings.check::<A>(q)?;
+        settings.check(arm, q)?;
         if let Some(limit) = arm.combined_limits().iter().position(|limit| !limit.holds(q)) {
             return Err(FollowError::Combined(limit));
         }
@@ -63,7 +63,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         let here = Place { signs: Signs::at(arm, q, Some(&target)), branch };
         Ok(Self {
             settings,
-            bounds: Bounds::new::<A>(&settings),
+            bounds: Bounds::new(arm, &settings),
             weights: Weights::new(arm, &settings, q),
             q: *q,
             step: [T::ZERO; N],
@@ -214,10 +214,8 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         self.left = Some([T::ZERO; 6]);
         (self.under_way, self.allowed) = (T::ZERO, T::ZERO);
         (self.sent, self.strayed_from) = (None, None);
-        let place = Place {
-            signs: candidate.place.signs.or(self.here.signs),
-            branch: candidate.place.branch.with_root(0),
-        };
+        let place =
+            Place { signs: candidate.place.signs.or(self.here.signs), branch: candidate.place.branch.with_root(0) };
         let crossed = place.signs.differ(self.here.signs).then_some(self.here.branch);
         self.here = Place { branch: if crossed.is_some() { place.branch } else { self.here.branch }, ..place };
         self.wanted = self.here;
@@ -246,7 +244,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             self.wanted = candidate.place;
             self.goal = None;
         }
-        Aim::at::<A>(&candidate, &self.q)
+        Aim::at(arm, &candidate, &self.q)
     }
 
     /// Goes back to the branch from which the arm has strayed, where the other one keeps it from its target for too long.

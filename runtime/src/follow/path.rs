@@ -56,11 +56,10 @@ impl<T: Scalar, const N: usize> PathFollower<T, N> {
         settings: FollowSettings<T, N>,
         q: &[T; N],
     ) -> Result<Self, FollowError> {
-        settings.check::<A>(q)?;
+        settings.check(arm, q)?;
         let target = arm.target_at(q);
-        let here =
-            Place { signs: Signs::at(arm, q, Some(&target)), branch: name(&arm.inverse_near(&target, q)) };
-        let (bounds, at) = (Bounds::new::<A>(&settings), T::ZERO);
+        let here = Place { signs: Signs::at(arm, q, Some(&target)), branch: name(&arm.inverse_near(&target, q)) };
+        let (bounds, at) = (Bounds::new(arm, &settings), T::ZERO);
         Ok(Self { settings, bounds, q: *q, at, rate: settings.period, waited: T::ZERO, here })
     }
 
@@ -107,7 +106,12 @@ impl<T: Scalar, const N: usize> PathFollower<T, N> {
             self.waited = T::ZERO;
         }
         let crossed = crossed.filter(|left| *left != Branch::NONE || self.here.branch != Branch::NONE);
-        Advance { velocity: velocity.map(|step| step / period), rate: trial.advance / period, crossed, ..self.stands(state) }
+        Advance {
+            velocity: velocity.map(|step| step / period),
+            rate: trial.advance / period,
+            crossed,
+            ..self.stands(state)
+        }
     }
 
     /// Time on the path, s.

@@ -109,17 +109,13 @@ impl<T: Scalar, const N: usize> FollowSettings<T, N> {
     /// The rates are those of motors that are linked, `motor = A q + b`: the arm's `to_motor` and `from_motor`. Ranges
     /// stay those of the joints.
     #[must_use]
-    pub fn linked(
-        mut self,
-        to_motor: impl Fn(&[T; N]) -> [T; N],
-        from_motor: impl Fn(&[T; N]) -> [T; N],
-    ) -> Self {
+    pub fn linked(mut self, to_motor: impl Fn(&[T; N]) -> [T; N], from_motor: impl Fn(&[T; N]) -> [T; N]) -> Self {
         self.linked = Some(Linked { to_motor: slopes(to_motor), from_motor: slopes(from_motor) });
         self
     }
 
     /// The settings hold for an arm at `q`.
-    pub(super) fn check<A: Arm<T, N>>(&self, q: &[T; N]) -> Result<(), FollowError> {
+    pub(super) fn check<A: Arm<T, N>>(&self, arm: &A, q: &[T; N]) -> Result<(), FollowError> {
         let positive = |x: T| x > T::ZERO;
         let Rates { velocity, acceleration } = &self.rates;
         if !(positive(self.period) && self.period.is_finite()) {
@@ -137,7 +133,7 @@ impl<T: Scalar, const N: usize> FollowSettings<T, N> {
             let beyond = rounding(q.abs());
             !(q.is_finite() && *q >= low - beyond && *q <= high + beyond)
         };
-        match q.iter().zip(A::LIMITS).position(outside) {
+        match q.iter().zip(arm.limits()).position(outside) {
             Some(joint) => Err(FollowError::Start(joint)),
             None => Ok(()),
         }
