@@ -29,12 +29,13 @@ pub fn answer<const N: usize>(asked: &Asked, view: &DynamicView<N>) -> Result<An
         Err(error) => return Err(refused(asked, error)),
     };
     let trajectory = plan.timed();
-    let rows = asked.rows(trajectory.duration())?;
+    let duration = trajectory.duration();
+    let times = asked.times(duration)?;
+    let whole = (0..times.count()).map(|index| times.at(index));
+    // The end is no whole period, mostly.
+    let end = Some(duration).filter(|end| *end > times.at(times.count() - 1));
     let mut samples = plan.samples();
-    let rows = (0..=rows).map(|row| {
-        let t = (f64::from(row) * asked.period).min(trajectory.duration());
-        row_at(view, &trajectory, &path, &mut samples, t)
-    });
+    let rows = whole.chain(end).map(|t| row_at(view, &trajectory, &path, &mut samples, t));
     Ok(Answer { keep: "path", rows: rows.collect(), obstacle: None })
 }
 

@@ -17,7 +17,9 @@ const NEAR: f64 = 1e-3;
 pub fn answer<const N: usize>(asked: &Asked, view: &DynamicView<N>) -> Result<Answer, Failure> {
     let path = |at: f64| asked.path.at(at);
     let end = asked.path.end();
-    let ticks = asked.rows(end)?;
+    // The last tick is a whole period too: its target is the end of the path.
+    let ticks = (end / asked.period * (1.0 - 1e-12)).ceil();
+    let times = asked.times(ticks * asked.period)?;
     let start = match start(asked, view)? {
         Ok(start) => start,
         Err(obstacle) => return Ok(Answer { keep: "time", rows: Vec::new(), obstacle: Some(obstacle) }),
@@ -25,7 +27,7 @@ pub fn answer<const N: usize>(asked: &Asked, view: &DynamicView<N>) -> Result<An
     let follower = Follower::new(view, FollowSettings::new(asked.period, asked.rates.of()), &start);
     let mut follower = follower.map_err(|error| told(&error))?;
     let mut found = ViewSolutions::default();
-    let mut rows = Vec::with_capacity(ticks as usize + 1);
+    let mut rows = Vec::new();
     let branch =
         view.inverse_near(&path(0.0), &start).as_ref().first().map_or_else(String::new, |one| name(one.branch));
     let off = view.residual(&start, &path(0.0));
@@ -33,9 +35,8 @@ pub fn answer<const N: usize>(asked: &Asked, view: &DynamicView<N>) -> Result<An
     rows.push(Row { t: 0.0, q, velocity, at: 0.0, branch, tracking: "exact", off });
     let mut progress = asked.progress();
     let mut last = None;
-    for tick in 1..=ticks {
-        // The last one is a whole period, too: its target is the end of the path.
-        let (t, at) = (f64::from(tick) * asked.period, (f64::from(tick) * asked.period).min(end));
+    for t in (1..times.count()).map(|tick| times.at(tick)) {
+        let at = t.min(end);
         let step = follower.step(view, &path(at), &mut found);
         rows.push(row(view, &step, &path(at), t, at));
         progress.look((PARTS * at / end) as u64);

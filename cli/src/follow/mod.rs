@@ -24,6 +24,7 @@ use crate::number_arguments::{joint_vector, single_number};
 use crate::numbers::{Units, outside};
 use crate::progress::Progress;
 use crate::target::{is_standard_input, shown};
+use crate::trace::times::Times;
 use answer::{Answer, Form};
 use poses::Poses;
 use rates::Rates;
@@ -258,20 +259,18 @@ impl Asked<'_> {
         Progress::new(PARTS as u64, BAR, BETWEEN_LOOKS, !io::stdout().is_terminal())
     }
 
-    /// The number of rows for a time, beside the one at its end.
+    /// The times of rows: whole periods up to a time.
     ///
     /// # Errors
     /// More than a file should have.
-    fn rows(&self, duration: f64) -> Result<u32, Failure> {
-        let rows = duration / self.period;
+    fn times(&self, duration: f64) -> Result<Times, Failure> {
+        let (period, rows) = (self.period, duration / self.period);
         if rows > MOST_ROWS {
-            let period = self.period;
             return Err(Failure::Usage(format!(
                 "--period: {period} s gives {rows:.0} rows for {duration:.3} s\nhelp: write a longer one"
             )));
         }
-        // At most MOST_ROWS. A last one that is the end by rounding is the end.
-        Ok((rows * (1.0 - 1e-12)).ceil() as u32)
+        Times::new(0.0, duration, period).map_err(Failure::Usage)
     }
 
     /// The joint values of the start, for an arm with so many joints.

@@ -8,7 +8,7 @@ mod limits;
 #[cfg(feature = "draw")]
 pub mod plot;
 mod samples;
-mod times;
+pub mod times;
 mod token;
 
 use std::fs::File;

@@ -381,3 +381,128 @@ fn unit(v: [f64; 3]) -> [f64; 3] {
     let length = dot(v, v).sqrt();
     v.map(|x| x / length)
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, clippy::panic)]
+
+    use super::*;
+
+    fn pose(xyz: [f64; 3], vector: [f64; 3]) -> WholeTarget {
+        WholeTarget::from(DynamicTarget::Pose(Pose::from_xyz_rotation_vector(xyz, vector)))
+    }
+
+    fn posed(path: &TargetPath, at: f64) -> Pose<f64> {
+        match path.at(at).target {
+            DynamicTarget::Pose(pose) => pose,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    /// The numbers of a target in a row.
+    fn numbers(target: &WholeTarget) -> Vec<f64> {
+        let (mut numbers, turn) = parts(target);
+        match turn {
+            Turn::None => {}
+            Turn::Axis(axis) => numbers.extend(axis),
+            Turn::Rotation(rotation) => numbers.extend(rotation.as_flattened()),
+        }
+        numbers
+    }
+
+    #[test]
+    fn targets_of_every_task_are_met_at_their_times_with_continuous_velocity() {
+        let along = |f: &dyn Fn(f64) -> DynamicTarget| -> Vec<WholeTarget> {
+            (0..9).map(|k| WholeTarget::new(f(0.3 * f64::from(k)), &[0.1 * f64::from(k)])).collect()
+        };
+        let point = |s: f64| [s.sin(), s.cos(), 0.2 * s];
+        let all = [
+            along(&|s| DynamicTarget::Pose(Pose::from_xyz_rotation_vector(point(s), [0.5 * s, s.sin(), -0.3 * s]))),
+            along(&|s| DynamicTarget::Position(point(s))),
+            along(&|s| DynamicTarget::PositionAxis(PointAxis::new(point(s), unit([s.cos(), s.sin(), 0.5])))),
+            along(&|s| DynamicTarget::PositionAngle(PointAngle::new(point(s), wrap(3.0 * s)))),
+            along(&|s| DynamicTarget::PlanarPose(PlanarPose::new(s.sin(), s.cos(), wrap(3.0 * s)))),
+            along(&|s| DynamicTarget::PlanarPosition([s.sin(), s.cos()])),
+        ];
+        let times = [0.0, 0.5, 0.9, 1.5, 1.9, 2.4, 3.0, 3.4, 4.0].map(|t| t + 7.0);
+        for targets in &all {
+            let path = TargetPath::new(targets, Some(&times), 1.0).unwrap();
+            assert_eq!((path.end(), path.stretches(), path.corners().count()), (4.0, 8, 0), "{targets:?}");
+            for (target, time) in targets.iter().zip(times) {
+                let met = numbers(&path.at(time - 7.0));
+                let near = met.iter().zip(numbers(target)).all(|(a, b)| wrap(a - b).abs() < 1e-14);
+                assert!(near, "{met:?} {target:?}");
+            }
+            for time in &times[1..8] {
+                const STEP: f64 = 1e-5;
+                let at = |part: f64| numbers(&path.at(time - 7.0 + part * STEP));
+                let (before, here, after) = (at(-1.0), at(0.0), at(1.0));
+                for ((a, b), c) in before.iter().zip(&here).zip(&after) {
+                    let (left, right) = ((b - a) / STEP, (c - b) / STEP);
+                    assert!((left - right).abs() < 2e-3, "{left} {right} at {time}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_turn_about_an_axis_stays_one() {
+        let turned = |k: i32| pose([0.1 * f64::from(k), 0.0, 0.0], [0.0, 0.0, 0.8 * f64::from(k)]);
+        let targets: Vec<WholeTarget> = (0..5).map(turned).collect();
+        let path = TargetPath::new(&targets, None, 1.0).unwrap();
+        for k in 0..=40 {
+            let s = f64::from(k) / 40.0;
+            let found = posed(&path, s * path.end());
+            let expected = Pose::from_xyz_rotation_vector([0.4 * s, 0.0, 0.0], [0.0, 0.0, 3.2 * s]);
+            assert!(found.residual(&expected).position < 1e-14 && found.residual(&expected).orientation < 1e-13, "{s}");
+        }
+    }
+
+    #[test]
+    fn a_square_keeps_its_sides_and_a_circle_is_round() {
+        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.0]];
+        let targets = square.map(|[x, y]| pose([x, y, 0.0], [0.0; 3]));
+        let path = TargetPath::new(&targets, None, 1.0).unwrap();
+        assert_eq!(path.corners().collect::<Vec<_>>(), [1.0, 2.0, 3.0]);
+        for k in 0..=400 {
+            let [x, y, _] = posed(&path, f64::from(k) / 100.0).translation;
+            let side = [x, y, 1.0 - x, 1.0 - y].into_iter().fold(f64::INFINITY, |least, side| least.min(side.abs()));
+            assert!(side < 1e-15, "{x} {y}");
+        }
+        let round: Vec<WholeTarget> = (0..=36)
+            .map(|k| f64::from(k).to_radians() * 10.0)
+            .map(|angle| pose([angle.cos(), angle.sin(), 0.0], [0.0; 3]))
+            .collect();
+        let path = TargetPath::new(&round, None, 1.0).unwrap();
+        assert_eq!(path.corners().count(), 0);
+        for k in 0..=1000 {
+            let [x, y, _] = posed(&path, path.end() * f64::from(k) / 1000.0).translation;
+            assert!((x.hypot(y) - 1.0).abs() < 2e-3, "{x} {y}");
+        }
+        // A stay is a corner at both ends, and a pose that is there twice counts once without times.
+        let stay = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [2.0, 0.0]].map(|[x, y]| pose([x, y, 0.0], [0.0; 3]));
+        let path = TargetPath::new(&stay, Some(&[0.0, 1.0, 2.0, 3.0]), 1.0).unwrap();
+        assert_eq!(path.corners().collect::<Vec<_>>(), [1.0, 2.0]);
+        assert_eq!(posed(&path, 1.5).translation, [1.0, 0.0, 0.0]);
+        assert_eq!(TargetPath::new(&stay, None, 1.0).unwrap().stretches(), 2);
+    }
+
+    #[test]
+    fn what_is_no_path_is_told() {
+        let one = pose([0.0; 3], [0.0; 3]);
+        let two = pose([1.0, 0.0, 0.0], [0.0; 3]);
+        let path = |targets: &[WholeTarget], times: Option<&[f64]>| TargetPath::new(targets, times, 1.0).unwrap_err();
+        assert_eq!(path(&[], None), PathError::TooShort);
+        assert_eq!(path(&[one], Some(&[0.0])), PathError::TooShort);
+        assert_eq!(path(&[one, one], None), PathError::TooShort);
+        assert_eq!(path(&[one, two], Some(&[0.0])), PathError::Times { targets: 2, times: 1 });
+        assert_eq!(path(&[one, two], Some(&[1.0, 1.0])), PathError::Unsorted(1));
+        assert_eq!(path(&[one, two], Some(&[0.0, f64::NAN])), PathError::Unsorted(1));
+        assert_eq!(path(&[one, pose([f64::NAN, 0.0, 0.0], [0.0; 3])], None), PathError::NotFinite(1));
+        let other = WholeTarget::from(DynamicTarget::Position([0.0; 3]));
+        assert_eq!(path(&[one, other], None), PathError::Kind(1));
+        let axis =
+            |z: f64| WholeTarget::from(DynamicTarget::PositionAxis(PointAxis::new([z, 0.0, 0.0], [0.0, 0.0, z])));
+        assert_eq!(path(&[axis(1.0), axis(-1.0)], None), PathError::HalfTurn(1));
+    }
+}

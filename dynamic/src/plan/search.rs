@@ -31,6 +31,8 @@ const BETWEEN_REPORTS: usize = 64;
 struct Node<const N: usize> {
     q: [f64; N],
     branch: Branch,
+    /// It is one of a family, and stands where the way before it was.
+    is_free: bool,
     cost: f64,
     /// The layer and the number of the node before it.
     from: (usize, usize),
@@ -136,14 +138,18 @@ fn cheapest<const N: usize>(layers: &[Layer<N>]) -> Vec<JointSample<N>> {
     for _ in layers {
         let Some(layer) = layers.get(index.0) else { break };
         let Some(node) = layer.nodes.get(index.1) else { break };
-        samples.push(JointSample { at: layer.at, q: node.q, branch: node.branch });
+        samples.push((JointSample { at: layer.at, q: node.q, branch: node.branch }, node.is_free));
         if index.0 == 0 {
             break;
         }
         index = node.from;
     }
     samples.reverse();
-    samples
+    // A member of a singular family between two solutions that are none is left out: it stands where the way before it was,
+    // and the curve crosses the family in the direction of both.
+    let is_free = |index: Option<usize>| index.and_then(|index| samples.get(index)).is_none_or(|(_, free)| *free);
+    let stays = |index: usize| !is_free(Some(index)) || is_free(index.checked_sub(1)) || is_free(Some(index + 1));
+    (0..samples.len()).filter(|index| stays(*index)).filter_map(|index| Some(samples.get(index)?.0)).collect()
 }
 
 /// What the next place has.
@@ -235,7 +241,7 @@ impl<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: usize> Sear
 
     /// The nodes of the first place.
     fn starts(&self, place: &Place<A::Target, N>) -> Result<Vec<Node<N>>, PlanError> {
-        let node = |q, branch| Node { q, branch, cost: 0.0, from: (0, 0) };
+        let node = |q, branch| Node { q, branch, is_free: false, cost: 0.0, from: (0, 0) };
         let Some(start) = &self.settings.start else {
             let turns = place.solutions.iter().flat_map(|solution| {
                 let windings = Windings::new(&solution.q, &self.limits, &self.kinds);
@@ -378,7 +384,7 @@ impl<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: usize> Sear
         // Of two ways of the same time the one of less motion.
         let time = self.settings.time(&from.q, &q).max(way.span);
         let cost = from.cost + time + 1e-6 * self.distance(&from.q, &q);
-        Node { q, branch: solution.branch, cost, from: index }
+        Node { q, branch: solution.branch, is_free: !solution.free.is_empty(), cost, from: index }
     }
 
     fn way(&self, node: &Node<N>, solution: &Solution<f64, N>, way: &Stretch<A::Target>) -> Way<N> {
