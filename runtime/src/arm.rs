@@ -66,8 +66,8 @@ pub trait Arm<T, const N: usize> {
     /// Kinds of the joints in order, revolute or prismatic.
     const JOINT_KINDS: [JointKind; N];
 
-    /// Lowest and highest value of every joint of this arm, rad or length unit: [`LIMITS`](Self::LIMITS). A type of many arms has
-    /// those of each here alone.
+    /// Lowest and highest value of every joint of this arm, rad or length unit: [`LIMITS`](Self::LIMITS). A type of
+    /// many arms, such as a view of one that is read at run time, has the limits of each here alone.
     #[inline(always)]
     #[must_use]
     fn limits(&self) -> [[T; 2]; N] {

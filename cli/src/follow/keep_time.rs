@@ -77,8 +77,9 @@ fn reason<const N: usize>(asked: &Asked, step: &Step<f64, N>) -> String {
     let names = names.map(|(_, name)| name).collect::<Vec<_>>().join(", ");
     match step.tracking {
         Tracking::Exact => "nothing".to_owned(),
-        Tracking::Rates => format!("the rates of {names} do not allow more"),
-        Tracking::Limits => format!("at the limit of {names}"),
+        Tracking::Rates if names.is_empty() => "the rates of the joints do not allow it in this time".to_owned(),
+        Tracking::Rates => format!("the rates of {names} do not allow it in this time"),
+        Tracking::Limits => format!("at the limits of {names}"),
         Tracking::Reach => "the path leaves the reach of the branch".to_owned(),
         Tracking::Target => "the pose is none".to_owned(),
     }

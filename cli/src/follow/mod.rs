@@ -51,7 +51,7 @@ pub struct Options {
     /// first. Between poses the path is smooth; where its direction turns by more than 30 degrees it has a corner.
     #[arg(long, value_name = "FILE")]
     path: PathBuf,
-    /// What is kept where the rates of the joints do not allow both
+    /// The path or its times: one of them is kept where the rates of the joints do not allow both
     #[arg(long, value_name = "WHAT", default_value = "path")]
     keep: Keep,
     /// Joint values at the first pose [default: the best of all solutions]

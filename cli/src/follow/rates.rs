@@ -26,7 +26,7 @@ impl Rates {
         rates
     }
 
-    /// Those of the options, else of the arm file.
+    /// Rates of the options, else of the arm file.
     ///
     /// # Errors
     /// A joint without velocity; a rate that is not above 0.

@@ -152,7 +152,7 @@ fn cheapest<const N: usize>(layers: &[Layer<N>]) -> Vec<JointSample<N>> {
     (0..samples.len()).filter(|index| stays(*index)).filter_map(|index| Some(samples.get(index)?.0)).collect()
 }
 
-/// What the next place has.
+/// Nodes of the next place, and the ones before it that no way leads on from.
 struct Next<const N: usize> {
     nodes: Vec<Node<N>>,
     /// The nodes before it, with their numbers, that no way leads on from, and not for the limits.
@@ -205,7 +205,7 @@ struct Stretch<'a, G> {
     inner: Box<dyn Fn(f64) -> (f64, G) + 'a>,
 }
 
-/// What becomes of a way to a solution.
+/// Outcome of a way to a solution.
 enum Way<const N: usize> {
     /// It stands, and ends here.
     Stands([f64; N]),
