@@ -264,7 +264,12 @@ fn traits(name: &Ident, outline: &Outline, krate: &Path, number: &TokenStream) -
             fn target_at(&self, _: &[#number; #q]) -> Self::Target {
                 #krate::Pose::identity()
             }
-            fn deviation(&self, _: &[#number; #q], _: &Self::Target) -> #krate::Deviation<#number, #q> {
+            fn deviation(
+                &self,
+                _: &[#number; #q],
+                _: &Self::Target,
+                _: &(#krate::Pose<#number>, #krate::Jacobian<#number, #q>),
+            ) -> #krate::Deviation<#number, #q> {
                 #krate::Deviation {
                     twist: [0.0; 6],
                     jacobian: #krate::Jacobian { rows: [[0.0; #q]; 6] },

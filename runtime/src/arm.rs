@@ -273,9 +273,10 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
     #[must_use]
     fn target_at(&self, q: &[T; N]) -> Self::Target;
 
-    /// Twist from the tool at `q` to the target, and its derivative by the joints: as far as the task asks for it.
+    /// Twist from the tool at `q` to the target, and its derivative by the joints: as far as the task asks for it. `at`: what
+    /// [`forward_and_jacobian`](Arm::forward_and_jacobian) gives at `q`.
     #[must_use]
-    fn deviation(&self, q: &[T; N], target: &Self::Target) -> Deviation<T, N>;
+    fn deviation(&self, q: &[T; N], target: &Self::Target, at: &(Pose<T>, Jacobian<T, N>)) -> Deviation<T, N>;
 
     /// Like [`inverse_near_into`](Self::inverse_near_into), but values that come with the target, of redundant joints or of
     /// the arm angle, are the target's and not those of `q_ref`.

@@ -23,8 +23,9 @@ pub struct Deviation<T, const N: usize> {
 impl<T: Tolerances, const N: usize> Deviation<T, N> {
     /// The deviation of the tool at `q`, from its pose and Jacobian there.
     #[doc(hidden)]
-    pub fn new<G: Goal<T, N>>(goal: &G, q: &[T; N], (pose, mut jacobian): (Pose<T>, Jacobian<T, N>)) -> Self {
-        goal.restrict(&pose, &mut jacobian);
-        Self { twist: goal.twist(q, &pose), jacobian, given: goal.given() }
+    pub fn new<G: Goal<T, N>>(goal: &G, q: &[T; N], (pose, jacobian): &(Pose<T>, Jacobian<T, N>)) -> Self {
+        let mut jacobian = *jacobian;
+        goal.restrict(pose, &mut jacobian);
+        Self { twist: goal.twist(q, pose), jacobian, given: goal.given() }
     }
 }

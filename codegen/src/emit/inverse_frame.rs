@@ -538,11 +538,16 @@ fn following(
         }
     });
     quote! {
-        fn deviation(&self, q: &[#scalar; #n], target: &Self::Target) -> #krate::Deviation<#scalar, #n> {
+        fn deviation(
+            &self,
+            q: &[#scalar; #n],
+            target: &Self::Target,
+            at: &(#krate::Pose<#scalar>, #krate::Jacobian<#scalar, #n>),
+        ) -> #krate::Deviation<#scalar, #n> {
             #unpack
             let goal = #goal;
             #locked
-            #krate::Deviation::new(#sought, q, #name::forward_and_jacobian(self, q))
+            #krate::Deviation::new(#sought, q, at)
         }
         #near
         #factors

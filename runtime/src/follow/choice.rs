@@ -18,15 +18,14 @@ pub(super) struct Place {
 pub(super) struct Candidate<T, const N: usize> {
     pub(super) q: [T; N],
     pub(super) within_limits: bool,
-    pub(super) place: Place,
+    pub(super) branch: Branch,
     /// Time of the way at full rates, in ticks.
     pub(super) ticks: T,
 }
 
 impl<T: Scalar, const N: usize> Candidate<T, N> {
-    pub(super) fn new(solution: &Solution<T, N>, signs: Signs, ticks: T) -> Self {
-        let place = Place { signs, branch: solution.branch };
-        Self { q: solution.q, within_limits: solution.is_within_limits(), place, ticks }
+    pub(super) fn new(solution: &Solution<T, N>, ticks: T) -> Self {
+        Self { q: solution.q, within_limits: solution.is_within_limits(), branch: solution.branch, ticks }
     }
 }
 

@@ -6,7 +6,7 @@ use super::bounds::{Bounds, Interval, units};
 use super::brake::{braked, clamp};
 use super::choice::Candidate;
 use super::follower::Follower;
-use super::least_squares::Normal;
+use super::least_squares::{Factor, Normal};
 use super::settings::FollowSettings;
 use super::step::Tracking;
 use crate::arm::{Arm, InverseKinematics};
@@ -149,11 +149,27 @@ impl<T: Scalar, const N: usize> System<T, N> {
         Self { rows, normal, left, moved, rooms, units }
     }
 
-    /// The step of all motors, and the way of each to the posture that misses the target least. Those that are `alone`
-    /// take their own step, and the others go along with them and with the target. Of their way they take `share`, and
-    /// brake in time.
-    fn step(&self, follower: &Follower<T, N>, alone: &[Option<T>; N], share: T) -> ([T; N], [T; N]) {
+    /// The ways of the motors that are not `alone` to the posture that misses the target of the last tick least.
+    fn closing(&self, alone: &[Option<T>; N]) -> Closing<T, N> {
         let mut rooms = self.rooms;
+        for ((low, high), alone) in rooms.low.iter_mut().zip(&mut rooms.high).zip(alone) {
+            if alone.is_some() {
+                (*low, *high) = (T::ZERO, T::ZERO);
+            }
+        }
+        let mut factor = None;
+        let mut ways = self.normal.within(&self.rows, &self.left, &rooms.low, &rooms.high, &mut factor);
+        for (((low, high), way), unit) in rooms.low.iter_mut().zip(&mut rooms.high).zip(&mut ways).zip(self.units) {
+            (*low, *high) = ((*low - *way).min(T::ZERO), (*high - *way).max(T::ZERO));
+            *way *= unit;
+        }
+        Closing { ways, rooms, factor }
+    }
+
+    /// The step of all motors. Those that are `alone` take their own step, and the others go along with them and with the
+    /// target. Of their ways they take `share`, and brake in time.
+    fn step(&self, follower: &Follower<T, N>, alone: &[Option<T>; N], closing: Closing<T, N>, share: T) -> [T; N] {
+        let Closing { ways, rooms, mut factor } = closing;
         let mut moved = self.moved;
         for (joint, alone) in alone.iter().enumerate() {
             let Some(step) = alone else { continue };
@@ -161,22 +177,23 @@ impl<T: Scalar, const N: usize> System<T, N> {
             for (moved, row) in moved.iter_mut().zip(&self.rows) {
                 *moved -= row[joint] * scaled;
             }
-            (rooms.low[joint], rooms.high[joint]) = (T::ZERO, T::ZERO);
         }
-        let closing = self.normal.within(&self.rows, &self.left, &rooms.low, &rooms.high);
-        for ((low, high), closing) in rooms.low.iter_mut().zip(&mut rooms.high).zip(&closing) {
-            (*low, *high) = ((*low - *closing).min(T::ZERO), (*high - *closing).max(T::ZERO));
-        }
-        let forward = self.normal.within(&self.rows, &moved, &rooms.low, &rooms.high);
-        let (mut step, mut ways) = ([T::ZERO; N], [T::ZERO; N]);
+        let forward = self.normal.within(&self.rows, &moved, &rooms.low, &rooms.high, &mut factor);
+        let mut step = [T::ZERO; N];
         for joint in 0..N {
-            let unit = self.units[joint];
-            ways[joint] = closing[joint] * unit;
-            step[joint] = alone[joint]
-                .unwrap_or_else(|| forward[joint] * unit + braked(share * ways[joint], follower.bounds.change[joint]));
+            step[joint] = alone[joint].unwrap_or_else(|| {
+                forward[joint] * self.units[joint] + braked(share * ways[joint], follower.bounds.change[joint])
+            });
         }
-        (step, ways)
+        step
     }
+}
+
+/// The ways to the posture that misses a target least, with what is left of the rooms there.
+struct Closing<T, const N: usize> {
+    ways: [T; N],
+    rooms: Interval<T, N>,
+    factor: Option<Factor<T, N>>,
 }
 
 impl<T: Scalar, const N: usize> Follower<T, N> {
@@ -195,7 +212,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             Some(_) => {}
             None => (self.under_way, self.allowed) = (T::ZERO, T::ZERO),
         }
-        let deviation = arm.deviation(&self.q, target);
+        let deviation = self.deviation(arm, target);
         let twist = self.weights.twist(deviation.twist);
         let left = self.left.map_or(twist, |left| self.weights.twist(left));
         let size = left.iter().fold(T::ZERO, |sum, entry| sum + *entry * *entry).sqrt();
@@ -216,22 +233,22 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             }
         }
         if leader.is_some() {
-            return interval.cut(system.step(self, &alone, T::ONE).0);
+            return interval.cut(system.step(self, &alone, system.closing(&alone), T::ONE));
         }
-        // Without a goal for each joint the one leads whose way by least squares takes longest.
-        let (step, ways) = system.step(self, &alone, T::from_f64(SLOW));
-        let step = interval.cut(step);
+        // Without a goal for each joint the one leads whose way by least squares takes longest, if it takes more than a tick.
+        let share = T::from_f64(SLOW);
+        let closing = system.closing(&alone);
         let (mut most, mut longest) = (T::ONE, None);
-        for (joint, (way, velocity)) in ways.iter().zip(&self.bounds.most).enumerate() {
+        for (joint, (way, velocity)) in closing.ways.iter().zip(&self.bounds.most).enumerate() {
             if *velocity > T::ZERO && way.abs() > most * *velocity {
                 (most, longest) = (way.abs() / *velocity, Some(joint));
             }
         }
-        let Some(joint) = longest else { return step };
-        if let (Some(alone), Some(step)) = (alone.get_mut(joint), step.get(joint)) {
-            *alone = Some(*step);
-        }
-        interval.cut(system.step(self, &alone, T::from_f64(SLOW)).0)
+        let Some(joint) = longest else { return interval.cut(system.step(self, &alone, closing, share)) };
+        let mut led = [T::ZERO; N];
+        led[joint] = braked(share * closing.ways[joint], self.bounds.change[joint]);
+        alone[joint] = Some(interval.cut(led)[joint]);
+        interval.cut(system.step(self, &alone, system.closing(&alone), share))
     }
 
     /// What each joint does to go to the goal.

@@ -8,8 +8,11 @@ use super::signs::Signs;
 use super::step::{Step, Tracking};
 use crate::arm::{InverseBranch, InverseKinematics};
 use crate::branch::Branch;
+use crate::deviation::Deviation;
 use crate::flags::JointMask;
+use crate::jacobian::Jacobian;
 use crate::math::Scalar;
+use crate::pose::Pose;
 use crate::solution::{Residual, Solution, Status};
 use crate::vector::norm;
 
@@ -20,6 +23,8 @@ pub struct Follower<T, const N: usize> {
     pub(super) bounds: Bounds<T, N>,
     pub(super) weights: Weights<T, N>,
     pub(super) q: [T; N],
+    /// Pose and Jacobian there, if they have been asked for.
+    evaluated: Option<(Pose<T>, Jacobian<T, N>)>,
     /// The last step, of the motors.
     pub(super) step: [T; N],
     /// The goal of the last tick, if it is on the branch that is followed.
@@ -66,6 +71,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             bounds: Bounds::new(arm, &settings),
             weights: Weights::new(arm, &settings, q),
             q: *q,
+            evaluated: None,
             step: [T::ZERO; N],
             goal: Some(*q),
             left: Some([T::ZERO; 6]),
@@ -99,8 +105,8 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             return self.stop(arm);
         }
         let interval = self.bounds.interval(&self.q, &self.step);
-        if let Some(candidate) = self.exact(arm, target, found.as_ref(), &interval) {
-            return self.arrive(&candidate);
+        if let Some((q, place)) = self.exact(arm, target, found.as_ref(), &interval) {
+            return self.arrive(&interval, &q, &place);
         }
         let aim = self.choose(arm, target, found.as_ref());
         self.go_back_if_stuck(&aim);
@@ -109,7 +115,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         self.advance(step);
         self.goal = aim.goal;
         let crossed = self.note_crossing(arm, Some(target), found);
-        let twist = arm.deviation(&self.q, target).twist;
+        let twist = self.deviation(arm, target).twist;
         self.left = Some(twist);
         Step { held: aim.held, remaining: aim.ticks * self.settings.period, ..self.state(aim.tracking, twist, crossed) }
     }
@@ -162,7 +168,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         target: &A::Target,
         solutions: &[Solution<T, N>],
         interval: &Interval<T, N>,
-    ) -> Option<Candidate<T, N>> {
+    ) -> Option<([T; N], Place)> {
         let mut meeting = None;
         let mut own_fits = false;
         for solution in solutions.iter().filter(|solution| solution.is_exact() && solution.is_within_limits()) {
@@ -170,14 +176,14 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             if !self.fits(arm, &solution.q, &way, interval) {
                 continue;
             }
-            let candidate = Candidate::new(solution, Signs::at(arm, &solution.q, Some(target)), T::ZERO);
-            let own = self.is_followed(&candidate.place);
+            let place = Place { signs: Signs::at(arm, &solution.q, Some(target)), branch: solution.branch };
+            let own = self.is_followed(&place);
             own_fits |= own;
             if own && self.follows_on() {
-                return Some(candidate);
+                return Some((solution.q, place));
             }
             if !own && self.sent.is_none() && meeting.is_none() {
-                meeting = Some(candidate);
+                meeting = Some((solution.q, place));
             }
         }
         meeting.filter(|_| !own_fits)
@@ -206,16 +212,17 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     }
 
     /// Takes the step to a solution.
-    fn arrive(&mut self, candidate: &Candidate<T, N>) -> Step<T, N> {
-        let interval = self.bounds.interval(&self.q, &self.step);
-        self.step = interval.cut(self.way(&candidate.q));
-        self.q = candidate.q;
-        self.goal = Some(candidate.q);
+    fn arrive(&mut self, interval: &Interval<T, N>, q: &[T; N], place: &Place) -> Step<T, N> {
+        self.step = interval.cut(self.way(q));
+        (self.q, self.evaluated) = (*q, None);
+        self.goal = Some(*q);
         self.left = Some([T::ZERO; 6]);
         (self.under_way, self.allowed) = (T::ZERO, T::ZERO);
         (self.sent, self.strayed_from) = (None, None);
-        let place =
-            Place { signs: candidate.place.signs.or(self.here.signs), branch: candidate.place.branch.with_root(0) };
+        let place = Place {
+            signs: place.signs.or(self.here.signs),
+            branch: place.branch.with_root(0),
+        };
         let crossed = place.signs.differ(self.here.signs).then_some(self.here.branch);
         self.here = Place { branch: if crossed.is_some() { place.branch } else { self.here.branch }, ..place };
         self.wanted = self.here;
@@ -229,22 +236,50 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         target: &A::Target,
         solutions: &[Solution<T, N>],
     ) -> Aim<T, N> {
-        let mut choice = Choice::NONE;
-        for solution in solutions.iter().filter(|solution| solution.is_exact()) {
-            let signs = Signs::at(arm, &solution.q, Some(target));
-            let candidate = Candidate::new(solution, signs, self.bounds.ticks(&self.way(&solution.q)));
-            let own = self.is_followed(&candidate.place);
-            let allowed = || self.settings.crossing.allows(self.wanted.branch, candidate.place.branch);
-            if own || (self.sent.is_none() && candidate.within_limits && allowed()) {
-                choice.note(candidate, own);
-            }
-        }
-        let Some((candidate, other)) = choice.made(self.second()) else { return Aim::out_of_reach() };
+        let second = self.second();
+        let Some((candidate, other)) = self.choice(arm, target, solutions).made(second) else {
+            return Aim::out_of_reach();
+        };
         if other {
-            self.wanted = candidate.place;
+            let signs = Signs::at(arm, &candidate.q, Some(target));
+            self.wanted = Place { signs, branch: candidate.branch };
             self.goal = None;
         }
         Aim::at(arm, &candidate, &self.q)
+    }
+
+    /// The nearest solutions on the branch that is followed and on others.
+    ///
+    /// Of those with its name the one beyond no singularity is on the branch. Names may change on the way; where none has
+    /// both, the signs decide.
+    fn choice<A: InverseKinematics<T, N>>(
+        &self,
+        arm: &A,
+        target: &A::Target,
+        solutions: &[Solution<T, N>],
+    ) -> Choice<T, N> {
+        let followed = self.wanted.branch.with_root(0);
+        let mut choice = Choice::NONE;
+        for by_name in [true, false] {
+            choice = Choice::NONE;
+            for solution in solutions.iter().filter(|solution| solution.is_exact()) {
+                let candidate = Candidate::new(solution, self.bounds.ticks(&self.way(&solution.q)));
+                let asked = match self.sent {
+                    Some(sent) => sent.agrees_with(candidate.branch),
+                    None => !by_name || candidate.branch.with_root(0) == followed,
+                };
+                let signs = || Signs::at(arm, &solution.q, Some(target));
+                let own = asked && (self.sent.is_some() || !signs().differ(self.wanted.signs));
+                let allowed = || self.settings.crossing.allows(self.wanted.branch, candidate.branch);
+                if own || (self.sent.is_none() && candidate.within_limits && allowed()) {
+                    choice.note(candidate, own);
+                }
+            }
+            if choice.own.is_some() {
+                break;
+            }
+        }
+        choice
     }
 
     /// Goes back to the branch from which the arm has strayed, where the other one keeps it from its target for too long.
@@ -256,8 +291,15 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         }
     }
 
+    /// The deviation from a target at the joint values now, which are evaluated once for all targets.
+    pub(super) fn deviation<A: InverseKinematics<T, N>>(&mut self, arm: &A, target: &A::Target) -> Deviation<T, N> {
+        let Self { evaluated, q, .. } = self;
+        arm.deviation(q, target, evaluated.get_or_insert_with(|| arm.forward_and_jacobian(q)))
+    }
+
     /// Moves the joints by a step of the motors.
     fn advance(&mut self, step: [T; N]) {
+        self.evaluated = None;
         let rooms = self.bounds.rooms(&self.q);
         let joints = self.bounds.to_joints(step);
         for ((q, step), (low, high)) in self.q.iter_mut().zip(joints).zip(rooms.low.iter().zip(&rooms.high)) {

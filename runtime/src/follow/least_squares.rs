@@ -39,8 +39,15 @@ impl<T: Scalar, const N: usize> Normal<T, N> {
 
     /// The least squares within `low <= x <= high`, where `low <= 0 <= high`, by an active set: every iterate is within
     /// the box and better than the last one (Nocedal and Wright, "Numerical Optimization", section 16.5). At most `4 N`
-    /// systems are solved.
-    pub(super) fn within(&self, rows: &[[T; N]; 6], error: &[T; 6], low: &[T; N], high: &[T; N]) -> [T; N] {
+    /// systems are solved. `factor` is kept from call to call: the next one that starts with the same joints free uses it.
+    pub(super) fn within(
+        &self,
+        rows: &[[T; N]; 6],
+        error: &[T; 6],
+        low: &[T; N],
+        high: &[T; N],
+        factor: &mut Option<Factor<T, N>>,
+    ) -> [T; N] {
         let mut right = [T::ZERO; N];
         for (row, error) in rows.iter().zip(error) {
             for (sum, entry) in right.iter_mut().zip(row) {
@@ -57,28 +64,27 @@ impl<T: Scalar, const N: usize> Normal<T, N> {
                 () => Place::Free,
             };
         }
+        let mut slope = right;
         for _ in 0..4 * N {
-            let slope = self.slope(&right, &x);
-            let way = self.solve(&places, &slope);
+            let known = factor.take().filter(|known| known.is_of(&places));
+            let known = known.unwrap_or_else(|| Factor::new(&self.matrix, &places));
+            let way = known.solve(&slope);
+            *factor = Some(known);
             let (share, stop) = shortened(&x, &way, &places, low, high);
             for i in 0..N {
                 if places[i] == Place::Free {
                     x[i] = clamp(x[i] + share * way[i], low[i], high[i]);
                 }
             }
-            if let Some((joint, place)) = stop {
-                if let Some(at) = places.get_mut(joint) {
-                    *at = place;
-                }
-                continue;
+            let ends = places.iter().any(|place| matches!(place, Place::Low | Place::High));
+            if stop.is_none() && !ends {
+                break;
             }
-            match pulled(&places, &self.slope(&right, &x)) {
-                Some(joint) => {
-                    if let Some(at) = places.get_mut(joint) {
-                        *at = Place::Free;
-                    }
-                }
-                None => break,
+            slope = self.slope(&right, &x);
+            let next = stop.or_else(|| pulled(&places, &slope).map(|joint| (joint, Place::Free)));
+            let Some((joint, place)) = next else { break };
+            if let Some(at) = places.get_mut(joint) {
+                *at = place;
             }
         }
         x
@@ -94,40 +100,59 @@ impl<T: Scalar, const N: usize> Normal<T, N> {
         }
         slope
     }
+}
 
-    /// The step of the free joints to their least, by a Cholesky factorization.
-    fn solve(&self, places: &[Place; N], slope: &[T; N]) -> [T; N] {
-        let free = |i: usize| places[i] == Place::Free;
-        let mut lower = [[T::ZERO; N]; N];
-        let mut inverse = [T::ZERO; N];
-        let mut y = [T::ZERO; N];
+/// The Cholesky factor of the rows and columns of free joints; those of the others are 0.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Factor<T, const N: usize> {
+    lower: [[T; N]; N],
+    /// One over the diagonal.
+    inverse: [T; N],
+}
+
+impl<T: Scalar, const N: usize> Factor<T, N> {
+    fn new(matrix: &[[T; N]; N], places: &[Place; N]) -> Self {
+        let (mut lower, mut inverse) = ([[T::ZERO; N]; N], [T::ZERO; N]);
         for i in 0..N {
-            if !free(i) {
+            if places[i] != Place::Free {
                 continue;
             }
-            let mut sum = slope[i];
+            let mut square = matrix[i][i];
             for j in 0..i {
-                if !free(j) {
-                    continue;
-                }
-                let mut entry = self.matrix[i][j];
+                let mut entry = matrix[i][j];
                 for k in 0..j {
                     entry -= lower[i][k] * lower[j][k];
                 }
                 lower[i][j] = entry * inverse[j];
-                sum -= lower[i][j] * y[j];
+                square -= lower[i][j] * lower[i][j];
             }
-            let square = lower[i].iter().fold(self.matrix[i][i], |rest, entry| rest - *entry * *entry);
             // The damping is above the rounding of a matrix of this size.
             inverse[i] = T::ONE / square.max(T::EPSILON * T::EPSILON).sqrt();
-            y[i] = sum * inverse[i];
+        }
+        Self { lower, inverse }
+    }
+
+    /// Returns true if these joints are free.
+    fn is_of(&self, places: &[Place; N]) -> bool {
+        self.inverse.iter().zip(places).all(|(inverse, place)| (*inverse != T::ZERO) == (*place == Place::Free))
+    }
+
+    /// The step of the free joints to their least; 0 of the others.
+    fn solve(&self, slope: &[T; N]) -> [T; N] {
+        let mut y = [T::ZERO; N];
+        for i in 0..N {
+            let mut sum = slope[i];
+            for j in 0..i {
+                sum -= self.lower[i][j] * y[j];
+            }
+            y[i] = sum * self.inverse[i];
         }
         for i in (0..N).rev() {
             let mut sum = y[i];
             for k in i + 1..N {
-                sum -= lower[k][i] * y[k];
+                sum -= self.lower[k][i] * y[k];
             }
-            y[i] = sum * inverse[i];
+            y[i] = sum * self.inverse[i];
         }
         y
     }
@@ -195,7 +220,7 @@ mod tests {
             let low = [-0.1 - 0.3 * at(1.9).abs(), 0.0, -2.0];
             let high = [0.2 * at(2.9).abs(), 0.4, 0.3 + at(4.1).abs()];
             let normal = Normal::new(&ROWS, 1e-4);
-            let x = normal.within(&ROWS, &error, &low, &high);
+            let x = normal.within(&ROWS, &error, &low, &high, &mut None);
             assert!((0..3).all(|i| x[i] >= low[i] && x[i] <= high[i]), "{x:?}");
             let least = cost(&error, 1e-4, &x);
             for a in grid(low[0], high[0]) {
@@ -211,7 +236,7 @@ mod tests {
     #[test]
     fn fixed_joints_stay() {
         let normal = Normal::new(&ROWS, 1e-4);
-        let x = normal.within(&ROWS, &[1.0; 6], &[0.0, -5.0, -5.0], &[0.0, 5.0, 5.0]);
+        let x = normal.within(&ROWS, &[1.0; 6], &[0.0, -5.0, -5.0], &[0.0, 5.0, 5.0], &mut None);
         assert_eq!(x[0], 0.0);
         assert!(x[1] != 0.0 && x[2] != 0.0);
     }

@@ -26,7 +26,7 @@ impl Signs {
         let count = arm.factors(q, &mut factors);
         let mut signs = Self::default();
         if count == 0 {
-            signs.note(0, target.map_or(T::ZERO, |target| determinant(&arm.deviation(q, target))));
+            signs.note(0, target.map_or(T::ZERO, |target| determinant(&arm.deviation(q, target, &arm.forward_and_jacobian(q)))));
         }
         for (place, factor) in factors.iter().take(count).enumerate() {
             signs.note(place, *factor);
