@@ -154,9 +154,8 @@ impl<const N: usize> DynamicView<'_, N> {
         program: &Inverse,
         goal: &impl Goal<f64, N>,
         given: &[f64],
-        q: &[f64; N],
+        (q, here): (&[f64; N], &(Pose<f64>, Jacobian<f64, N>)),
     ) -> Deviation<f64, N> {
-        let here = self.forward_and_jacobian(q);
         match held(&program.given, N, given).as_slice() {
             [] => Deviation::new(goal, q, here),
             held => Deviation::new(&AllLocked::new(goal, held), q, here),
@@ -255,21 +254,21 @@ impl<const N: usize> InverseKinematics<f64, N> for DynamicView<'_, N> {
         WholeTarget::new(target, &self.arm.held(q).unwrap_or_default())
     }
 
-    fn deviation(&self, q: &[f64; N], target: &WholeTarget) -> Deviation<f64, N> {
+    fn deviation(&self, q: &[f64; N], target: &WholeTarget, here: &(Pose<f64>, Jacobian<f64, N>)) -> Deviation<f64, N> {
         let none = Deviation { twist: [f64::NAN; 6], jacobian: no_jacobian(), given: JointMask::NONE };
         let Ok(program) = self.arm.inverse_program() else { return none };
         let given = &target.given;
         match (&program.goal, &target.target) {
-            (_, DynamicTarget::Pose(goal)) => self.deviation_from(program, goal, given, q),
-            (_, DynamicTarget::Position(goal)) => self.deviation_from(program, goal, given, q),
+            (_, DynamicTarget::Pose(goal)) => self.deviation_from(program, goal, given, (q, here)),
+            (_, DynamicTarget::Position(goal)) => self.deviation_from(program, goal, given, (q, here)),
             (lower::Goal::PositionAxis { column }, DynamicTarget::PositionAxis(target)) => {
-                self.deviation_from(program, &Pointing::new(target, *column), given, q)
+                self.deviation_from(program, &Pointing::new(target, *column), given, (q, here))
             }
             (goal, DynamicTarget::PositionAngle(target)) => {
-                self.deviation_from(program, &in_plane(goal, target), given, q)
+                self.deviation_from(program, &in_plane(goal, target), given, (q, here))
             }
-            (_, DynamicTarget::PlanarPose(goal)) => self.deviation_from(program, goal, given, q),
-            (_, DynamicTarget::PlanarPosition(goal)) => self.deviation_from(program, goal, given, q),
+            (_, DynamicTarget::PlanarPose(goal)) => self.deviation_from(program, goal, given, (q, here)),
+            (_, DynamicTarget::PlanarPosition(goal)) => self.deviation_from(program, goal, given, (q, here)),
             _ => none,
         }
     }
@@ -394,5 +393,50 @@ mod tests {
         let other = WholeTarget::from(DynamicTarget::Position([0.1; 3]));
         assert_eq!(DynamicView::<6>::status(&view.inverse(&other)), Status::BadTarget);
         assert!(view.inverse(&other).as_ref().is_empty() && view.residual(&[0.0; 6], &other).position.is_nan());
+    }
+
+    #[derive(denhart::Arm, Default)]
+    #[arm(spec = "../specs/ur5.yaml")]
+    struct Ur5;
+
+    #[derive(denhart::Arm, Default)]
+    #[arm(spec = "../specs/planar4r_redundant.yaml")]
+    struct Planar4r;
+
+    /// Compares the methods that followers call.
+    fn followed<A, const N: usize>(name: &str, generated: &A, whole: impl Fn(&WholeTarget) -> A::Target)
+    where
+        A: InverseKinematics<f64, N>,
+    {
+        let arm = spec(name);
+        let view = arm.view::<N>().unwrap();
+        let mut lists = (view.inverse(&view.target_at(&[0.1; N])), generated.inverse(&generated.target_at(&[0.1; N])));
+        for round in 0..20 {
+            let value = |joint: usize, of: f64| ((round * (joint + 2)) as f64 * of % 1.0 - 0.5) * 4.0;
+            let q: [f64; N] = std::array::from_fn(|joint| value(joint, 0.618));
+            let near: [f64; N] = std::array::from_fn(|joint| value(joint, 0.414));
+            let target = view.target_at(&q);
+            let here = view.forward_and_jacobian(&near);
+            same(view.deviation(&near, &target, &here), generated.deviation(&near, &whole(&target), &here));
+            let (mut ours, mut theirs) = ([0.0; 4], [0.0; 4]);
+            assert_eq!(view.factors(&q, &mut ours), generated.factors(&q, &mut theirs));
+            assert_eq!(ours, theirs);
+            view.inverse_given_near_into(&target, &near, &mut lists.0);
+            generated.inverse_given_near_into(&whole(&target), &near, &mut lists.1);
+            same(lists.0.as_ref(), lists.1.as_ref());
+        }
+        assert!(view.factors(&[0.3; N], &mut [0.0; 4]) > 0);
+    }
+
+    #[test]
+    fn followers_see_in_a_view_what_they_see_in_generated_code() {
+        followed::<Ur5, 6>("ur5", &Ur5, |target| match target.target {
+            DynamicTarget::Pose(pose) => pose,
+            _ => NO_POSE,
+        });
+        followed::<Planar4r, 4>("planar4r_redundant", &Planar4r, |target| match target.target {
+            DynamicTarget::PlanarPose(pose) => (pose, target.given[0]),
+            _ => (denhart::PlanarPose::new(f64::NAN, 0.0, 0.0), 0.0),
+        });
     }
 }
