@@ -11,10 +11,12 @@ mod documents;
 mod draw;
 mod export;
 mod files;
+mod follow;
 mod forward;
 mod hints;
 mod import;
 mod inverse;
+mod lines;
 mod new;
 mod number_arguments;
 mod numbers;
@@ -52,7 +54,7 @@ const NO_SOLUTION: u8 = 3;
 #[command(name = "denhart", version, arg_required_else_help = true)]
 #[command(
     after_help = "Exit status: 0 done; 1 mistakes in the file, an arm without inverse where one is asked for, a limit that ends a \
-                  trace; 2 wrong arguments; 3 (of inverse and draw) no exact solution."
+                  trace; 2 wrong arguments; 3 (of inverse and draw) no exact solution, (of follow) no continuous path."
 )]
 struct Command {
     #[command(subcommand)]
@@ -88,6 +90,13 @@ enum Action {
     /// For each solution: joint values, branch, flags, broken limits, and what forward kinematics misses the target by.
     /// Without an exact solution it says whether distance or direction is missed, and the exit status is 3.
     Inverse(inverse::Options),
+    /// Print joint values over time that bring the tool along a path of poses, within the rates of the joints
+    ///
+    /// With --keep path the tool keeps to the path, and takes the time it needs: the fastest of all branches and turns. With
+    /// --keep time the tool keeps the times of the poses, and deviates where the rates do not allow them. Rates are those
+    /// of the arm file, or of --max-velocity and --max-acceleration. Where no continuous path exists, the time, the branch and the
+    /// reason are named, and the exit status is 3.
+    Follow(follow::Options),
     /// Draw an arm at joint values, or every solution of a target, as SVG or PNG
     ///
     /// Without joint values and target all joints are at 0, to hold against a drawing: with --frames and --dimensions. A
@@ -105,7 +114,7 @@ enum Action {
     View(view::Options),
     /// Print an arm file for a serial chain of a URDF
     ///
-    /// Joints that turn, slide or are fixed; limits and names are kept, and so are zero and direction of each joint.
+    /// Joints that turn, slide or are fixed; limits, velocities and names are kept, and so are zero and direction of each joint.
     /// Mimic joints become the `coupling` of the file where it can say them. The file's poses are compared with the
     /// URDF's own at 1000 random configurations; a difference above 1e-9 is an error.
     Import(import::Options),
@@ -221,6 +230,10 @@ fn act(action: Action, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), F
         Action::View(options) => view::run(&options, out),
         Action::Import(options) => import::run(&options, out, err).map_err(Failure::Other),
         Action::Export(options) => export::run(&options, out, err),
+        Action::Follow(options) => match follow::run(&options, out, err)? {
+            true => Ok(()),
+            false => Err(Failure::NoSolution),
+        },
         Action::New(options) => new::run(&options, out),
         Action::Arms(options) => arms::run(&options, out),
         Action::Schema => Ok(print(out, &denhart_tools::schema::text())?),

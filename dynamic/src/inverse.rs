@@ -124,6 +124,24 @@ impl DynamicArm {
         Ok(())
     }
 
+    /// Like [`inverse_near_into`](Self::inverse_near_into), but the values that the inverse takes beside the target are
+    /// `given`, and not those of `q_ref`.
+    ///
+    /// # Errors
+    /// As of [`inverse_near`](Self::inverse_near), and for another number of given values; `solutions` stay as they are.
+    pub fn inverse_given_near_into(
+        &self,
+        target: &DynamicTarget,
+        given: &[f64],
+        q_ref: &[f64],
+        solutions: &mut DynamicSolutions,
+    ) -> Result<(), DynamicError> {
+        self.counted(q_ref)?;
+        let given = &self.beside(given)?;
+        self.solver(target)?.solve(&Asked { target, given, near: Some(q_ref), branch: None }, solutions);
+        Ok(())
+    }
+
     /// The solution of [`inverse`](Self::inverse) on one branch, or the status that says why there is none.
     ///
     /// # Errors

@@ -183,15 +183,7 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
     }
 
     fn in_plane(&self, target: &denhart::PointAngle<f64>) -> InPlane<f64, N> {
-        let mut all = [0.0; N];
-        let mut at_zero = 0.0;
-        if let lower::Goal::PositionAngle { signs, offset } = &self.nest.program.goal {
-            at_zero = offset.rad();
-            for (place, sign) in all.iter_mut().zip(signs) {
-                *place = *sign;
-            }
-        }
-        InPlane::new(target, all, at_zero)
+        in_plane(&self.nest.program.goal, target)
     }
 
     /// Searches for a goal whose numbers `number` gives.
@@ -268,6 +260,19 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
             _ => missed,
         }
     }
+}
+
+/// The goal of a target of the task `position_angle`.
+pub fn in_plane<const N: usize>(goal: &lower::Goal, target: &denhart::PointAngle<f64>) -> InPlane<f64, N> {
+    let mut all = [0.0; N];
+    let mut at_zero = 0.0;
+    if let lower::Goal::PositionAngle { signs, offset } = goal {
+        at_zero = offset.rad();
+        for (place, sign) in all.iter_mut().zip(signs) {
+            *place = *sign;
+        }
+    }
+    InPlane::new(target, all, at_zero)
 }
 
 /// The joints with given values, and those. The arm angle, which is no joint's, has the number after the last.

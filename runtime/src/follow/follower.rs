@@ -59,7 +59,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         settings: FollowSettings<T, N>,
         q: &[T; N],
     ) -> Result<Self, FollowError> {
-        settings.check::<A>(q)?;
+        settings.check(arm, q)?;
         if let Some(limit) = arm.combined_limits().iter().position(|limit| !limit.holds(q)) {
             return Err(FollowError::Combined(limit));
         }
@@ -68,7 +68,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         let here = Place { signs: Signs::at(arm, q, Some(&target)), branch };
         Ok(Self {
             settings,
-            bounds: Bounds::new::<A>(&settings),
+            bounds: Bounds::new(arm, &settings),
             weights: Weights::new(arm, &settings, q),
             q: *q,
             evaluated: None,
@@ -242,7 +242,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             self.wanted = Place { signs, branch: candidate.branch };
             self.goal = None;
         }
-        Aim::at::<A>(&candidate, &self.q)
+        Aim::at(arm, &candidate, &self.q)
     }
 
     /// The nearest solutions on the branch that is followed and on others.
