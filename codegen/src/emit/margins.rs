@@ -55,7 +55,7 @@ pub fn table_branch(plan: &Plan, model: &Model, target: &Target) -> TokenStream 
     dimensions.collect(straight);
     let dimensions = dimensions.items(model, target);
     let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
-    let writer = Writer { graph: &straight.graph, bound: &straight.names, krate };
+    let writer = Writer { graph: &straight.graph, bound: &straight.names, krate, lanes: false };
     let statements = straight.shared.iter().map(|e| writer.statement(*e));
     let parts = margins.factors.iter().filter_map(|factor| {
         let value = writer.write(factor.value);

@@ -62,11 +62,13 @@ impl<T: Scalar, const N: usize> Bounds<T, N> {
     }
 
     /// A step of the joints as one of the motors.
+    #[allow(clippy::wrong_self_convention)]
     pub(super) fn to_motors(&self, joints: [T; N]) -> [T; N] {
         self.linked.map_or(joints, |linked| product(&linked.to_motor, &joints))
     }
 
     /// A step of the motors as one of the joints.
+    #[allow(clippy::wrong_self_convention)]
     pub(super) fn to_joints(&self, motors: [T; N]) -> [T; N] {
         self.linked.map_or(motors, |linked| product(&linked.from_motor, &motors))
     }
