@@ -13,7 +13,7 @@ use denhart_tests::random::Random;
 /// Targets of each kind: not a multiple of a block.
 const TARGETS: usize = BLOCK + 13;
 
-/// Those of an arm without lanes, whose single calls take long.
+/// Targets of an arm without lanes, whose single calls take long.
 const FEW: usize = 5;
 
 /// Stands where nothing may be written.
@@ -274,8 +274,9 @@ fn check_forward(name: &str, arm: &mut DynamicArm) {
     }
 }
 
-/// Checks the arms of a folder. Returns how many of them have an inverse, and lanes for it.
-fn check_folder(folder: &str) -> (usize, usize) {
+/// Checks the arms of a folder. Returns how many of them have an inverse, and lanes for it. Of `ordinary` arms most random
+/// targets take lanes; there are made-up ones that are in doubt everywhere.
+fn check_folder(folder: &str, ordinary: bool) -> (usize, usize) {
     let (mut inverses, mut lanes) = (0, 0);
     let (mut at_random, mut single) = (0, 0);
     for file in files(folder) {
@@ -291,21 +292,21 @@ fn check_folder(folder: &str) -> (usize, usize) {
             lanes += 1;
             at_random += targets;
             single += scalar;
-            assert!(scalar < targets / 2, "{name}: {scalar} of {targets} random targets took single calls");
+            assert!(!ordinary || scalar < targets / 2, "{name}: {scalar} of {targets} random targets took single calls");
         }
     }
-    assert!(single < at_random / 20, "{folder}: {single} of {at_random} random targets took single calls");
+    assert!(!ordinary || single < at_random / 20, "{folder}: {single} of {at_random} random targets took single calls");
     (inverses, lanes)
 }
 
 #[test]
 fn published_arms() {
-    assert_eq!(check_folder("../specs"), (54, 43));
+    assert_eq!(check_folder("../specs", true), (56, 44));
 }
 
 #[test]
 fn made_up_arms() {
-    let (inverses, lanes) = check_folder("arms");
+    let (inverses, lanes) = check_folder("arms", false);
     assert!(inverses > 200 && lanes > inverses / 4, "{lanes} of {inverses}");
 }
 

@@ -29,7 +29,7 @@ pub const BLOCK: usize = 32;
 pub struct Row(pub [f64; BLOCK]);
 
 impl Row {
-    /// The same number for every pose.
+    /// One number for every pose.
     #[must_use]
     pub const fn all(value: f64) -> Self {
         Self([value; BLOCK])
@@ -58,9 +58,9 @@ pub trait Lanes:
     /// The number of lanes; it divides [`BLOCK`].
     const WIDTH: usize;
 
-    /// The same number in every lane.
+    /// One number in every lane.
     fn all(set: Self::Set, value: f64) -> Self;
-    /// The same number in every lane, by the set that `self` proves.
+    /// One number in every lane, by the set that `self` proves.
     fn of(self, value: f64) -> Self;
     /// The numbers from the `at`-th vector of a row; zeros beyond its end.
     fn load(set: Self::Set, row: &Row, at: usize) -> Self;

@@ -1,4 +1,4 @@
-//! What generated code has with the option `batch`.
+//! Traits of generated code with the option `batch`.
 
 use denhart_core::lanes::Lanes;
 

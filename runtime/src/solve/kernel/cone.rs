@@ -98,7 +98,7 @@ fn gap<T: Tolerances>(d: T, rho: T, end: T, across: T) -> T {
 /// The lane form of the scalar function of [`Cone`].
 #[cfg(feature = "batch")]
 impl<L: Lanes> Cone<L> {
-    /// The same range in every lane.
+    /// One range in every lane.
     #[inline(always)]
     #[must_use]
     pub fn in_lanes(set: L::Set, cone: Cone<f64>) -> Self {

@@ -98,7 +98,7 @@ fn end<T: Tolerances>(measure: Measure<T>, outer: T, inner: T, side: T) -> Roots
 /// The lane forms of the scalar functions of [`Elbow`].
 #[cfg(feature = "batch")]
 impl<L: Lanes> Elbow<L> {
-    /// The same range in every lane.
+    /// One range in every lane.
     #[inline(always)]
     #[must_use]
     pub fn in_lanes(set: L::Set, elbow: Elbow<f64>) -> Self {

@@ -43,7 +43,7 @@ pub struct LaneRoots<L: Lanes, const K: usize, const R: usize> {
     pub present: [L::Mask; R],
     /// Lanes that miss the equation by more than the tolerance.
     pub ended: L::Mask,
-    /// By how much those miss.
+    /// Gap of the lanes that have ended.
     pub gap: L,
     /// Lanes whose equation is not ordinary.
     pub doubt: L::Mask,
