@@ -19,7 +19,7 @@ pub struct Row {
     /// The path's parameter: a time, s, or the length of the path.
     pub at: f64,
     pub branch: String,
-    /// How the row stands to the path: `exact`, or what keeps it from that.
+    /// `kept` of a row on the path within the tolerance; else `exact`, or the reason why it is not.
     pub tracking: &'static str,
     /// The difference of the tool from the path.
     pub off: Residual<f64>,
@@ -138,7 +138,7 @@ impl Answer {
             }
         }
         let most = |of: fn(&Residual<f64>) -> f64| self.rows.iter().map(|row| of(&row.off)).fold(0.0, f64::max);
-        let away: Vec<&Row> = self.rows.iter().filter(|row| row.tracking != "exact").collect();
+        let away: Vec<&Row> = self.rows.iter().filter(|row| !matches!(row.tracking, "exact" | "kept")).collect();
         if let [first, ..] = away[..] {
             let (position, orientation) = (most(|off| off.position), most(|off| off.orientation));
             lines.push(format!(

@@ -67,7 +67,7 @@ fn row_at<const N: usize>(
     let branch = samples.first().map_or(Branch::NONE, |sample| sample.branch);
     let off = view.residual(&point.q, &path(point.at));
     let (q, velocity) = (point.q.to_vec(), point.velocity.to_vec());
-    Row { t, q, velocity, at: point.at, branch: name(branch), tracking: "exact", off }
+    Row { t, q, velocity, at: point.at, branch: name(branch), tracking: "kept", off }
 }
 
 /// The name of a branch; empty where it has none.
