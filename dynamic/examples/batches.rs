@@ -23,7 +23,8 @@ fn ends(
     thread::scope(|scope| {
         let parts = targets.chunks(12 * chunk).zip(starts.chunks(n * chunk));
         let parts = parts.zip(q.chunks_mut(n * chunk)).zip(found.chunks_mut(chunk));
-        let solve = |(((targets, starts), q), found)| scope.spawn(|| arm.inverse_near_batch(targets, starts, q, found));
+        let solve =
+            |(((targets, starts), q), found)| scope.spawn(move || arm.inverse_near_batch(targets, starts, q, found));
         let running: Vec<_> = parts.map(solve).collect();
         running.into_iter().filter_map(|thread| thread.join().ok()).try_for_each(|done| done.map(drop))
     })

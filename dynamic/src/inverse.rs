@@ -138,7 +138,7 @@ impl DynamicArm {
     ) -> Result<(), DynamicError> {
         self.counted(q_ref)?;
         let given = &self.beside(given)?;
-        self.solver(target)?.solve(&Asked { target, given, near: Some(q_ref), branch: None }, solutions);
+        self.solver(target)?.solve(&Asked { target, given, near: Some(q_ref), branch: None, trace: None }, solutions);
         Ok(())
     }
 

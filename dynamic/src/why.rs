@@ -70,11 +70,11 @@ impl DynamicArm {
             return Ok(None);
         };
         let statements = self.inverse_program()?.levels.iter().flat_map(|level| &level.body);
-        let call = statements.filter_map(|statement| match statement {
+        let mut call = statements.rev().filter_map(|statement| match statement {
             Statement::Solve(call) if call.stage == stage => Some(call),
             _ => None,
         });
-        Ok(call.last().map(|call| DynamicMiss {
+        Ok(call.next().map(|call| DynamicMiss {
             stage,
             joints: call.labels.iter().map(|label| format!("q{label}")).collect(),
             equation: call.kernel.form().description,

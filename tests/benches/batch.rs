@@ -70,7 +70,7 @@ where
     // One memory for all cases: a million poses of every kind take 1.5 GB.
     let kept = RefCell::new(Kept::new(n));
     let kept = &kept;
-    let print = |cases| println!("{}", compare(&format!("{file}, {size}"), cases, rounds));
+    let title = format!("{file}, {size}");
 
     let out = RefCell::new(vec![Pose::identity(); n]);
     let mut cases = vec![Case::of_many("forward, single calls, generated", n, || {
@@ -89,7 +89,7 @@ where
             black_box(kept);
         }));
     }
-    print(cases);
+    println!("{}", compare(&title, cases, rounds));
     drop(out);
 
     let out = RefCell::new(vec![(Pose::identity(), Jacobian::zero()); n]);
@@ -106,7 +106,7 @@ where
             black_box(poses);
         }));
     }
-    print(cases);
+    println!("{}", compare(&title, cases, rounds));
     drop(out);
 
     let out = RefCell::new(vec![[[0.0; 6]; 8]; n]);
@@ -129,12 +129,12 @@ where
     }
     if let Some((set, arm)) = sets.last() {
         let half = n / 2;
-        cases.push(Case::of_many(&format!("inverse, dynamic, {set}, two threads"), n, || {
+        cases.push(Case::of_many(&format!("inverse, dynamic, {set}, two threads"), n, move || {
             let Kept { q, found, .. } = &mut *kept.borrow_mut();
             let ((first, second), (q, r)) = (targets.split_at(12 * half), q.split_at_mut(48 * half));
             let (found, others) = found.split_at_mut(half);
             thread::scope(|scope| {
-                scope.spawn(|| arm.inverse_batch(first, &[], q, found).unwrap());
+                scope.spawn(move || arm.inverse_batch(first, &[], q, found).unwrap());
                 arm.inverse_batch(second, &[], r, others).unwrap();
             });
         }));
@@ -145,7 +145,7 @@ where
             black_box(&mut q);
         }));
     }
-    print(cases);
+    println!("{}", compare(&title, cases, rounds));
     drop(out);
 
     let mut cases = vec![Case::of_many("inverse_near, single calls, generated", n, || {
@@ -160,7 +160,7 @@ where
             black_box(nearest);
         }));
     }
-    print(cases);
+    println!("{}", compare(&title, cases, rounds));
 }
 
 fn main() {

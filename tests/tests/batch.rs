@@ -292,7 +292,10 @@ fn check_folder(folder: &str, ordinary: bool) -> (usize, usize) {
             lanes += 1;
             at_random += targets;
             single += scalar;
-            assert!(!ordinary || scalar < targets / 2, "{name}: {scalar} of {targets} random targets took single calls");
+            assert!(
+                !ordinary || scalar < targets / 2,
+                "{name}: {scalar} of {targets} random targets took single calls"
+            );
         }
     }
     assert!(!ordinary || single < at_random / 20, "{folder}: {single} of {at_random} random targets took single calls");

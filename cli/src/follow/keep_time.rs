@@ -105,7 +105,7 @@ fn start<const N: usize>(asked: &Asked, view: &DynamicView<N>) -> Result<Result<
         };
     }
     match JointPath::new(view, &path, asked.path.end(), &settings(asked)?, &mut |_| {}) {
-        Ok(plan) => return Ok(plan.samples().first().map(|sample| sample.q).ok_or_else(|| nowhere())),
+        Ok(plan) => return Ok(plan.samples().first().map(|sample| sample.q).ok_or_else(nowhere)),
         Err(PlanError::NoPath { .. }) => {}
         Err(error) => return Err(refused(asked, error)),
     }
@@ -114,7 +114,7 @@ fn start<const N: usize>(asked: &Asked, view: &DynamicView<N>) -> Result<Result<
         let mut turns = Windings::new(&one.q, &limits, &kinds);
         turns.find(|q| view.combined_limits().iter().all(|limit| limit.holds(q)))
     });
-    Ok(inside.ok_or_else(|| nowhere()))
+    Ok(inside.ok_or_else(nowhere))
 }
 
 /// The largest difference of a joint.

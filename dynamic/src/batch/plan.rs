@@ -38,9 +38,12 @@ pub struct Plan {
     pub reach: f64,
     /// The joints whose limits a solution may be outside of.
     pub limited: Vec<(usize, [f64; 2])>,
-    /// Limits of sums of joint values: joints with their factors, and the range.
-    pub combined: Vec<(Vec<(usize, f64)>, [f64; 2])>,
+    /// Limits of sums of joint values.
+    pub combined: Vec<SumLimit>,
 }
+
+/// Joints with their factors, and the range of their sum.
+pub type SumLimit = (Vec<(usize, f64)>, [f64; 2]);
 
 /// The body of a loop over the roots of a stage.
 #[derive(Debug)]
@@ -66,6 +69,8 @@ pub struct Step {
 }
 
 /// Effect of a statement.
+// A plan has a few of them, and lanes read them in order: no reason for a box.
+#[allow(clippy::large_enum_variant)]
 #[derive(Debug)]
 pub enum Action {
     Nothing,

@@ -161,13 +161,13 @@ impl TargetPath {
     /// Rates at every knot, and the corners.
     fn set_rates(&mut self, length: f64, whole: f64) {
         let kind = self.kind;
-        let ways: Vec<(f64, Vec<f64>, [f64; 3], Vec<f64>)> = self
+        let ways: Vec<_> = self
             .knots
             .iter()
             .zip(self.knots.iter().skip(1))
             .map(|(a, b)| {
                 let time = b.at - a.at;
-                let rates = a.numbers.iter().zip(&b.numbers).map(|(a, b)| (b - a) / time).collect();
+                let rates: Vec<f64> = a.numbers.iter().zip(&b.numbers).map(|(a, b)| (b - a) / time).collect();
                 let turning = turned(&a.turn, &b.turn).map(|x| x / time);
                 (time, rates, turning, motion(a, &b.numbers, &b.turn, &kind, length))
             })

@@ -171,7 +171,7 @@ fn check<const N: usize>(end: f64, settings: &PlanSettings<N>) -> Result<(), Pla
         if !(*velocity > 0.0 && velocity.is_finite()) {
             return Err(PlanError::Velocity { joint, velocity: *velocity });
         }
-        if !(*acceleration > 0.0) {
+        if acceleration.is_nan() || *acceleration <= 0.0 {
             return Err(PlanError::Acceleration { joint, acceleration: *acceleration });
         }
     }
