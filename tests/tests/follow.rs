@@ -135,7 +135,8 @@ fn jumping<A: InverseKinematics<f64, N>, const N: usize>(
 ) {
     let jumps: Jumps = jumps(arm, data, Crossing::Wrist, COUNT, 3, target, bad);
     assert!(jumps.run.holds(1e-9) && jumps.restless == 0 && jumps.bad > 0, "{} {jumps:?}", data.name);
-    assert!(jumps.ends[0] * 10 >= COUNT * 7, "{} {jumps:?}", data.name);
+    // The others end at limits of the branch that is followed, or out of reach as every tenth is.
+    assert!(jumps.ends[1] == 0 && jumps.ends[0] * 10 >= COUNT * 6, "{} {jumps:?}", data.name);
 }
 
 fn longer<A: Arm<f64, N>, const N: usize>(arm: &A, q: &[f64; N], factor: f64) -> Pose<f64> {
@@ -222,10 +223,10 @@ fn linked_motors_keep_their_rates() {
 fn a_redundant_joint_is_given_or_held() {
     let rates = IIWA.rates();
     let q = [0.2, 0.6, 0.1, -1.2, 0.3, 0.8, 0.0];
-    let mut wanted = q;
-    wanted[2] = 0.5;
-    let target = (Iiwa.forward(&q), 0.5);
-    let end = |settings: FollowSettings<f64, 7>| -> Step<f64, 7> {
+    let [mut other, mut same] = [[0.4, 0.8, 0.5, -1.0, 0.1, 0.6, 0.2]; 2];
+    (other[2], same[2]) = (0.5, q[2]);
+    let end = |settings: FollowSettings<f64, 7>, pose: [f64; 7]| -> Step<f64, 7> {
+        let target = (Iiwa.forward(&pose), 0.5);
         let mut watch = Watch::new(&Iiwa, PERIOD, rates, settings, &q);
         for _ in 0..1999 {
             watch.tick(&target);
@@ -235,10 +236,10 @@ fn a_redundant_joint_is_given_or_held() {
         step
     };
     let settings = FollowSettings::new(PERIOD, rates);
-    let given = end(settings);
+    let given = end(settings, other);
     assert!(given.tracking.is_exact() && given.q[2] == 0.5, "{given:?}");
     for settings in [settings.held(), settings.locked(JointMask::single(2))] {
-        let held = end(settings);
+        let held = end(settings, same);
         assert!(held.tracking.is_exact() && held.q[2] == q[2], "{held:?}");
     }
 }

@@ -24,8 +24,8 @@ pub(super) struct Candidate<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> Candidate<T, N> {
-    pub(super) fn new(solution: &Solution<T, N>, ticks: T) -> Self {
-        Self { q: solution.q, within_limits: solution.is_within_limits(), branch: solution.branch, ticks }
+    pub(super) fn new(solution: &Solution<T, N>, q: [T; N], ticks: T) -> Self {
+        Self { q, within_limits: solution.is_within_limits(), branch: solution.branch, ticks }
     }
 }
 

@@ -31,7 +31,7 @@ const FLIGHT: f64 = 2.0;
 /// A way that takes longer than so many times the least, and this time in s, ends with every joint on its own.
 const PATIENCE: [f64; 2] = [2.0, 0.3];
 /// A way beyond this asks for another turn of a joint, rad.
-const TURN: f64 = 3.3;
+pub(super) const TURN: f64 = 3.3;
 
 /// Where an arm wants to go in a tick.
 #[derive(Debug, Clone, Copy)]

@@ -2,13 +2,14 @@
 
 use super::bounds::{Bounds, Interval};
 use super::choice::{Candidate, Choice, Place};
-use super::deviate::{Aim, Weights};
+use super::deviate::{Aim, TURN, Weights};
 use super::settings::{FollowError, FollowSettings};
 use super::signs::Signs;
 use super::step::{Step, Tracking};
 use crate::arm::{InverseBranch, InverseKinematics};
 use crate::branch::Branch;
 use crate::deviation::Deviation;
+use crate::dh::JointKind;
 use crate::flags::JointMask;
 use crate::jacobian::Jacobian;
 use crate::math::Scalar;
@@ -45,6 +46,9 @@ pub struct Follower<T, const N: usize> {
     /// Ticks for which the solution on the branch that was entered so has been out of the arm's limits or reach.
     stuck: T,
 }
+
+/// A way from here on is about half a turn, rad.
+const HALF_TURN: f64 = 2.9;
 
 /// Time at a limit after which an arm that has strayed goes back to the branch that it came from, s.
 const STUCK: f64 = 1.0;
@@ -260,7 +264,8 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         for by_name in [true, false] {
             choice = Choice::NONE;
             for solution in solutions.iter().filter(|solution| solution.is_exact()) {
-                let candidate = Candidate::new(solution, self.bounds.ticks(&self.way(&solution.q)));
+                let q = self.on_the_turn_of_the_goal::<A>(&solution.q);
+                let candidate = Candidate::new(solution, q, self.bounds.ticks(&self.way(&q)));
                 let asked = match self.sent {
                     Some(sent) => sent.agrees_with(candidate.branch),
                     None => !by_name || candidate.branch.with_root(0) == followed,
@@ -277,6 +282,25 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             }
         }
         choice
+    }
+
+    /// A solution with each joint that is about half a turn away on the turn of the last goal, if that is inside the limits:
+    /// the nearest turn is one or the other there, and an arm that followed it would go back and forth.
+    fn on_the_turn_of_the_goal<A: InverseKinematics<T, N>>(&self, solution: &[T; N]) -> [T; N] {
+        let (Some(goal), mut q) = (&self.goal, *solution) else { return *solution };
+        let now = self.q.iter().zip(goal);
+        for ((q, (at, goal)), ([low, high], kind)) in q.iter_mut().zip(now).zip(A::LIMITS.into_iter().zip(A::JOINT_KINDS)) {
+            let way = *q - *at;
+            if kind != JointKind::Revolute || way.abs() < T::from_f64(HALF_TURN) {
+                continue;
+            }
+            let turned = *q - T::TAU.copysign(way);
+            let nearer = (turned - *goal).abs() < (*q - *goal).abs();
+            if nearer && turned >= low && turned <= high && (turned - *at).abs() <= T::from_f64(TURN) {
+                *q = turned;
+            }
+        }
+        q
     }
 
     /// Goes back to the branch from which the arm has strayed, where the other one keeps it from its target for too long.

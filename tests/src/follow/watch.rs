@@ -22,9 +22,18 @@ pub struct Run {
     pub crossings: usize,
     /// Ticks in which something did not hold: a sign or a branch changed without a word, an exact tick was not.
     pub wrong: usize,
+    /// The first of them.
+    pub complaint: Option<&'static str>,
 }
 
 impl Run {
+    fn expect(&mut self, holds: bool, complaint: &'static str) {
+        if !holds {
+            self.wrong += 1;
+            self.complaint = self.complaint.or(Some(complaint));
+        }
+    }
+
     /// Returns true if every tick held the limits, and reported its crossings. `slack`: of the rates.
     #[must_use]
     pub fn holds(&self, slack: f64) -> bool {
@@ -97,23 +106,23 @@ impl<'a, A: InverseKinematics<T, N>, T: Scalar, const N: usize> Watch<'a, A, T, 
             run.rates[1] = run.rates[1].max((now - then).abs() / h / a);
             // The velocity is that of the step.
             let moved = q - before[joint].to_f64();
-            run.wrong += usize::from((moved - now * h).abs() > 8.0 * ulp);
+            run.expect((moved - now * h).abs() <= 8.0 * ulp, "the velocity is not that of the step");
             run.last_step = run.last_step.max(moved.abs());
             let [low, high] = A::LIMITS[joint].map(Scalar::to_f64);
             let beyond = (q - high).max(low - q);
             run.beyond = run.beyond.max(beyond - 16.0 * ulp);
-            run.wrong += usize::from(!q.is_finite() || !now.is_finite());
+            run.expect(q.is_finite() && now.is_finite(), "not finite");
         }
         let now = factors(self.arm, &step.q);
         let flipped = |(a, b): (&f64, &f64)| a * b < 0.0 && a.abs().min(b.abs()) > 1e3 * T::EPSILON.to_f64();
         let changed = now.iter().zip(&self.factors).any(flipped);
-        run.wrong += usize::from(changed && step.crossed.is_none());
+        run.expect(!changed || step.crossed.is_some(), "a factor changed its sign without a word");
         let renamed = self.last.is_some_and(|last| last.branch != step.branch);
-        run.wrong += usize::from(renamed && step.crossed.is_none());
+        run.expect(!renamed || step.crossed.is_some(), "the branch changed without a word");
         run.crossings += usize::from(step.crossed.is_some());
         if step.tracking.is_exact() {
             let bound = if T::EPSILON.to_f64() < 1e-10 { 1e-8 } else { 2e-3 };
-            run.wrong += usize::from(residual > bound);
+            run.expect(residual <= bound, "an exact tick was not");
         }
         run.end = Some(step.tracking);
         for (known, now) in self.factors.iter_mut().zip(now) {
