@@ -64,6 +64,7 @@ where
     let poses: Vec<Pose<f64>> = q.iter().map(|q| generated.forward(q)).collect();
     let targets: Vec<f64> =
         poses.iter().flat_map(|pose| pose.rotation.into_iter().flatten().chain(pose.translation)).collect();
+    let targets = targets.as_slice();
     let joints: Vec<f64> = q.iter().flatten().copied().collect();
     let sets: Vec<_> = InstructionSet::available().into_iter().flatten().map(|set| (set, arm(file, set))).collect();
 
@@ -123,7 +124,7 @@ where
         }));
         cases.push(Case::of_many(&format!("inverse, dynamic, {set}"), n, || {
             let Kept { q, found, .. } = &mut *kept.borrow_mut();
-            arm.inverse_batch(&targets, &[], q, found).unwrap();
+            arm.inverse_batch(targets, &[], q, found).unwrap();
             black_box(q);
         }));
     }
@@ -141,7 +142,7 @@ where
         // Each pass has new memory, as a function that returns an array has.
         cases.push(Case::of_many(&format!("inverse, dynamic, {set}, new memory"), n, || {
             let (mut q, mut found) = (vec![0.0; 48 * n], vec![Found::NOTHING; n]);
-            arm.inverse_batch(&targets, &[], &mut q, &mut found).unwrap();
+            arm.inverse_batch(targets, &[], &mut q, &mut found).unwrap();
             black_box(&mut q);
         }));
     }
@@ -156,7 +157,7 @@ where
     for (set, arm) in &sets {
         cases.push(Case::of_many(&format!("inverse_near, dynamic, {set}"), n, || {
             let Kept { nearest, found, .. } = &mut *kept.borrow_mut();
-            arm.inverse_near_batch(&targets, &joints, nearest, found).unwrap();
+            arm.inverse_near_batch(targets, &joints, nearest, found).unwrap();
             black_box(nearest);
         }));
     }
