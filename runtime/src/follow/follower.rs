@@ -289,7 +289,9 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     fn on_the_turn_of_the_goal<A: InverseKinematics<T, N>>(&self, solution: &[T; N]) -> [T; N] {
         let (Some(goal), mut q) = (&self.goal, *solution) else { return *solution };
         let now = self.q.iter().zip(goal);
-        for ((q, (at, goal)), ([low, high], kind)) in q.iter_mut().zip(now).zip(A::LIMITS.into_iter().zip(A::JOINT_KINDS)) {
+        for ((q, (at, goal)), ([low, high], kind)) in
+            q.iter_mut().zip(now).zip(A::LIMITS.into_iter().zip(A::JOINT_KINDS))
+        {
             let way = *q - *at;
             if kind != JointKind::Revolute || way.abs() < T::from_f64(HALF_TURN) {
                 continue;

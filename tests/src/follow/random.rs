@@ -36,7 +36,8 @@ impl Many {
         for (most, rate) in self.rates.iter_mut().zip(run.rates) {
             *most = most.max(rate);
         }
-        self.restless += usize::from(run.end != Some(Tracking::Exact) && run.last_step > 1e-3);
+        let ended = matches!(run.end, Some(Tracking::Limits | Tracking::Reach));
+        self.restless += usize::from(ended && run.last_step > 1e-3);
     }
 }
 
@@ -169,7 +170,7 @@ where
             _ => 1,
         };
         result.ends[end] += 1;
-        result.restless += usize::from(end != 0 && watch.run.last_step > 1e-3);
+        result.restless += usize::from(end >= 2 && watch.run.last_step > 1e-3);
     }
     result.run = watch.run;
     result

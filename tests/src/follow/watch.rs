@@ -114,7 +114,7 @@ impl<'a, A: InverseKinematics<T, N>, T: Scalar, const N: usize> Watch<'a, A, T, 
             run.expect(q.is_finite() && now.is_finite(), "not finite");
         }
         let now = factors(self.arm, &step.q);
-        let flipped = |(a, b): (&f64, &f64)| a * b < 0.0 && a.abs().min(b.abs()) > 1e3 * T::EPSILON.to_f64();
+        let flipped = |(a, b): (&f64, &f64)| a * b < 0.0 && a.abs().min(b.abs()) > 64.0 * T::EPSILON.to_f64();
         let changed = now.iter().zip(&self.factors).any(flipped);
         run.expect(!changed || step.crossed.is_some(), "a factor changed its sign without a word");
         let renamed = self.last.is_some_and(|last| last.branch != step.branch);
@@ -126,7 +126,7 @@ impl<'a, A: InverseKinematics<T, N>, T: Scalar, const N: usize> Watch<'a, A, T, 
         }
         run.end = Some(step.tracking);
         for (known, now) in self.factors.iter_mut().zip(now) {
-            if now.abs() > 1e3 * T::EPSILON.to_f64() {
+            if now.abs() > 64.0 * T::EPSILON.to_f64() {
                 *known = now;
             }
         }
