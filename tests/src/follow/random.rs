@@ -93,7 +93,9 @@ fn one<A, const N: usize>(
     }
     let rates = if accelerations { data.rates() } else { slow };
     let mut watch = Watch::new(arm, PERIOD, rates, FollowSettings::new(PERIOD, rates), q);
-    for tick in 1..=(SPLINE / PERIOD) as usize + 1500 {
+    // A slow arm that keeps the path takes several times as long.
+    let time = if continuous { kept.time.max(SPLINE) } else { SPLINE };
+    for tick in 1..=(time / PERIOD) as usize + 1500 {
         watch.tick(&target(&path(tick as f64 * PERIOD + phase), q));
     }
     let run = watch.run;
