@@ -10,10 +10,10 @@ use serde_json::{Value, json};
 use crate::Failure;
 use crate::answer::{Answer, Asked, Form, merged};
 use crate::inverse::not_given;
-use crate::number_arguments::NumberList;
+use crate::lines::Lines;
 use crate::numbers::{count, printed};
 use crate::progress::Progress;
-use crate::target::{Target, check_columns, is_standard_input, of_columns, of_json_text, of_task, open, shown};
+use crate::target::{Target, check_columns, is_standard_input, open, shown};
 
 /// The progress bar, of the bytes read.
 const BAR: &str = "{wide_bar} {percent} %, {eta} left";
@@ -28,42 +28,6 @@ pub struct Batch<'a> {
     pub near: Option<Vec<f64>>,
     pub form: Form,
     pub json: bool,
-}
-
-/// The form of the lines.
-enum Lines {
-    /// The numbers of the task.
-    Numbers,
-    /// Numbers with these names.
-    Named(Vec<String>),
-    /// A JSON object a line.
-    Json,
-}
-
-impl Lines {
-    /// The form of a file by its first line that is not empty.
-    fn of(first: &str) -> Self {
-        if first.starts_with('{') {
-            return Self::Json;
-        }
-        let mut names: Vec<String> = words(first).map(|word| word.trim_matches('"').to_owned()).collect();
-        let is_name = |name: &String| name.starts_with(|c: char| c.is_alphabetic()) && name.parse::<f64>().is_err();
-        if !names.iter().any(is_name) || !names.iter().all(|name| name.is_empty() || is_name(name)) {
-            return Self::Numbers;
-        }
-        // Tables end their lines with a comma.
-        while names.last().is_some_and(String::is_empty) {
-            names.pop();
-        }
-        Self::Named(names)
-    }
-}
-
-/// Entries of a line of CSV: between commas, semicolons or tabs, else between spaces.
-fn words(line: &str) -> impl Iterator<Item = &str> {
-    let separated = line.contains([',', ';', '\t']);
-    let mark = move |c: char| if separated { matches!(c, ',' | ';' | '\t') } else { c.is_whitespace() };
-    line.split(mark).map(str::trim).filter(move |word| separated || !word.is_empty())
 }
 
 impl Batch<'_> {
@@ -115,7 +79,7 @@ impl Batch<'_> {
                 }
             };
             targets += 1;
-            match self.target(lines, line).and_then(|target| self.answer(target)) {
+            match lines.target(self.arm, line, self.form.units).and_then(|target| self.answer(target)) {
                 Ok(answer) => {
                     exact &= answer.is_exact();
                     for hint in answer.hints().iter().filter(|_| !self.json) {
@@ -139,29 +103,6 @@ impl Batch<'_> {
             (_, 0) => Ok(exact),
             (1, _) => Err(Failure::Usage(format!("{name}: the one target is wrong"))),
             _ => Err(Failure::Usage(format!("{name}: {wrong} of {} wrong", count(targets, "target")))),
-        }
-    }
-
-    fn target(&self, lines: &Lines, line: &str) -> Result<Target, Failure> {
-        let (arm, units) = (self.arm, self.form.units);
-        match lines {
-            Lines::Json => of_json_text(arm, line, units),
-            Lines::Numbers => of_task(arm, "", &numbers(line), units),
-            Lines::Named(names) => {
-                let mut entries: Vec<&str> = words(line).map(|word| word.trim_matches('"')).collect();
-                while entries.len() > names.len() && entries.last().is_some_and(|entry| entry.is_empty()) {
-                    entries.pop();
-                }
-                if entries.len() != names.len() {
-                    let (found, wanted) = (count(entries.len(), "number"), names.len());
-                    let text = numbers(line);
-                    let length = arm.length_unit();
-                    let list = NumberList { option: "", text: &text, angle: units, length, wanted: &[wanted] };
-                    let help = format!("write {}", names.join(", "));
-                    return Err(list.wrong_count(&format!("{found}, but {wanted} names"), &help));
-                }
-                of_columns(names, &entries)?.target(arm, units)
-            }
         }
     }
 
@@ -224,12 +165,6 @@ impl Batch<'_> {
     fn print_empty(&self, number: u64, status: &str, out: &mut dyn Write) -> Result<(), Failure> {
         Ok(writeln!(out, "{number},{status}{}", ",".repeat(self.arm.joints() + 6))?)
     }
-}
-
-/// Quotes do not count, and a tab separates. Semicolons do where no comma stands for a decimal point.
-fn numbers(line: &str) -> String {
-    let plain = line.replace('"', "").replace('\t', " ");
-    if plain.contains(',') { plain } else { plain.replace(';', " ") }
 }
 
 fn json_line(value: &Value, out: &mut dyn Write) -> Result<(), Failure> {

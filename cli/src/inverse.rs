@@ -91,7 +91,10 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
 }
 
 /// The arm of a file, which has an inverse.
-fn arm(file: &Path) -> Result<DynamicArm, Failure> {
+///
+/// # Errors
+/// Mistakes in the file, or an arm without inverse: what the file may ask for instead.
+pub fn arm(file: &Path) -> Result<DynamicArm, Failure> {
     let (text, name) = crate::arm::text(file).map_err(Failure::Other)?;
     let arm = DynamicArm::named(&text, &name)?;
     if let Err(DynamicError::NoInverse(reason)) = arm.task() {

@@ -11,10 +11,12 @@ mod documents;
 mod draw;
 mod export;
 mod files;
+mod follow;
 mod forward;
 mod hints;
 mod import;
 mod inverse;
+mod lines;
 mod new;
 mod number_arguments;
 mod numbers;
@@ -26,6 +28,8 @@ mod table;
 mod target;
 mod templates;
 mod trace;
+#[cfg(feature = "view")]
+mod view;
 
 use std::ffi::OsString;
 use std::io::{self, ErrorKind, Write};
@@ -50,7 +54,7 @@ const NO_SOLUTION: u8 = 3;
 #[command(name = "denhart", version, arg_required_else_help = true)]
 #[command(
     after_help = "Exit status: 0 done; 1 mistakes in the file, an arm without inverse where one is asked for, a limit that ends a \
-                  trace; 2 wrong arguments; 3 (of inverse and draw) no exact solution."
+                  trace; 2 wrong arguments; 3 (of inverse and draw) no exact solution, (of follow) no continuous path."
 )]
 struct Command {
     #[command(subcommand)]
@@ -86,6 +90,13 @@ enum Action {
     /// For each solution: joint values, branch, flags, broken limits, and what forward kinematics misses the target by.
     /// Without an exact solution it says whether distance or direction is missed, and the exit status is 3.
     Inverse(inverse::Options),
+    /// Print joint values over time that bring the tool along a path of poses, within the rates of the joints
+    ///
+    /// With --keep path the tool keeps to the path, and takes the time it needs: the fastest of all branches and turns. With
+    /// --keep time the tool keeps the times of the poses, and deviates where the rates do not allow them. Rates are those
+    /// of the arm file, or of --max-velocity and --max-acceleration. Where no continuous path exists, the time, the branch and the
+    /// reason are named, and the exit status is 3.
+    Follow(follow::Options),
     /// Draw an arm at joint values, or every solution of a target, as SVG or PNG
     ///
     /// Without joint values and target all joints are at 0, to hold against a drawing: with --frames and --dimensions. A
@@ -94,9 +105,16 @@ enum Action {
     /// closest approach.
     #[cfg(feature = "draw")]
     Draw(draw::Options),
+    /// Show an arm in the browser, with the generator in the page, or write that page to a file
+    ///
+    /// The arm is moved by sliders and by dragging its target, with every solution beside it; the arm file is edited in place,
+    /// with its mistakes, the generated code and the report. The page is served at 127.0.0.1 alone, at a free port; it follows
+    /// changes of the file, and writes it only with --write.
+    #[cfg(feature = "view")]
+    View(view::Options),
     /// Print an arm file for a serial chain of a URDF
     ///
-    /// Joints that turn, slide or are fixed; limits and names are kept, and so are zero and direction of each joint.
+    /// Joints that turn, slide or are fixed; limits, velocities and names are kept, and so are zero and direction of each joint.
     /// Mimic joints become the `coupling` of the file where it can say them. The file's poses are compared with the
     /// URDF's own at 1000 random configurations; a difference above 1e-9 is an error.
     Import(import::Options),
@@ -129,6 +147,9 @@ struct Expand {
     /// Bind the `parameters` of the file at run time: a public field of the struct for each
     #[arg(long)]
     parameters: bool,
+    /// Emit the functions over lanes, too, for denhart::batch: many poses at a time
+    #[arg(long)]
+    batch: bool,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -205,8 +226,14 @@ fn act(action: Action, out: &mut dyn Write, err: &mut dyn Write) -> Result<(), F
             true => Ok(()),
             false => Err(Failure::NoSolution),
         },
+        #[cfg(feature = "view")]
+        Action::View(options) => view::run(&options, out),
         Action::Import(options) => import::run(&options, out, err).map_err(Failure::Other),
         Action::Export(options) => export::run(&options, out, err),
+        Action::Follow(options) => match follow::run(&options, out, err)? {
+            true => Ok(()),
+            false => Err(Failure::NoSolution),
+        },
         Action::New(options) => new::run(&options, out),
         Action::Arms(options) => arms::run(&options, out),
         Action::Schema => Ok(print(out, &denhart_tools::schema::text())?),
@@ -241,9 +268,10 @@ impl From<io::Error> for Failure {
 }
 
 fn expand(options: Expand) -> Result<String, String> {
-    let Expand { file, type_name, scalar, parameters } = options;
+    let Expand { file, type_name, scalar, parameters, batch } = options;
     let (text, name) = arm::text(&file)?;
-    let mut builder = Builder::of_text(text, name).scalar(ScalarKind::from(scalar)).runtime_parameters(parameters);
+    let mut builder =
+        Builder::of_text(text, name).scalar(ScalarKind::from(scalar)).runtime_parameters(parameters).batch(batch);
     if let Some(name) = type_name {
         builder = builder.type_name(name);
     }

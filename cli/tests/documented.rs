@@ -94,6 +94,15 @@ fn every_key_of_the_json_is_documented() {
             &[],
             &["check --json specs/ur5.yaml --target cortex-m4f", "check --json README.md"],
         ),
+        (
+            "`follow --json`",
+            &[],
+            &[
+                "follow specs/planar2r.yaml --path cli/tests/targets/path.csv --max-velocity 90_90 --json",
+                "follow specs/planar2r.yaml --path cli/tests/targets/out.csv --max-velocity 90_90 --json",
+                "follow specs/planar3r.yaml --path cli/tests/targets/turn.csv --max-velocity 90_90_90 --json",
+            ],
+        ),
         ("`arms --json`", &[], &["arms --json"]),
         ("`--json` prints an object", &[], &["import cli/tests/urdf/ur5.urdf --json"]),
     ] {

@@ -31,6 +31,7 @@ pub struct Builder {
     scalar: Result<ScalarKind, String>,
     crate_path: String,
     runtime_parameters: bool,
+    batch: bool,
     warnings: bool,
 }
 
@@ -40,7 +41,16 @@ impl Builder {
         let crate_path = "::denhart".to_owned();
         let scalar = Ok(ScalarKind::F64);
         let path = path.into();
-        Self { path, text: None, type_name: None, scalar, crate_path, runtime_parameters: false, warnings: true }
+        Self {
+            path,
+            text: None,
+            type_name: None,
+            scalar,
+            crate_path,
+            runtime_parameters: false,
+            batch: false,
+            warnings: true,
+        }
     }
 
     /// A builder for the text of an arm file, which messages call `name`. No file is read or watched.
@@ -76,6 +86,14 @@ impl Builder {
     /// it has none, and their values in the file are constants.
     pub fn runtime_parameters(mut self, bound: bool) -> Self {
         self.runtime_parameters = bound;
+        self
+    }
+
+    /// Emits the functions over lanes, too, if true, for `denhart::batch`: many poses at a time, in `f64`. The runtime then
+    /// needs its feature `batch`. An arm with run-time parameters has none of them, and only an inverse of poses whose
+    /// stages all have a lane form has one over lanes. Default: false.
+    pub fn batch(mut self, emitted: bool) -> Self {
+        self.batch = emitted;
         self
     }
 
@@ -141,7 +159,7 @@ impl Builder {
             return Err(BuildError::TypeName { written: type_name });
         }
         let bound = if self.runtime_parameters { Bound::All } else { Bound::None };
-        let generated = generate(&text, &file, &Options { type_name, scalar, crate_path, bound })?;
+        let generated = generate(&text, &file, &Options { type_name, scalar, crate_path, bound, batch: self.batch })?;
         Ok((generated.to_file()?, generated.warnings))
     }
 

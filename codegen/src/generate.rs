@@ -7,7 +7,7 @@ use crate::model::chain::Chain;
 use crate::model::geometry::{Geometry, geometry};
 use crate::model::{self, Bound, Model, Parameter, Sizes};
 use crate::report::Report;
-use crate::solve::{self, InversePlan, Unsupported, plan};
+use crate::solve::{self, InversePlan, Unsupported, by_the_table, plan};
 use crate::{ScalarKind, spec, stages};
 use proc_macro2::TokenStream;
 use quote::ToTokens;
@@ -23,13 +23,15 @@ pub struct Options {
     pub crate_path: syn::Path,
     /// Which parameters of the file are fields of the type, bound at run time.
     pub bound: Bound,
+    /// True if the functions are to exist over lanes, too: for `f64`, with the feature `batch` of the runtime.
+    pub batch: bool,
 }
 
 impl Options {
     /// f64, with the runtime at `::denhart`.
     pub fn new(type_name: impl Into<String>) -> Self {
         let crate_path = syn::parse_quote!(::denhart);
-        Options { type_name: type_name.into(), scalar: ScalarKind::F64, crate_path, bound: Bound::None }
+        Options { type_name: type_name.into(), scalar: ScalarKind::F64, crate_path, bound: Bound::None, batch: false }
     }
 }
 
@@ -92,7 +94,7 @@ fn analyze(text: &str, file: &str, bound: &Bound, scalar: ScalarKind) -> Result<
     let model = model.bind(bound);
     let chain = Chain::of(&model);
     let geometry = geometry(&model, &chain);
-    let inverse = plan(&model, &chain, &geometry).and_then(|plan| fits(plan, scalar));
+    let inverse = plan(&model, &chain, &geometry).and_then(|plan| fits(plan, scalar, &model, &geometry));
     warnings.extend(
         model.inverse.changed_task(&model.joints, inverse.as_ref().ok().map(|plan| plan.outline().task.goal.task())),
     );
@@ -102,8 +104,17 @@ fn analyze(text: &str, file: &str, bound: &Bound, scalar: ScalarKind) -> Result<
     Ok(Analyzed { model, parameters, chain, geometry, functions, inverse, warnings })
 }
 
-/// The inverse, unless the scalar has too few digits for it.
-fn fits(plan: InversePlan, scalar: ScalarKind) -> Result<InversePlan, Unsupported> {
+/// The inverse, unless the scalar has too few digits for it. A measured arm is then solved by the equations of its table.
+fn fits(plan: InversePlan, scalar: ScalarKind, model: &Model, geometry: &Geometry) -> Result<InversePlan, Unsupported> {
+    let fits = |plan: &InversePlan| match plan {
+        InversePlan::HeldJoint(plan) => scalar != ScalarKind::F32 || plan.fits_single(),
+        InversePlan::Stages(_) => true,
+    };
+    if !fits(&plan)
+        && let Some(plan) = by_the_table(model, geometry).filter(fits)
+    {
+        return Ok(plan);
+    }
     match plan {
         InversePlan::HeldJoint(plan) if scalar == ScalarKind::F32 && !plan.fits_single() => {
             let why = "f32 has too few digits for the equation of degree 8 that holds a joint: f64 has enough";
@@ -170,11 +181,15 @@ pub fn generate(text: &str, file: &str, options: &Options) -> Result<Generated, 
     if let Some(mistake) = analyzed.lacking() {
         return Err(Errors::from(mistake));
     }
+    if options.batch && options.scalar != ScalarKind::F64 {
+        let mistake = Diagnostic::error("`batch` of an arm in f32: lanes are numbers of f64");
+        return Err(Errors::from(mistake.help("leave `batch` out, or the number type")));
+    }
     let type_name = syn::parse_str::<proc_macro2::Ident>(&options.type_name).map_err(|_| {
         Errors::from(Diagnostic::error(format!("`{}` is not a name for a Rust type", options.type_name)))
     })?;
     let target = Target { scalar: options.scalar, krate: options.crate_path.to_token_stream(), type_name };
-    let arm = Arm { model, functions, inverse };
+    let arm = Arm { model, functions, inverse, batch: options.batch };
     Ok(Generated {
         impls: emit::impls(&arm, &target),
         item: emit::item(&arm, &target),

@@ -72,7 +72,7 @@ fn solution(out: &mut String, plan: &Plan) {
     let shared = block.bind(&inputs);
     let krate = proc_macro2::TokenStream::new();
     out.push_str("shared terms\n");
-    let writer = Writer { graph: &plan.graph, bound: &block.bound, krate: &krate };
+    let writer = Writer { graph: &plan.graph, bound: &block.bound, krate: &krate, lanes: false };
     for e in shared {
         line(out, writer.statement(e).to_string());
     }

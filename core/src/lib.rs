@@ -5,7 +5,8 @@
 //! re-exports all of this one: generated code and its callers name `denhart` alone.
 //!
 //! # Features
-//! `std`, `libm` and `fpu` choose the square root, as the features of `denhart` with the same names do.
+//! `std`, `libm` and `fpu` choose the square root, as the features of `denhart` with the same names do. `batch` gives
+//! `lanes`: numbers of several poses at once.
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![no_std]
@@ -18,6 +19,8 @@ pub mod chain;
 pub mod choice;
 pub mod general;
 pub mod held_joint;
+#[cfg(feature = "batch")]
+pub mod lanes;
 pub mod math;
 pub mod meet;
 mod pair;

@@ -22,9 +22,9 @@ pub type DynamicJacobian = [Joints; 6];
 #[derive(Debug)]
 pub struct DynamicArm {
     pub(crate) program: Program,
-    forward: Straight,
+    pub(crate) forward: Straight,
     jacobian: Straight,
-    both: Straight,
+    pub(crate) both: Straight,
     links: Straight,
     motors: Option<Motors>,
     margins: Option<Factors>,
@@ -32,6 +32,8 @@ pub struct DynamicArm {
     pub(crate) solver: Result<Box<dyn Solve>, DynamicError>,
     limits: Vec<[f64; 2]>,
     kinds: Vec<JointKind>,
+    #[cfg(feature = "batch")]
+    pub(crate) lanes: crate::batch::ForLanes,
 }
 
 #[derive(Debug)]
@@ -89,6 +91,8 @@ impl DynamicArm {
             margins: program.margins.as_ref().map(|margins| Factors::new(margins, reach)),
             solver,
             limits: denhart_codegen::lower::limits(&program.model),
+            #[cfg(feature = "batch")]
+            lanes: crate::batch::ForLanes::default(),
             kinds: program.model.joints.iter().map(kind).collect(),
             program,
         })

@@ -13,8 +13,8 @@ pub trait Branches {
     fn default(&self, joint: usize) -> DefaultValue<f64>;
     /// The place of a virtual joint.
     fn virtual_default(&self) -> DefaultValue<f64>;
-    /// The state after a stage.
-    fn follow(&mut self, before: &BranchState, roots: &AnyRoots) -> BranchState;
+    /// The state after a stage, which has this place among the stages.
+    fn follow(&mut self, stage: usize, before: &BranchState, roots: &AnyRoots) -> BranchState;
     /// The state after an equation without a joint to meet it.
     fn agree(&self, state: &BranchState, measure: Measure<f64>, miss: f64) -> BranchState;
     /// The state after a vector whose direction tells where two joints turn.
@@ -38,7 +38,7 @@ impl<const N: usize, const M: usize, P: Missed<f64, M>> Branches for Search<'_, 
         Search::virtual_default(self)
     }
 
-    fn follow(&mut self, before: &BranchState, roots: &AnyRoots) -> BranchState {
+    fn follow(&mut self, _stage: usize, before: &BranchState, roots: &AnyRoots) -> BranchState {
         with_roots!(roots, stage => Search::follow(self, before, stage))
     }
 

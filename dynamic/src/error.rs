@@ -39,6 +39,39 @@ pub enum DynamicError {
         /// The values.
         found: usize,
     },
+    /// A slice of a batch whose length does not go with that of another one.
+    #[cfg(feature = "batch")]
+    #[error(
+        "{slice} has {found} numbers, but {beside} has {length}, {rows} rows of {of}: expected {} numbers, {width} a row",
+        .rows.saturating_mul(*.width)
+    )]
+    Rows {
+        /// The slice.
+        slice: &'static str,
+        /// Its length.
+        found: usize,
+        /// The numbers that it has a row.
+        width: usize,
+        /// The slice that says how many rows there are.
+        beside: &'static str,
+        /// The length of that one.
+        length: usize,
+        /// The rows of that one.
+        rows: usize,
+        /// The numbers that that one has a row.
+        of: usize,
+    },
+    /// A slice of a batch that does not end with a row.
+    #[cfg(feature = "batch")]
+    #[error("{slice} has {found} numbers, which are no rows of {width}")]
+    PartOfARow {
+        /// The slice.
+        slice: &'static str,
+        /// Its length.
+        found: usize,
+        /// The numbers of a row.
+        width: usize,
+    },
     /// The arm angle is asked for, of an arm whose inverse does not take it.
     #[error("the inverse takes no arm angle")]
     NoArmAngle,

@@ -46,11 +46,11 @@ fn several<const K: usize>(registers: &mut Registers, angles: [f64; K], pairs: &
 /// A function of the joint values.
 #[derive(Debug, Clone)]
 pub struct Straight {
-    tape: Tape,
-    joints: Vec<Register>,
-    sums: Vec<Sum>,
-    pairs: Vec<Pair>,
-    results: Vec<Register>,
+    pub tape: Tape,
+    pub joints: Vec<Register>,
+    pub sums: Vec<Sum>,
+    pub pairs: Vec<Pair>,
+    pub results: Vec<Register>,
 }
 
 impl Straight {
@@ -110,8 +110,8 @@ impl Straight {
 /// A signed sum of joint angles and a constant angle, rad.
 #[derive(Debug, Clone)]
 pub struct Sum {
-    terms: Vec<(usize, bool)>,
-    constant: Option<f64>,
+    pub terms: Vec<(usize, bool)>,
+    pub constant: Option<f64>,
 }
 
 impl Sum {

@@ -5,10 +5,11 @@ use denhart::held_joint::slides::Slides;
 use denhart::held_joint::{HeldJointSearch, Outcome, Transform, Visitor};
 use denhart::solve::{AllLocked, Goal, Pointing, nearest_rotation};
 use denhart::{Pose, Residual, Solutions, Status};
-use denhart_codegen::lower::{Goal as Task, HeldJointPlan, Inverse, Method};
+use denhart_codegen::lower::{Goal as Task, HeldJointPlan, Inverse, Method, margins};
 
 use crate::arm_constants::ArmConstants;
 use crate::function::Straight;
+use crate::margins::Factors;
 use crate::solver::{Asked, Evaluator, Solve, held};
 use crate::{DynamicSolution, DynamicSolutions, DynamicTarget};
 
@@ -18,13 +19,16 @@ pub struct HeldJointSolver<const N: usize, const M: usize> {
     plan: HeldJointPlan,
     constants: ArmConstants<N>,
     both: Evaluator<N>,
+    /// The margins of a measured arm's table, which name its branches.
+    names: Option<Factors>,
 }
 
 impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
     /// The solver of a program; `None` if its arm has another number of joints.
     pub fn boxed(plan: &HeldJointPlan, program: &Inverse, both: &Straight) -> Option<Box<dyn Solve>> {
         let constants = ArmConstants::of(&program.constants)?;
-        Some(Box::new(Self { plan: plan.clone(), constants, both: Evaluator(both.clone()) }))
+        let names = plan.names.as_deref().and_then(margins).map(|margins| Factors::new(&margins, plan.reach));
+        Some(Box::new(Self { plan: plan.clone(), constants, both: Evaluator(both.clone()), names }))
     }
 
     fn solutions(&self, asked: &Asked) -> Solutions<f64, N, M> {
@@ -87,7 +91,11 @@ impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
         };
         let given = self.plan.chain.given_joints().map(|given| placed.get(given.joint).copied().unwrap_or(f64::NAN));
         let given: Vec<f64> = given.collect();
-        search.run_with_turn(&constants, near, place, |visit| self.candidates(&given, &target, &reference, visit));
+        let solve = |visit: &mut Visitor<'_, f64>| self.candidates(&given, &target, &reference, visit);
+        match &self.names {
+            Some(names) => search.run_named(&constants, near, |six| place(six).0, |q| names.branch(q, pose), solve),
+            None => search.run_with_turn(&constants, near, place, solve),
+        }
     }
 
     fn candidates(
@@ -128,7 +136,12 @@ impl<const N: usize, const M: usize> Solve for HeldJointSolver<N, M> {
     }
 
     fn one(&self, asked: &Asked) -> Result<DynamicSolution, Status<f64>> {
-        self.solutions(asked).first_or_status().as_ref().map(DynamicSolution::from).map_err(|status| *status)
+        let solutions = self.solutions(asked);
+        let one = match asked.branch {
+            Some(branch) => solutions.named(branch, self.plan.reach),
+            None => solutions.first_or_status(),
+        };
+        one.as_ref().map(DynamicSolution::from).map_err(|status| *status)
     }
 
     fn residual(&self, q: &[f64], target: &DynamicTarget, pose: &Pose<f64>) -> Residual<f64> {

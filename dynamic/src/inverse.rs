@@ -92,7 +92,7 @@ impl DynamicArm {
         solutions: &mut DynamicSolutions,
     ) -> Result<(), DynamicError> {
         let given = &self.beside(given)?;
-        self.solver(target)?.solve(&Asked { target, given, near: None, branch: None }, solutions);
+        self.solver(target)?.solve(&Asked { target, given, near: None, branch: None, trace: None }, solutions);
         Ok(())
     }
 
@@ -120,7 +120,25 @@ impl DynamicArm {
         self.counted(q_ref)?;
         let solver = self.solver(target)?;
         let given = &self.held(q_ref)?;
-        solver.solve(&Asked { target, given, near: Some(q_ref), branch: None }, solutions);
+        solver.solve(&Asked { target, given, near: Some(q_ref), branch: None, trace: None }, solutions);
+        Ok(())
+    }
+
+    /// Like [`inverse_near_into`](Self::inverse_near_into), but the values that the inverse takes beside the target are
+    /// `given`, and not those of `q_ref`.
+    ///
+    /// # Errors
+    /// As of [`inverse_near`](Self::inverse_near), and for another number of given values; `solutions` stay as they are.
+    pub fn inverse_given_near_into(
+        &self,
+        target: &DynamicTarget,
+        given: &[f64],
+        q_ref: &[f64],
+        solutions: &mut DynamicSolutions,
+    ) -> Result<(), DynamicError> {
+        self.counted(q_ref)?;
+        let given = &self.beside(given)?;
+        self.solver(target)?.solve(&Asked { target, given, near: Some(q_ref), branch: None, trace: None }, solutions);
         Ok(())
     }
 
@@ -134,15 +152,15 @@ impl DynamicArm {
         given: &[f64],
         branch: Branch,
     ) -> Result<Result<DynamicSolution, Status<f64>>, DynamicError> {
-        if self.inverse_program()?.held_joint.is_some() {
+        if self.inverse_program()?.held_joint.as_ref().is_some_and(|plan| plan.names.is_none()) {
             return Err(DynamicError::NoBranches);
         }
         let given = &self.beside(given)?;
-        Ok(self.solver(target)?.one(&Asked { target, given, near: None, branch: Some(branch) }))
+        Ok(self.solver(target)?.one(&Asked { target, given, near: None, branch: Some(branch), trace: None }))
     }
 
     /// The values as the solver takes them.
-    fn beside(&self, given: &[f64]) -> Result<Vec<f64>, DynamicError> {
+    pub(crate) fn beside(&self, given: &[f64]) -> Result<Vec<f64>, DynamicError> {
         let kinds = &self.inverse_program()?.given.values;
         if kinds.len() != given.len() {
             return Err(DynamicError::Given { expected: self.given()?, found: given.len() });

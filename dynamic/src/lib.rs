@@ -33,8 +33,12 @@
 //! An inverse whose number of solutions is not one that the planner is known to give is refused as
 //! [`DynamicError::Unsupported`].
 
+#![cfg_attr(docsrs, feature(doc_cfg))]
+
 mod arm;
 mod arm_constants;
+#[cfg(feature = "batch")]
+mod batch;
 mod branches;
 mod error;
 mod function;
@@ -45,6 +49,7 @@ mod kernel;
 mod margins;
 mod motion;
 mod nest;
+pub mod plan;
 mod pulses;
 mod redundancy;
 mod run;
@@ -52,6 +57,9 @@ mod solutions;
 mod solver;
 mod tape;
 mod target;
+mod trace;
+mod view;
+mod why;
 
 pub use arm::{DynamicArm, DynamicJacobian};
 pub use error::DynamicError;
@@ -60,3 +68,5 @@ pub use margins::DynamicMargin;
 pub use pulses::DynamicQuantized;
 pub use solutions::{DynamicSolution, DynamicSolutions};
 pub use target::DynamicTarget;
+pub use view::{DynamicView, ViewSolutions, WholeTarget};
+pub use why::DynamicMiss;

@@ -1,7 +1,7 @@
 //! How far a joint vector is from each kind of singularity.
 
-use denhart::math;
-use denhart_codegen::lower::{Input, Margins, Plane};
+use denhart::{Branch, Elbow, Pose, Shoulder, Wrist, math};
+use denhart_codegen::lower::{Branching, Factor, Input, Margins, Plane};
 
 use crate::function::{Pair, sines};
 use crate::tape::{Compiler, Places, Register, Tape};
@@ -44,7 +44,22 @@ impl Factors {
     }
 
     /// The factors at `q`; `pose` is that of the tool there.
-    pub fn at(&self, q: &[f64], pose: &denhart::Pose<f64>) -> Vec<DynamicMargin> {
+    pub fn at(&self, q: &[f64], pose: &Pose<f64>) -> Vec<DynamicMargin> {
+        self.values(q, pose).map(|(factor, value)| DynamicMargin { name: factor.name.clone(), value }).collect()
+    }
+
+    /// The branch at `q` by the signs of the factors; `pose` is that of the tool there.
+    pub fn branch(&self, q: &[f64], pose: &Pose<f64>) -> Branch {
+        self.values(q, pose).fold(Branch::NONE, |branch, (factor, value)| match factor.branching {
+            Branching::Shoulder => branch.with_shoulder(Shoulder::of_margin(value)),
+            Branching::Elbow => branch.with_elbow(Elbow::of_margin(value)),
+            Branching::Wrist => branch.with_wrist(Wrist::of_margin(value)),
+            Branching::None | Branching::Root => branch,
+        })
+    }
+
+    /// Each factor and its value at `q`.
+    fn values(&self, q: &[f64], pose: &Pose<f64>) -> impl Iterator<Item = (&Factor, f64)> {
         let Margins { straight, factors, pose: read, joints, variables, plane } = &self.program;
         let mut registers = self.tape.registers();
         for (slot, value) in joints.iter().zip(q) {
@@ -76,19 +91,15 @@ impl Factors {
         }
         self.tape.run(0..self.tape.len(), &mut registers);
         let reach = self.reach;
-        let scaled = |value: f64, power: u32| match power {
+        let scaled = move |value: f64, power: u32| match power {
             0 => value,
             1 => value / reach,
             2 => value / (reach * reach),
             _ => value / (reach * reach * reach),
         };
-        factors
-            .iter()
-            .zip(&straight.roots)
-            .map(|(factor, root)| {
-                let value = registers.get(self.places.of(*root));
-                DynamicMargin { name: factor.name.clone(), value: scaled(value, factor.power) }
-            })
-            .collect()
+        factors.iter().zip(&straight.roots).map(move |(factor, root)| {
+            let value = registers.get(self.places.of(*root));
+            (factor, scaled(value, factor.power))
+        })
     }
 }

@@ -143,4 +143,13 @@ impl DynamicArm {
             }
         }))
     }
+
+    /// Yoshikawa's manipulability over some of the rows vx vy vz wx wy wz, see [`Jacobian::manipulability_of`].
+    ///
+    /// # Errors
+    /// As of [`forward`](Self::forward).
+    pub fn manipulability_of(&self, q: &[f64], counts: [bool; 6]) -> Result<f64, DynamicError> {
+        let rows = self.jacobian(q)?;
+        Ok(of_joints!(self.joints(), N => typed::<N>(&rows).manipulability_of(counts)))
+    }
 }

@@ -105,7 +105,7 @@ impl<'a> Run<'a> {
                 let Some(before) = self.state(*before) else { return };
                 let roots = self.known.get(*stage).and_then(|known| known.roots.as_ref());
                 // Without roots yet, the state stays.
-                let after = roots.map_or(before, |roots| search.follow(&before, roots));
+                let after = roots.map_or(before, |roots| search.follow(*stage, &before, roots));
                 self.set_state(lower::BranchState::Stage(*stage), after);
             }
             Statement::Only { stage, roots } => {

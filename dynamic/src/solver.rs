@@ -1,5 +1,6 @@
 //! The inverse of an arm with `N` joints and at most `M` solutions.
 
+use std::cell::RefCell;
 use std::marker::PhantomData;
 
 use denhart::math;
@@ -10,11 +11,13 @@ use denhart::{Branch, Jacobian, Pose, Residual, Solutions, Status};
 use denhart_codegen::lower::{self, Given, GivenValues, Input, Inverse};
 
 use crate::arm_constants::ArmConstants;
+use crate::branches::Branches;
 use crate::function::Straight;
 use crate::held_joint::HeldJointSolver;
 use crate::kernel::MOST_DOUBTS;
 use crate::nest::Nest;
 use crate::run::Run;
+use crate::trace::{Trace, Traced};
 use crate::{DynamicError, DynamicSolution, DynamicSolutions, DynamicTarget};
 
 /// Query to an inverse.
@@ -26,6 +29,8 @@ pub struct Asked<'a> {
     pub near: Option<&'a [f64]>,
     /// The branch; none for all of them.
     pub branch: Option<Branch>,
+    /// Notes where branches end.
+    pub trace: Option<&'a RefCell<Trace>>,
 }
 
 /// An inverse without the number of joints in its type.
@@ -178,15 +183,7 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
     }
 
     fn in_plane(&self, target: &denhart::PointAngle<f64>) -> InPlane<f64, N> {
-        let mut all = [0.0; N];
-        let mut at_zero = 0.0;
-        if let lower::Goal::PositionAngle { signs, offset } = &self.nest.program.goal {
-            at_zero = offset.rad();
-            for (place, sign) in all.iter_mut().zip(signs) {
-                *place = *sign;
-            }
-        }
-        InPlane::new(target, all, at_zero)
+        in_plane(&self.nest.program.goal, target)
     }
 
     /// Searches for a goal whose numbers `number` gives.
@@ -219,10 +216,14 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
             return;
         }
         let mut run = Run::new(&self.nest, asked.given, number, asked.branch);
+        let mut cascade = |search: &mut dyn Branches, start| match asked.trace {
+            None => run.cascade(search, start),
+            Some(trace) => run.cascade(&mut Traced { search, trace }, start),
+        };
         if let Some(off) = self.nest.program.off_table {
-            search.run_measured(&constants, near, off, |search, start| run.cascade(search, start));
+            search.run_measured(&constants, near, off, |search, start| cascade(search, start));
         } else {
-            search.run(&constants, near, |search, start| run.cascade(search, start));
+            search.run(&constants, near, |search, start| cascade(search, start));
         }
     }
 }
@@ -261,6 +262,19 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
     }
 }
 
+/// The goal of a target of the task `position_angle`.
+pub fn in_plane<const N: usize>(goal: &lower::Goal, target: &denhart::PointAngle<f64>) -> InPlane<f64, N> {
+    let mut all = [0.0; N];
+    let mut at_zero = 0.0;
+    if let lower::Goal::PositionAngle { signs, offset } = goal {
+        at_zero = offset.rad();
+        for (place, sign) in all.iter_mut().zip(signs) {
+            *place = *sign;
+        }
+    }
+    InPlane::new(target, all, at_zero)
+}
+
 /// The joints with given values, and those. The arm angle, which is no joint's, has the number after the last.
 pub fn held(given: &GivenValues, joints: usize, values: &[f64]) -> Vec<(usize, f64)> {
     let joint = |kind: &Given| match *kind {
@@ -271,7 +285,7 @@ pub fn held(given: &GivenValues, joints: usize, values: &[f64]) -> Vec<(usize, f
 }
 
 /// A number of a pose.
-fn entry(pose: &Pose<f64>, input: Input) -> f64 {
+pub fn entry(pose: &Pose<f64>, input: Input) -> f64 {
     match input {
         Input::Rotation(row, column) => {
             pose.rotation.get(row).and_then(|row| row.get(column)).copied().unwrap_or(f64::NAN)
@@ -281,7 +295,7 @@ fn entry(pose: &Pose<f64>, input: Input) -> f64 {
 }
 
 /// A component of a point.
-fn component(point: &[f64], input: Input) -> f64 {
+pub fn component(point: &[f64], input: Input) -> f64 {
     match input {
         Input::Position(index) => point.get(index).copied().unwrap_or(f64::NAN),
         _ => f64::NAN,

@@ -9,17 +9,18 @@ use denhart_codegen::lower::{Graph, Node, Slot};
 /// A register, by its place.
 pub type Register = usize;
 
-/// One operation: `to = a code b`.
+/// One operation: `to = a code b`. The operands stand before the result.
 #[derive(Debug, Clone, Copy)]
-struct Operation {
-    code: Code,
-    to: u32,
-    a: u32,
-    b: u32,
+pub struct Operation {
+    pub code: Code,
+    pub to: u32,
+    pub a: u32,
+    pub b: u32,
 }
 
+/// The kind of an operation.
 #[derive(Debug, Clone, Copy)]
-enum Code {
+pub enum Code {
     Add,
     Subtract,
     Multiply,
@@ -68,6 +69,12 @@ impl Tape {
     /// The number of operations.
     pub fn len(&self) -> usize {
         self.operations.len()
+    }
+
+    /// The operations, and the values of the registers before the first one.
+    #[cfg(feature = "batch")]
+    pub fn parts(&self) -> (&[Operation], &[f64]) {
+        (&self.operations, &self.start)
     }
 }
 

@@ -1,12 +1,14 @@
-//! Generates every arm of `specs/`, in either scalar, and the calls of all its functions.
+//! Generates every arm of `specs/` and of `arms/`, in either scalar, and the calls of all its functions.
 
 use std::path::Path;
 use std::{env, fs};
 
-use firmware_generate::{Error, Scalar, all_arms, specs, write};
+use firmware_generate::{Error, Scalar, all_arms, folders, write};
 
 fn main() -> Result<(), Error> {
-    println!("cargo:rerun-if-changed={}", specs().display());
+    for folder in folders() {
+        println!("cargo:rerun-if-changed={}", folder.display());
+    }
     let names = all_arms()?;
     let directory = env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?;
     for scalar in [Scalar::F32, Scalar::F64] {

@@ -6,7 +6,7 @@ use quote::ToTokens;
 use syn::meta::ParseNestedMeta;
 use syn::{Attribute, Error, LitStr, Path, Result, Token};
 
-const KEYS: &str = "the keys of #[arm(..)] are `spec`, `yaml`, `scalar`, `crate` and `warn`";
+const KEYS: &str = "the keys of #[arm(..)] are `spec`, `yaml`, `scalar`, `crate`, `batch` and `warn`";
 
 /// Where the arm file is: the literal also carries the place of its messages.
 pub enum Source {
@@ -23,6 +23,8 @@ pub struct ArmAttribute {
     pub scalar: ScalarKind,
     pub crate_path: Path,
     pub warn: bool,
+    /// True if the functions are to exist over lanes, too.
+    pub batch: bool,
     /// True if the attribute names the path of the crate.
     pub names_crate: bool,
     /// The environment variables that `env!` reads.
@@ -37,6 +39,7 @@ struct Written {
     scalar: Option<LitStr>,
     crate_path: Option<LitStr>,
     warn: bool,
+    batch: bool,
     environment: Vec<String>,
 }
 
@@ -76,6 +79,13 @@ impl Written {
                     errors.push(Error::new_spanned(&meta.path, "`warn` is given twice"));
                 }
                 self.warn = true;
+                return Ok(());
+            }
+            Some("batch") => {
+                if self.batch {
+                    errors.push(Error::new_spanned(&meta.path, "`batch` is given twice"));
+                }
+                self.batch = true;
                 return Ok(());
             }
             _ => {
@@ -128,6 +138,7 @@ impl Written {
             scalar: scalar.map_err(&mut report).unwrap_or(ScalarKind::F64),
             crate_path: crate_path.map_err(&mut report).unwrap_or_else(|()| default_path()),
             warn: self.warn,
+            batch: self.batch,
             environment: self.environment,
             names_crate,
         }

@@ -91,6 +91,7 @@ fn generate(
         scalar: attribute.scalar,
         crate_path: attribute.crate_path.clone(),
         bound,
+        batch: attribute.batch,
     };
     let Generated { impls, warnings, .. } = denhart_codegen::generate(&arm.text, &arm.file, &options)
         .map_err(|errors| Error::new(arm.at.span(), errors))?;

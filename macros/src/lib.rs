@@ -52,6 +52,7 @@ mod text;
 ///   string.
 /// - `scalar = "f32"`: the number type; `"f64"` if left out.
 /// - `crate = "path"`: where the crate `denhart` is, if it is renamed or re-exported; `"::denhart"` if left out.
+/// - `batch`: the functions over lanes, too, for `denhart::batch`; needs the feature `batch` of `denhart`.
 /// - `warn`: show the generator's advice on the arm file, as warnings of a deprecated item.
 ///
 /// Every mistake in the file is an error at the path, which gives `file:line:column` and what to write.

@@ -53,6 +53,7 @@ fn the_impls_are_those_of_the_generator() {
                 scalar: kind,
                 crate_path: syn::parse_quote!(crate::kinematics),
                 bound: Bound::None,
+                batch: false,
             };
             let text = std::fs::read_to_string(root().join(&file)).unwrap();
             let impls = denhart_codegen::generate(&text, &file, &options).unwrap().impls;
@@ -140,7 +141,7 @@ fn every_mistake_of_the_attribute_and_of_the_struct_is_told() {
                 struct A;
             ),
             &[
-                "unknown key\nhelp: the keys of #[arm(..)] are `spec`, `yaml`, `scalar`, `crate` and `warn`",
+                "unknown key\nhelp: the keys of #[arm(..)] are `spec`, `yaml`, `scalar`, `crate`, `batch` and `warn`",
                 "unknown scalar `f16`\nhelp: write `f64` or `f32`",
             ],
         ),

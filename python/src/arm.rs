@@ -56,6 +56,13 @@ impl Arm {
     }
 }
 
+/// The argument `n` of `sweep`.
+#[derive(FromPyObject)]
+enum Steps {
+    Of(usize),
+    Each(Vec<usize>),
+}
+
 /// The text of a file, and its name.
 fn read(py: Python<'_>, path: &Path) -> PyResult<(String, String)> {
     let name = path.display().to_string();
@@ -91,7 +98,8 @@ impl Arm {
     /// The arm of a chain of a URDF, from the link `base` to the link `tool`; by default from the root to the end of the
     /// chain with the most moving joints, before its gripper. Its lengths are in m, joint values are those of the URDF.
     ///
-    /// The poses of the arm are compared with those of the URDF at 1000 configurations. `to_yaml()` gives the arm file.
+    /// The poses of the arm are compared with those of the URDF at 1000 configurations. `to_yaml()` gives the arm file,
+    /// whose first lines say what was found, such as a gripper that was left out.
     #[staticmethod]
     #[pyo3(signature = (path, *, base=None, tool=None))]
     #[allow(clippy::needless_pass_by_value)]
@@ -289,6 +297,19 @@ impl Arm {
         crate::array::filled(py, &[self.arm.joints(), 2], self.arm.limits().iter().flatten().copied())
     }
 
+    /// The largest rate of each joint, (n,) float64: rad/s or the length unit/s, infinite where the file has none.
+    #[getter]
+    fn max_velocity<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        crate::array::filled(py, &[self.arm.joints()], self.arm.max_velocity())
+    }
+
+    /// The largest acceleration of each joint, (n,) float64: rad/s^2 or the length unit/s^2, infinite where the file has
+    /// none.
+    #[getter]
+    fn max_acceleration<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        crate::array::filled(py, &[self.arm.joints()], self.arm.max_acceleration())
+    }
+
     /// Unit of all lengths: "m", "cm", "mm" or "in".
     #[getter]
     fn length_unit(&self) -> String {
@@ -360,8 +381,8 @@ impl Arm {
     /// Velocity of the tool in the base frame, vx vy vz wx wy wz, (6,) or (N, 6), at q with joint rates qd, of one shape:
     /// (n,) or (N, n). Length unit / s and rad / s.
     fn velocity<'py>(&self, q: &Bound<'py, PyAny>, qd: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        self.beside(q, [("qd", qd)], |q, [qd]| match self.arm.jacobian(q) {
-            Ok(rows) => rows.map(|row| row.iter().zip(qd).map(|(entry, rate)| entry * rate).sum()),
+        self.beside(q, [("qd", qd)], |q, [qd]| match self.arm.velocity(q, qd) {
+            Ok(denhart::Twist { linear: [a, b, c], angular: [d, e, f] }) => [a, b, c, d, e, f],
             Err(_) => [f64::NAN; 6],
         })
     }
@@ -375,21 +396,55 @@ impl Arm {
         qd: &Bound<'py, PyAny>,
         qdd: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let chain = chain(self.arm.model());
-        self.beside(q, [("qd", qd), ("qdd", qdd)], |q, [qd, qdd]| match chain.acceleration(q, qd, qdd) {
+        self.beside(q, [("qd", qd), ("qdd", qdd)], |q, [qd, qdd]| match self.arm.acceleration(q, qd, qdd) {
             Ok(denhart::Acceleration { linear: [a, b, c], angular: [d, e, f] }) => [a, b, c, d, e, f],
             Err(_) => [f64::NAN; 6],
         })
     }
 
     /// Manipulability (Yoshikawa 1985) at q (n,): the product of the singular values of the Jacobian, 0 where the arm is
-    /// singular. `counts`: six truth values, which of the rows vx vy vz wx wy wz count; by default all.
+    /// singular. `counts`: six truth values, which of the rows vx vy vz wx wy wz count; by default the motion that the
+    /// arm's task counts.
     #[pyo3(signature = (q, counts=None))]
     fn manipulability(&self, q: &Bound<'_, PyAny>, counts: Option<[bool; 6]>) -> PyResult<f64> {
         let py = q.py();
         let q = self.joints("q", q)?;
-        let rows = self.arm.jacobian(&q).map_err(|error| error::dynamic(py, &error))?;
-        Ok(beyond::manipulability(&rows, counts.unwrap_or([true; 6])))
+        let found = match counts {
+            Some(counts) => self.arm.manipulability_of(&q, counts),
+            None => self.arm.manipulability(&q),
+        };
+        found.map_err(|error| error::dynamic(py, &error))
+    }
+
+    /// Motor values (n,) at joint values q (n,), rad or the length unit, where the arm file links motors (`coupling`); the
+    /// joint values themselves where it does not.
+    fn to_motor<'py>(&self, q: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.linked("q", q, DynamicArm::to_motor)
+    }
+
+    /// Joint values (n,) at motor values (n,), rad or the length unit.
+    #[allow(clippy::wrong_self_convention)]
+    fn from_motor<'py>(&self, motor: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.linked("motor", motor, DynamicArm::from_motor)
+    }
+
+    /// Pulse counts of the motors at joint values q (n,), a list of n ints, for an arm file with `actuator`. A count beyond
+    /// 32 bits, or of a value that is not finite, is a ValueError.
+    fn to_pulses(&self, q: &Bound<'_, PyAny>) -> PyResult<Vec<i32>> {
+        let py = q.py();
+        let q = self.joints("q", q)?;
+        let (pulses, saturated) = self.arm.to_pulses(&q).map_err(|error| error::dynamic(py, &error))?;
+        if saturated.is_empty() {
+            return Ok(pulses);
+        }
+        Err(error::value(format!("q: no pulse count of 32 bits reaches the value of {saturated}")))
+    }
+
+    /// Joint values (n,) at pulse counts of the motors.
+    #[allow(clippy::needless_pass_by_value, clippy::wrong_self_convention)]
+    fn from_pulses<'py>(&self, py: Python<'py>, pulses: Vec<i32>) -> PyResult<Bound<'py, PyAny>> {
+        let q = self.arm.from_pulses(&pulses).map_err(|error| error::dynamic(py, &error))?;
+        crate::array::filled(py, &[q.len()], q.iter().copied())
     }
 
     /// How far q (n,) is from each kind of singularity: a dict from "shoulder", "elbow", "wrist" or the joints "q1 q3" to
@@ -448,25 +503,49 @@ impl Arm {
         Asked { branch: Some(branch.to_owned()), ..asked }.solve(slf.py(), slf.clone().unbind())
     }
 
-    /// Solutions for n values of the redundant joint, evenly over its limits, or over a turn: a list of n pairs of the
-    /// value and its `Solutions`.
+    /// Solutions for n values of the redundant joint, the middles of n equal steps over its limits, or over a turn: a list
+    /// of pairs of the value and its `Solutions`.
+    ///
+    /// An arm that takes several values beside the target gets a tuple of as many counts: the pairs have a tuple of values.
+    /// The steps are those of `denhart inverse --sweep`.
     #[pyo3(signature = (target, n, limits="mark"))]
     fn sweep<'py>(
         slf: &Bound<'py, Self>,
         target: &Bound<'py, PyAny>,
-        n: usize,
+        n: Steps,
         limits: &str,
     ) -> PyResult<Bound<'py, PyList>> {
         let py = slf.py();
         let arm = &slf.get().arm;
         let target = target::read(arm, target)?;
         let drop = drop(limits)?;
-        let values = beyond::sweep(arm, n).map_err(|message| error::value(format!("sweep: {message}")))?;
+        let names = arm.given().map_err(|error| error::dynamic(py, &error))?;
+        let counts = match &n {
+            Steps::Of(n) => std::slice::from_ref(n),
+            Steps::Each(counts) => counts.as_slice(),
+        };
+        match names.as_slice() {
+            [] => return Err(error::value("sweep: this arm's inverse takes no value beside the target")),
+            names if names.len() != counts.len() => {
+                return Err(error::value(format!(
+                    "sweep: n has {} of steps, and this arm's inverse takes the values {}: expected {} counts",
+                    counts.len(),
+                    names.join(", "),
+                    names.len()
+                )));
+            }
+            _ => {}
+        }
+        let found = arm.sample_redundancy(&target, counts).map_err(|error| error::dynamic(py, &error))?;
         let list = PyList::empty(py);
-        for value in values {
+        for (given, all) in found {
             py.check_signals()?;
-            let asked = Asked { target, near: None, given: vec![value], branch: None, drop };
-            list.append((value, asked.solve(py, slf.clone().unbind())?))?;
+            let value = match (&n, given.as_slice()) {
+                (Steps::Of(_), [value]) => value.into_pyobject(py)?.into_any(),
+                (_, values) => PyTuple::new(py, values)?.into_any(),
+            };
+            let asked = Asked { target, near: None, given, branch: None, drop };
+            list.append((value, asked.answered(slf.clone().unbind(), all)))?;
         }
         Ok(list)
     }

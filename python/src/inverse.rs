@@ -51,13 +51,23 @@ impl Asked {
         let solver = &arm.get().arm;
         let found = match &self.branch {
             Some(text) => self.on_branch(solver, text),
-            None => answer(solver, &self.target, self.near.as_deref(), &self.given).map(|all| match self.drop {
-                false => Found::All(all),
-                true => Found::Some(all.within_limits().copied().collect(), summary(&all)),
-            }),
+            None => answer(solver, &self.target, self.near.as_deref(), &self.given).map(|all| self.kept(all)),
         };
         let found = found.map_err(|error| error::dynamic(py, &error))?;
         Ok(Solutions { arm, asked: self, found })
+    }
+
+    /// The question with the solutions of its target.
+    pub fn answered(self, arm: Py<Arm>, all: DynamicSolutions) -> Solutions {
+        let found = self.kept(all);
+        Solutions { arm, asked: self, found }
+    }
+
+    fn kept(&self, all: DynamicSolutions) -> Found {
+        match self.drop {
+            false => Found::All(all),
+            true => Found::Some(all.within_limits().copied().collect(), summary(&all)),
+        }
     }
 
     fn on_branch(&self, arm: &DynamicArm, text: &str) -> Result<Found, DynamicError> {

@@ -1,9 +1,10 @@
 //! Joint vectors of an arm: one or many, in and out.
 
+use denhart_dynamic::{DynamicArm, DynamicError, Joints};
 use pyo3::prelude::*;
 
 use crate::arm::Arm;
-use crate::array::{Numbers, Results, shown};
+use crate::array::{Numbers, Results, filled, shown};
 use crate::share::{ROWS, share, threads, told};
 use crate::{error, target};
 
@@ -15,6 +16,18 @@ impl Arm {
             return Err(self.wrong_shape(name, numbers.shape(), None));
         }
         Ok(numbers.values()?.to_vec())
+    }
+
+    /// A vector of as many numbers from one.
+    pub fn linked<'py>(
+        &self,
+        name: &str,
+        object: &Bound<'py, PyAny>,
+        function: impl Fn(&DynamicArm, &[f64]) -> Result<Joints, DynamicError>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let py = object.py();
+        let values = function(&self.arm, &self.joints(name, object)?).map_err(|error| error::dynamic(py, &error))?;
+        filled(py, &[values.len()], values.iter().copied())
     }
 
     /// A joint vector of another shape than `(n,)`, or than `(rows, n)` where there may be several; 0 rows: any number.

@@ -93,6 +93,48 @@ def test_manipulability_and_margins(ur5):
     assert ur5.margins(q)["wrist"] == 0.0
 
 
+def test_manipulability_counts_the_motion_of_the_task():
+    arm = denhart.Arm.preset("planar3r")
+    q = np.array([0.3, 0.7, -0.4])
+    x, y, *_, turn = arm.jacobian(q)
+    expected = abs(np.linalg.det([x, y, turn])) if arm.task == "planar_pose" else np.sqrt(np.linalg.det(np.array([x, y]) @ np.array([x, y]).T))
+    assert np.isclose(arm.manipulability(q), expected, rtol=1e-12)
+
+
+def test_motors_that_are_linked():
+    arm = denhart.Arm.preset("fanuc_lrmate200id")
+    q = joint_vectors(arm, 1)[0]
+    motor = arm.to_motor(q)
+    # The forearm's angle to the horizon, and the way round of the teach pendant.
+    assert not np.allclose(motor, q)
+    np.testing.assert_allclose(arm.from_motor(motor), q, atol=1e-12)
+    free = denhart.Arm.preset("ur5")
+    np.testing.assert_array_equal(free.to_motor(q), q)
+
+
+def test_pulses():
+    arm = denhart.Arm.preset("salman_rrr")
+    q = np.array([0.1, 0.7, -0.4])
+    pulses = arm.to_pulses(q)
+    assert all(type(count) is int for count in pulses)
+    near = arm.from_pulses(pulses)
+    np.testing.assert_allclose(near, q, atol=1e-3)
+    assert arm.to_pulses(near) == pulses
+    with pytest.raises(ValueError, match="q: no pulse count of 32 bits reaches the value of"):
+        arm.to_pulses([1e9, 0, 0])
+    with pytest.raises(denhart.ArmError, match="actuator"):
+        denhart.Arm.preset("ur5").to_pulses(np.zeros(6))
+    with pytest.raises(denhart.ArmError):
+        arm.from_pulses([1, 2])
+
+
+def test_rates():
+    rows = "  - {a: 0.5, alpha: 0, d: 0, theta: 0, max_velocity: 90, max_acceleration: 180}\n  - {a: 0.4, alpha: 0, d: 0, theta: 0}\n"
+    arm = denhart.Arm.from_yaml("name: two\nconvention: standard\nunits: {length: m, angle: deg}\njoints:\n" + rows)
+    np.testing.assert_allclose(arm.max_velocity, [np.pi / 2, np.inf])
+    np.testing.assert_allclose(arm.max_acceleration, [np.pi, np.inf])
+
+
 def test_a_table_of_numbers_is_the_arm_of_its_file():
     table = denhart.Arm.from_dh(
         a=[0, -0.425, -0.39225, 0, 0, 0],

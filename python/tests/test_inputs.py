@@ -142,8 +142,11 @@ def test_options_in_words(ur5):
         ur5.draw(Q, solutions=ur5.inverse(ur5.forward(Q)))
     with pytest.raises(ValueError, match="those of another arm, ur5"):
         denhart.Arm.preset("ur10").draw(solutions=ur5.inverse(ur5.forward(Q)))
-    with pytest.raises(ValueError, match="sweep: it needs an arm with one redundant joint"):
+    with pytest.raises(ValueError, match="sweep: this arm's inverse takes no value beside the target"):
         ur5.sweep(ur5.forward(Q), 5)
+    panda = denhart.Arm.preset("franka_panda")
+    with pytest.raises(ValueError, match="sweep: n has 2 of steps, and this arm's inverse takes the values q7: expected 1"):
+        panda.sweep(panda.forward(np.zeros(7)), (5, 5))
     with pytest.raises(TypeError):
         ur5.inverse()
 

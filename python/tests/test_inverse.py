@@ -192,9 +192,27 @@ def test_a_redundant_joint(panda):
         panda.inverse(target, given=[0.1, 0.2])
     swept = panda.sweep(target, 21)
     assert len(swept) == 21
-    np.testing.assert_allclose([value for value, _ in swept], np.linspace(*panda.limits[6], 21), atol=1e-12)
+    low, high = panda.limits[6]
+    steps = low + (np.arange(21) + 0.5) / 21 * (high - low)
+    np.testing.assert_allclose([value for value, _ in swept], steps, atol=1e-12)
     for value, solutions in swept:
         np.testing.assert_array_equal(solutions.q, panda.inverse(target, given=value).q)
+
+
+def test_several_redundant_joints():
+    rows = "".join(f"  - {{a: {a}, alpha: 0, d: 0, theta: 0, limits: [-170, 170]}}\n" for a in (0.5, 0.4, 0.3, 0.2))
+    text = "name: four\nconvention: standard\nunits: {length: m, angle: deg}\njoints:\n"
+    arm = denhart.Arm.from_yaml(f"{text}{rows}inverse: {{task: planar_position, redundant: [q1, q4]}}\n")
+    assert arm.given == ("q1", "q4")
+    target = arm.target_at([0.3, 0.5, -0.4, 0.2])
+    swept = arm.sweep(target, (4, 3))
+    assert len(swept) == 12
+    low, high = np.deg2rad([-170, 170])
+    for index, (values, found) in enumerate(swept):
+        expected = [low + (index // 3 + 0.5) / 4 * (high - low), low + (index % 3 + 0.5) / 3 * (high - low)]
+        np.testing.assert_allclose(values, expected, atol=1e-12)
+        np.testing.assert_array_equal(found.q, arm.inverse(target, given=values).q)
+    assert any(len(found) > 0 for _, found in swept)
 
 
 def test_iteration(ur5):

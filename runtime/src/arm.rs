@@ -66,6 +66,21 @@ pub trait Arm<T, const N: usize> {
     /// Kinds of the joints in order, revolute or prismatic.
     const JOINT_KINDS: [JointKind; N];
 
+    /// Lowest and highest value of every joint of this arm, rad or length unit: [`LIMITS`](Self::LIMITS). A type of
+    /// many arms, such as a view of one that is read at run time, has the limits of each here alone.
+    #[inline(always)]
+    #[must_use]
+    fn limits(&self) -> [[T; 2]; N] {
+        Self::LIMITS
+    }
+
+    /// Kinds of the joints of this arm: [`JOINT_KINDS`](Self::JOINT_KINDS), but for a type of many arms.
+    #[inline(always)]
+    #[must_use]
+    fn joint_kinds(&self) -> [JointKind; N] {
+        Self::JOINT_KINDS
+    }
+
     /// Joint values from angles typed in degrees `[N]`: those of revolute joints in rad, strokes as they are.
     ///
     /// Every other function takes `q` in rad: `arm.to_pulses(&Robot::joints_from_degrees([90.0, 45.0, 0.0]))`.

@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::math::Scalar;
+
 /// Side on which the arm stands, of the two that its shoulder allows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[repr(u8)]
@@ -18,6 +20,13 @@ impl Shoulder {
     #[must_use]
     pub const fn of_root(index: usize) -> Self {
         if index == 0 { Self::Left } else { Self::Right }
+    }
+
+    /// The side on which the margin `shoulder` of an arm of six joints has this sign.
+    #[inline]
+    #[must_use]
+    pub fn of_margin<T: Scalar>(margin: T) -> Self {
+        if margin < T::ZERO { Self::Left } else { Self::Right }
     }
 }
 
@@ -39,6 +48,13 @@ impl Elbow {
     pub const fn of_root(index: usize) -> Self {
         if index == 0 { Self::Up } else { Self::Down }
     }
+
+    /// The side on which the margin `elbow` has this sign.
+    #[inline]
+    #[must_use]
+    pub fn of_margin<T: Scalar>(margin: T) -> Self {
+        if margin < T::ZERO { Self::Down } else { Self::Up }
+    }
 }
 
 /// Which of the two wrist solutions: they differ by half a turn of the first and the last wrist joint.
@@ -57,6 +73,13 @@ impl Wrist {
     #[must_use]
     pub const fn of_root(index: usize) -> Self {
         if index == 0 { Self::NoFlip } else { Self::Flip }
+    }
+
+    /// The solution at which the margin `wrist` has this sign.
+    #[inline]
+    #[must_use]
+    pub fn of_margin<T: Scalar>(margin: T) -> Self {
+        if margin < T::ZERO { Self::Flip } else { Self::NoFlip }
     }
 }
 

@@ -20,6 +20,7 @@
 //! | `nalgebra` | no | conversions to and from nalgebra; with `std` also `Chain`, an arm from its table at run time |
 //! | `libm` | no | the square root of the `libm` crate, for targets without `std` |
 //! | `fpu` | no | the square root instruction of the processor, for targets without `std` that have one |
+//! | `batch` | no | many poses at a time, with the instructions of the vector unit; needs `std` |
 //!
 //! Only `Chain` allocates.
 
@@ -32,6 +33,8 @@ extern crate std;
 pub mod actuator;
 mod analytic;
 mod arm;
+#[cfg(feature = "batch")]
+pub mod batch;
 mod branch;
 #[cfg(all(feature = "nalgebra", feature = "std"))]
 mod chain;

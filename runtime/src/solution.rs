@@ -93,16 +93,16 @@ impl<T: Scalar, const N: usize> Solution<T, N> {
     ///     solution.windings(arm).min_by(|a, b| a[5].abs().total_cmp(&b[5].abs()))
     /// }
     /// ```
-    pub fn windings<A: Arm<T, N>>(&self, _arm: &A) -> Windings<T, N> {
-        Windings::new(&self.q, &A::LIMITS, &A::JOINT_KINDS)
+    pub fn windings<A: Arm<T, N>>(&self, arm: &A) -> Windings<T, N> {
+        Windings::new(&self.q, &arm.limits(), &arm.joint_kinds())
     }
 
     /// Returns the solution with each revolute joint on the turn next to `q_ref` (`[N]`), by the rule of
     /// [`inverse_near`](crate::InverseKinematics::inverse_near). A joint whose reference is not finite stays.
     #[must_use]
-    pub fn next_to<A: Arm<T, N>>(&self, _arm: &A, q_ref: &[T; N]) -> Self {
+    pub fn next_to<A: Arm<T, N>>(&self, arm: &A, q_ref: &[T; N]) -> Self {
         let mut solution = *self;
-        let joints = solution.q.iter_mut().zip(q_ref).zip(A::LIMITS.into_iter().zip(A::JOINT_KINDS));
+        let joints = solution.q.iter_mut().zip(q_ref).zip(arm.limits().into_iter().zip(arm.joint_kinds()));
         let mut inside = true;
         for ((value, reference), (limits, kind)) in joints {
             if kind == JointKind::Revolute && reference.is_finite() {
@@ -127,8 +127,8 @@ impl<T: Scalar, const N: usize> Solution<T, N> {
 
     /// The solution as text for people, for the arm that it is of: as [`display`](Self::display) with the arm's kinds of
     /// joints.
-    pub fn display_for<'a, A: Arm<T, N>>(&'a self, _arm: &A) -> impl fmt::Display + use<'a, A, T, N> {
-        InDegrees { solution: self, kinds: A::JOINT_KINDS }
+    pub fn display_for<'a, A: Arm<T, N>>(&'a self, arm: &A) -> impl fmt::Display + use<'a, A, T, N> {
+        InDegrees { solution: self, kinds: arm.joint_kinds() }
     }
 }
 

@@ -1,5 +1,8 @@
 //! Whole turns: joint vectors that differ by multiples of 2 pi put the tool in the same place.
 
+#[cfg(feature = "batch")]
+use denhart_core::lanes::Lanes;
+
 use crate::dh::JointKind;
 use crate::limits::rounding;
 use crate::math::{Scalar, wrap};
@@ -11,6 +14,18 @@ use crate::math::{Scalar, wrap};
 pub(crate) fn next_to<T: Scalar>(value: T, reference: T, limits: [T; 2]) -> T {
     let near = reference + wrap(value - reference);
     if inside(near, limits) || far_beyond(reference, limits) { near } else { at_limit(value, near, limits) }
+}
+
+/// [`next_to`] over lanes, and where the angle is one for a value beyond a limit, or the reference is wound: in doubt.
+#[cfg(feature = "batch")]
+#[inline(always)]
+pub fn next_to_lanes<L: Lanes>(value: L, reference: L, [low, high]: [f64; 2]) -> (L, L::Mask) {
+    let (turned, wound) = crate::math::lanes::wrap(value - reference);
+    let near = reference + turned;
+    let inside = L::both(value.of(low).at_most(near), near.at_most(value.of(high)));
+    let margin = 0.05 * crate::math::sqrt(f64::EPSILON);
+    let far = L::either(reference.less(value.of(low - margin)), value.of(high + margin).less(reference));
+    (near, L::either(wound, L::not(L::either(inside, far))))
 }
 
 /// The angle for a value beyond a limit. Beyond by rounding, the angle is the limit. Beyond by as little as a solution

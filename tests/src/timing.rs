@@ -25,6 +25,11 @@ impl<'a> Case<'a> {
         };
         Self { name: name.to_owned(), calls: repeat * inputs.len(), pass: Box::new(pass) }
     }
+
+    /// A function that does so many calls at a time.
+    pub fn of_many(name: &str, calls: usize, pass: impl FnMut() + 'a) -> Self {
+        Self { name: name.to_owned(), calls, pass: Box::new(pass) }
+    }
 }
 
 /// Measurements, one line a case, in the order of the cases.

@@ -5,7 +5,7 @@
 
 use std::fmt::Write;
 
-use denhart::{Arm, Pose};
+use denhart::{Arm, Branch, Elbow, InverseKinematics, Pose, Shoulder, Solution, Status, Wrist};
 use denhart_dynamic::DynamicArm;
 use denhart_tests::evaluated::{Generated, compare};
 use denhart_tests::margins_of;
@@ -76,31 +76,91 @@ fn nothing_is_lost() {
     assert!(is_good, "{lines}");
 }
 
-/// Near its table an arm has the branches of the table, with their names. At an ordinary pose each name is there once.
+/// A measured arm has the branches of its table, with their names. At an ordinary pose each name is there once, and
+/// `inverse_branch` gives its solution.
 #[test]
 fn branches_have_the_names_of_the_table() {
-    for (arm, meter) in [("ur5", 1.0), ("puma560", 1.0)] {
+    for (arm, meter) in [("ur5", 1.0), ("puma560", 1.0), ("stanford", 1.0)] {
         let table = DynamicArm::from_yaml(&spec(arm)).unwrap();
-        for s in [1e-7, 1e-8] {
+        for s in [1e-3, 1e-4, 1e-5, 1e-7, 1e-8] {
             let built = DynamicArm::from_yaml(&calibrated(arm, meter, s)).unwrap();
             let mut random = Random::named(&format!("names of {arm} {s:e}"));
             let mut poses = 0;
             for _ in 0..300 {
                 let q: Vec<f64> = (0..6).map(|_| random.uniform(-3.1, 3.1)).collect();
-                let own = built.inverse(&built.target_at(&q).unwrap(), &[]).unwrap();
+                let target = built.target_at(&q).unwrap();
+                let own = built.inverse(&target, &[]).unwrap();
                 let other = table.inverse(&table.target_at(&q).unwrap(), &[]).unwrap();
-                let near = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| denhart::math::wrap(a - b).abs() < 1e-4);
+                let near = |a: &[f64], b: &[f64]| {
+                    a.iter().zip(b).all(|(a, b)| denhart::math::wrap(a - b).abs() < 1e-4 + 200.0 * s)
+                };
                 // Beside a singularity the solutions of the two arms lie apart.
-                if own.len() != other.len() || own.iter().any(|own| !other.iter().any(|other| near(&own.q, &other.q))) {
+                let is_ordinary = |q: &[f64]| {
+                    table.margins(q).unwrap().is_some_and(|all| all.iter().all(|margin| margin.value.abs() > 300.0 * s))
+                };
+                let has_match = |q: &[f64]| other.iter().any(|other| near(q, &other.q));
+                if own.len() != other.len()
+                    || !other.iter().all(|other| is_ordinary(&other.q))
+                    || !own.iter().all(|own| has_match(&own.q))
+                {
                     continue;
                 }
                 poses += 1;
                 for own in own.iter() {
                     let named = other.iter().find(|other| near(&own.q, &other.q)).unwrap();
                     assert_eq!(own.branch, named.branch, "{arm} {s:e} {q:?}");
+                    let one = built.inverse_branch(&target, &[], own.branch).unwrap().unwrap();
+                    assert_eq!((&one.q[..], one.branch), (&own.q[..], own.branch), "{arm} {s:e} {q:?}");
+                }
+                // A name that no solution has.
+                for elbow in [Elbow::Up, Elbow::Down] {
+                    for wrist in [Wrist::Flip, Wrist::NoFlip] {
+                        let name = Branch::NONE.with_shoulder(Shoulder::Left).with_elbow(elbow).with_wrist(wrist);
+                        let one = built.inverse_branch(&target, &[], name).unwrap();
+                        let is_there = own.iter().any(|own| own.branch == name);
+                        assert!(is_there == one.is_ok(), "{arm} {s:e} {q:?} {name} {one:?}");
+                        assert!(is_there || matches!(one, Err(Status::Unreachable { .. })), "{one:?}");
+                    }
                 }
             }
-            assert!(poses > 200, "{arm} {s:e}: {poses}");
+            assert!(poses > 40, "{arm} {s:e}: {poses}");
+        }
+    }
+}
+
+/// Along joint paths through the singularities of the table, from the joint vector of one tick `inverse_near` gives that of
+/// the next one, or a solution that is nearer still.
+#[test]
+fn the_nearest_solution_leads_through_singularities() {
+    for (arm, meter) in [("ur5", 1.0), ("puma560", 1.0)] {
+        for s in [1e-3, 1e-4, 1e-5, 1e-6, 1e-7] {
+            let built = DynamicArm::from_yaml(&calibrated(arm, meter, s)).unwrap();
+            let mut random = Random::named(&format!("paths of {arm} {s:e}"));
+            for (place, straight) in [&[4][..], &[2], &[2, 4]].into_iter().enumerate() {
+                let (mut lost, mut ticks) = (0, 0);
+                for _ in 0..4 {
+                    let middle: Vec<f64> = (0..6).map(|_| random.uniform(-3.0, 3.0)).collect();
+                    let rate: Vec<f64> = (0..6).map(|_| random.uniform(-1.0, 1.0)).collect();
+                    // The wrist or the elbow is straight in the middle of the path, or both are.
+                    let at = |time: f64| -> Vec<f64> {
+                        let moved = |joint: usize| if straight.contains(&joint) { 0.0 } else { middle[joint] };
+                        (0..6).map(|joint| moved(joint) + time * rate[joint]).collect()
+                    };
+                    for tick in -20..20 {
+                        let (before, wanted) = (at(f64::from(tick) * 1e-3), at(f64::from(tick + 1) * 1e-3));
+                        let found = built.inverse_near(&built.target_at(&wanted).unwrap(), &before).unwrap();
+                        let way = |q: &[f64]| q.iter().zip(&before).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+                        let nearest = found.iter().filter(|found| found.is_exact()).map(|found| way(&found.q));
+                        // Beside a singularity an exact solution is known to some 1e-6 rad along the joints' own motion.
+                        lost += u32::from(nearest.fold(f64::INFINITY, f64::min) > way(&wanted) + 1e-6);
+                        ticks += 1;
+                    }
+                }
+                println!("{arm} {s:e} {straight:?}: {lost} of {ticks}");
+                // Where wrist and elbow are straight at once, 5 %: docs/known-gaps.md.
+                let most = if place == 2 && s <= 1e-6 { ticks / 20 } else { 0 };
+                assert!(lost <= most, "{arm} {s:e} {straight:?}: {lost} of {ticks}");
+            }
         }
     }
 }
@@ -140,6 +200,27 @@ calibration:
   q5: {a: 6e-8, alpha: 5e-8 rad, d: -8e-8, theta: 1e-8 rad}
 " }
 
+// The same as calibrations find it: solved as it was measured, in single precision by the branches of the table.
+measured! { Real RealSingle REAL "
+name: real
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose}
+joints:
+  - {a: 0, alpha: 90, d: 0.089159, theta: 0}
+  - {a: -0.425, alpha: 0, d: 0, theta: 0}
+  - {a: -0.39225, alpha: 0, d: 0, theta: 0}
+  - {a: 0, alpha: 90, d: 0.10915, theta: 0}
+  - {a: 0, alpha: -90, d: 0.09465, theta: 0}
+  - {a: 0, alpha: 0, d: 0.0823, theta: 0}
+calibration:
+  q1: {a: 8e-5, alpha: -6e-4 rad, d: 3e-4, theta: 5e-4 rad}
+  q2: {a: -5e-4, alpha: 9e-4 rad, d: 2e-4, theta: -4e-4 rad}
+  q3: {a: 7e-4, alpha: -3e-4 rad, d: -6e-4, theta: 8e-4 rad}
+  q4: {a: -2e-4, alpha: 4e-4 rad, d: 9e-4, theta: -7e-4 rad}
+  q5: {a: 6e-5, alpha: 5e-4 rad, d: -8e-4, theta: 1e-4 rad}
+" }
+
 // A Jaco whose table has two axes that meet and two that are parallel: a joint of it is held.
 measured! { Bent BentSingle BENT "
 name: bent
@@ -165,6 +246,10 @@ fn generated_code_gives_what_is_evaluated() {
     assert!(arm.program().inverse.as_ref().is_ok_and(|inverse| inverse.off_table.is_some()));
     let one_branch = denhart_tests::branch_of!(Measured);
     compare("measured", &arm, &Generated::with_inverse::<Measured, 6>(&arm, margins_of!(Measured), one_branch));
+    let arm = DynamicArm::from_yaml(REAL).unwrap();
+    assert!(arm.program().inverse.as_ref().is_ok_and(|inverse| inverse.held_joint.is_some()));
+    let one_branch = denhart_tests::branch_of!(Real);
+    compare("real", &arm, &Generated::with_inverse::<Real, 6>(&arm, margins_of!(Real), one_branch));
     // In single precision it compiles, and reaches where it stands.
     assert!(BentSingle.inverse(&BentSingle.forward(&[0.3, -0.7, 1.1, 0.4, -0.9, 0.2])).status().is_reachable());
     let arm = DynamicArm::from_yaml(BENT).unwrap();
@@ -172,31 +257,48 @@ fn generated_code_gives_what_is_evaluated() {
     compare("bent", &arm, &Generated::with_inverse::<Bent, 6>(&arm, margins_of!(Bent), one_branch));
 }
 
-/// In single precision an exact solution stands beside each of double precision, under its name.
+/// In single precision an exact solution stands beside each of double precision, under its name; of the arm far from its
+/// table beside 99.5 % of them.
 #[test]
 fn single_precision_has_the_same_branches() {
-    let mut random = Random::named("measured in single precision");
-    let mut solutions = 0;
+    let near = share("near", &Measured, |pose| Single.inverse(pose).iter().copied().collect());
+    assert_eq!(near.0, near.1);
+    let (found, all) = share("far", &Real, |pose| RealSingle.inverse(pose).iter().copied().collect());
+    println!("{found} of {all}");
+    assert!(all > 3000 && found * 1000 >= all * 995, "{found} of {all}");
+}
+
+/// How many of the solutions of an arm at regular poses single precision finds, and their number.
+fn share<A>(name: &str, arm: &A, singles: impl Fn(&Pose<f32>) -> Vec<Solution<f32, 6>>) -> (usize, usize)
+where
+    A: InverseKinematics<f64, 6, Target = Pose<f64>>,
+{
+    let mut random = Random::named(&format!("measured in single precision, {name}"));
+    let (mut found, mut all) = (0, 0);
     for _ in 0..1000 {
         let q: [f64; 6] = std::array::from_fn(|_| random.uniform(-3.1, 3.1));
         // At a regular pose rounding decides nothing.
-        let pose = Measured.forward(&q);
-        let found = Measured.inverse(&pose);
-        if found.iter().any(|solution| Measured.manipulability(&solution.q) < 1e-3) {
+        let pose = arm.forward(&q);
+        let doubles = arm.inverse(&pose);
+        if doubles.as_ref().iter().any(|solution| arm.manipulability(&solution.q) < 1e-3) {
             continue;
         }
         let single = |row: [f64; 3]| row.map(|x| x as f32);
-        let pose = Pose { rotation: pose.rotation.map(single), translation: single(pose.translation) };
-        let singles = Single.inverse(&pose);
-        assert_eq!(singles.len(), found.len(), "{q:?}");
-        for solution in &found {
+        let singles = singles(&Pose { rotation: pose.rotation.map(single), translation: single(pose.translation) });
+        for single in singles.iter().filter(|single| single.is_exact()) {
+            let q = single.q.map(f64::from);
+            let residual = arm.forward(&q).residual(&pose);
+            // Exact in single precision is up to 2.2e-5 rad, or parts of the reach of 1.1 m.
+            assert!(residual.position < 2.6e-5 && residual.orientation < 2.4e-5, "{q:?} {residual:?}");
+        }
+        for solution in doubles.as_ref() {
             let is_near = |other: &[f32; 6]| {
                 solution.q.iter().zip(other).all(|(a, b)| denhart::math::wrap(a - f64::from(*b)).abs() < 2e-3)
             };
             let other = singles.iter().find(|other| other.branch == solution.branch && is_near(&other.q));
-            assert!(other.is_some_and(|other| other.is_exact()), "{q:?} {solution:?}");
-            solutions += 1;
+            found += usize::from(other.is_some_and(Solution::is_exact));
+            all += 1;
         }
     }
-    assert!(solutions > 3000, "{solutions}");
+    (found, all)
 }

@@ -6,9 +6,9 @@ mod jet;
 mod law;
 mod limits;
 #[cfg(feature = "draw")]
-mod plot;
+pub mod plot;
 mod samples;
-mod times;
+pub mod times;
 mod token;
 
 use std::fs::File;

@@ -9,6 +9,8 @@ mod colors;
 mod start;
 mod suggest;
 mod trace;
+#[cfg(feature = "view")]
+mod view;
 
 fn denhart(arguments: &[&str]) -> Output {
     command(arguments).output().unwrap()

@@ -81,3 +81,36 @@ fn a_calibrated_arm_has_no_offset_beyond_its_size() {
     assert_eq!(model(&file).rows.len(), 8);
     assert!(said.contains("from the URDF's by at most "), "{said}");
 }
+
+#[test]
+fn velocities_of_the_urdf_are_those_of_the_file() {
+    let joints = [
+        ("revolute", "0 0 0.3", "0 0 0", "0 0 1"),
+        ("prismatic", "0.2 0 0", "0 0 0", "0 0 1"),
+        ("continuous", "0.2 0 0", "0 0 0", "0 0 1"),
+    ];
+    let limit = "<limit lower=\"-2\" upper=\"2\"/>";
+    let with = |velocity: &str| format!("<limit lower=\"-2\" upper=\"2\" effort=\"9\" velocity=\"{velocity}\"/>");
+    let urdf = chain(&joints).replacen(limit, &with("3.1"), 1).replacen(limit, &with("0.25"), 1).replacen(
+        limit,
+        &with("0"),
+        1,
+    );
+    let (file, _) = imported(&urdf, &[]);
+    let rates: Vec<(f64, f64)> =
+        model(&file).joints.iter().map(|joint| (joint.max_velocity, joint.max_acceleration)).collect();
+    assert_eq!(rates, [(3.1, f64::INFINITY), (0.25, f64::INFINITY), (f64::INFINITY, f64::INFINITY)], "{file}");
+    assert!(file.contains("max_velocity: 3.1 rad") && file.contains("max_velocity: 0.25"), "{file}");
+    // Beyond a mimic joint on its own line a joint turns twice as fast as its motor, against which that counts.
+    let doubled = [
+        ("revolute", "0 0 0.3", "0 0 0", "0 0 1"),
+        ("revolute", "0 0 0", "0 0 0", "0 0 1"),
+        ("revolute", "0.2 0 0", "1 0 0", "0 0 1"),
+    ];
+    let urdf = chain(&doubled).replacen(limit, &with("3"), 1).replacen(limit, &with("0.5"), 1);
+    let second = urdf.find("name=\"j2\"").and_then(|from| urdf[from..].find("</joint>").map(|at| from + at)).unwrap();
+    let urdf = format!("{}<mimic joint=\"j1\"/>{}", &urdf[..second], &urdf[second..]);
+    let (file, _) = imported(&urdf, &[]);
+    let rates: Vec<f64> = model(&file).joints.iter().map(|joint| joint.max_velocity).collect();
+    assert_eq!(rates, [1.0, f64::INFINITY], "{file}");
+}

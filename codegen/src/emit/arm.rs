@@ -6,7 +6,9 @@ use super::inverse::{Inverse as InverseCode, inverse};
 use super::margins::margins;
 use super::target_at::target_at;
 use super::tokens::integer;
-use super::{Target, actuator, combined_limits, coupling, docs, given, kinematics, motion, parameters, paths, tables};
+use super::{
+    Target, actuator, batch, combined_limits, coupling, docs, given, kinematics, motion, parameters, paths, tables,
+};
 use crate::lower::{Functions, TaskMotion, task_motion};
 use crate::model::Model;
 use crate::solve::{GivenValues, InversePlan, Unsupported};
@@ -24,6 +26,8 @@ pub struct Arm<'a> {
     pub functions: &'a Functions,
     /// Its plan, or why there is none.
     pub inverse: &'a Inverse,
+    /// True if the functions are to exist over lanes, too.
+    pub batch: bool,
 }
 
 /// The struct item, for front ends that write a whole file.
@@ -85,6 +89,8 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     let arm_trait = arm_trait(model, &counted, target);
     let motion = motion::methods(model, &counted, target);
     let doc = docs::lines(&impl_doc(arm));
+    let stages = arm.inverse.as_ref().ok().and_then(InversePlan::stages);
+    let lanes = arm.batch.then(|| batch::impls(model, arm.functions, stages, target));
     let body = quote! {
         #dimensions
         #items
@@ -103,6 +109,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
 
         #arm_trait
         #trait_impl
+        #lanes
     };
     let (imports, body) = paths::shortened(body, &target.krate, name);
     quote! {

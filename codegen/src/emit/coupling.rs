@@ -87,7 +87,7 @@ fn methods(model: &Model, coupling: &Coupling, target: &Target, linked: &lower::
 /// The statements that the roots share, and the array of the roots.
 fn body(linear: &Linear, target: &Target) -> TokenStream {
     let straight = &linear.straight;
-    let writer = Writer { graph: &straight.graph, bound: &straight.names, krate: &target.krate };
+    let writer = Writer { graph: &straight.graph, bound: &straight.names, krate: &target.krate, lanes: false };
     let statements = straight.shared.iter().map(|shared| writer.statement(*shared));
     let values = straight.roots.iter().map(|root| writer.write(*root));
     quote! {

@@ -2,6 +2,7 @@
 
 use super::inverse::Inverse;
 use super::inverse_frame::{Solver, Sought, inverse_trait, items, methods, solutions, sought};
+use super::margins::table_branch;
 use super::solver_constants::{chain_constants, cuts, general, meet, structure};
 use super::task::{TaskCode, task};
 use super::tokens::{array, ident, integer};
@@ -17,7 +18,11 @@ pub fn held_joint(model: &Model, plan: &HeldJointPlan, target: &Target) -> Inver
     let program = lower::held_joint(model, plan);
     let task = task(model, &program, target);
     let outline = &plan.outline();
-    let no_branch = NoBranch::of(plan, target, &task);
+    let named = plan.names.as_ref().map(|names| table_branch(names, model, target));
+    let branches = match named {
+        Some(item) => Branches { item, method: named_branch(plan, target, &task) },
+        None => Branches::without_names(plan, target, &task),
+    };
     let solver = Solver {
         gap: "the least miss of a candidate (the reach if there is none)",
         bound: "The call takes at most 300 evaluations of `forward_and_jacobian`, for any target; `is_complete()` of the\n\
@@ -25,25 +30,26 @@ pub fn held_joint(model: &Model, plan: &HeldJointPlan, target: &Target) -> Inver
         method: "one joint is held at the real roots of a polynomial; see the function `solve`.",
         function: ident("solve"),
         arguments: TokenStream::new(),
-        branch: no_branch.method,
+        branch: branches.method,
     };
-    let (constants, item) = (solver_constants(plan, target), no_branch.item);
+    let (constants, item) = (solver_constants(plan, target), branches.item);
     Inverse {
         items: items(model, &program.constants, target, [TokenStream::new(), quote!(#constants #item)]),
         function: function(plan, target, &task),
         methods: methods(model, outline, target, &task, &solver),
-        trait_impl: inverse_trait(model, outline, [false, false], target, &task, &solver),
+        trait_impl: inverse_trait(model, outline, [plan.names.is_some(), false], target, &task, &solver),
     }
 }
 
-/// The method `inverse_branch`, whose call does not compile, and the trait whose message says why.
-struct NoBranch {
+/// The method `inverse_branch`, and the item beside it: the function that names branches, or where there are no names the
+/// trait whose message says why the call does not compile.
+struct Branches {
     item: TokenStream,
     method: TokenStream,
 }
 
-impl NoBranch {
-    fn of(plan: &HeldJointPlan, target: &Target, task: &TaskCode) -> Self {
+impl Branches {
+    fn without_names(plan: &HeldJointPlan, target: &Target, task: &TaskCode) -> Self {
         let outline = &plan.outline();
         let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(outline.joints));
         let name = &target.type_name;
@@ -51,7 +57,7 @@ impl NoBranch {
         let argument = given::kind(&outline.task.given, target).map(|kind| quote!(, _given: #kind));
         let message =
             format!("the solutions of `{name}` are numbered anew at every target: no branch can be asked for");
-        NoBranch {
+        Branches {
             item: quote! {
                 /// Implemented by nothing: its message says why no branch can be asked for.
                 #[diagnostic::on_unimplemented(
@@ -72,6 +78,22 @@ impl NoBranch {
                     ::core::result::Result::Err(#krate::Status::BadTarget)
                 }
             },
+        }
+    }
+}
+
+/// The method that gives the solution of a name.
+fn named_branch(plan: &HeldJointPlan, target: &Target, task: &TaskCode) -> TokenStream {
+    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(plan.joints));
+    let target_type = &task.target;
+    quote! {
+        /// The first solution of `inverse` with a name, or the status that says why there is none: `Unreachable` with the
+        /// reach where solutions have other names. Components unset in `branch` match any value.
+        #[inline]
+        pub fn inverse_branch(&self, target: &#target_type, branch: #krate::Branch) -> #krate::OneSolution<#scalar, #n> {
+            let mut solutions = #krate::Solutions::new(#krate::Status::BadTarget);
+            self.inverse_into(target, &mut solutions);
+            solutions.named(branch, REACH)
         }
     }
 }
@@ -135,6 +157,9 @@ fn function(plan: &HeldJointPlan, target: &Target, task: &TaskCode) -> TokenStre
     let (prepare, search) = search(plan, target);
     let run = if plan.lacks_a_turn() {
         quote!(run_with_turn(&CONSTANTS, near, |[#(#six),*, turn]| ([#(#all),*], turn), |visit| #search))
+    } else if plan.names.is_some() {
+        let named = quote!(|q| table_branch(#frame, q));
+        quote!(run_named(&CONSTANTS, near, |[#(#six),*]| [#(#all),*], #named, |visit| #search))
     } else {
         quote!(run_held_joint(&CONSTANTS, near, |[#(#six),* #unread]| [#(#all),*], |visit| #search))
     };

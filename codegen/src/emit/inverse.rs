@@ -29,7 +29,7 @@ pub struct Inverse {
 /// Emits the plan. `dimensions` are constants of its equations alone.
 pub fn inverse(model: &Model, plan: &Plan, dimensions: &TokenStream, target: &Target) -> Inverse {
     let program = lower::stages(model, plan);
-    let nest = Nest { plan, target, program: &program, bound: !model.parameters.is_empty() };
+    let nest = Nest { plan, target, program: &program, bound: !model.parameters.is_empty(), lanes: false };
     let body = Body { dimensions, given_symbols: given_symbols(&program, target), levels: nest.levels() };
     let task = task(model, &program, target);
     let outline = &plan.outline();
@@ -145,7 +145,7 @@ impl Nest<'_> {
     }
 
     /// `[Turn { value: q1, sin: s1, cos: c1 }]` with the fields in use.
-    fn pattern(&self, roots: &[Root]) -> TokenStream {
+    pub(super) fn pattern(&self, roots: &[Root]) -> TokenStream {
         let krate = &self.target.krate;
         let patterns = roots.iter().map(|Root(parts)| {
             let fields = parts.iter().map(|(part, symbol)| {

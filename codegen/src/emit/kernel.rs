@@ -19,7 +19,7 @@ pub fn measure(nest: &Nest, unit: Unit) -> TokenStream {
 }
 
 /// The first joint of a stage, after which its values are called.
-fn joint(nest: &Nest, stage: usize) -> String {
+pub fn joint(nest: &Nest, stage: usize) -> String {
     let joint = nest.plan.stages().nth(stage).and_then(|stage| stage.joints.first());
     joint.map_or_else(String::new, |joint| nest.plan.label(*joint).to_string())
 }
@@ -93,7 +93,7 @@ fn counted(nest: &Nest, call: &Call) -> TokenStream {
 }
 
 /// A range by its name: a constant one is an item.
-fn range(nest: &Nest, call: &Call) -> Ident {
+pub fn range(nest: &Nest, call: &Call) -> Ident {
     let joint = joint(nest, call.stage);
     match (&call.kernel, call.range) {
         (_, RootRange::Elbow { .. }) => ident(&format!("ELBOW{}", joint.to_uppercase())),

@@ -19,8 +19,7 @@ pub fn functions(model: &Model, functions: &Functions, target: &Target) -> Token
     let Functions { forward, jacobian, both, links } = functions;
     let columns = |w: &Writer, roots: &[Slot]| self::jacobian(w, roots, joints);
     let pose_and_columns = |w: &Writer, roots: &[Slot]| {
-        let (first, rest) = roots.split_at_checked(POSE).unwrap_or((roots, &[]));
-        let (pose, jacobian) = (pose(w, first), columns(w, rest));
+        let (pose, jacobian) = pose_and_jacobian(w, roots, joints);
         quote!((#pose, #jacobian))
     };
     let poses = |w: &Writer, roots: &[Slot]| array(roots.chunks(POSE).map(|roots| pose(w, roots)));
@@ -57,12 +56,19 @@ pub fn functions(model: &Model, functions: &Functions, target: &Target) -> Token
     quote!(#(#methods)*)
 }
 
-fn pose(writer: &Writer, roots: &[Slot]) -> TokenStream {
+/// A pose of its twelve numbers.
+pub fn pose(writer: &Writer, roots: &[Slot]) -> TokenStream {
     let krate = writer.krate;
     let mut rows = roots.chunks(3).map(|row| array(row.iter().map(|e| writer.write(*e))));
     let rotation: Vec<TokenStream> = rows.by_ref().take(3).collect();
     let translation = rows.next();
     quote!(#krate::Pose { rotation: [#(#rotation),*], translation: #translation })
+}
+
+/// A pose and a Jacobian of their numbers.
+pub fn pose_and_jacobian(writer: &Writer, roots: &[Slot], joints: usize) -> (TokenStream, TokenStream) {
+    let (first, rest) = roots.split_at_checked(POSE).unwrap_or((roots, &[]));
+    (pose(writer, first), jacobian(writer, rest, joints))
 }
 
 fn jacobian(writer: &Writer, roots: &[Slot], joints: usize) -> TokenStream {
@@ -73,7 +79,7 @@ fn jacobian(writer: &Writer, roots: &[Slot], joints: usize) -> TokenStream {
 
 fn body(function: &Function, target: &Target, result: impl Fn(&Writer, &[Slot]) -> TokenStream) -> TokenStream {
     let straight = &function.straight;
-    let writer = Writer { graph: &straight.graph, bound: &straight.names, krate: &target.krate };
+    let writer = Writer { graph: &straight.graph, bound: &straight.names, krate: &target.krate, lanes: false };
     let pattern = (0..function.joints.len()).map(|joint| bound(&format!("q{}", joint + 1), function.reads(joint)));
     let sines = sin_cos(function, target);
     let statements = straight.shared.iter().map(|e| writer.statement(*e));

@@ -5,7 +5,7 @@ use super::tokens::{Writer, array, bound, ident, integer};
 use super::{Target, angle, docs};
 use crate::lower::{self, Factor, Goal, Margins, Slot, Variable};
 use crate::model::Model;
-use crate::solve::Plan;
+use crate::solve::{Branching, Plan};
 use crate::symbolic::{Expr, Graph, Input, Label, Node, Part, Symbol, Unknown};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -18,7 +18,7 @@ pub fn margins(model: &Model, plan: &Plan, target: &Target, dimensions: &mut Dim
     dimensions.collect(straight);
     let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
     let count = integer(factors.len());
-    let writer = Writer { graph: &straight.graph, bound: &straight.names, krate };
+    let writer = Writer { graph: &straight.graph, bound: &straight.names, krate, lanes: false };
     let statements = straight.shared.iter().map(|e| writer.statement(*e));
     let bound = !model.parameters.is_empty();
     let reach = ident(if bound { "reach" } else { "REACH" });
@@ -47,6 +47,39 @@ pub fn margins(model: &Model, plan: &Plan, target: &Target, dimensions: &mut Dim
     }
 }
 
+/// The function that names the branches of a measured arm by the signs of its table's margins.
+pub fn table_branch(plan: &Plan, model: &Model, target: &Target) -> TokenStream {
+    let Some(margins) = lower::margins(plan) else { return TokenStream::new() };
+    let straight = &margins.straight;
+    let mut dimensions = Dimensions::default();
+    dimensions.collect(straight);
+    let dimensions = dimensions.items(model, target);
+    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(model.joints.len()));
+    let writer = Writer { graph: &straight.graph, bound: &straight.names, krate, lanes: false };
+    let statements = straight.shared.iter().map(|e| writer.statement(*e));
+    let parts = margins.factors.iter().filter_map(|factor| {
+        let value = writer.write(factor.value);
+        match factor.branching {
+            Branching::Shoulder => Some(quote!(.with_shoulder(#krate::Shoulder::of_margin(#value)))),
+            Branching::Elbow => Some(quote!(.with_elbow(#krate::Elbow::of_margin(#value)))),
+            Branching::Wrist => Some(quote!(.with_wrist(#krate::Wrist::of_margin(#value)))),
+            Branching::None | Branching::Root => None,
+        }
+    });
+    let (entries, angles) = (entries(&margins), angles(&margins, target));
+    quote! {
+        /// The branch that a solution lies on: the signs that the margins of the table have at its joint values. Beside a
+        /// singular pose the arm that was measured may have no solution of a name, or several.
+        fn table_branch(target: &#krate::Pose<#scalar>, q: &[#scalar; #n]) -> #krate::Branch {
+            #dimensions
+            #entries
+            #angles
+            #(#statements)*
+            #krate::Branch::NONE #(#parts)*
+        }
+    }
+}
+
 fn symbols(graph: &Graph, roots: &[Expr]) -> HashSet<Symbol> {
     let symbol = |e: Expr| match graph.node(e) {
         Node::Symbol(symbol) => Some(symbol),
@@ -71,6 +104,12 @@ fn scaled(writer: &Writer, factor: &Factor, reach: &Ident) -> TokenStream {
 
 /// Statements for the entries of the tool's pose that the pivots read.
 fn pose(margins: &Margins) -> TokenStream {
+    let entries = entries(margins);
+    if entries.is_empty() { entries } else { quote!(let target = self.forward(q); #entries) }
+}
+
+/// Statements for the entries of `target` that the pivots read.
+fn entries(margins: &Margins) -> TokenStream {
     let reads = |input: Input| margins.pose.iter().any(|(_, read)| *read == input);
     let pattern = |input: Input| bound(&input.name(), reads(input));
     let (rows, position) = (Input::ROTATION, Input::POSITION);
@@ -82,10 +121,7 @@ fn pose(margins: &Margins) -> TokenStream {
         let entries = array(position.map(pattern));
         quote!(let #entries = target.translation;)
     });
-    match (&rotation, &translation) {
-        (None, None) => TokenStream::new(),
-        _ => quote!(let target = self.forward(q); #rotation #translation),
-    }
+    quote!(#rotation #translation)
 }
 
 /// Sines and cosines of the kernels' variables, and displacements.

@@ -3,6 +3,7 @@
 mod actuator;
 mod angle;
 mod arm;
+mod batch;
 mod combined_limits;
 mod constants;
 mod coupling;

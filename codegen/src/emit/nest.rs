@@ -17,12 +17,14 @@ pub struct Nest<'a> {
     pub program: &'a lower::Inverse,
     /// True if lengths are compared to a reach that is known at run time only.
     pub bound: bool,
+    /// True if the expressions are those of lanes.
+    pub lanes: bool,
 }
 
 impl Nest<'_> {
     /// Writes expressions.
     pub fn writer(&self) -> Writer<'_> {
-        Writer { graph: &self.program.graph, bound: &self.program.names, krate: &self.target.krate }
+        Writer { graph: &self.program.graph, bound: &self.program.names, krate: &self.target.krate, lanes: self.lanes }
     }
 
     /// The name of a leaf.

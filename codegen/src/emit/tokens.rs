@@ -55,6 +55,8 @@ pub struct Writer<'a> {
     pub bound: &'a Names,
     /// Path of the runtime crate.
     pub krate: &'a TokenStream,
+    /// True for expressions over lanes, in which a number stands as `of(0.5)`.
+    pub lanes: bool,
 }
 
 impl Writer<'_> {
@@ -75,6 +77,10 @@ impl Writer<'_> {
         }
     }
 
+    fn constant(&self, value: TokenStream) -> TokenStream {
+        if self.lanes { quote!(of(#value)) } else { value }
+    }
+
     fn at(&self, e: Expr, level: Level) -> TokenStream {
         match self.bound.get(&e) {
             Some(name) => {
@@ -87,7 +93,7 @@ impl Writer<'_> {
 
     fn node(&self, e: Expr, level: Level) -> TokenStream {
         let (tokens, own) = match self.graph.node(e) {
-            Node::Number(bits) => (number(f64::from_bits(bits)), Level::Atom),
+            Node::Number(bits) => (self.constant(number(f64::from_bits(bits))), Level::Atom),
             Node::Symbol(symbol) => {
                 let name = ident(&symbol.name());
                 match symbol {
@@ -96,6 +102,7 @@ impl Writer<'_> {
                         let owner = ident(owner);
                         (quote!(#owner.#name), Level::Atom)
                     }
+                    Symbol::Dimension(..) => (self.constant(quote!(#name)), Level::Atom),
                     _ => (quote!(#name), Level::Atom),
                 }
             }
@@ -123,7 +130,8 @@ impl Writer<'_> {
                 }
                 _ => {
                     let (a, krate) = (self.at(a, Level::Sum), self.krate);
-                    (quote!(#krate::math::sqrt(#a)), Level::Atom)
+                    let math = if self.lanes { quote!(#krate::batch::math) } else { quote!(#krate::math) };
+                    (quote!(#math::sqrt(#a)), Level::Atom)
                 }
             },
         };
@@ -157,7 +165,7 @@ mod tests {
         let negative = g.neg(product);
         let krate = quote!(::denhart);
         let bound = Names::new();
-        let writer = Writer { graph: &g, bound: &bound, krate: &krate };
+        let writer = Writer { graph: &g, bound: &bound, krate: &krate, lanes: false };
         assert_eq!(writer.write(product).to_string(), quote!(c * (a + b)).to_string());
         assert_eq!(writer.write(difference).to_string(), quote!(a - (a + b)).to_string());
         // A sign in front of a product needs none: negation is exact.

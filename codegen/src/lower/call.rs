@@ -9,6 +9,8 @@ use crate::solve::{Kernel, Unit};
 pub struct Call {
     /// The stage, by its place among the plan's stages.
     pub stage: usize,
+    /// The joints that it gives, as a report names them: `1`, `v1`.
+    pub labels: Vec<String>,
     /// The equation.
     pub kernel: Kernel,
     /// Unit of the equation's numbers.

@@ -26,7 +26,8 @@ pub fn call(plan: &Plan, graph: &Graph, index: usize, stage: &Stage) -> (Vec<Sta
         _ => (RootRange::None, Counted::FromZero),
     };
     let defaults = [default_value(plan, stage, 0), default_value(plan, stage, 1)];
-    let call = Call { stage: index, kernel: stage.kernel.clone(), unit: stage.unit, defaults, range, counted };
+    let labels = plan.labels(stage).iter().map(ToString::to_string).collect();
+    let call = Call { stage: index, labels, kernel: stage.kernel.clone(), unit: stage.unit, defaults, range, counted };
     (before, call)
 }
 

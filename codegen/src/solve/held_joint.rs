@@ -12,6 +12,7 @@ use denhart_core::slides::Slides;
 use denhart_core::{Chain as NumericChain, Transform as NumericTransform, choice, math};
 
 use super::loop_chain::LoopChain;
+use super::plan::Plan;
 use super::rank::{self, ToolMotion};
 use super::task::{Given, Goal, Outline, PlanTask};
 use super::tasks::{pose_of_five, position_axis};
@@ -36,6 +37,8 @@ pub struct HeldJointPlan {
     pub method: Method,
     /// Why there is no closed form in stages.
     pub no_stages: Unsupported,
+    /// The plan of a measured arm's table, where the signs of its margins name the branches.
+    pub names: Option<Box<Plan>>,
 }
 
 /// The solver of an inverse that holds a joint.
@@ -115,7 +118,15 @@ pub fn plan(
     let Some((task, six, method)) = asked.and_then(|(task, six)| Some((task, six.clone(), Method::of(&six)?))) else {
         return Err(no_stages);
     };
-    Ok(HeldJointPlan { task, joints: model.joints.len(), reach: geometry.reach, chain: six, method, no_stages })
+    Ok(HeldJointPlan {
+        task,
+        joints: model.joints.len(),
+        reach: geometry.reach,
+        chain: six,
+        method,
+        no_stages,
+        names: None,
+    })
 }
 
 /// The plan of the table of a measured arm, where two of its axes meet and two are parallel: the other structures take as
@@ -313,9 +324,14 @@ impl HeldJointPlan {
         });
         let slower =
             "slower than a closed form, whose equations are of degree 2: roots are isolated, solutions verified";
+        let named = self
+            .names
+            .as_ref()
+            .map(|_| "branches have the names of the table's, by the signs of its margins".to_owned());
         let mut lines = vec![self.no_stages.alone.clone()];
         lines.extend(addition);
         lines.extend([structure, slower.to_owned()]);
+        lines.extend(named);
         if !self.no_stages.instead.is_empty() {
             lines.push(format!("in closed form: `{}`", self.no_stages.instead.join("`, `")));
         }

@@ -19,6 +19,8 @@ use crate::symbolic::{Expr, Graph};
 pub struct Factor {
     /// Name of the margin: shoulder, elbow, wrist, or the stage's joints.
     pub name: String,
+    /// The name of the two branches that its signs tell apart.
+    pub branching: Branching,
     /// The derivative, in the target's entries and the sines and cosines of the kernels' variables.
     pub value: Expr,
     /// How many lengths it is a product of.
@@ -48,7 +50,7 @@ pub fn margins(plan: &Plan) -> (Graph, Vec<Factor>) {
                 Branching::Wrist => "wrist".into(),
                 Branching::None | Branching::Root => joints.join(" "),
             };
-            factors.push(Factor { name, value, power });
+            factors.push(Factor { name, branching: stage.branching, value, power });
         }
     }
     (g, factors)

@@ -42,5 +42,5 @@ pub use kernel::{Kernel, Unit};
 pub use margins::{Factor, margins};
 pub use plan::{Branching, Plan, PlanStep, Stage};
 pub use task::{Given, GivenValues, Goal, Outline, PlanTask, SwivelConstants};
-pub use tasks::{Choice, Way, choices, plan, takes_a_choice};
+pub use tasks::{Choice, Way, by_the_table, choices, plan, takes_a_choice};
 pub use unsupported::Unsupported;

@@ -14,6 +14,8 @@
 //! | [`hypot`] | 1.5 | 1.5 | bound, if the squares neither overflow nor vanish |
 
 mod double;
+#[cfg(feature = "batch")]
+pub mod lanes;
 mod scalar;
 mod single;
 mod sqrt;
@@ -21,6 +23,8 @@ mod sqrt;
 mod tests;
 mod wrap;
 
+#[cfg(feature = "batch")]
+pub(crate) use double::{SIGN, atan2::UPPER};
 pub use scalar::Scalar;
 pub use wrap::wrap;
 

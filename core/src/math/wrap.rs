@@ -2,13 +2,16 @@
 
 use super::Scalar;
 
+/// Up to this magnitude, three half turns, one turn more or less is enough.
+pub(in crate::math) const NEAR: f64 = 9.42;
+
 /// The angle of (-pi, pi] that differs from `angle` (rad) by whole turns; not a number for one that is not finite.
 ///
 /// Within three half turns it is one exact addition or subtraction of `TAU`. Beyond, the turns are those of the real
 /// number 2 pi: at most 1 ulp of pi off for every finite angle. The result is never `-PI` itself.
 #[inline]
 pub fn wrap<T: Scalar>(angle: T) -> T {
-    if angle.abs() <= T::from_f64(9.42) {
+    if angle.abs() <= T::from_f64(NEAR) {
         // No branch: which it is depends on the target.
         angle - (T::TAU.when(angle > T::PI) - T::TAU.when(angle <= -T::PI))
     } else {

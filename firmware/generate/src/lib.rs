@@ -14,22 +14,24 @@ pub use module::Scalar;
 /// Why a build script wrote nothing.
 pub type Error = Box<dyn std::error::Error>;
 
-/// The repository's arm files.
+/// Folders of arm files: those of the repository, and measured ones for the proof alone.
 #[must_use]
-pub fn specs() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../specs")
+pub fn folders() -> [PathBuf; 2] {
+    ["../../specs", "../proof/arms"].map(|folder| Path::new(env!("CARGO_MANIFEST_DIR")).join(folder))
 }
 
 /// Names of all arm files, sorted.
 ///
 /// # Errors
-/// The folder cannot be read.
+/// A folder cannot be read.
 pub fn all_arms() -> Result<Vec<String>, Error> {
     let mut names = Vec::new();
-    for entry in fs::read_dir(specs())? {
-        let path = entry?.path();
-        if path.extension().is_some_and(|extension| extension == "yaml") {
-            names.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
+    for folder in folders() {
+        for entry in fs::read_dir(folder)? {
+            let path = entry?.path();
+            if path.extension().is_some_and(|extension| extension == "yaml") {
+                names.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
+            }
         }
     }
     names.sort();
@@ -43,7 +45,8 @@ pub fn all_arms() -> Result<Vec<String>, Error> {
 pub fn write(file: &str, arms: &[(&str, Scalar)]) -> Result<(), Error> {
     let mut text = String::new();
     for &(arm, scalar) in arms {
-        let path = specs().join(format!("{arm}.yaml"));
+        let [spec, measured] = folders().map(|folder| folder.join(format!("{arm}.yaml")));
+        let path = if measured.exists() { measured } else { spec };
         println!("cargo:rerun-if-changed={}", path.display());
         text += &module::of(arm, scalar, &path)?;
     }

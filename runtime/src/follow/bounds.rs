@@ -45,11 +45,11 @@ pub(super) struct Bounds<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> Bounds<T, N> {
-    pub(super) fn new<A: InverseKinematics<T, N>>(settings: &FollowSettings<T, N>) -> Self {
+    pub(super) fn new<A: InverseKinematics<T, N>>(arm: &A, settings: &FollowSettings<T, N>) -> Self {
         let period = settings.period;
         let mut most = settings.rates.velocity.map(|velocity| velocity * period);
         let change = settings.rates.acceleration.map(|acceleration| acceleration * period * period);
-        let mut range = A::LIMITS;
+        let mut range = arm.limits();
         for (joint, (most, range)) in most.iter_mut().zip(&mut range).enumerate() {
             if settings.locked.contains(joint) {
                 *most = T::ZERO;
@@ -62,11 +62,13 @@ impl<T: Scalar, const N: usize> Bounds<T, N> {
     }
 
     /// A step of the joints as one of the motors.
+    #[allow(clippy::wrong_self_convention)]
     pub(super) fn to_motors(&self, joints: [T; N]) -> [T; N] {
         self.linked.map_or(joints, |linked| product(&linked.to_motor, &joints))
     }
 
     /// A step of the motors as one of the joints.
+    #[allow(clippy::wrong_self_convention)]
     pub(super) fn to_joints(&self, motors: [T; N]) -> [T; N] {
         self.linked.map_or(motors, |linked| product(&linked.from_motor, &motors))
     }
@@ -149,7 +151,7 @@ impl<T: Scalar, const N: usize> Bounds<T, N> {
             let rounding = T::from_f64(16.0) * T::EPSILON * (T::ONE + at.abs());
             (way >= T::ZERO || at + way >= low - rounding) && (way <= T::ZERO || at + way <= high + rounding)
         };
-        combined.iter().all(holds) && self.linked.is_none_or(|linked| linked.limits::<A>().all(|limit| holds(&limit)))
+        combined.iter().all(holds) && self.linked.is_none_or(|linked| linked.limits(arm).all(|limit| holds(&limit)))
     }
 
     /// A step on the line from rest, or braking, to `step` after which every sum of joints holds its limit.
@@ -207,8 +209,8 @@ impl<T: Scalar, const N: usize> Linked<T, N> {
     }
 
     /// The ranges of the joints that their own motors do not move alone.
-    fn limits<A: InverseKinematics<T, N>>(self) -> impl Iterator<Item = CombinedLimit<T, N>> {
-        A::LIMITS.into_iter().enumerate().filter(move |(joint, _)| !self.is_own(*joint)).map(|(joint, limits)| {
+    fn limits<A: InverseKinematics<T, N>>(self, arm: &A) -> impl Iterator<Item = CombinedLimit<T, N>> {
+        arm.limits().into_iter().enumerate().filter(move |(joint, _)| !self.is_own(*joint)).map(|(joint, limits)| {
             let mut factors = [T::ZERO; N];
             if let Some(factor) = factors.get_mut(joint) {
                 *factor = T::ONE;
@@ -219,8 +221,8 @@ impl<T: Scalar, const N: usize> Linked<T, N> {
 }
 
 /// Scales of the motors for least squares: 1 for a turn, the reach for a slide.
-pub(super) fn units<A: Arm<T, N>, T: Scalar, const N: usize>(reach: T) -> [T; N] {
-    A::JOINT_KINDS.map(|kind| if kind == JointKind::Prismatic { reach } else { T::ONE })
+pub(super) fn units<A: Arm<T, N>, T: Scalar, const N: usize>(arm: &A, reach: T) -> [T; N] {
+    arm.joint_kinds().map(|kind| if kind == JointKind::Prismatic { reach } else { T::ONE })
 }
 
 fn product<T: Scalar, const N: usize>(matrix: &[[T; N]; N], vector: &[T; N]) -> [T; N] {

@@ -51,17 +51,17 @@ impl<T: Scalar, const N: usize> Aim<T, N> {
     }
 
     /// A solution; where limits keep the arm from it, without the whole turns that they ask for, and within the range.
-    pub(super) fn at<A: Arm<T, N>>(candidate: &Candidate<T, N>, q: &[T; N]) -> Self {
+    pub(super) fn at<A: Arm<T, N>>(arm: &A, candidate: &Candidate<T, N>, q: &[T; N]) -> Self {
         let mut goal = candidate.q;
         let turns = |(goal, (q, kind)): (&T, (&T, JointKind))| {
             kind == JointKind::Revolute && (*goal - *q).abs() > T::from_f64(TURN)
         };
-        let wound = goal.iter().zip(q.iter().zip(A::JOINT_KINDS)).any(turns);
+        let wound = goal.iter().zip(q.iter().zip(arm.joint_kinds())).any(turns);
         if candidate.within_limits && !wound {
             return Self { goal: Some(goal), tracking: Tracking::Rates, held: JointMask::NONE, ticks: candidate.ticks };
         }
         let mut held = JointMask::NONE;
-        let limits = A::LIMITS.into_iter().zip(A::JOINT_KINDS);
+        let limits = arm.limits().into_iter().zip(arm.joint_kinds());
         for (joint, ((goal, q), ([low, high], kind))) in goal.iter_mut().zip(q).zip(limits).enumerate() {
             if kind == JointKind::Revolute {
                 *goal -= ((*goal - *q) / T::TAU).round_ties_even() * T::TAU;
@@ -88,7 +88,7 @@ impl<T: Scalar, const N: usize> Weights<T, N> {
     pub(super) fn new<A: Arm<T, N>>(arm: &A, settings: &FollowSettings<T, N>, q: &[T; N]) -> Self {
         let reach = way_along_the_links(arm, q);
         let (length, angle) = (T::ONE / reach, settings.length.map_or(T::from_f64(LENGTH), |length| length / reach));
-        Self { rows: [length, length, length, angle, angle, angle], units: units::<A, T, N>(reach) }
+        Self { rows: [length, length, length, angle, angle, angle], units: units(arm, reach) }
     }
 
     fn twist(&self, mut twist: [T; 6]) -> [T; 6] {

@@ -63,7 +63,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         settings: FollowSettings<T, N>,
         q: &[T; N],
     ) -> Result<Self, FollowError> {
-        settings.check::<A>(q)?;
+        settings.check(arm, q)?;
         if let Some(limit) = arm.combined_limits().iter().position(|limit| !limit.holds(q)) {
             return Err(FollowError::Combined(limit));
         }
@@ -72,7 +72,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         let here = Place { signs: Signs::at(arm, q, Some(&target)), branch };
         Ok(Self {
             settings,
-            bounds: Bounds::new::<A>(&settings),
+            bounds: Bounds::new(arm, &settings),
             weights: Weights::new(arm, &settings, q),
             q: *q,
             evaluated: None,
@@ -246,7 +246,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             self.wanted = Place { signs, branch: candidate.branch };
             self.goal = None;
         }
-        Aim::at::<A>(&candidate, &self.q)
+        Aim::at(arm, &candidate, &self.q)
     }
 
     /// The nearest solutions on the branch that is followed and on others.
@@ -264,7 +264,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         for by_name in [true, false] {
             choice = Choice::NONE;
             for solution in solutions.iter().filter(|solution| solution.is_exact()) {
-                let q = self.on_the_turn_of_the_goal::<A>(&solution.q);
+                let q = self.on_the_turn_of_the_goal(arm, &solution.q);
                 let candidate = Candidate::new(solution, q, self.bounds.ticks(&self.way(&q)));
                 let asked = match self.sent {
                     Some(sent) => sent.agrees_with(candidate.branch),
@@ -286,12 +286,11 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
 
     /// A solution with each joint that is about half a turn away on the turn of the last goal, if that is inside the limits:
     /// the nearest turn is one or the other there, and an arm that followed it would go back and forth.
-    fn on_the_turn_of_the_goal<A: InverseKinematics<T, N>>(&self, solution: &[T; N]) -> [T; N] {
+    fn on_the_turn_of_the_goal<A: InverseKinematics<T, N>>(&self, arm: &A, solution: &[T; N]) -> [T; N] {
         let (Some(goal), mut q) = (&self.goal, *solution) else { return *solution };
         let now = self.q.iter().zip(goal);
-        for ((q, (at, goal)), ([low, high], kind)) in
-            q.iter_mut().zip(now).zip(A::LIMITS.into_iter().zip(A::JOINT_KINDS))
-        {
+        let joints = arm.limits().into_iter().zip(arm.joint_kinds());
+        for ((q, (at, goal)), ([low, high], kind)) in q.iter_mut().zip(now).zip(joints) {
             let way = *q - *at;
             if kind != JointKind::Revolute || way.abs() < T::from_f64(HALF_TURN) {
                 continue;

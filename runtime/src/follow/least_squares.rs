@@ -110,6 +110,8 @@ pub(super) struct Factor<T, const N: usize> {
     inverse: [T; N],
 }
 
+// Rows and columns as the formulas number them.
+#[allow(clippy::needless_range_loop)]
 impl<T: Scalar, const N: usize> Factor<T, N> {
     fn new(matrix: &[[T; N]; N], places: &[Place; N]) -> Self {
         let (mut lower, mut inverse) = ([[T::ZERO; N]; N], [T::ZERO; N]);

@@ -56,10 +56,10 @@ impl<T: Scalar, const N: usize> PathFollower<T, N> {
         settings: FollowSettings<T, N>,
         q: &[T; N],
     ) -> Result<Self, FollowError> {
-        settings.check::<A>(q)?;
+        settings.check(arm, q)?;
         let target = arm.target_at(q);
         let here = Place { signs: Signs::at(arm, q, Some(&target)), branch: name(&arm.inverse_near(&target, q)) };
-        let (bounds, at) = (Bounds::new::<A>(&settings), T::ZERO);
+        let (bounds, at) = (Bounds::new(arm, &settings), T::ZERO);
         Ok(Self { settings, bounds, q: *q, at, rate: settings.period, waited: T::ZERO, here })
     }
 

@@ -115,7 +115,7 @@ impl<T: Scalar, const N: usize> FollowSettings<T, N> {
     }
 
     /// The settings hold for an arm at `q`.
-    pub(super) fn check<A: Arm<T, N>>(&self, q: &[T; N]) -> Result<(), FollowError> {
+    pub(super) fn check<A: Arm<T, N>>(&self, arm: &A, q: &[T; N]) -> Result<(), FollowError> {
         let positive = |x: T| x > T::ZERO;
         let Rates { velocity, acceleration } = &self.rates;
         if !(positive(self.period) && self.period.is_finite()) {
@@ -133,7 +133,7 @@ impl<T: Scalar, const N: usize> FollowSettings<T, N> {
             let beyond = rounding(q.abs());
             !(q.is_finite() && *q >= low - beyond && *q <= high + beyond)
         };
-        match q.iter().zip(A::LIMITS).position(outside) {
+        match q.iter().zip(arm.limits()).position(outside) {
             Some(joint) => Err(FollowError::Start(joint)),
             None => Ok(()),
         }

@@ -83,12 +83,12 @@ impl<A: Arm<T, N>, T: Scalar, const N: usize> Model<T> for Generated<'_, A, T, N
 
     #[inline(always)]
     fn limits(&self, joint: usize) -> [T; 2] {
-        A::LIMITS.get(joint).copied().unwrap_or([-T::INFINITY, T::INFINITY])
+        self.arm.limits().get(joint).copied().unwrap_or([-T::INFINITY, T::INFINITY])
     }
 
     #[inline(always)]
     fn is_prismatic(&self, joint: usize) -> bool {
-        A::JOINT_KINDS.get(joint) == Some(&JointKind::Prismatic)
+        self.arm.joint_kinds().get(joint) == Some(&JointKind::Prismatic)
     }
 
     fn visit_origins(&self, q: &[T; N], mut visit: impl FnMut([T; 3])) {

@@ -187,6 +187,22 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
         Ok(Solution { branch: solution.branch.called(branch), ..*solution })
     }
 
+    /// The first solution on a branch, an exact one if there is any: for arms on which a name may be missing. `gap`: the
+    /// residual of [`Status::Unreachable`] where other branches reach the target.
+    ///
+    /// # Errors
+    /// The status, if there is no solution; [`Status::Unreachable`], if none has the name.
+    #[inline]
+    pub fn named(&self, branch: Branch, gap: T) -> Result<Solution<T, N>, Status<T>>
+    where
+        T: Copy,
+    {
+        let named = |solution: &&Solution<T, N>| branch.agrees_with(solution.branch);
+        let missing = if self.is_empty() { self.status } else { Status::Unreachable { residual: gap } };
+        let solution = self.exact().find(named).or(self.iter().find(named)).ok_or(missing)?;
+        Ok(Solution { branch: solution.branch.called(branch), ..*solution })
+    }
+
     /// The first exact solution, else the first approximate one.
     ///
     /// # Errors

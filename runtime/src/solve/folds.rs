@@ -124,11 +124,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
             let was_start = starts.next() == Some(&true);
             solution.is_exact() || !was_start
         });
-        self.number_shared();
     }
 
     /// Solutions that share a name have numbers, but for the first.
-    fn number_shared(&mut self) {
+    pub(super) fn number_shared(&mut self) {
         for place in 1..M {
             let Some(name) = self.solutions.get(place).map(|solution| solution.branch) else { break };
             let plain = |other: &&Solution<T, N>| other.branch.with_root(0) == name.with_root(0);

@@ -12,7 +12,7 @@ use super::arm_constants::ArmConstants;
 use super::kernel::tolerances::Tolerances;
 use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
 use super::passes::Decoupled;
-use super::search::Search;
+use super::search::{ONE_TICK, Search};
 use super::smallest_pivot::smallest_pivot;
 use super::verify::{apart, coincident};
 use crate::effort::MOST_HELD_JOINT_EVALUATIONS;
@@ -70,6 +70,40 @@ impl<T: Tolerances, const N: usize, const M: usize> HeldJointSearch<'_, T, N, M>
         place: impl Fn([T; 6]) -> ([T; N], T),
         solve: impl FnOnce(&mut dyn FnMut(&Candidate<T>) -> ControlFlow<()>) -> Outcome,
     ) {
+        self.gather(place, solve);
+        self.number_roots();
+        self.finish(constants, near);
+    }
+
+    /// Like [`run_held_joint`](Self::run_held_joint) for a measured arm whose table has names for its branches: `name` gives
+    /// that of a joint vector. What the reference leads to is listed, too. Solutions that share a name have numbers, but for the first.
+    #[inline]
+    pub fn run_named(
+        &mut self,
+        constants: &ArmConstants<'_, T, N>,
+        near: Option<&[T; N]>,
+        place: impl Fn([T; 6]) -> [T; N],
+        name: impl Fn(&[T; N]) -> Branch,
+        solve: impl FnOnce(&mut dyn FnMut(&Candidate<T>) -> ControlFlow<()>) -> Outcome,
+    ) {
+        self.gather(|joints| (place(joints), T::ZERO), solve);
+        if let Some(near) = near {
+            self.hold(near, T::from_f64(ONE_TICK));
+        }
+        for solution in self.solutions.as_mut_slice() {
+            solution.branch = name(&solution.q);
+        }
+        self.number_shared();
+        self.finish(constants, near);
+    }
+
+    /// Lists the solutions that `solve` gives candidates for.
+    #[inline]
+    fn gather(
+        &mut self,
+        place: impl Fn([T; 6]) -> ([T; N], T),
+        solve: impl FnOnce(&mut dyn FnMut(&Candidate<T>) -> ControlFlow<()>) -> Outcome,
+    ) {
         self.left = MOST_HELD_JOINT_EVALUATIONS;
         let outcome = solve(&mut |candidate| {
             let (q, turn) = place(candidate.joints);
@@ -78,8 +112,6 @@ impl<T: Tolerances, const N: usize, const M: usize> HeldJointSearch<'_, T, N, M>
         if !outcome.is_complete {
             self.solutions.mark_incomplete();
         }
-        self.number_roots();
-        self.finish(constants, near);
     }
 
     /// Makes a candidate a solution, if it closes. Breaks without evaluations left.

@@ -47,6 +47,18 @@ mod smallest_pivot;
 mod two_joints;
 mod verify;
 
+#[cfg(feature = "batch")]
+pub use kernel::{
+    align::align_lanes,
+    cone::cone_lanes,
+    distance::distance_lanes,
+    lanes::{LaneMeasure, LaneRoots},
+    offset::offset_lanes,
+    offset_of_two::offset_of_two_lanes,
+    slide::{slide_lanes, slide_to_lanes},
+    wrist::{flip_lanes, wrist_lanes},
+};
+
 pub use arm_constants::{ArmConstants, Evaluate};
 pub(crate) use drift::as_rotation;
 pub use drift::nearest_rotation;

@@ -20,6 +20,10 @@ use crate::{Branch, Flags, JointMask, Residual, Solution, Solutions, Status};
 /// The place of a virtual joint in a mask, beyond the joints of any arm with an inverse.
 pub(super) const VIRTUAL: usize = 15;
 
+/// The reference of a measured arm leads to a solution if the target is no farther from it, relative to reach and in rad: a
+/// tick of 10 ms at 10 rad/s.
+pub(super) const ONE_TICK: f64 = 0.1;
+
 /// A measured arm misses an equation of its table by at most so many times what one of its links is off: there are seven
 /// links.
 const SLACK: f64 = 8.0;
@@ -304,7 +308,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
     }
 
     /// As [`run`](Self::run) for a measured arm, whose stages are those of its table: every solution is verified, and what
-    /// lies beyond folds of the table's arm is looked for. `off`: how far its links are off the table, relative to reach
+    /// lies beyond folds of the table's arm is looked for, and what the reference leads to. `off`: how far its links are off the table, relative to reach
     /// and in rad.
     #[inline(always)]
     pub fn run_measured(
@@ -317,6 +321,10 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         (self.doubt, self.slack) = (true, off);
         self.cascades(nest);
         self.unfold();
+        if let Some(near) = near {
+            self.hold(near, T::from_f64(ONE_TICK));
+        }
+        self.number_shared();
         self.finish(constants, near);
     }
 

@@ -155,7 +155,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
     #[inline(never)]
     pub(super) fn next_to(&mut self, near: &[T; N]) {
         if self.solutions.is_awkward() {
-            self.hold(near);
+            self.hold(near, T::DOUBTFUL);
         }
         let constants = self.constants;
         self.solutions.sort_by_number(|solution| {
@@ -173,18 +173,18 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
     }
 
     /// Near a singularity a whole family of joint vectors closes within rounding. The member next to the reference is
-    /// what a controller wants. This member is found from the reference itself, and listed if no solution lies there
-    /// yet.
+    /// what a controller wants. This member is found from the reference itself, if that misses the target by at most `most`,
+    /// relative to reach and in rad, and listed if no solution lies there yet.
     #[cold]
     #[inline(never)]
-    fn hold(&mut self, near: &[T; N]) {
+    pub(super) fn hold(&mut self, near: &[T; N], most: T) {
         let constants = self.constants;
         let mut start = self.goal.placed(*near);
         wrap_angles(&mut start, self.goal.given(), constants.prismatic);
         let mut iterate = Iterate::at(start);
         iterate.evaluate(constants, self.goal, self.arm);
         // Only from a reference that already is close: farther away there is no "same place" to keep.
-        if !(constants.relative(&iterate.residual) <= T::DOUBTFUL) {
+        if !(constants.relative(&iterate.residual) <= most) {
             return;
         }
         let mut rest = self.left.saturating_sub(1);

@@ -178,6 +178,7 @@ pub fn keep<A: InverseKinematics<f64, N>, const N: usize>(
     for _ in 0..100_000 {
         let advance = follower.step(arm, &path, end, &mut found);
         kept.time += period;
+        #[allow(clippy::needless_range_loop)]
         for joint in 0..N {
             let (v, a) = (rates.velocity[joint], rates.velocity[joint] * 8.0);
             kept.rates[0] = kept.rates[0].max(advance.velocity[joint].abs() / v);

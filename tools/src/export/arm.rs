@@ -35,6 +35,8 @@ pub struct Inverse {
     /// True for an arm whose inverse holds a joint: its solutions may be incomplete, and its branches have no names that
     /// last.
     pub holds_a_joint: bool,
+    /// A branch can be asked for by its name.
+    pub has_names: bool,
 }
 
 impl Inverse {
@@ -70,6 +72,7 @@ impl<'p> Arm<'p> {
             given_is_list: inverse.given.is_list,
             most: inverse.capacity,
             holds_a_joint: inverse.held_joint.is_some(),
+            has_names: inverse.held_joint.as_ref().is_none_or(|plan| plan.names.is_some()),
         });
         Ok(Self { model, prefix, scalar, inverse })
     }

@@ -105,7 +105,7 @@ fn inverse(inverse: &Inverse) -> String {
     let count = inverse.given.len();
     let count = if inverse.given_is_list { GIVEN_COUNT.replace("@count@", &count.to_string()) } else { String::new() };
     INVERSE
-        .replace("@inverse_branch@", if inverse.holds_a_joint { "" } else { INVERSE_BRANCH })
+        .replace("@inverse_branch@", if inverse.has_names { INVERSE_BRANCH } else { "" })
         .replace("@target_type@", &kind.replace("@angle@", &angle_sum(&inverse.goal)))
         .replace("@target@", target)
         .replace("@given_count@", &count)

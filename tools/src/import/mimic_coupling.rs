@@ -22,6 +22,8 @@ pub struct Motor {
     pub turns: bool,
     /// Where every joint that follows it keeps its limits.
     pub limits: Option<[f64; 2]>,
+    /// The greatest one with which every joint that follows it keeps its velocity.
+    pub velocity: Option<f64>,
 }
 
 impl Motor {
@@ -48,6 +50,8 @@ pub struct MimicCoupling {
     pub sums: Vec<Vec<String>>,
     /// The ranges of the axes that one motor drives. A sum of several motors has none.
     pub limits: Vec<Option<[f64; 2]>>,
+    /// The greatest velocities of the axes that one motor drives.
+    pub velocities: Vec<Option<f64>>,
 }
 
 /// A joint's value as `multiplier * motor + offset`.
@@ -130,11 +134,12 @@ pub fn mimic_coupling(robot: &Robot, path: &Path) -> Result<MimicCoupling, Strin
     let constant = groups.iter().map(|g| g.terms.iter().map(|(_, sign, law)| sign * law.offset).sum()).collect();
     let sums = groups.iter().map(|group| group.terms.iter().map(|(name, ..)| name.clone()).collect()).collect();
     let limits = groups.iter().map(|group| range(&motors, group)).collect();
+    let velocities = groups.iter().map(|group| velocity(&motors, group)).collect();
     let axes = groups.into_iter().zip(&motors).map(|(group, motor)| Axis { name: motor.name.clone(), ..group.axis });
     let axes = Axes { axes: axes.collect(), tool };
     let mut motors = motors;
     rename(&mut motors);
-    Ok(MimicCoupling { axes, motors, matrix, constant, sums, limits })
+    Ok(MimicCoupling { axes, motors, matrix, constant, sums, limits, velocities })
 }
 
 /// The values of a motor at which every joint that follows it keeps its limits; `multiplier * motor + offset` each.
@@ -156,11 +161,32 @@ fn motor_range(robot: &Robot, groups: &[Group], motor: &str) -> Result<Option<[f
     }
 }
 
-/// The range of an axis that one motor drives.
-fn range(motors: &[Motor], group: &Group) -> Option<[f64; 2]> {
+/// The velocity of a motor at which no joint that follows it is faster than its own.
+fn motor_velocity(robot: &Robot, groups: &[Group], motor: &str) -> Option<f64> {
+    let of = |name: &str| robot.joints.iter().find(|joint| joint.name == name).and_then(|joint| joint.velocity);
+    let followers = groups.iter().flat_map(|group| &group.terms).filter(|(_, _, law)| law.motor == motor);
+    let followers = followers.filter(|(_, _, law)| law.multiplier != 0.0);
+    let each = followers.filter_map(|(name, _, law)| Some(of(name)? / law.multiplier.abs()));
+    of(motor).into_iter().chain(each).reduce(f64::min)
+}
+
+/// The motor of an axis that one motor drives.
+fn only_motor<'m>(motors: &'m [Motor], group: &Group) -> Option<&'m Motor> {
     let (_, _, MimicLaw { motor: name, .. }) = group.terms.first()?;
     let alone = group.terms.iter().all(|(_, _, law)| law.motor == *name);
-    let limits = motors.iter().find(|motor| motor.name == *name).filter(|_| alone)?.limits?;
+    motors.iter().find(|motor| motor.name == *name).filter(|_| alone)
+}
+
+/// The greatest velocity of an axis that one motor drives.
+fn velocity(motors: &[Motor], group: &Group) -> Option<f64> {
+    let factor: f64 = group.terms.iter().map(|(_, sign, law)| sign * law.multiplier).sum();
+    let velocity = only_motor(motors, group)?.velocity? * factor.abs();
+    (velocity > 0.0).then_some(velocity)
+}
+
+/// The range of an axis that one motor drives.
+fn range(motors: &[Motor], group: &Group) -> Option<[f64; 2]> {
+    let limits = only_motor(motors, group)?.limits?;
     let sum = |of: fn(&MimicLaw) -> f64| group.terms.iter().map(|(_, sign, law)| sign * of(law)).sum::<f64>();
     let (factor, constant) = (sum(|law| law.multiplier), sum(|law| law.offset));
     Some(sorted(limits.map(|end| factor * end + constant)))
@@ -201,7 +227,8 @@ fn motors(robot: &Robot, groups: &[Group]) -> Result<Vec<Motor>, String> {
             return Err(format!("joint `{}` mimics `{name}`: one turns, the other slides", group.axis.name));
         }
         let limits = motor_range(robot, groups, &name)?;
-        motors.push(Motor { file_name: name.clone(), name, turns: group.axis.turns, limits });
+        let velocity = motor_velocity(robot, groups, &name);
+        motors.push(Motor { file_name: name.clone(), name, turns: group.axis.turns, limits, velocity });
     }
     // What a row takes of a motor that slides where it turns has no place in an arm file.
     for group in groups {

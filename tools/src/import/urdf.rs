@@ -41,6 +41,8 @@ pub struct Joint {
     pub limits: Option<[f64; 2]>,
     /// The limits as written, where an end of them is so far away that it is none.
     pub endless: Option<[f64; 2]>,
+    /// Greatest velocity, rad/s or m/s; none where the URDF has none, 0, or no finite number.
+    pub velocity: Option<f64>,
     pub mimic: Option<Mimic>,
 }
 
@@ -159,6 +161,9 @@ fn joint(node: &Node) -> Result<Joint, String> {
     });
     let endless = limits != written_limits || limits.is_some_and(|ends| ends.iter().any(|end| end.is_infinite()));
     let limits = limits.filter(|ends| ends.iter().any(|end| end.is_finite()));
+    // Exporters write 0 for a velocity that they do not know.
+    let velocity = child("limit").and_then(|node| node.attribute("velocity")).and_then(real);
+    let velocity = velocity.filter(|velocity| *velocity > 0.0 && *velocity <= MOST_LIMIT);
     let mimic = match child("mimic") {
         None => None,
         Some(mimic) => {
@@ -176,6 +181,7 @@ fn joint(node: &Node) -> Result<Joint, String> {
         axis,
         limits,
         endless: endless.then_some(written_limits).flatten(),
+        velocity,
         mimic,
         name: name.clone(),
     })
@@ -247,6 +253,20 @@ mod tests {
         let joint = &robot.joints[0];
         assert_eq!((joint.axis, joint.xyz, joint.rpy, joint.limits), ([1.0, 0.0, 0.0], [0.0; 3], [0.0; 3], None));
         assert_eq!((robot.root.as_str(), robot.name.as_str()), ("a", "r"));
+        assert_eq!(joint.velocity, Some(1.0));
+    }
+
+    #[test]
+    fn a_velocity_of_no_use_is_none() {
+        for (velocity, expected) in
+            [("2.5", Some(2.5)), ("0", None), ("-1", None), ("inf", None), ("nan", None), ("fast", None), ("1e9", None)]
+        {
+            let text = format!(
+                r#"<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="continuous"><parent link="a"/>
+                <child link="b"/><limit effort="1" velocity="{velocity}"/></joint></robot>"#
+            );
+            assert_eq!(read(&text).unwrap().joints[0].velocity, expected, "{velocity}");
+        }
     }
 
     #[test]

@@ -46,6 +46,9 @@ fn row_text(row: &Row, coupling: &MimicCoupling, length: &dyn Fn(f64) -> String)
         let end = |value: f64| if value.is_infinite() { "null".to_owned() } else { end(value) };
         entries.push(format!("limits: [{}, {}]", end(low), end(high)));
     }
+    if let Some(velocity) = row.axis.and_then(|axis| coupling.velocities.get(axis).copied().flatten()) {
+        entries.push(format!("max_velocity: {}", if turns { turn(velocity) } else { length(velocity) }));
+    }
     format!("  - {{{}}}", entries.join(", "))
 }
 

@@ -16,10 +16,11 @@ pub use choices::{Choice, Way, choices};
 
 use attempt::attempt;
 
-use super::held_joint;
+use super::held_joint::{self, HeldJointPlan};
 use super::inverse_plan::InversePlan;
 use super::loop_chain::LoopChain;
-use super::plan::Plan;
+use super::margins::{Factor, margins};
+use super::plan::{Branching, Plan};
 use super::rank;
 use super::swivel;
 use super::unsupported::{self, Alternative, Unsupported};
@@ -37,7 +38,7 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Inverse
         Ok(plan) => Ok(InversePlan::Stages(Box::new(plan))),
         Err(unsupported) => {
             let plan = held_joint::plan(model, chain, geometry, unsupported)?;
-            Ok(InversePlan::HeldJoint(Box::new(plan)))
+            Ok(InversePlan::HeldJoint(Box::new(HeldJointPlan { names: names_of_the_table(model), ..plan })))
         }
     }
 }
@@ -46,15 +47,38 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Inverse
 /// of a measured arm. The arm's own equation of degree 8 has too few digits there.
 const NEAR_TABLE: f64 = 3e-7;
 
-/// The plan of a measured arm near its table: the plan of the table, with every solution verified on the arm that was
-/// measured.
+/// The plan of a measured arm near its table.
 fn of_the_table(model: &Model, geometry: &Geometry) -> Option<InversePlan> {
+    if off_table(model, geometry)? <= NEAR_TABLE { by_the_table(model, geometry) } else { None }
+}
+
+/// Distance of a measured arm from its table, relative to reach and in rad.
+fn off_table(model: &Model, geometry: &Geometry) -> Option<f64> {
     let calibration = model.calibration.as_ref()?;
-    let off = calibration.turned.max(calibration.displaced / geometry.reach);
-    if off > NEAR_TABLE || model.joints.len() != 6 || !model.inverse.redundant.is_empty() {
-        return None;
-    }
-    let table = Model { rows: calibration.table.clone(), calibration: None, ..model.clone() };
+    Some(calibration.turned.max(calibration.displaced / geometry.reach))
+}
+
+/// The table of a measured arm whose six joints are all solved.
+fn table(model: &Model) -> Option<Model> {
+    let calibration = model.calibration.as_ref()?;
+    let has_all = model.joints.len() == 6 && model.inverse.redundant.is_empty();
+    has_all.then(|| Model { rows: calibration.table.clone(), calibration: None, ..model.clone() })
+}
+
+/// The plan of the table of a measured arm that is solved as it was measured, if the signs of its margins name branches.
+fn names_of_the_table(model: &Model) -> Option<Box<Plan>> {
+    let table = table(model)?;
+    let chain = Chain::of(&table);
+    let plan = in_stages(&table, &chain, &geometry::geometry(&table, &chain)).ok()?;
+    let (_, factors) = margins(&plan);
+    let named = |factor: &Factor| !matches!(factor.branching, Branching::None | Branching::Root);
+    (plan.task.goal.task() == Task::Pose && factors.iter().any(named)).then(|| Box::new(plan))
+}
+
+/// The plan of a measured arm by the equations of its table, with every solution verified on the arm that was measured.
+pub fn by_the_table(model: &Model, geometry: &Geometry) -> Option<InversePlan> {
+    let off = off_table(model, geometry)?;
+    let table = table(model)?;
     let chain = Chain::of(&table);
     let geometry = geometry::geometry(&table, &chain);
     match in_stages(&table, &chain, &geometry) {

@@ -9,9 +9,9 @@ use super::SIGN;
 use core::f64::consts::FRAC_PI_2;
 
 /// Difference of pi/2 from the nearest double, divided by that double.
-const RATIO: f64 = 3.8981718325193755e-17;
+pub(in crate::math) const RATIO: f64 = 3.8981718325193755e-17;
 /// f(1 - u) = 1 + u (F0 + F1 u + ...) for 0 <= u <= 1 - sqrt(1/2), relative error 2^-56.7.
-const F: [f64; 11] = [
+pub(in crate::math) const F: [f64; 11] = [
     0.33333333333333803,
     0.1333333333324169,
     0.05714285720533929,

@@ -7,14 +7,14 @@
 
 use super::{MAGNITUDE, SIGN};
 
-const TAN_PI_8: f64 = 0.41421356237309503;
+pub(in crate::math) const TAN_PI_8: f64 = 0.41421356237309503;
 /// 2^-500 and 2^500: between them nothing below overflows or loses bits.
-const LEAST: u64 = 0x20b0_0000_0000_0000;
-const MOST: u64 = 0x5f30_0000_0000_0000;
+pub(in crate::math) const LEAST: u64 = 0x20b0_0000_0000_0000;
+pub(in crate::math) const MOST: u64 = 0x5f30_0000_0000_0000;
 /// Keeps the upper 26 of 53 bits.
-const UPPER: u64 = !((1 << 27) - 1);
+pub(crate) const UPPER: u64 = !((1 << 27) - 1);
 /// atan(q) = q + q^3 (A0 + A1 q^2 + ...) for |q| <= tan(pi/8), relative error 2^-59.3.
-const A: [f64; 11] = [
+pub(in crate::math) const A: [f64; 11] = [
     -0.33333333333333187,
     0.19999999999951212,
     -0.14285714279994793,
@@ -30,7 +30,7 @@ const A: [f64; 11] = [
 /// Where the angle is counted from, by octant: bit 0 for t above tan(pi/8), bit 1 for y the greater, bit 2 for x < 0.
 /// Multiples of pi/4 rounded to 2^-26, and what they lack.
 #[allow(clippy::approx_constant)]
-const BASE: [(f64, f64); 8] = {
+pub(in crate::math) const BASE: [(f64, f64); 8] = {
     const PI_4: (f64, f64) = (0.7853981703519821, -6.954533807083558e-09);
     const PI_2: (f64, f64) = (1.570796325802803, 9.920935796805404e-10);
     const PI_4_3: (f64, f64) = (2.356194496154785, -5.962440227403018e-09);

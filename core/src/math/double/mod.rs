@@ -9,4 +9,4 @@ pub(super) mod sin_cos;
 /// Bits of an `f64` without its sign.
 const MAGNITUDE: u64 = i64::MAX as u64;
 /// The sign bit of an `f64`.
-const SIGN: u64 = !MAGNITUDE;
+pub(crate) const SIGN: u64 = !MAGNITUDE;

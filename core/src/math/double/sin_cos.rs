@@ -8,14 +8,14 @@ use super::far;
 use super::{MAGNITUDE, SIGN};
 
 /// Largest magnitude the three-part reduction is good for: its quotient is below 2^17.
-const LIMIT: f64 = 205_887.0;
+pub(in crate::math) const LIMIT: f64 = 205_887.0;
 /// 1.5 * 2^52: adding it rounds to an integer, which is then in the low bits.
-const ROUNDER: f64 = 6_755_399_441_055_744.0;
+pub(in crate::math) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 /// pi/2 in three parts. The first two have at most 35 bits, so their products with a quotient below 2^17 are exact.
 #[allow(clippy::approx_constant)]
-const PI_2: [f64; 3] = [1.5707963267923333, 2.5633441515839558e-12, 1.0562999066987428e-23];
+pub(in crate::math) const PI_2: [f64; 3] = [1.5707963267923333, 2.5633441515839558e-12, 1.0562999066987428e-23];
 /// sin(r) = r + r^3 (S0 + S1 r^2 + ...), relative error 2^-57.9.
-const S: [f64; 6] = [
+pub(in crate::math) const S: [f64; 6] = [
     -0.1666666666666663,
     0.008333333333321976,
     -0.00019841269829525102,
@@ -24,7 +24,7 @@ const S: [f64; 6] = [
     1.5896212152140264e-10,
 ];
 /// cos(r) = 1 - r^2 / 2 + r^4 (C0 + C1 r^2 + ...), relative error 2^-63.8.
-const C: [f64; 6] = [
+pub(in crate::math) const C: [f64; 6] = [
     0.04166666666666659,
     -0.0013888888888872349,
     2.480158728846967e-05,

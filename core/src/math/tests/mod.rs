@@ -7,6 +7,8 @@ mod angle_of_vector;
 mod bits;
 mod double_double;
 mod hard_cases;
+#[cfg(feature = "batch")]
+mod lanes;
 mod random;
 mod roots_and_wrap;
 mod sine_cosine;

@@ -1,5 +1,10 @@
 //! Turn one plane vector onto another.
 
+#[cfg(feature = "batch")]
+use denhart_core::lanes::Lanes;
+
+#[cfg(feature = "batch")]
+use super::lanes::{LaneMeasure, LaneRoots, SURE};
 use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
 use super::turn::{DefaultValue, Turn};
@@ -42,6 +47,20 @@ fn short<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, from: [T;
     // The stages before have given both vectors one length, or miss by the difference.
     let closes = (lengths[0] - lengths[1]).abs() <= measure.rounding();
     Roots::solved([[turn]]).of_amplitude(measure, amplitude, default.joint).closing(closes)
+}
+
+/// [`align`] over lanes.
+#[cfg(feature = "batch")]
+#[inline(always)]
+pub fn align_lanes<L: Lanes>(set: L::Set, measure: LaneMeasure, from: [L; 2], to: [L; 2]) -> LaneRoots<L, 1, 1> {
+    let ([ux, uy], [vx, vy]) = (from, to);
+    let (u2, v2) = (ux * ux + uy * uy, vx * vx + vy * vy);
+    let (cross, dot) = (ux * vy - uy * vx, ux * vx + uy * vy);
+    let least = ux.of(SURE * measure.scale * (SURE * measure.scale));
+    let doubt = L::not(L::both(least.at_most(u2), least.at_most(v2)));
+    let square = u2 * v2;
+    let k = square.sqrt() * (ux.of(1.0) / square);
+    LaneRoots::solved([[Turn::of_lanes(cross * k, dot * k)]], doubt, set, ux.of(0.0))
 }
 
 #[cfg(test)]

@@ -31,7 +31,7 @@ impl BranchState {
 
     /// Returns true if the branch leads nowhere: a stage has no root near it, and no joint before it may move.
     #[inline]
-    pub(in crate::solve) fn ended(self) -> bool {
+    pub fn ended(self) -> bool {
         self.0 & Self::ENDED != 0
     }
 

@@ -1,5 +1,10 @@
 //! A direction or point, turned about one axis, with a given component along another.
 
+#[cfg(feature = "batch")]
+use denhart_core::lanes::Lanes;
+
+#[cfg(feature = "batch")]
+use super::lanes::{Edge, LaneMeasure, LaneRoots, small};
 use super::level::LevelOf;
 use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
@@ -88,6 +93,57 @@ fn within<T: Tolerances>(measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> Ro
 fn gap<T: Tolerances>(d: T, rho: T, end: T, across: T) -> T {
     let length = (d * d + rho * rho).sqrt();
     if length > T::ZERO { (rho * end - d * across.abs()).abs() / length } else { T::ZERO }
+}
+
+/// The lane form of the scalar function of [`Cone`].
+#[cfg(feature = "batch")]
+impl<L: Lanes> Cone<L> {
+    /// One range in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn in_lanes(set: L::Set, cone: Cone<f64>) -> Self {
+        let ([a, b], [c, d]) = (cone.max, cone.min);
+        Self { max: [L::all(set, a), L::all(set, b)], min: [L::all(set, c), L::all(set, d)] }
+    }
+
+    /// A vector with component `along` the turning axis and `across` it, and the angle to the other axis.
+    #[inline(always)]
+    #[must_use]
+    pub fn new_lanes(along: L, across: L, cos: L, sin: L) -> Self {
+        Self {
+            max: [along * cos + across * sin, across * cos - along * sin],
+            min: [along * cos - across * sin, across * cos + along * sin],
+        }
+    }
+}
+
+/// [`cone()`] over lanes.
+#[cfg(feature = "batch")]
+#[inline(always)]
+pub fn cone_lanes<L: Lanes>(set: L::Set, measure: LaneMeasure, d: L, rho: L, cone: Cone<L>) -> LaneRoots<L, 1, 2> {
+    let ([max, max_across], [min, min_across]) = (cone.max, cone.min);
+    let zero = d.of(0.0);
+    let below = |end: L, across: L| {
+        let along = L::both(zero.less(end * d), (rho + across.abs()).less((d + end).abs()));
+        ((rho - across) * (rho + across) / (d + end)).where_or(along, end - d)
+    };
+    let (top, bottom) = (below(max, max_across), -below(min, min_across));
+    let close = d.of(f64::EPSILON * 4.0 * measure.scale);
+    let touches =
+        |end: L, across: L| L::both((end - d).abs().at_most(close), (rho - across.abs()).abs().at_most(close));
+    let stretched = L::either(L::not(zero.less(top)), touches(max, max_across));
+    let folded = L::either(L::not(zero.less(bottom)), touches(min, min_across));
+    let length = (d * d + rho * rho).sqrt();
+    let gap = |end: L, across: L| ((rho * end - d * across.abs()).abs() / length).where_or(zero.less(length), zero);
+    let gap = gap(max, max_across).where_or(stretched, gap(min, min_across));
+    let k = d.of(1.0) / (top + bottom);
+    let half_sine = (top * bottom).sqrt() * k;
+    let turn = Turn::of_lanes(half_sine + half_sine, (bottom - top) * k);
+    let roots = [[turn], [turn.reversed_lanes()]];
+    let edge = Edge { at: L::either(stretched, folded), gap };
+    let mut stage = LaneRoots::within(roots, edge, small(half_sine, 1.0), measure, set);
+    stage.doubt = L::either(stage.doubt, small(max - min, measure.scale));
+    stage
 }
 
 #[cfg(test)]

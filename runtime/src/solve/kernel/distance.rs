@@ -1,5 +1,10 @@
 //! The elbow: two points a given distance apart, one of them turned about an axis.
 
+#[cfg(feature = "batch")]
+use denhart_core::lanes::Lanes;
+
+#[cfg(feature = "batch")]
+use super::lanes::{Edge, LaneMeasure, LaneRoots, small};
 use super::level::LevelOf;
 use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
@@ -88,6 +93,59 @@ fn end<T: Tolerances>(measure: Measure<T>, outer: T, inner: T, side: T) -> Roots
     let (gap, stretched) = if inner < outer { (-inner, false) } else { (-outer, true) };
     let turn = if stretched == (side > T::ZERO) { Turn::STRETCHED } else { Turn::FOLDED };
     Roots::edge([turn], gap.max(T::ZERO), measure)
+}
+
+/// The lane forms of the scalar functions of [`Elbow`].
+#[cfg(feature = "batch")]
+impl<L: Lanes> Elbow<L> {
+    /// One range in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn in_lanes(set: L::Set, elbow: Elbow<f64>) -> Self {
+        Self { max: L::all(set, elbow.max), min: L::all(set, elbow.min), side: L::all(set, elbow.side) }
+    }
+
+    /// Points at distances `a` and `b` from the axis, `height` apart along it.
+    #[inline(always)]
+    #[must_use]
+    pub fn new_lanes(a: L, b: L, height: L) -> Self {
+        let (sum, difference) = (a + b, a - b);
+        let zero = a.of(0.0);
+        let flat = L::both(height.at_most(zero), zero.at_most(height));
+        let square = height * height;
+        Self {
+            max: sum.where_or(flat, (sum * sum + square).sqrt()),
+            min: difference.abs().where_or(flat, (difference * difference + square).sqrt()),
+            side: a.of(1.0),
+        }
+    }
+
+    /// Sets the side by the sign of the product of the links' lengths.
+    #[inline(always)]
+    #[must_use]
+    pub fn signed_lanes(mut self, product: L) -> Self {
+        self.side = product.of(-1.0).where_or(product.less(product.of(0.0)), product.of(1.0));
+        self
+    }
+}
+
+/// [`distance`] over lanes.
+#[cfg(feature = "batch")]
+#[inline(always)]
+pub fn distance_lanes<L: Lanes>(set: L::Set, measure: LaneMeasure, rho: L, elbow: Elbow<L>) -> LaneRoots<L, 1, 2> {
+    let Elbow { max, min, side } = elbow;
+    let (outer, inner) = (max - rho, rho - min);
+    let close = rho.of(f64::EPSILON * 2.0) * max;
+    let edge = L::not(L::both(close.less(outer), close.less(inner)));
+    let gap = (-inner).where_or(inner.less(outer), -outer);
+    let (top, bottom) = (outer * (max + rho), inner * (rho + min));
+    let k = rho.of(1.0) / (top + bottom);
+    let half_sine = (top * bottom).sqrt() * k;
+    let turn = Turn::of_lanes((half_sine + half_sine) * side, (bottom - top) * (k * side));
+    let roots = [[turn], [turn.reversed_lanes()]];
+    let mut stage = LaneRoots::within(roots, Edge { at: edge, gap }, small(half_sine, 1.0), measure, set);
+    stage.doubt = L::either(stage.doubt, small(max - min, measure.scale));
+    stage
 }
 
 #[cfg(test)]

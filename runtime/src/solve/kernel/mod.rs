@@ -10,6 +10,8 @@ pub(super) mod cone;
 pub(super) mod curve;
 pub(super) mod distance;
 pub(super) mod doubt;
+#[cfg(feature = "batch")]
+pub(super) mod lanes;
 pub(super) mod level;
 pub(super) mod offset;
 pub(super) mod offset_of_two;

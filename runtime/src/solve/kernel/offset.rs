@@ -1,5 +1,10 @@
 //! One trigonometric equation: a point turned about an axis keeps a given offset.
 
+#[cfg(feature = "batch")]
+use denhart_core::lanes::Lanes;
+
+#[cfg(feature = "batch")]
+use super::lanes::{Edge, LaneMeasure, LaneRoots, small, small_beside};
 use super::level::LevelOf;
 use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
@@ -34,4 +39,43 @@ pub fn offset<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, a: T
     let doubt = sine < T::DOUBTFUL || share < T::DOUBTFUL;
     let stage = if doubt { stage.of_amplitude(measure, sine.min(share), JointMask::NONE) } else { stage };
     stage.closing(sine >= T::COINCIDENT)
+}
+
+/// [`offset`] over lanes.
+#[cfg(feature = "batch")]
+#[inline(always)]
+pub fn offset_lanes<L: Lanes>(set: L::Set, measure: LaneMeasure, a: L, b: L, d: L) -> LaneRoots<L, 1, 2> {
+    let Circle { r, h, edge, roots } = circle(a, b, d);
+    let gap = d.abs() - r;
+    let short = small(r, measure.scale);
+    let mut stage = LaneRoots::within(roots, Edge { at: edge, gap }, small_beside(h, r), measure, set);
+    stage.doubt = L::either(stage.doubt, short);
+    stage
+}
+
+/// A circle and the line that it meets.
+#[cfg(feature = "batch")]
+pub(super) struct Circle<L: Lanes> {
+    /// Radius.
+    pub(super) r: L,
+    /// Half the chord.
+    pub(super) h: L,
+    /// Lanes in which they touch at most.
+    pub(super) edge: L::Mask,
+    pub(super) roots: [[Turn<L>; 1]; 2],
+}
+
+/// Where `a cos(t) + b sin(t) = d`.
+#[cfg(feature = "batch")]
+#[inline(always)]
+pub(super) fn circle<L: Lanes>(a: L, b: L, d: L) -> Circle<L> {
+    let r2 = a * a + b * b;
+    let r = r2.sqrt();
+    let h2 = (r - d) * (r + d);
+    let edge = L::not((a.of(f64::EPSILON * 4.0) * r2).less(h2));
+    let h = h2.sqrt();
+    let k = a.of(1.0) / r2;
+    let first = Turn::of_lanes((b * d + a * h) * k, (a * d - b * h) * k);
+    let second = Turn::of_lanes((b * d - a * h) * k, (a * d + b * h) * k);
+    Circle { r, h, edge, roots: [[first], [second]] }
 }

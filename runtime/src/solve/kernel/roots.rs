@@ -103,6 +103,12 @@ impl<T: Tolerances, const K: usize, const R: usize> Roots<T, K, R> {
         self.doubt.get_or_insert(Doubt { angular: measure.angular, ..Doubt::NOTHING })
     }
 
+    /// How far the equation is from having a root, a length or rad: 0 where it has one. `None` of an equation without roots
+    /// that does not tell.
+    pub fn gap(&self) -> Option<T> {
+        (self.len > 0).then(|| self.doubt.map_or(T::ZERO, |doubt| doubt.gap))
+    }
+
     /// The joints that the stage leaves free.
     #[inline]
     pub(in crate::solve) fn free(&self) -> JointMask {

@@ -1,6 +1,11 @@
 //! Sliding joints.
 
+#[cfg(feature = "batch")]
+use denhart_core::lanes::Lanes;
+
 use super::doubt::Doubt;
+#[cfg(feature = "batch")]
+use super::lanes::{Edge, LaneMeasure, LaneRoots, small};
 use super::level::LevelOf;
 use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
@@ -62,4 +67,23 @@ pub fn quadratic<T: Tolerances>(measure: Measure<T>, [a, b, c]: [T; 3]) -> Roots
     let larger = if half < T::ZERO { root - half } else { -half - root };
     let roots = [[Turn::position(larger / a)], [Turn::position(c / larger)]];
     Roots::determined(roots, measure, level, root / measure.scale, JointMask::NONE)
+}
+
+/// [`slide`] over lanes.
+#[cfg(feature = "batch")]
+#[inline(always)]
+pub fn slide_lanes<L: Lanes>(set: L::Set, measure: LaneMeasure, rho: L, across: L, middle: L) -> LaneRoots<L, 1, 2> {
+    let beyond = rho - across;
+    let edge = L::not(rho.of(f64::ROUNDING * measure.scale).less(beyond));
+    let half = (beyond * (rho + across)).sqrt();
+    let roots = [[Turn::position_lanes(middle + half)], [Turn::position_lanes(middle - half)]];
+    LaneRoots::within(roots, Edge { at: edge, gap: -beyond }, small(half, measure.scale), measure, set)
+}
+
+/// [`slide_to`] over lanes.
+#[cfg(feature = "batch")]
+#[inline(always)]
+pub fn slide_to_lanes<L: Lanes>(set: L::Set, denominator: L, numerator: L) -> LaneRoots<L, 1, 1> {
+    let root = [Turn::position_lanes(numerator / denominator)];
+    LaneRoots::solved([root], small(denominator.abs(), 1.0), set, numerator.of(0.0))
 }

@@ -1,5 +1,10 @@
 //! Orthogonal axes: two roots that differ by half a turn about the outer axes.
 
+#[cfg(feature = "batch")]
+use denhart_core::lanes::Lanes;
+
+#[cfg(feature = "batch")]
+use super::lanes::{LaneRoots, small};
 use super::level::LevelOf;
 use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
@@ -55,4 +60,30 @@ fn in_line<T: Tolerances>(default: DefaultValue<T>, [m11, m12, m21, m22, m33]: [
     let b = if m33 < T::ZERO { Turn { value: T::PI, sin: T::ZERO, cos: -T::ONE } } else { Turn::ZERO };
     let c = Turn::towards(cos * m21 - sin * m11, cos * m22 - sin * m12);
     Roots::left_free([Turn::ZERO, b, c], default, T::ZERO, Measure::DIRECTION)
+}
+
+/// [`flip`] over lanes.
+#[cfg(feature = "batch")]
+#[inline(always)]
+pub fn flip_lanes<L: Lanes>(set: L::Set, m: [L; 3]) -> LaneRoots<L, 2, 2> {
+    let [mx, my, mz] = m;
+    let rho = (mx * mx + my * my).sqrt();
+    let k = rho.of(1.0) / rho;
+    let (b, a) = (Turn::of_lanes(rho, mz), Turn::of_lanes(my * k, mx * k));
+    let roots = [[b, a], [b.reversed_lanes(), a.opposite_lanes()]];
+    LaneRoots::solved(roots, small(rho, 1.0), set, rho.of(0.0))
+}
+
+/// [`wrist`] over lanes.
+#[cfg(feature = "batch")]
+#[inline(always)]
+pub fn wrist_lanes<L: Lanes>(set: L::Set, m: [[L; 3]; 3]) -> LaneRoots<L, 3, 2> {
+    let [[m11, m12, m13], [m21, m22, m23], [_, _, m33]] = m;
+    let square = m13 * m13 + m23 * m23;
+    let rho = square.sqrt();
+    let k = rho * (rho.of(1.0) / square);
+    let (sin_c, cos_c) = (m13 * m21 - m23 * m11, m13 * m22 - m23 * m12);
+    let (a, b, c) = (Turn::of_lanes(m23 * k, m13 * k), Turn::of_lanes(rho, m33), Turn::of_lanes(sin_c * k, cos_c * k));
+    let roots = [[a, b, c], [a.opposite_lanes(), b.reversed_lanes(), c.opposite_lanes()]];
+    LaneRoots::solved(roots, small(rho, 1.0), set, rho.of(0.0))
 }

@@ -152,7 +152,7 @@ fn inverse(inverse: &Inverse) -> Vec<Function> {
     let at = format!("let at = Robot.target_at(&q);\ntarget.write({});\nOK", made(kind, "at"));
     let at = Function::new("target_at", &[Q], &[target], &at);
     let one = Function { given: given.clone(), optional: Some(("gap", "Real")), ..one };
-    let one = (!inverse.holds_a_joint).then_some(one);
+    let one = inverse.has_names.then_some(one);
     [Function { given, ..all }, near].into_iter().chain(one).chain([at]).collect()
 }
 

@@ -20,7 +20,7 @@ pub fn text(arm: &Arm<'_>) -> String {
         text += &SOLUTIONS
             .replace("@reserved@", field)
             .replace("@reserved_value@", value)
-            .replace("@named@", if inverse.holds_a_joint { "" } else { NAMED });
+            .replace("@named@", if inverse.has_names { NAMED } else { "" });
         text += &match &inverse.goal {
             Goal::Pose | Goal::Position | Goal::PlanarPosition => String::new(),
             Goal::PositionAxis { .. } => target("point: [Real; 3], axis: [Real; 3]"),

@@ -1,0 +1,281 @@
+//! `denhart follow`: joint values over time that bring the tool along a path of poses.
+
+mod answer;
+mod keep_path;
+mod keep_time;
+#[cfg(feature = "draw")]
+mod picture;
+mod poses;
+mod rates;
+
+use std::fs::File;
+use std::io::{self, BufWriter, IsTerminal, Write};
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use denhart::Residual;
+use denhart_dynamic::plan::{PathError, TargetPath};
+use denhart_dynamic::{DynamicArm, DynamicError, DynamicView, WholeTarget};
+
+use crate::Failure;
+use crate::files;
+use crate::inverse::{GivenOrNear, beside};
+use crate::number_arguments::{joint_vector, single_number};
+use crate::numbers::{Units, outside};
+use crate::progress::Progress;
+use crate::target::{is_standard_input, shown};
+use crate::trace::times::Times;
+use answer::{Answer, Form};
+use poses::Poses;
+use rates::Rates;
+
+/// The progress bar, of the path.
+const BAR: &str = "{wide_bar} {percent} %, {eta} left";
+/// Parts of the path that the bar counts.
+const PARTS: f64 = 1000.0;
+/// Looks between two looks at the clock.
+const BETWEEN_LOOKS: u64 = 1;
+/// The most rows: a smaller period is more likely a mistake.
+const MOST_ROWS: f64 = 1e7;
+/// The tolerance relative to the reach.
+const TOLERANCE: f64 = 1e-5;
+
+/// The arguments of the command.
+#[derive(Args)]
+pub struct Options {
+    /// The arm file, YAML; `-` reads the standard input
+    file: PathBuf,
+    /// The poses of the path, one a line, from a file or `-`, the standard input: CSV, with or without names, or JSON lines
+    ///
+    /// Lines are those of `inverse --batch`. The column or key t has the time of the pose, s; a line without names has it
+    /// first. Between poses the path is smooth; where its direction turns by more than 30 degrees it has a corner.
+    #[arg(long, value_name = "FILE")]
+    path: PathBuf,
+    /// The path or its times: one of them is kept where the rates of the joints do not allow both
+    #[arg(long, value_name = "WHAT", default_value = "path")]
+    keep: Keep,
+    /// Joint values at the first pose [default: the best of all solutions]
+    #[arg(long, value_name = "VALUES", allow_hyphen_values = true)]
+    start: Option<String>,
+    /// The value of the redundant joint, or the arm angle, along the path; of several "a, b" [default: that of --start]
+    #[arg(long, value_name = "VALUES", allow_hyphen_values = true)]
+    given: Option<String>,
+    /// Largest distance of the tool from the path, mm, with --keep path [default: 1e-5 of the reach]
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, value_parser = single_number)]
+    tolerance: Option<f64>,
+    /// Time between two rows, s
+    #[arg(long, value_name = "T", default_value_t = 0.001, allow_hyphen_values = true, value_parser = single_number)]
+    period: f64,
+    /// Greatest velocity of each joint, per s [default: those of the arm file]
+    #[arg(long, value_name = "VALUES", allow_hyphen_values = true)]
+    max_velocity: Option<String>,
+    /// Greatest acceleration of each joint, per s^2 [default: those of the arm file, else none]
+    #[arg(long, value_name = "VALUES", allow_hyphen_values = true)]
+    max_acceleration: Option<String>,
+    /// Unit of angles, given and printed
+    #[arg(long, value_name = "UNIT", default_value = "deg", value_parser = crate::numbers::units())]
+    units: Units,
+    /// Print JSON: an object with the units, and one for each row
+    #[arg(long)]
+    json: bool,
+    /// Write to this file instead of the standard output
+    #[arg(long, short, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Draw the joints with their limits and their velocities over time too, as SVG
+    #[cfg(feature = "draw")]
+    #[arg(long, value_name = "FILE.svg")]
+    plot: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Keep {
+    /// The tool keeps to the path and slows down
+    Path,
+    /// The tool keeps the times of the poses and deviates
+    Time,
+}
+
+/// The task of the command, as read.
+struct Asked<'a> {
+    arm: &'a DynamicArm,
+    path: TargetPath,
+    is_timed: bool,
+    start: Option<Vec<f64>>,
+    rates: Rates,
+    tolerance: Residual<f64>,
+    period: f64,
+    units: Units,
+}
+
+/// Prints the joint values over time; true if the path is continuous, or its end is met.
+///
+/// # Errors
+/// Wrong arguments or lines, mistakes in the file, an arm without inverse, no way to print.
+pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<bool, Failure> {
+    if is_standard_input(&options.file) && is_standard_input(&options.path) {
+        let twice = "the standard input has either the arm or the path\nhelp: name a file for one of them";
+        return Err(Failure::Usage(twice.to_owned()));
+    }
+    apart(options)?;
+    let arm = crate::inverse::arm(&options.file)?;
+    let asked = asked(&arm, options)?;
+    let answer = match arm.joints() {
+        2 => answered::<2>(&asked, options.keep),
+        3 => answered::<3>(&asked, options.keep),
+        4 => answered::<4>(&asked, options.keep),
+        5 => answered::<5>(&asked, options.keep),
+        6 => answered::<6>(&asked, options.keep),
+        7 => answered::<7>(&asked, options.keep),
+        8 => answered::<8>(&asked, options.keep),
+        joints => Err(Failure::Other(format!("follow takes arms of 2 to 8 joints, and this one has {joints}"))),
+    }?;
+    #[cfg(feature = "draw")]
+    if let Some(file) = &options.plot
+        && !answer.rows.is_empty()
+    {
+        picture::write(&asked, &answer, options.units, file)?;
+    }
+    let form = Form { units: options.units, json: options.json, is_timed: asked.is_timed };
+    match &options.output {
+        None => answer.write(&arm, form, out)?,
+        // Without rows there is a table for JSON alone, which says why.
+        Some(_) if answer.rows.is_empty() && !options.json => {}
+        Some(file) => {
+            let cannot = |error: io::Error| Failure::Other(format!("cannot write `{}`: {error}", file.display()));
+            answer.write(&arm, form, &mut BufWriter::new(File::create(file).map_err(cannot)?))?;
+        }
+    }
+    for line in answer.said(&arm, form) {
+        writeln!(err, "{line}")?;
+    }
+    Ok(answer.obstacle.is_none())
+}
+
+/// No two of arm file, path, table and picture are one file.
+fn apart(options: &Options) -> Result<(), Failure> {
+    let mut places = vec![("the arm file", options.file.as_path()), ("--path", options.path.as_path())];
+    places.extend(options.output.as_deref().map(|path| ("-o", path)));
+    #[cfg(feature = "draw")]
+    places.extend(options.plot.as_deref().map(|path| ("--plot", path)));
+    for (number, (name, path)) in places.iter().enumerate() {
+        if let Some((other, _)) = places.iter().take(number).find(|(_, other)| files::are_one(other, path)) {
+            let path = path.display();
+            return Err(Failure::Usage(format!("{name}: `{path}` is {other} too\nhelp: name another file")));
+        }
+    }
+    Ok(())
+}
+
+fn asked<'a>(arm: &'a DynamicArm, options: &Options) -> Result<Asked<'a>, Failure> {
+    let units = options.units;
+    if !(options.period > 0.0 && options.period.is_finite()) {
+        let period = options.period;
+        return Err(Failure::Usage(format!(
+            "--period: {period} is no time between rows\nhelp: write one above 0, such as 0.001"
+        )));
+    }
+    let rates = Rates::read(arm, options.max_velocity.as_deref(), options.max_acceleration.as_deref(), units)?;
+    let start = options.start.as_deref().map(|text| joint_vector("--start", text, arm, units)).transpose()?;
+    if let Some(broken) = start.as_deref().and_then(|start| outside(arm, start, units).into_iter().next()) {
+        return Err(Failure::Usage(format!("--start: {broken}\nhelp: start within the limits of the joints")));
+    }
+    let given = beside(arm, &GivenOrNear { given: options.given.as_deref(), near: None, units }, None)?.given;
+    let given = match &start {
+        Some(start) if given.is_empty() => arm.held(start)?,
+        _ => given,
+    };
+    let poses = Poses::read(arm, &options.path, units)?;
+    let name = shown(&options.path);
+    let mut targets = Vec::with_capacity(poses.lines.len());
+    for pose in &poses.lines {
+        let own = if pose.target.given.is_empty() { &given } else { &pose.target.given };
+        if own.len() != arm.given()?.len() {
+            return Err(crate::inverse::not_given(arm, units, true)?);
+        }
+        targets.push(WholeTarget::new(pose.target.target, own));
+    }
+    if options.keep == Keep::Time && poses.times.is_none() {
+        return Err(Failure::Usage(format!(
+            "--keep time: {name} has no times\nhelp: add a column t with the time of each pose in s, or keep the path"
+        )));
+    }
+    let reach = arm.program().inverse.as_ref().map_or(1.0, |inverse| inverse.constants.reach);
+    let path =
+        TargetPath::new(&targets, poses.times.as_deref(), reach).map_err(|error| no_path(&poses, &name, error))?;
+    let millimeter = 1e-3 / arm.length_unit().in_meters();
+    let position = options.tolerance.map_or(TOLERANCE * reach, |tolerance| tolerance * millimeter);
+    if !(position > 0.0 && position.is_finite()) {
+        let tolerance = options.tolerance.unwrap_or_default();
+        return Err(Failure::Usage(format!(
+            "--tolerance: {tolerance} is no distance from the path\nhelp: write one above 0, in mm, such as 0.1"
+        )));
+    }
+    let tolerance = Residual { position, orientation: position / reach };
+    let is_timed = poses.times.is_some();
+    Ok(Asked { arm, path, is_timed, start, rates, tolerance, period: options.period, units })
+}
+
+/// The failure of poses that are no path, with the line.
+fn no_path(poses: &Poses, name: &str, error: PathError) -> Failure {
+    let line = |index: usize| poses.lines.get(index).map_or(0, |pose| pose.number);
+    let times = |index: usize| {
+        let at = |index: usize| poses.times.as_ref().and_then(|times| times.get(index)).copied().unwrap_or(f64::NAN);
+        (at(index), at(index.saturating_sub(1)))
+    };
+    Failure::Usage(match error {
+        PathError::Unsorted(index) => {
+            let (time, before) = times(index);
+            let line = line(index);
+            format!(
+                "{name}:{line}: the time {time} is not above {before}, the one before it\nhelp: sort the lines by t, each time once"
+            )
+        }
+        PathError::HalfTurn(index) => format!(
+            "{name}:{}: the direction is opposite to the one before it, and no way between them is the shorter\nhelp: add a pose between them",
+            line(index)
+        ),
+        PathError::NotFinite(index) | PathError::Kind(index) => {
+            format!("{name}:{}: {error}\nhelp: write finite numbers, of the arm's task", line(index))
+        }
+        PathError::TooShort | PathError::Times { .. } => {
+            format!("{name}: {error}\nhelp: write one pose a line, two lines at least")
+        }
+        _ => format!("{name}: {error}"),
+    })
+}
+
+/// The answer, by an arm with `N` joints.
+fn answered<const N: usize>(asked: &Asked, keep: Keep) -> Result<Answer, Failure> {
+    let view: DynamicView<N> = asked.arm.view()?;
+    match keep {
+        Keep::Path => keep_path::answer(asked, &view),
+        Keep::Time => keep_time::answer(asked, &view),
+    }
+}
+
+impl Asked<'_> {
+    /// A progress bar over the path.
+    fn progress(&self) -> Progress {
+        Progress::new(PARTS as u64, BAR, BETWEEN_LOOKS, !io::stdout().is_terminal())
+    }
+
+    /// The times of rows: whole periods up to a time.
+    ///
+    /// # Errors
+    /// More than a file should have.
+    fn times(&self, duration: f64) -> Result<Times, Failure> {
+        let (period, rows) = (self.period, duration / self.period);
+        if rows > MOST_ROWS {
+            return Err(Failure::Usage(format!(
+                "--period: {period} s gives {rows:.0} rows for {duration:.3} s\nhelp: write a longer one"
+            )));
+        }
+        Times::new(0.0, duration, period).map_err(Failure::Usage)
+    }
+
+    /// The joint values of the start, for an arm with so many joints.
+    fn start<const N: usize>(&self) -> Result<Option<[f64; N]>, Failure> {
+        let wrong = |_| DynamicError::Joints { expected: N, found: self.arm.joints() };
+        Ok(self.start.as_deref().map(<[f64; N]>::try_from).transpose().map_err(wrong)?)
+    }
+}

@@ -1,0 +1,59 @@
+// Words over the picture: elements at projected points, moved apart where they would cover each other.
+
+import * as THREE from "three";
+import { element } from "./dom";
+import type { Point } from "./numbers";
+
+export interface Label {
+  point: Point;
+  text: string;
+  kind: "ghost" | "joint" | "frame" | "measure" | "miss";
+  color?: string;
+  title?: string;
+  isStrong?: boolean;
+  click?: () => void;
+}
+
+const at = new THREE.Vector3();
+
+export class Labels {
+  private labels: Label[] = [];
+  private readonly elements: HTMLElement[] = [];
+
+  constructor(private readonly box: HTMLElement) {}
+
+  set(labels: Label[]): void {
+    this.labels = labels;
+  }
+
+  /** Puts every label to its place. */
+  place(camera: THREE.Camera, width: number, height: number): void {
+    const taken: [number, number, number, number][] = [];
+    this.labels.forEach((label, index) => {
+      const shown = (this.elements[index] ??= this.box.appendChild(element("span")));
+      at.set(...label.point).project(camera);
+      const hidden = at.z > 1 || Math.abs(at.x) > 1.05 || Math.abs(at.y) > 1.05;
+      shown.hidden = hidden;
+      if (hidden) return;
+      if (shown.textContent !== label.text) shown.textContent = label.text;
+      const kind = `label ${label.kind}${label.isStrong ? " strong" : ""}`;
+      if (shown.className !== kind) shown.className = kind;
+      shown.title = label.title ?? "";
+      shown.style.setProperty("--color", label.color ?? "");
+      shown.onclick = label.click ?? null;
+      // Widths are guessed: asking for them would lay the page out once for each label.
+      const [w, h] = [label.text.length * 7 + 10, 18];
+      let [x, y] = [((at.x + 1) / 2) * width + 8, ((1 - at.y) / 2) * height - h - 4];
+      x = Math.min(Math.max(x, 2), width - w - 2);
+      y = Math.min(Math.max(y, 2), height - h - 2);
+      for (let tries = 0; tries < 12; tries++) {
+        const over = taken.find(([left, top, right, bottom]) => x < right && x + w > left && y < bottom && y + h > top);
+        if (!over) break;
+        y = over[3] + 1;
+      }
+      taken.push([x, y, x + w, y + h]);
+      shown.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+    });
+    for (const left of this.elements.slice(this.labels.length)) left.hidden = true;
+  }
+}

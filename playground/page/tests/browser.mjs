@@ -1,0 +1,554 @@
+// The page in a real browser: `node tests/browser.mjs PAGE COMMAND SHOTS`. PAGE is the HTML file, COMMAND the command `denhart`.
+//
+// The browser is CHROMIUM [default: /usr/bin/chromium]. Every test opens the page anew, from a file.
+
+import assert from "node:assert/strict";
+import { execFileSync, spawn } from "node:child_process";
+import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { request } from "node:http";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+const [pageFile, command, shots] = process.argv.slice(2).map((path) => resolve(path));
+const root = resolve(import.meta.dirname, "../../..");
+const address = pathToFileURL(pageFile).href;
+mkdirSync(shots, { recursive: true });
+
+const FLAGS = ["--no-sandbox", "--disable-quic", "--disable-background-networking", "--disable-component-update", "--disable-sync", "--no-first-run"];
+const WITH_3D = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+const launch = (flags) => chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: [...FLAGS, ...flags] });
+
+const denhart = (...words) => execFileSync(command, words, { cwd: root, encoding: "utf8" });
+const near = (a, b, within, what) => assert.ok(Math.abs(a - b) <= within, `${what}: ${a} and ${b}`);
+
+/** Opens the page and waits until it is ready. */
+async function open(browser, { url = address, width = 1400, height = 900 } = {}) {
+  const page = await browser.newPage({ viewport: { width, height }, colorScheme: "light" });
+  page.requests = [];
+  page.failures = [];
+  page.on("request", (of) => page.requests.push(of.url()));
+  page.on("pageerror", (error) => page.failures.push(error.message));
+  page.on("console", (line) => line.type() === "error" && page.failures.push(line.text()));
+  await page.goto(url);
+  await page.waitForSelector("body.is-ready", { timeout: 30000 });
+  return page;
+}
+
+/** The state of the page. */
+const state = (page) =>
+  page.evaluate(() => {
+    const { app, view } = window.denhart;
+    const { q, target, text, messages, here, given, times, branches, miss } = app;
+    return {
+      q, target, text, messages, here, given, times, branches, miss, name: app.facts?.name,
+      solutions: app.answer?.solutions.map(({ q, flags }) => ({ q, flags })), status: app.answer?.status,
+      tool: app.figure?.tool, seen: view?.read(),
+    };
+  });
+
+/** Puts a text into the editor, as one who pastes it. */
+async function paste(page, text) {
+  await page.locator("#editor .cm-content").click();
+  await page.keyboard.press("Control+A");
+  await page.evaluate((text) => {
+    const data = new DataTransfer();
+    data.setData("text/plain", text);
+    document.querySelector("#editor .cm-content").dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true }));
+  }, text);
+}
+
+async function drop(page, name, text) {
+  const data = await page.evaluateHandle(([name, text]) => {
+    const data = new DataTransfer();
+    data.items.add(new File([text], name));
+    return data;
+  }, [name, text]);
+  await page.dispatchEvent("#view", "drop", { dataTransfer: data });
+}
+
+const until = (page, check, of) => page.waitForFunction(check, of, { timeout: 20000 });
+
+/** Chooses an arm from the gallery. */
+async function choose(page, name) {
+  await page.click("#presets");
+  await page.fill("#gallery-search", name);
+  await page.click(`.card[data-name="${name}"]`);
+  await until(page, (name) => window.denhart.app.facts?.name === name && !document.querySelector("dialog[open]"), name);
+}
+
+/** Drags the mouse in steps. */
+async function drag(page, [x, y], [dx, dy]) {
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let step = 1; step <= 12; step++) await page.mouse.move(x + (dx * step) / 12, y + (dy * step) / 12);
+  await page.mouse.up();
+}
+
+const yaml = (rows, more = "") => `name: typed\nconvention: standard\nunits: {length: m, angle: deg}\n${more}joints:\n${rows.map((row) => `  - {${row}}\n`).join("")}`;
+
+const tests = {
+  async "loads and asks no other host"(browser) {
+    const page = await open(browser);
+    const first = await page.evaluate(() => performance.getEntriesByName("first picture")[0].startTime);
+    console.log(`    first picture after ${Math.round(first)} ms`);
+    await page.waitForTimeout(1500);
+    const { name, seen, solutions } = await state(page);
+    assert.equal(name, "ur5");
+    assert.equal(solutions.length, 8);
+    assert.equal(seen.ghosts, 8);
+    assert.equal(new Set(seen.ghostColors).size, 8);
+    const shown = await page.locator("#panel-rust .cm-content").innerText();
+    assert.ok(shown.includes("pub struct Ur5;"), shown.slice(0, 400));
+    await page.screenshot({ path: join(shots, "start.png") });
+    assert.deepEqual(page.requests.filter((url) => !/^(file|data|blob):/.test(url)), []);
+    assert.deepEqual(page.failures, []);
+  },
+
+  async "a mistake is told in its place while it is typed"(browser) {
+    const page = await open(browser);
+    const before = await state(page);
+    await page.locator("#editor .cm-line", { hasText: "-0.425" }).click();
+    await page.keyboard.press("End");
+    await page.keyboard.type(" wrong");
+    await until(page, () => document.querySelectorAll("#messages .message.error").length > 0);
+    await page.keyboard.press("Control+Z");
+    await until(page, () => document.querySelectorAll("#messages .message.error").length === 0);
+    await paste(page, before.text.replace("alpha: 90, d: 0.089159", "alfa: 90, d: 0.089159"));
+    await until(page, () => window.denhart.app.messages.some((one) => one.message.includes("alfa")));
+    const message = await page.locator("#messages .message.error").first().innerText();
+    assert.match(message, /line 8: unknown key `alfa`/);
+    const marked = await page.locator("#editor .cm-lintRange-error").first().innerText();
+    assert.equal(marked, "alfa");
+    await page.screenshot({ path: join(shots, "mistake.png") });
+    // The picture stays that of the last right text.
+    assert.equal((await state(page)).seen.ghosts, 8);
+    await page.locator("#messages .message.error").first().click();
+    assert.ok(await page.evaluate(() => document.activeElement.closest("#editor") !== null));
+    // Completion of the schema.
+    await paste(page, "con");
+    await page.keyboard.press("End");
+    await page.keyboard.press("Control+Space");
+    await page.waitForSelector(".cm-tooltip-autocomplete");
+    assert.match(await page.locator(".cm-tooltip-autocomplete").innerText(), /convention/);
+  },
+
+  async "a slider gives the pose of the command"(browser) {
+    const page = await open(browser);
+    await choose(page, "puma560");
+    await choose(page, "ur5");
+    const values = [10, -60, 80, -30, 45, 20];
+    for (const [joint, value] of values.entries()) {
+      await page.locator("#sliders input[type=range]").nth(joint).fill(String(value));
+    }
+    const { tool, q, seen, times } = await state(page);
+    q.forEach((value, joint) => near((value * 180) / Math.PI, values[joint], 1e-9, `q${joint + 1}`));
+    const told = JSON.parse(denhart("forward", "specs/ur5.yaml", "--q", values.join(" "), "--json"));
+    told.pose.position.forEach((value, axis) => near(tool[9 + axis], value, 1e-12, "position"));
+    const rotation = told.pose.matrix.slice(0, 3).flatMap((row) => row.slice(0, 3));
+    rotation.forEach((value, entry) => near(tool[entry], value, 1e-12, "rotation"));
+    assert.equal(seen.ghosts, 8);
+    console.log(`    handler of a slider: median ${median(times).toFixed(2)} ms, longest ${Math.max(...times).toFixed(2)} ms`);
+    // The numbers of the tab are those of the arm.
+    await page.click("#tab-pose");
+    assert.ok((await page.locator("#panel-pose").innerText()).includes(String(Number(tool[9].toFixed(6)))));
+    await page.screenshot({ path: join(shots, "pose.png") });
+  },
+
+  async "joints are drawn on their axes"(browser) {
+    const page = await open(browser);
+    await page.click("#zero");
+    await page.waitForTimeout(200);
+    const { seen } = await state(page);
+    const { home } = JSON.parse(denhart("check", "specs/ur5.yaml", "--json"))[0] ?? {};
+    const told = home ?? JSON.parse(denhart("check", "specs/ur5.yaml", "--json")).home;
+    // The way from space to the screen, by the camera's matrices alone.
+    const { view, projection, width, height } = await page.evaluate(() => {
+      const { camera } = window.denhart.view;
+      const { width, height } = document.getElementById("view").getBoundingClientRect();
+      return { view: camera.matrixWorldInverse.elements, projection: camera.projectionMatrix.elements, width, height };
+    });
+    const times = (m, v) => [0, 1, 2, 3].map((row) => [0, 1, 2, 3].reduce((sum, column) => sum + m[4 * column + row] * v[column], 0));
+    const seenAt = (point) => {
+      const [x, y, , w] = times(projection, times(view, [...point, 1]));
+      return [((x / w + 1) / 2) * width, ((1 - y / w) / 2) * height];
+    };
+    told.axes.forEach(({ point, direction }, joint) => {
+      const [a, b] = [seenAt(point), seenAt(point.map((value, axis) => value + 0.3 * direction[axis]))];
+      const [x, y] = seen.joints[joint];
+      const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+      const off = length < 1 ? Math.hypot(x - a[0], y - a[1]) : Math.abs((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / length;
+      assert.ok(off < 1, `joint ${joint + 1} is ${off} px off its axis`);
+    });
+  },
+
+  async "the target is dragged with eight ghosts, and one is taken"(browser) {
+    const page = await open(browser);
+    // Well within the workspace of all eight.
+    await page.evaluate(() => window.denhart.app.moveTo([10, -60, 80, -30, 45, 20].map((value) => (value * Math.PI) / 180)));
+    const before = await state(page);
+    await page.click("#frame");
+    // The handles stand where they were drawn last.
+    await page.waitForTimeout(500);
+    await page.evaluate(() => (window.denhart.app.times.length = 0));
+    const box = await page.locator("#view").boundingBox();
+    const [x, y] = await page.evaluate(() => {
+      const { app, view } = window.denhart;
+      return view.project(app.target.slice(9, 12));
+    });
+    await drag(page, [box.x + x, box.y + y], [24, -16]);
+    const after = await state(page);
+    const moved = Math.hypot(...[9, 10, 11].map((at) => after.target[at] - before.target[at]));
+    assert.ok(moved > 0.01, `the target moved by ${moved}`);
+    assert.equal(after.seen.ghosts, 8);
+    assert.equal(after.solutions.length, 8);
+    near(after.tool[9], after.target[9], 1e-9, "the arm follows");
+    assert.ok(after.times.length > 5);
+    console.log(`    handler of the target with eight ghosts: median ${median(after.times).toFixed(2)} ms, longest ${Math.max(...after.times).toFixed(2)} ms`);
+    await page.locator(".solution").nth(2).hover();
+    await page.screenshot({ path: join(shots, "ghosts.png") });
+    await page.locator(".solution").nth(2).click();
+    const taken = await state(page);
+    taken.q.forEach((value, joint) => near(value, after.solutions[2].q[joint], 1e-12, "taken"));
+    assert.equal(await page.locator(".solution").nth(2).getAttribute("aria-pressed"), "true");
+    // A number in the picture takes its solution, too.
+    await page.locator("#labels .ghost").nth(5).click();
+    (await state(page)).q.forEach((value, joint) => near(value, after.solutions[5].q[joint], 1e-12, "taken in the picture"));
+    await page.click("#undo");
+    (await state(page)).q.forEach((value, joint) => near(value, taken.q[joint], 1e-9, "undone"));
+    // Turned by its numbers.
+    await page.getByLabel("target roll").fill("80");
+    await page.keyboard.press("Enter");
+    assert.equal((await state(page)).seen.ghosts, 8);
+  },
+
+  async "a singular posture has a slider along its family"(browser) {
+    const page = await open(browser);
+    await choose(page, "puma560");
+    await page.evaluate(() => window.denhart.app.moveTo([0.3, -0.5, 0.4, 0.2, 0, 0.1]));
+    const before = await state(page);
+    assert.notEqual(before.here.free, 0);
+    assert.equal(await page.locator("#family input[type=range]").count(), 1);
+    await page.screenshot({ path: join(shots, "singular.png") });
+    await page.locator("#family input[type=range]").fill("50");
+    const after = await state(page);
+    near(after.q[3] + after.q[5], before.q[3] + before.q[5], 1e-9, "the sum of the wrist's angles");
+    assert.ok(Math.abs(after.q[3] - before.q[3]) > 0.1);
+    after.tool.forEach((value, entry) => near(value, before.tool[entry], 1e-9, "the tool stays"));
+    // The links have the color of a singularity, and lose it away from one.
+    const link = () => page.evaluate(() => {
+      const { rods } = window.denhart.view.arm;
+      const color = { r: 0, g: 0, b: 0, setRGB() {}, fromArray(array, at) { [this.r, this.g, this.b] = array.slice(at, at + 3); return this; } };
+      rods.getColorAt(0, color);
+      return [color.r, color.g, color.b];
+    });
+    const singular = await link();
+    await page.locator("#family input[type=range]").blur();
+    await page.evaluate(() => window.denhart.app.moveTo([0.3, -0.5, 0.4, 0.2, 0.9, 0.1]));
+    const [red, , blue] = await link();
+    assert.ok(singular[0] - singular[2] > 0.5 && red - blue < 0.1, `${singular} and ${[red, blue]}`);
+    assert.equal(await page.locator("#family-part").isVisible(), false);
+  },
+
+  async "limits are red"(browser) {
+    const page = await open(browser);
+    await paste(page, yaml(["a: 0.4, alpha: 0, d: 0, theta: 0, limits: [-30, 30]", "a: 0.3, alpha: 0, d: 0, theta: 0"]));
+    await until(page, () => window.denhart.app.facts?.name === "typed");
+    const at = async (q) => {
+      await page.evaluate((q) => window.denhart.app.moveTo(q), q);
+      return (await state(page)).seen.jointColors;
+    };
+    const [inside] = await at([0.2, 0.7]);
+    const [outside, other] = await at([1.2, 0.7]);
+    assert.notEqual(inside, outside);
+    assert.equal(outside, "#d01c2e");
+    assert.equal(other, inside);
+    assert.ok(await page.locator("#sliders .slider.outside").count() === 1);
+  },
+
+  async "the stepper arm tells its pulses and the lines that would be sent"(browser) {
+    const page = await open(browser);
+    await choose(page, "salman_rrr");
+    await page.locator("#sliders input[type=range]").nth(0).fill("30");
+    await page.locator("#sliders input[type=range]").nth(0).dispatchEvent("change");
+    const counts = (await page.locator("#counts").innerText()).match(/-?\d+(?= {3}|$)/g).map(Number);
+    assert.equal(counts.length, 3);
+    // One pulse is the resolution: the counts are those of the angles.
+    const line = (await page.locator("#lines li").last().innerText()).trim();
+    const [words, sum] = line.split("*");
+    assert.equal(words, `MOVE ${counts.join(" ")}`);
+    assert.equal(Number.parseInt(sum, 16), [...words].reduce((all, letter) => all ^ letter.charCodeAt(0), 0));
+    const before = await page.locator("#lines li").count();
+    // Every solution for the point, those out of limits crossed out.
+    const { solutions } = await state(page);
+    assert.ok(solutions.length >= 2, String(solutions.length));
+    const outside = solutions.filter(({ flags }) => flags & 16).length;
+    assert.equal(await page.locator(".solution.outside").count(), outside);
+    await page.locator(".solution").nth(1).click();
+    assert.equal(await page.locator("#lines li").count(), before + 1);
+    await page.screenshot({ path: join(shots, "pulses.png") });
+  },
+
+  async "a URDF that is dropped becomes an arm file"(browser) {
+    const page = await open(browser);
+    const urdf = readFileSync(join(root, "cli/tests/urdf/kuka_kr6_r700.urdf"), "utf8");
+    await drop(page, "kuka_kr6_r700.urdf", urdf);
+    await page.waitForSelector("#imported[open]");
+    const { name, solutions } = await state(page);
+    assert.match(name, /kr6/);
+    assert.ok(solutions.length > 0);
+    const told = denhart("import", "cli/tests/urdf/kuka_kr6_r700.urdf");
+    assert.equal((await state(page)).text, told);
+    await page.locator("#imported button").click();
+    await drop(page, "broken.urdf", "<robot name='a'><link name='b'>");
+    await page.waitForSelector(".notice.mistake");
+    assert.equal((await state(page)).text, told);
+  },
+
+  async "a link opens arm, joints and target"(browser) {
+    const page = await open(browser);
+    await choose(page, "staubli_tx40");
+    await page.locator("#sliders input[type=range]").nth(1).fill("33");
+    const before = await state(page);
+    await page.click("#share");
+    await until(page, () => location.hash.startsWith("#v1."));
+    const url = page.url();
+    console.log(`    link of ${url.length - address.length} letters`);
+    const other = await open(browser, { url });
+    const after = await state(other);
+    assert.equal(after.text, before.text);
+    after.q.forEach((value, joint) => near(value, before.q[joint], 1e-12, "joint"));
+    after.target.forEach((value, entry) => near(value, before.target[entry], 1e-12, "target"));
+    for (const bad of ["#v1.", "#v1.AAAA", "#v1.%%%", "#v2.abc"]) {
+      const wrong = await open(browser, { url: address + bad });
+      assert.equal((await state(wrong)).name, "ur5", bad);
+      assert.deepEqual(wrong.failures, []);
+      await wrong.close();
+    }
+  },
+
+  async "a row marks its numbers in the code and in the picture, and back"(browser) {
+    const page = await open(browser);
+    await until(page, () => document.querySelector("#panel-rust").innerText.includes("0.425"));
+    await page.locator("#editor .cm-line", { hasText: "-0.425" }).hover({ position: { x: 60, y: 6 } });
+    await until(page, () => document.querySelectorAll(".marked-number").length > 0);
+    assert.equal(await page.locator(".marked-number").first().innerText(), "0.425");
+    assert.match(await page.locator("#labels .measure.strong").innerText(), /a2 -0.425 m/);
+    await page.screenshot({ path: join(shots, "marked.png") });
+    await page.locator("#sliders .slider").nth(0).hover();
+    const number = page.locator("#panel-rust .cm-line", { hasText: "const A3" });
+    const box = await number.boundingBox();
+    await page.mouse.move(box.x + 20, box.y + 5);
+    const token = await number.locator("span", { hasText: "0.39225" }).last().boundingBox();
+    await page.mouse.move(token.x + token.width / 2, token.y + token.height / 2);
+    await until(page, () => window.denhart.app.marked === 2);
+    assert.match(await page.locator("#editor .marked-row").innerText(), /-0.39225/);
+  },
+
+  async "bad input is told, and the page goes on"(browser) {
+    const page = await open(browser);
+    const good = (await state(page)).text;
+    const told = async () => {
+      await until(page, () => window.denhart.app.messages.some((one) => one.severity === "error"));
+      return (await state(page)).messages[0].message;
+    };
+    const right = async (name) => until(page, (name) => window.denhart.app.facts?.name === name && window.denhart.app.messages.length === 0, name);
+    await paste(page, `${good}${"# more and more\n".repeat(65000)}`);
+    assert.match(await told(), /no arm file is longer/);
+    await paste(page, good.replace("0.089159", ".nan"));
+    await until(page, () => window.denhart.app.messages.some((one) => one.line === 8));
+    await paste(page, good.replace("0.089159", "1e999"));
+    await until(page, () => window.denhart.app.messages.some((one) => one.line === 8));
+    await paste(page, "[".repeat(5000));
+    await until(page, () => window.denhart.app.messages.some((one) => one.severity === "error" && one.line !== 8));
+    await paste(page, good);
+    await right("ur5");
+    // A number that is none leaves the arm where it is.
+    const { q } = await state(page);
+    await page.evaluate(() => {
+      const field = document.querySelector("#sliders input[type=number]");
+      field.value = "NaN";
+      field.dispatchEvent(new Event("change"));
+      window.denhart.app.moveTo([NaN, 0, 0, 0, 0, 0]);
+    });
+    assert.deepEqual((await state(page)).q, q);
+    // A target far away.
+    for (const [x, name] of [["1000", "far"], ["1e300", "farther"]]) {
+      await page.getByLabel("target x").fill(x);
+      await page.keyboard.press("Enter");
+      await page.waitForTimeout(400);
+      const far = await state(page);
+      assert.equal(far.status, "missed", name);
+      assert.match(await page.locator("#why").innerText(), /out of reach|too far away/);
+    }
+    await page.screenshot({ path: join(shots, "far.png") });
+    await page.locator("#sliders input[type=range]").nth(0).fill("5");
+    assert.equal((await state(page)).status, "reached");
+    // An arm without inverse: seven joints that name no redundant one.
+    const row = "a: 0.1, alpha: 33, d: 0.2, theta: 0";
+    await paste(page, yaml(Array(7).fill(row)));
+    await until(page, () => window.denhart.app.facts?.name === "typed");
+    assert.match(await page.locator("#no-inverse").innerText(), /no inverse kinematics/);
+    assert.equal((await state(page)).seen.ghosts, 0);
+    await page.locator("#sliders input[type=range]").nth(6).fill("40");
+    near((await state(page)).q[6], (40 * Math.PI) / 180, 1e-9, "q7");
+    // Ten joints, and eleven.
+    await paste(page, yaml(Array(10).fill(row)));
+    await until(page, () => window.denhart.app.facts?.joints.length === 10);
+    assert.equal(await page.locator("#sliders .slider").count(), 10);
+    await paste(page, yaml(Array(11).fill(row)));
+    await told();
+    await paste(page, good);
+    await right("ur5");
+    assert.deepEqual(page.failures, []);
+  },
+
+  async "every known arm opens"(browser) {
+    const page = await open(browser);
+    const names = await page.evaluate(async () => (await window.denhart.app.jobs.run({ kind: "presets" })).map((one) => one.name));
+    assert.ok(names.length > 50);
+    for (const name of names) {
+      const found = await page.evaluate(async (name) => {
+        const { app } = window.denhart;
+        await app.setText(await app.jobs.run({ kind: "file", name }));
+        const { width, height } = document.getElementById("view").getBoundingClientRect();
+        const hidden = window.denhart.view.read().joints.filter(([x, y]) => !(x > 0 && x < width && y > 0 && y < height)).length;
+        app.moveTo(app.q.map((value, joint) => value + 0.1 * Math.sin(joint + 1)));
+        return { hidden, name: app.facts.name, task: app.facts.task, solutions: app.answer?.solutions.length, mistakes: app.messages.filter((one) => one.severity === "error").length };
+      }, name);
+      assert.equal(found.name, name);
+      assert.equal(found.mistakes, 0, name);
+      assert.equal(found.hidden, 0, `joints of ${name} outside the picture`);
+      if (found.task) assert.ok(found.solutions > 0, `${name} reaches its own pose`);
+    }
+    assert.deepEqual(page.failures, []);
+    await page.click("#presets");
+    await page.fill("#gallery-search", "kuka");
+    await page.waitForSelector(".card:not([hidden]) img");
+    await page.waitForTimeout(1500);
+    await page.screenshot({ path: join(shots, "gallery.png") });
+  },
+
+  async "the keyboard alone is enough"(browser) {
+    const page = await open(browser);
+    const before = await state(page);
+    await page.locator("#sliders input[type=range]").first().focus();
+    await page.keyboard.press("Shift+ArrowRight");
+    near((await state(page)).q[0] - before.q[0], (10 * Math.PI) / 180, 1e-9, "an arrow with Shift");
+    await page.keyboard.press("3");
+    const taken = await state(page);
+    taken.q.forEach((value, joint) => near(value, taken.solutions[2].q[joint], 1e-9, "key 3"));
+    await page.keyboard.press("Control+Z");
+    near((await state(page)).q[0] - before.q[0], (10 * Math.PI) / 180, 1e-9, "undo");
+    await page.keyboard.press("Control+Z");
+    near((await state(page)).q[0], before.q[0], 1e-9, "undo twice");
+    await page.keyboard.press("d");
+    assert.ok(await page.locator("#labels .measure").count() > 0);
+    await page.keyboard.press("p");
+    await page.keyboard.type("scara");
+    await page.waitForFunction(() => document.querySelectorAll(".card:not([hidden])").length === 1);
+    await page.keyboard.press("Enter");
+    await until(page, () => window.denhart.app.facts?.name.startsWith("scara"));
+    // Every control has a name.
+    const nameless = await page.evaluate(() =>
+      [...document.querySelectorAll("button, input, [role=tab]")].filter((one) =>
+        !one.hidden && !one.closest(".cm-editor") && !(one.getAttribute("aria-label") || one.textContent.trim() || one.closest("label"))).map((one) => one.outerHTML));
+    assert.deepEqual(nameless, []);
+  },
+
+  async "a phone's width holds every part"(browser) {
+    const page = await open(browser, { width: 390, height: 800 });
+    for (const part of ["arm", "table", "results"]) {
+      await page.click(`#go-${part}`);
+      await page.waitForTimeout(400);
+      await page.screenshot({ path: join(shots, `phone-${part}.png`) });
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+      assert.ok(wide <= 390, `${part} is ${wide} px wide`);
+    }
+    await page.click("#go-arm");
+    await page.locator("#sliders input[type=range]").nth(0).fill("20");
+    assert.equal((await state(page)).seen.ghosts, 8);
+  },
+
+  async "without WebGL there is the picture of denhart draw"() {
+    const browser = await launch(["--disable-3d-apis"]);
+    try {
+      const page = await open(browser);
+      await page.waitForSelector("#view .flat svg");
+      const before = await page.locator("#view .flat svg").innerHTML();
+      await page.locator("#sliders input[type=range]").nth(0).fill("70");
+      await page.waitForTimeout(300);
+      assert.notEqual(await page.locator("#view .flat svg").innerHTML(), before);
+      await page.locator(".solution").nth(3).click();
+      await page.screenshot({ path: join(shots, "flat.png") });
+    } finally {
+      await browser.close();
+    }
+  },
+
+  async "denhart view serves, follows and writes"(browser) {
+    const folder = mkdtempSync(join(tmpdir(), "denhart-view-"));
+    const file = join(folder, "arm.yaml");
+    const text = readFileSync(join(root, "specs/ur5.yaml"), "utf8");
+    writeFileSync(file, text);
+    const server = spawn(command, ["view", file, "--no-open", "--write"], { stdio: ["ignore", "pipe", "inherit"] });
+    try {
+      const url = await new Promise((done, failed) => {
+        server.stdout.once("data", (data) => done(String(data).split("\n")[0]));
+        server.once("exit", () => failed(new Error("the server ended")));
+      });
+      const page = await open(browser, { url });
+      assert.equal((await state(page)).name, "ur5");
+      writeFileSync(file, text.replace("name: ur5", "name: changed"));
+      await until(page, () => window.denhart.app.facts?.name === "changed");
+      await paste(page, text.replace("name: ur5", "name: written"));
+      await until(page, () => window.denhart.app.facts?.name === "written");
+      await page.click("#write");
+      await page.waitForSelector(".notice:has-text('written')");
+      assert.match(readFileSync(file, "utf8"), /name: written/);
+      const { host } = new URL(url);
+      assert.deepEqual(page.requests.filter((one) => !/^(data|blob):/.test(one) && new URL(one).host !== host), []);
+      const status = (path, headers) => new Promise((done) => {
+        const [name, port] = host.split(":");
+        request({ host: name, port, path, headers }, (reply) => { reply.resume(); done(reply.statusCode); }).end();
+      });
+      const own = new URL(url).search;
+      assert.equal(await status(`/${own}`, {}), 200);
+      assert.equal(await status("/", {}), 403);
+      assert.equal(await status(`/${own}`, { host: "evil.example" }), 403);
+      assert.equal(await status(`/arm${own}`, { origin: "http://evil.example" }), 403);
+      assert.equal(await status(`/../../etc/passwd${own}`, {}), 404);
+      // One file that works by itself.
+      const out = join(folder, "page.html");
+      denhart("view", file, "--export", out);
+      const exported = await open(browser, { url: pathToFileURL(out).href });
+      assert.equal((await state(exported)).name, "written");
+      assert.deepEqual(exported.requests.filter((one) => !/^(file|data|blob):/.test(one)), []);
+    } finally {
+      server.kill();
+    }
+  },
+};
+
+function median(values) {
+  return values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)] ?? NaN;
+}
+
+const only = process.env.ONLY;
+const browser = await launch(WITH_3D);
+let failed = 0;
+for (const [name, test] of Object.entries(tests)) {
+  if (only && !name.includes(only)) continue;
+  const start = performance.now();
+  try {
+    await test(browser);
+    console.log(`ok   ${name} (${((performance.now() - start) / 1000).toFixed(1)} s)`);
+  } catch (error) {
+    failed++;
+    console.log(`FAIL ${name}: ${error.stack}`);
+  }
+  for (const context of browser.contexts()) await context.close();
+}
+await browser.close();
+process.exit(failed ? 1 : 0);
