@@ -24,7 +24,7 @@ pub(crate) fn within<T: Scalar>(value: T, [low, high]: [T; 2], size: T) -> bool 
     beyond <= rounding(size)
 }
 
-/// [`within`] over lanes: a value inside is beyond neither limit by more than nothing, so that one comparison with each
+/// `within` over lanes: a value inside is beyond neither limit by more than nothing, so that one comparison with each
 /// limit is enough.
 #[cfg(feature = "batch")]
 #[inline(always)]

@@ -16,7 +16,7 @@ pub(crate) fn next_to<T: Scalar>(value: T, reference: T, limits: [T; 2]) -> T {
     if inside(near, limits) || far_beyond(reference, limits) { near } else { at_limit(value, near, limits) }
 }
 
-/// [`next_to`] over lanes, and where the angle is one for a value beyond a limit, or the reference is wound: in doubt.
+/// `next_to` over lanes, and where the angle is one for a value beyond a limit, or the reference is wound: in doubt.
 #[cfg(feature = "batch")]
 #[inline(always)]
 pub fn next_to_lanes<L: Lanes>(value: L, reference: L, [low, high]: [f64; 2]) -> (L, L::Mask) {
