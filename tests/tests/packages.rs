@@ -44,7 +44,7 @@ fn docs_rs_shows_the_features() {
         let library = fs::read_to_string(manifest.parent().unwrap().join("src/lib.rs")).unwrap();
         assert!(library.contains("#![cfg_attr(docsrs, feature(doc_cfg))]"), "{name}: items without their feature");
     }
-    assert_eq!(with_features, 5);
+    assert_eq!(with_features, 6);
 }
 
 /// Every example is in the package with the arm file that it reads, a copy of the one in `specs/`.
