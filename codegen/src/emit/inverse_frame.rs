@@ -525,7 +525,7 @@ fn following(
     });
     let factors = margins.then(|| {
         quote! {
-            fn factors(&self, q: &[#scalar; #n], factors: &mut [#scalar]) -> ::core::primitive::usize {
+            fn factors(&self, q: &[#scalar; #n], factors: &mut [#scalar]) -> usize {
                 #krate::Margin::write(&#name::margins(self, q), factors)
             }
         }

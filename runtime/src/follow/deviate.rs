@@ -124,7 +124,7 @@ struct Own<T, const N: usize> {
 struct System<T, const N: usize> {
     rows: [[T; N]; 6],
     normal: Normal<T, N>,
-    /// What the last tick left, and what the target has moved by since.
+    /// Twist that the last tick left, and the motion of the target since.
     left: [T; 6],
     moved: [T; 6],
     /// The way of each motor to the ends of its range.
@@ -251,7 +251,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         interval.cut(system.step(self, &alone, system.closing(&alone), share))
     }
 
-    /// What each joint does to go to the goal.
+    /// The step of each joint towards the goal.
     fn own(&self, goal: &[T; N], tracking: Tracking, interval: &Interval<T, N>) -> Own<T, N> {
         let Bounds { most, change, .. } = &self.bounds;
         let way = self.way(goal);

@@ -31,7 +31,7 @@ impl<T: Scalar, const N: usize> Rates<T, N> {
 pub enum Crossing {
     /// None: only exact steps change the branch.
     Exact,
-    /// Those of the wrist: branches that differ in [`Branch::wrist`](crate::Branch::wrist) alone.
+    /// The wrist: branches that differ in [`Branch::wrist`](crate::Branch::wrist) alone.
     #[default]
     Wrist,
     /// Any.

@@ -1,4 +1,4 @@
-//! What has to hold in each tick, and what a run comes to.
+//! Rules that hold in each tick, and the result of a run.
 
 use denhart::follow::{FollowSettings, Follower, PathFollower, Progress, Rates, Step, Tracking};
 use denhart::{InverseKinematics, Scalar};
@@ -51,7 +51,7 @@ pub struct Watch<'a, A: InverseKinematics<T, N>, T, const N: usize> {
     found: A::Solutions,
     last: Option<Step<T, N>>,
     factors: [f64; 8],
-    /// What was seen.
+    /// The run so far.
     pub run: Run,
 }
 
