@@ -43,7 +43,7 @@ const IN_FULL: [&str; 14] = [
 ];
 
 /// Bounds on the source of one arm: it is meant to be read. An arm that holds a joint has constants of up to three cuts.
-const MOST_LINES: usize = 1010;
+const MOST_LINES: usize = 1015;
 const MOST_LINES_OF_A_HELD_JOINT: usize = 1600;
 const LONGEST_LINE: usize = 200;
 /// No dimension and no tolerance of an arm is below this: such a number is the rounding of something exact.
