@@ -181,6 +181,10 @@ pub fn generate(text: &str, file: &str, options: &Options) -> Result<Generated, 
     if let Some(mistake) = analyzed.lacking() {
         return Err(Errors::from(mistake));
     }
+    if options.batch && !cfg!(feature = "batch") {
+        let mistake = Diagnostic::error("`batch`: this generator is built without lanes");
+        return Err(Errors::from(mistake.help("build denhart-codegen with its feature `batch`")));
+    }
     if options.batch && options.scalar != ScalarKind::F64 {
         let mistake = Diagnostic::error("`batch` of an arm in f32: lanes are numbers of f64");
         return Err(Errors::from(mistake.help("leave `batch` out, or the number type")));
@@ -189,7 +193,13 @@ pub fn generate(text: &str, file: &str, options: &Options) -> Result<Generated, 
         Errors::from(Diagnostic::error(format!("`{}` is not a name for a Rust type", options.type_name)))
     })?;
     let target = Target { scalar: options.scalar, krate: options.crate_path.to_token_stream(), type_name };
-    let arm = Arm { model, functions, inverse, batch: options.batch };
+    let arm = Arm {
+        model,
+        functions,
+        inverse,
+        #[cfg(feature = "batch")]
+        batch: options.batch,
+    };
     Ok(Generated {
         impls: emit::impls(&arm, &target),
         item: emit::item(&arm, &target),

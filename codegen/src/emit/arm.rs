@@ -6,9 +6,7 @@ use super::inverse::{Inverse as InverseCode, inverse};
 use super::margins::margins;
 use super::target_at::target_at;
 use super::tokens::integer;
-use super::{
-    Target, actuator, batch, combined_limits, coupling, docs, given, kinematics, motion, parameters, paths, tables,
-};
+use super::{Target, actuator, combined_limits, coupling, docs, given, kinematics, motion, parameters, paths, tables};
 use crate::lower::{Functions, TaskMotion, task_motion};
 use crate::model::Model;
 use crate::solve::{GivenValues, InversePlan, Unsupported};
@@ -27,6 +25,7 @@ pub struct Arm<'a> {
     /// Its plan, or why there is none.
     pub inverse: &'a Inverse,
     /// True if the functions are to exist over lanes, too.
+    #[cfg(feature = "batch")]
     pub batch: bool,
 }
 
@@ -89,8 +88,13 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     let arm_trait = arm_trait(model, &counted, target);
     let motion = motion::methods(model, &counted, target);
     let doc = docs::lines(&impl_doc(arm));
-    let stages = arm.inverse.as_ref().ok().and_then(InversePlan::stages);
-    let lanes = arm.batch.then(|| batch::impls(model, arm.functions, stages, target));
+    #[cfg(feature = "batch")]
+    let lanes = arm.batch.then(|| {
+        let stages = arm.inverse.as_ref().ok().and_then(InversePlan::stages);
+        super::batch::impls(model, arm.functions, stages, target)
+    });
+    #[cfg(not(feature = "batch"))]
+    let lanes = TokenStream::new();
     let body = quote! {
         #dimensions
         #items

@@ -3,6 +3,7 @@
 mod actuator;
 mod angle;
 mod arm;
+#[cfg(feature = "batch")]
 mod batch;
 mod combined_limits;
 mod constants;
