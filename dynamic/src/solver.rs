@@ -92,6 +92,10 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
             5: 4 8;
             6: 4 8;
         },
+        #[cfg(not(target_family = "wasm"))]
+        false if program.joints > 9 => sizes! { Levels<f64, M>;
+            10: 1 2 3 4 6 8 16;
+        },
         false => sizes! { Levels<f64, M>;
             2: 1 2;
             3: 1 2 4;
@@ -101,7 +105,6 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
             7: 1 2 3 4 6 8 16;
             8: 1 2 3 4 6 8 16;
             9: 1 2 3 4 6 8 16;
-            10: 1 2 3 4 6 8 16;
         },
     };
     solver.ok_or_else(unsupported)
