@@ -31,7 +31,7 @@
 //! - `f32`.
 //!
 //! An inverse whose number of solutions is not one that the planner is known to give is refused as
-//! [`DynamicError::Unsupported`].
+//! [`DynamicError::Unsupported`]. So is one of ten joints in WebAssembly, where code is downloaded.
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
 

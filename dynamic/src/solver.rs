@@ -73,7 +73,7 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
             (8, 16) => HeldJointSolver::<8, 16>::boxed(plan, program, both),
             (9, 8) => HeldJointSolver::<9, 8>::boxed(plan, program, both),
             (9, 16) => HeldJointSolver::<9, 16>::boxed(plan, program, both),
-            // A page is downloaded: it has the code of arms of up to nine joints.
+            // WebAssembly is downloaded: it has the code of arms of up to nine joints.
             #[cfg(not(target_family = "wasm"))]
             (10, 8) => HeldJointSolver::<10, 8>::boxed(plan, program, both),
             #[cfg(not(target_family = "wasm"))]

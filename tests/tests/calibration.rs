@@ -92,7 +92,7 @@ fn branches_have_the_names_of_the_table() {
                 let own = built.inverse(&target, &[]).unwrap();
                 let other = table.inverse(&table.target_at(&q).unwrap(), &[]).unwrap();
                 let near = |a: &[f64], b: &[f64]| {
-                    a.iter().zip(b).all(|(a, b)| denhart::math::wrap(a - b).abs() < 1e-4 + 200.0 * s)
+                    a.iter().zip(b).all(|(a, b)| denhart::math::wrap(a - b).abs() < f64::max(1e-4, 200.0 * s))
                 };
                 // Beside a singularity the solutions of the two arms lie apart.
                 let is_ordinary = |q: &[f64]| {
@@ -123,7 +123,9 @@ fn branches_have_the_names_of_the_table() {
                     }
                 }
             }
-            assert!(poses > 40, "{arm} {s:e}: {poses}");
+            // At 1e-3 margins of an ordinary pose are above 0.3, which few poses have.
+            let least = if s == 1e-3 { 40 } else { 200 };
+            assert!(poses > least, "{arm} {s:e}: {poses}");
         }
     }
 }
@@ -156,7 +158,6 @@ fn the_nearest_solution_leads_through_singularities() {
                         ticks += 1;
                     }
                 }
-                println!("{arm} {s:e} {straight:?}: {lost} of {ticks}");
                 // Where wrist and elbow are straight at once, 5 %: docs/known-gaps.md.
                 let most = if place == 2 && s <= 1e-6 { ticks / 20 } else { 0 };
                 assert!(lost <= most, "{arm} {s:e} {straight:?}: {lost} of {ticks}");
@@ -261,20 +262,19 @@ fn generated_code_gives_what_is_evaluated() {
 /// table beside 99.5 % of them.
 #[test]
 fn single_precision_has_the_same_branches() {
-    let near = share("near", &Measured, |pose| Single.inverse(pose).iter().copied().collect());
-    assert_eq!(near.0, near.1);
-    let (found, all) = share("far", &Real, |pose| RealSingle.inverse(pose).iter().copied().collect());
-    println!("{found} of {all}");
+    let (found, all, others) = share("near", &Measured, |pose| Single.inverse(pose).iter().copied().collect());
+    assert!(all > 3000 && found == all && others == 0, "{found} of {all}, and {others}");
+    let (found, all, _) = share("far", &Real, |pose| RealSingle.inverse(pose).iter().copied().collect());
     assert!(all > 3000 && found * 1000 >= all * 995, "{found} of {all}");
 }
 
-/// How many of the solutions of an arm at regular poses single precision finds, and their number.
-fn share<A>(name: &str, arm: &A, singles: impl Fn(&Pose<f32>) -> Vec<Solution<f32, 6>>) -> (usize, usize)
+/// How many of the solutions of an arm at regular poses single precision finds, their number, and how many others it lists.
+fn share<A>(name: &str, arm: &A, singles: impl Fn(&Pose<f32>) -> Vec<Solution<f32, 6>>) -> (usize, usize, usize)
 where
     A: InverseKinematics<f64, 6, Target = Pose<f64>>,
 {
     let mut random = Random::named(&format!("measured in single precision, {name}"));
-    let (mut found, mut all) = (0, 0);
+    let (mut found, mut all, mut others) = (0, 0, 0);
     for _ in 0..1000 {
         let q: [f64; 6] = std::array::from_fn(|_| random.uniform(-3.1, 3.1));
         // At a regular pose rounding decides nothing.
@@ -291,6 +291,7 @@ where
             // Exact in single precision is up to 2.2e-5 rad, or parts of the reach of 1.1 m.
             assert!(residual.position < 2.6e-5 && residual.orientation < 2.4e-5, "{q:?} {residual:?}");
         }
+        others += singles.len().saturating_sub(doubles.as_ref().len());
         for solution in doubles.as_ref() {
             let is_near = |other: &[f32; 6]| {
                 solution.q.iter().zip(other).all(|(a, b)| denhart::math::wrap(a - f64::from(*b)).abs() < 2e-3)
@@ -300,5 +301,5 @@ where
             all += 1;
         }
     }
-    (found, all)
+    (found, all, others)
 }

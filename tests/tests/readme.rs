@@ -152,6 +152,11 @@ fn every_other_example_is_as_it_is_shown() {
                         assert!(manifest.contains(&format!("\n{feature} = [")), "{place}: no feature {feature}");
                     }
                 }
+                // firmware/host/src/moves.rs has a receiver of these.
+                ("moves", None, None) => fence.content.lines().for_each(|line| {
+                    let (counts, sum) = line.rsplit_once('*').unwrap();
+                    assert_eq!(sum, format!("{:02X}", counts.bytes().fold(0, |all, byte| all ^ byte)), "{place}");
+                }),
                 // python/tests/test_pages.py runs these.
                 ("pycon", None, None) => {}
                 ("sh", None, None) => fence.content.lines().for_each(|line| run(&pages, page, &words(line), &place)),

@@ -43,14 +43,15 @@ pub struct Follower<T, const N: usize> {
     sent: Option<Branch>,
     /// The branch that was followed before the arm strayed from it, until a solution is reached.
     strayed_from: Option<Place>,
-    /// Ticks for which the solution on the branch that was entered so has been out of the arm's limits or reach.
+    /// Ticks for which limits or reach have kept the arm from its target on the branch that is followed.
     stuck: T,
 }
 
 /// A way from here on is about half a turn, rad.
 const HALF_TURN: f64 = 2.9;
 
-/// Time at a limit after which an arm that has strayed goes back to the branch that it came from, s.
+/// Time after which an arm leaves a branch on which limits or reach keep it from its target, s. A goal that is out of
+/// limits for half as long comes back where the arm follows a path past a shoulder singularity: to leave earlier costs more way.
 const STUCK: f64 = 1.0;
 
 impl<T: Scalar, const N: usize> Follower<T, N> {
@@ -113,7 +114,6 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             return self.arrive(&interval, &q, &place);
         }
         let aim = self.choose(arm, target, found.as_ref());
-        self.go_back_if_stuck(&aim);
         let step = self.deviate(arm, target, &aim, &interval);
         let step = self.bounds.within_sums(arm, &self.q, &self.step, &interval, step);
         self.advance(step);
@@ -238,15 +238,22 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         solutions: &[Solution<T, N>],
     ) -> Aim<T, N> {
         let second = self.second();
-        let Some((candidate, other)) = self.choice(arm, target, solutions).made(second) else {
-            return Aim::out_of_reach();
-        };
-        if other {
-            let signs = Signs::at(arm, &candidate.q, Some(target));
-            self.wanted = Place { signs, branch: candidate.branch };
-            self.goal = None;
+        let choice = self.choice(arm, target, solutions);
+        let made = choice.made(second);
+        let aim = made.map_or_else(Aim::out_of_reach, |(candidate, _)| Aim::at(arm, &candidate, &self.q));
+        match made {
+            Some((candidate, true)) => self.follow(arm, target, &candidate),
+            _ if self.is_stuck(&aim) => self.leave(arm, target, choice.other.as_ref()),
+            _ => {}
         }
-        Aim::at(arm, &candidate, &self.q)
+        aim
+    }
+
+    /// Follows the branch of a candidate from now on.
+    fn follow<A: InverseKinematics<T, N>>(&mut self, arm: &A, target: &A::Target, candidate: &Candidate<T, N>) {
+        let signs = Signs::at(arm, &candidate.q, Some(target));
+        self.wanted = Place { signs, branch: candidate.branch };
+        self.goal = None;
     }
 
     /// The nearest solutions on the branch that is followed and on others.
@@ -304,12 +311,20 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         q
     }
 
-    /// Goes back to the branch from which the arm has strayed, where the other one keeps it from its target for too long.
-    fn go_back_if_stuck(&mut self, aim: &Aim<T, N>) {
-        let Some(origin) = self.strayed_from else { return };
+    /// Returns true if the branch that is followed keeps the arm from its target for too long.
+    fn is_stuck(&mut self, aim: &Aim<T, N>) -> bool {
         self.stuck = if aim.tracking == Tracking::Rates { T::ZERO } else { self.stuck + T::ONE };
-        if self.stuck > T::from_f64(STUCK) * self.second() {
-            (self.wanted, self.strayed_from) = (origin, None);
+        self.stuck > T::from_f64(STUCK) * self.second()
+    }
+
+    /// Leaves the branch that is followed: for the one from which the arm has strayed, else for that of a solution that
+    /// no limit keeps the arm from.
+    fn leave<A: InverseKinematics<T, N>>(&mut self, arm: &A, target: &A::Target, other: Option<&Candidate<T, N>>) {
+        if let Some(origin) = self.strayed_from.take() {
+            (self.wanted, self.stuck) = (origin, T::ZERO);
+        } else if let Some(other) = other.filter(|other| Aim::at(arm, other, &self.q).tracking == Tracking::Rates) {
+            self.follow(arm, target, other);
+            self.stuck = T::ZERO;
         }
     }
 

@@ -12,7 +12,7 @@ use super::arm_constants::ArmConstants;
 use super::kernel::tolerances::Tolerances;
 use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
 use super::passes::Decoupled;
-use super::search::{ONE_TICK, Search};
+use super::search::Search;
 use super::smallest_pivot::smallest_pivot;
 use super::verify::{apart, coincident};
 use crate::effort::MOST_HELD_JOINT_EVALUATIONS;
@@ -76,7 +76,8 @@ impl<T: Tolerances, const N: usize, const M: usize> HeldJointSearch<'_, T, N, M>
     }
 
     /// Like [`run_held_joint`](Self::run_held_joint) for a measured arm whose table has names for its branches: `name` gives
-    /// that of a joint vector. What the reference leads to is listed, too. Solutions that share a name have numbers, but for the first.
+    /// that of a joint vector. The solution that the reference leads to is listed, too. Solutions that share a name have
+    /// numbers, but for the first.
     #[inline]
     pub fn run_named(
         &mut self,
@@ -87,14 +88,7 @@ impl<T: Tolerances, const N: usize, const M: usize> HeldJointSearch<'_, T, N, M>
         solve: impl FnOnce(&mut dyn FnMut(&Candidate<T>) -> ControlFlow<()>) -> Outcome,
     ) {
         self.gather(|joints| (place(joints), T::ZERO), solve);
-        if let Some(near) = near {
-            self.hold(near, T::from_f64(ONE_TICK));
-        }
-        for solution in self.solutions.as_mut_slice() {
-            solution.branch = name(&solution.q);
-        }
-        self.number_shared();
-        self.finish(constants, near);
+        self.finish_measured(constants, near, |q, branch| *branch = name(q));
     }
 
     /// Lists the solutions that `solve` gives candidates for.

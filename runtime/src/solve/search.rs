@@ -307,9 +307,9 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         self.finish(constants, near);
     }
 
-    /// As [`run`](Self::run) for a measured arm, whose stages are those of its table: every solution is verified, and what
-    /// lies beyond folds of the table's arm is looked for, and what the reference leads to. `off`: how far its links are off the table, relative to reach
-    /// and in rad.
+    /// As [`run`](Self::run) for a measured arm, whose stages are those of its table: every solution is verified. Solutions
+    /// beyond folds of the table's arm, and the one that the reference leads to, are looked for. `off`: how far its links
+    /// are off the table, relative to reach and in rad.
     #[inline(always)]
     pub fn run_measured(
         &mut self,
@@ -321,11 +321,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         (self.doubt, self.slack) = (true, off);
         self.cascades(nest);
         self.unfold();
-        if let Some(near) = near {
-            self.hold(near, T::from_f64(ONE_TICK));
-        }
-        self.number_shared();
-        self.finish(constants, near);
+        self.finish_measured(constants, near, |_, _| {});
     }
 
     #[inline(always)]
@@ -347,6 +343,34 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         if let Some(near) = near {
             self.next_to(near);
         }
+        self.conclude(constants);
+    }
+
+    /// Like [`finish`](Self::finish) for a measured arm: the solution that the reference leads to is listed, `name` may
+    /// change the name of each, and names that are shared get numbers.
+    #[inline]
+    pub(super) fn finish_measured(
+        &mut self,
+        constants: &ArmConstants<'_, T, N>,
+        near: Option<&[T; N]>,
+        name: impl Fn(&[T; N], &mut Branch),
+    ) {
+        if let Some(near) = near {
+            self.hold(near, T::from_f64(ONE_TICK));
+        }
+        for solution in self.solutions.as_mut_slice() {
+            name(&solution.q, &mut solution.branch);
+        }
+        self.number_shared();
+        if let Some(near) = near {
+            self.unwind(near);
+        }
+        self.conclude(constants);
+    }
+
+    /// Marks solutions outside the limits, and sets the status.
+    #[inline(always)]
+    fn conclude(&mut self, constants: &ArmConstants<'_, T, N>) {
         if constants.limited || !constants.combined.is_empty() {
             self.mark_limits(constants);
         }

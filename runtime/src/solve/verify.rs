@@ -150,13 +150,19 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         }
     }
 
-    /// Unwinds the joints next to the reference (inside the limits where some turn is), and sorts nearest first. The
-    /// reference's own place on a singular family is kept.
+    /// Unwinds the joints next to the reference, and sorts nearest first. The reference's own place on a singular family is
+    /// kept.
     #[inline(never)]
     pub(super) fn next_to(&mut self, near: &[T; N]) {
         if self.solutions.is_awkward() {
             self.hold(near, T::DOUBTFUL);
         }
+        self.unwind(near);
+    }
+
+    /// Unwinds the joints next to the reference (inside the limits where some turn is), and sorts nearest first.
+    #[inline(always)]
+    pub(super) fn unwind(&mut self, near: &[T; N]) {
         let constants = self.constants;
         self.solutions.sort_by_number(|solution| {
             let joints = solution.q.iter_mut().zip(near).zip(constants.limits.iter().zip(constants.weights));

@@ -9,6 +9,7 @@
 #![no_std]
 #![no_main]
 
+mod moves;
 mod path;
 mod steppers;
 
@@ -20,6 +21,7 @@ use cortex_m_rt::exception;
 use denhart::{Arm, Branch, Flags, Solution, Solutions, Status};
 use firmware_board::{output, ticks};
 
+use moves::Receiver;
 use path::Part;
 use steppers::Steppers;
 
@@ -29,6 +31,9 @@ firmware_board::report_panics!();
 #[derive(Arm, Clone, Copy, Debug)]
 #[arm(spec = "../../../specs/salman_rrr.yaml", scalar = "f32")]
 pub struct SalmanRrr;
+
+/// Lines as they come from a terminal or from the page of `denhart view`: out, a line that a wire has spoiled, and home.
+const LINES: &[u8] = b"MOVE 1067 -240 3550*29\r\nMOVE 1067 -240 9550*29\r\nMOVE 0 0 0*01\r\n";
 
 /// Instructions of a period: 1 ms at 80 MHz.
 const PERIOD: u32 = 80_000;
@@ -149,5 +154,12 @@ fn main() -> ! {
     output::line(format_args!(
         "worst tick {worst_of_all} of {PERIOD} instructions; missed deadlines at 80 MHz, one instruction a cycle: {missed}"
     ));
-    output::exit(missed == 0 && held_where_it_should && counts == [0; 3])
+    let mut receiver = Receiver::new();
+    let mut moves = 0;
+    for counts in LINES.iter().filter_map(|byte| receiver.take(*byte)) {
+        steppers.go_to(counts);
+        moves += 1;
+    }
+    output::line(format_args!("lines received: {moves} moves, of 3 lines"));
+    output::exit(missed == 0 && moves == 2 && held_where_it_should && counts == [0; 3] && steppers.counts() == [0; 3])
 }
