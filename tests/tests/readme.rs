@@ -210,7 +210,7 @@ fn features(manifest: &str) -> Vec<&str> {
     lists.flat_map(|list| list.split('"').skip(1).step_by(2)).collect()
 }
 
-/// A command that writes files is not run: its subcommand and its options are those of its help.
+/// A command that writes files, or serves a page until it is stopped, is not run: its subcommand and its options are those of its help.
 fn has_its_options(words: &[String], place: &str) {
     let (mut out, mut errors) = (Vec::new(), Vec::new());
     // `export` has subcommands of its own.
@@ -240,7 +240,7 @@ fn run(pages: &[Page], page: &Page, words: &[String], place: &str) {
         "denhart"
             if words
                 .iter()
-                .any(|word| word == "new" || word == "-o" || word == "--plot" || word == ">" || word.contains('*')) =>
+                .any(|word| ["new", "view", "-o", "--plot", ">"].contains(&word.as_str()) || word.contains('*')) =>
         {
             has_its_options(words, place);
         }
