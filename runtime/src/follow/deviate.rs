@@ -1,6 +1,8 @@
 //! The step of a tick in which no solution is reached.
 //!
-//! The joint with the longest way leads, and the others follow it so that the tool misses its target least.
+//! The joint with the longest way leads, and the others follow it so that the tool misses its target least. Joints whose ways
+//! take nearly as long lead with it, and arrive with it: of two joints that turn against each other, as past a straight
+//! wrist, one that does not lead would be drawn back to the branch that it comes from, and the other after it.
 
 use super::bounds::{Bounds, Interval, units};
 use super::brake::{braked, clamp};
@@ -22,6 +24,8 @@ const DAMPING: f64 = 1e-4;
 const DESCENT: f64 = 0.5;
 /// Share of a descent's step that is taken.
 const SLOW: f64 = 0.5;
+/// A joint whose way takes more than this part of the longest time leads.
+const LEADS: f64 = 0.9;
 /// Weighted error beyond which every joint goes to its own goal.
 const FAR: f64 = 0.3;
 /// Default of the length that weighs as 1 rad, in ways along the links: a tenth of what data sheets call the reach of an arm.
@@ -112,9 +116,9 @@ impl<T: Scalar, const N: usize> Weights<T, N> {
 struct Own<T, const N: usize> {
     /// The step of each joint to its own goal: the motion of the goal, and the way that is left, with the brake.
     step: [T; N],
-    /// The joint with the longest time.
-    leader: Option<usize>,
-    /// That time, in ticks.
+    /// Time of each joint's way in parts of the longest.
+    share: [T; N],
+    /// The longest time, in ticks.
     ticks: T,
     /// The goal moves faster than the joints can.
     fast: bool,
@@ -223,13 +227,14 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         }
         let descends = if own.is_some() { T::ZERO } else { T::from_f64(DESCENT) * size };
         let system = System::new(self, &deviation, left, twist, descends);
-        // What moves by itself: the leader, joints whose value is given, and those that are locked.
+        // What moves by itself: joints that lead, joints whose value is given, and those that are locked.
         let mut alone = [None; N];
         for (joint, alone) in alone.iter_mut().enumerate() {
             let locked = self.bounds.most.get(joint) == Some(&T::ZERO);
-            let leads = leader.is_some_and(|own| own.leader == Some(joint));
+            let leads = leader.is_some_and(|own| own.share[joint] > T::from_f64(LEADS));
             if leads || locked || deviation.given.contains(joint) {
-                *alone = Some(own.as_ref().and_then(|own| own.step.get(joint)).copied().unwrap_or(T::ZERO));
+                let share = |own: &Own<T, N>| if leads { own.share[joint] } else { T::ONE };
+                *alone = Some(own.as_ref().map_or(T::ZERO, |own| share(own) * own.step[joint]));
             }
         }
         if leader.is_some() {
@@ -265,16 +270,18 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         let faster =
             |times: T| last.is_none() || motion.iter().zip(most).any(|(motion, most)| motion.abs() > times * *most);
         let flees = tracking == Tracking::Rates && faster(T::from_f64(FLIGHT));
-        let mut own = Own { step: interval.rest(), leader: None, ticks: T::ZERO, fast: flees || faster(T::ONE) };
+        let mut own = Own { step: interval.rest(), share: [T::ZERO; N], ticks: T::ZERO, fast: flees || faster(T::ONE) };
         for i in 0..N {
             if !flees {
                 let along = clamp(motion[i], -most[i], most[i]);
                 own.step[i] = clamp(along + braked(way[i] - along, change[i]), interval.low[i], interval.high[i]);
             }
             let ticks = if most[i] > T::ZERO { (way[i] - own.step[i]).abs() / most[i] } else { T::ZERO };
-            if ticks > own.ticks {
-                (own.ticks, own.leader) = (ticks, Some(i));
-            }
+            own.share[i] = ticks;
+            own.ticks = own.ticks.max(ticks);
+        }
+        if own.ticks > T::ZERO {
+            own.share = own.share.map(|ticks| ticks / own.ticks);
         }
         own
     }

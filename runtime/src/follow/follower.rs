@@ -43,7 +43,7 @@ pub struct Follower<T, const N: usize> {
     sent: Option<Branch>,
     /// The branch that was followed before the arm strayed from it, until a solution is reached.
     strayed_from: Option<Place>,
-    /// Ticks for which limits or reach have kept the arm from its target on the branch that is followed.
+    /// Ticks since the last exact one, and on this branch, in which limits or reach have kept the arm from its target.
     stuck: T,
 }
 
@@ -222,7 +222,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         self.goal = Some(*q);
         self.left = Some([T::ZERO; 6]);
         (self.under_way, self.allowed) = (T::ZERO, T::ZERO);
-        (self.sent, self.strayed_from) = (None, None);
+        (self.sent, self.strayed_from, self.stuck) = (None, None, T::ZERO);
         let place = Place { signs: place.signs.or(self.here.signs), branch: place.branch.with_root(0) };
         let crossed = place.signs.differ(self.here.signs).then_some(self.here.branch);
         self.here = Place { branch: if crossed.is_some() { place.branch } else { self.here.branch }, ..place };
@@ -279,7 +279,9 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
                 };
                 let signs = || Signs::at(arm, &solution.q, Some(target));
                 let own = asked && (self.sent.is_some() || !signs().differ(self.wanted.signs));
-                let allowed = || self.settings.crossing.allows(self.wanted.branch, candidate.branch);
+                // An arm that is beyond a singularity against its settings may stay there rather than wait for ever.
+                let is_here = || self.has_waited() && !signs().differ(self.here.signs);
+                let allowed = || self.settings.crossing.allows(self.wanted.branch, candidate.branch) || is_here();
                 if own || (self.sent.is_none() && candidate.within_limits && allowed()) {
                     choice.note(candidate, own);
                 }
@@ -311,9 +313,19 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         q
     }
 
-    /// Returns true if the branch that is followed keeps the arm from its target for too long.
+    /// Counts a tick that is not exact. Returns true if limits or reach keep the arm from its target, and have for too long.
+    ///
+    /// Where a goal is about half a turn away, rates and limits may alternate: ticks of rates do not count.
     fn is_stuck(&mut self, aim: &Aim<T, N>) -> bool {
-        self.stuck = if aim.tracking == Tracking::Rates { T::ZERO } else { self.stuck + T::ONE };
+        if aim.tracking == Tracking::Rates {
+            return false;
+        }
+        self.stuck += T::ONE;
+        self.has_waited()
+    }
+
+    /// Returns true if the branch that is followed has kept the arm from its target for too long.
+    fn has_waited(&self) -> bool {
         self.stuck > T::from_f64(STUCK) * self.second()
     }
 
