@@ -336,7 +336,7 @@ impl Arm {
 
     /// Pose of the tool in the base frame, (4, 4), of q (n,); (N, 4, 4) of q (N, n).
     fn forward<'py>(&self, q: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        self.rows(q, &[4, 4], None, |q, place| self.write_pose(q, place))
+        self.poses(q, None)
     }
 
     /// Poses of the tool in the base frame, (N, 4, 4), of q (N, n), with `threads` threads, by default one a processor.
@@ -349,7 +349,7 @@ impl Arm {
         threads: Option<i64>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        self.rows(q, &[4, 4], Some((threads, out)), |q, place| self.write_pose(q, place))
+        self.poses(q, Some((threads, out)))
     }
 
     /// Poses of the links in the base frame, (n, 4, 4), of q (n,). Each contains the base, the rows up to its joint, and
@@ -364,7 +364,7 @@ impl Arm {
     /// Geometric Jacobian in the base frame, at the tool point, (6, n), of q (n,); (N, 6, n) of q (N, n). The rows are
     /// vx vy vz wx wy wz.
     fn jacobian<'py>(&self, q: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        self.rows(q, &[6, self.arm.joints()], None, |q, place| self.write_jacobian(q, place))
+        self.jacobians(q, None)
     }
 
     /// Jacobians (N, 6, n) of q (N, n), with `threads` threads; `out` as of `forward_batch`.
@@ -375,7 +375,7 @@ impl Arm {
         threads: Option<i64>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        self.rows(q, &[6, self.arm.joints()], Some((threads, out)), |q, place| self.write_jacobian(q, place))
+        self.jacobians(q, Some((threads, out)))
     }
 
     /// Velocity of the tool in the base frame, vx vy vz wx wy wz, (6,) or (N, 6), at q with joint rates qd, of one shape:
