@@ -58,8 +58,8 @@ impl Rates {
 pub struct Asked<'a> {
     /// The arm.
     pub arm: &'a DynamicArm,
-    path: TargetPath,
-    is_timed: bool,
+    pub(super) path: TargetPath,
+    pub(super) is_timed: bool,
     /// Joint values at the first pose; without them the best of all solutions.
     pub start: Option<Vec<f64>>,
     /// The rates of the joints.
