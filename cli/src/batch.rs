@@ -1,4 +1,7 @@
 //! Many targets, one a line: CSV or JSON lines in, CSV or JSON lines out, each result as soon as it is computed.
+//!
+//! Targets take single calls, not lanes: what is printed of a solution has its branch and its residual, which lanes do not
+//! give, and a block would keep results back until it is full.
 
 use std::fs;
 use std::io::{self, BufRead, IsTerminal, Write};

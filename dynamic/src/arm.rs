@@ -23,7 +23,7 @@ pub type DynamicJacobian = [Joints; 6];
 pub struct DynamicArm {
     pub(crate) program: Program,
     pub(crate) forward: Straight,
-    jacobian: Straight,
+    pub(crate) jacobian: Straight,
     pub(crate) both: Straight,
     links: Straight,
     motors: Option<Motors>,

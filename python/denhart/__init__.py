@@ -10,7 +10,7 @@ Angles are rad where a name does not say degrees; lengths are in `arm.length_uni
 
 from collections.abc import Sequence
 
-from ._denhart import Arm, InverseBatch, NumericSolution, Picture, Solution, Solutions, Target
+from ._denhart import Arm, InverseBatch, Motion, NumericSolution, Obstacle, Picture, Solution, Solutions, Target
 from ._names import ArmError, Flags, Status
 
 Sequence.register(Solutions)
@@ -21,7 +21,9 @@ __all__ = [
     "ArmError",
     "Flags",
     "InverseBatch",
+    "Motion",
     "NumericSolution",
+    "Obstacle",
     "Picture",
     "Solution",
     "Solutions",

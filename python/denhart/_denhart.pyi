@@ -9,7 +9,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._names import Flags, Status
 
-__all__ = ["Arm", "InverseBatch", "NumericSolution", "Picture", "Solution", "Solutions", "Target"]
+__all__ = [
+    "Arm",
+    "InverseBatch",
+    "Motion",
+    "NumericSolution",
+    "Obstacle",
+    "Picture",
+    "Solution",
+    "Solutions",
+    "Target",
+]
 
 _Limits: TypeAlias = Literal["mark", "drop"]
 _View: TypeAlias = Literal["front", "side", "top", "iso"]
@@ -133,6 +143,19 @@ class Arm:
         threads: int | None = None,
         out: NDArray[np.float64] | None = None,
     ) -> InverseBatch: ...
+    def follow(
+        self,
+        targets: ArrayLike,
+        dt: float = 0.001,
+        *,
+        times: ArrayLike | None = None,
+        keep: Literal["path", "time"] = "path",
+        start: ArrayLike | None = None,
+        given: ArrayLike | None = None,
+        tolerance: float | None = None,
+        max_velocity: ArrayLike | None = None,
+        max_acceleration: ArrayLike | None = None,
+    ) -> Motion: ...
     def numeric(
         self,
         target: _Target,
@@ -201,6 +224,33 @@ class InverseBatch:
     def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
+class Motion:
+    @property
+    def keep(self) -> Literal["path", "time"]: ...
+    @property
+    def t(self) -> NDArray[np.float64]: ...
+    @property
+    def q(self) -> NDArray[np.float64]: ...
+    @property
+    def velocity(self) -> NDArray[np.float64]: ...
+    @property
+    def at(self) -> NDArray[np.float64]: ...
+    @property
+    def off_position(self) -> NDArray[np.float64]: ...
+    @property
+    def off_orientation(self) -> NDArray[np.float64]: ...
+    @property
+    def branch(self) -> tuple[str, ...]: ...
+    @property
+    def tracking(self) -> tuple[Literal["kept", "exact", "rates", "limits", "reach", "target"], ...]: ...
+    @property
+    def obstacle(self) -> Obstacle | None: ...
+    @property
+    def duration(self) -> float: ...
+    def __len__(self) -> int: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
+
+@final
 class NumericSolution:
     @property
     def q(self) -> NDArray[np.float64]: ...
@@ -212,6 +262,16 @@ class NumericSolution:
     def restarts(self) -> int: ...
     @property
     def residual(self) -> tuple[float, float]: ...
+
+@final
+class Obstacle:
+    @property
+    def at(self) -> float: ...
+    @property
+    def branch(self) -> str: ...
+    @property
+    def reason(self) -> str: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
 class Picture:

@@ -14,6 +14,7 @@ use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyTuple, PyType};
 
+use crate::follow::{Motion, Path as Followed};
 use crate::inverse::{Asked, Batch, InverseBatch, branch, drop};
 use crate::picture::{Picture, theme, view};
 use crate::solutions::{NumericSolution, Solutions, joints};
@@ -336,7 +337,7 @@ impl Arm {
 
     /// Pose of the tool in the base frame, (4, 4), of q (n,); (N, 4, 4) of q (N, n).
     fn forward<'py>(&self, q: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        self.rows(q, &[4, 4], None, |q, place| self.write_pose(q, place))
+        self.poses(q, None)
     }
 
     /// Poses of the tool in the base frame, (N, 4, 4), of q (N, n), with `threads` threads, by default one a processor.
@@ -349,7 +350,7 @@ impl Arm {
         threads: Option<i64>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        self.rows(q, &[4, 4], Some((threads, out)), |q, place| self.write_pose(q, place))
+        self.poses(q, Some((threads, out)))
     }
 
     /// Poses of the links in the base frame, (n, 4, 4), of q (n,). Each contains the base, the rows up to its joint, and
@@ -364,7 +365,7 @@ impl Arm {
     /// Geometric Jacobian in the base frame, at the tool point, (6, n), of q (n,); (N, 6, n) of q (N, n). The rows are
     /// vx vy vz wx wy wz.
     fn jacobian<'py>(&self, q: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        self.rows(q, &[6, self.arm.joints()], None, |q, place| self.write_jacobian(q, place))
+        self.jacobians(q, None)
     }
 
     /// Jacobians (N, 6, n) of q (N, n), with `threads` threads; `out` as of `forward_batch`.
@@ -375,7 +376,7 @@ impl Arm {
         threads: Option<i64>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        self.rows(q, &[6, self.arm.joints()], Some((threads, out)), |q, place| self.write_jacobian(q, place))
+        self.jacobians(q, Some((threads, out)))
     }
 
     /// Velocity of the tool in the base frame, vx vy vz wx wy wz, (6,) or (N, 6), at q with joint rates qd, of one shape:
@@ -567,6 +568,39 @@ impl Arm {
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<InverseBatch> {
         Batch { targets, near, given, limits, threads, out }.solve(targets.py(), self)
+    }
+
+    /// Joint values over time that bring the tool along a path through `targets`, within the rates of the joints: from rest
+    /// at the first target to rest at the last one, a row each `dt` s.
+    ///
+    /// `targets`: (N, 4, 4) poses, or (N, k) numbers of the arm's task, N >= 2. Between them the path is smooth; where its
+    /// direction turns by more than 30 degrees it has a corner. `times` (N,): the time of each target, s.
+    ///
+    /// `keep`: "path" gives the fastest motion whose tool stays within `tolerance` of the path, planned over all branches and
+    /// turns, and never ahead of `times`; the last row is its end. "time" keeps `times`, and the tool leaves the path where
+    /// the rates do not allow both. `start` (n,): joint values at the first target, by default the best of all solutions.
+    /// `given`: values for all targets, or for each, (N,) or (N, k), by default those of `start`. `tolerance`: in the arm's
+    /// length unit, by default 1e-5 of the reach; a turn counts as the way of a point at the reach. `max_velocity` and
+    /// `max_acceleration` (n,): rad or the length unit per s and s^2, by default those of the arm file; np.inf is no limit of
+    /// an acceleration.
+    ///
+    /// No lock of Python is held, and Ctrl-C ends the call. The steps are those of `denhart follow`.
+    #[pyo3(signature = (targets, dt=0.001, *, times=None, keep="path", start=None, given=None, tolerance=None, max_velocity=None, max_acceleration=None))]
+    #[allow(clippy::too_many_arguments)]
+    fn follow<'py>(
+        &self,
+        targets: &Bound<'py, PyAny>,
+        dt: f64,
+        times: Option<&Bound<'py, PyAny>>,
+        keep: &str,
+        start: Option<&Bound<'py, PyAny>>,
+        given: Option<&Bound<'py, PyAny>>,
+        tolerance: Option<f64>,
+        max_velocity: Option<&Bound<'py, PyAny>>,
+        max_acceleration: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Motion> {
+        let path = Followed { targets, dt, times, keep, start, given, tolerance, max_velocity, max_acceleration };
+        path.follow(targets.py(), self)
     }
 
     /// A joint vector by iteration from `start` (n,): for arms without a closed form, and for the closest approach to a

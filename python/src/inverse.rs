@@ -2,7 +2,8 @@
 
 use std::sync::Mutex;
 
-use denhart::{Branch, Elbow, Shoulder, Status, Wrist};
+use denhart::batch::Found as Outcome;
+use denhart::{Branch, Elbow, Flags, Pose, Shoulder, Status, Wrist};
 use denhart_dynamic::{DynamicArm, DynamicError, DynamicSolutions, DynamicTarget};
 use numpy::{PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
@@ -11,7 +12,7 @@ use pyo3::types::PyTuple;
 use crate::arm::Arm;
 use crate::array::{Numbers, Results, empty, shown};
 use crate::error;
-use crate::share::{ROWS, share, threads, told};
+use crate::share::{self, ROWS, share, threads, told};
 use crate::solutions::{Found, Solutions, Summary, bits, number};
 use crate::target::{self, Target};
 
@@ -110,6 +111,9 @@ fn summary(all: &DynamicSolutions) -> Summary {
     Summary { status: all.status(), deviation: all.deviation(), complete: all.is_complete() }
 }
 
+/// The argument of an inverse that has the values of redundant joints too.
+const NEAR: &str = "near= with joint values to be next to";
+
 /// Values for a redundant joint beside `near=`, which has them.
 fn twice() -> PyErr {
     error::value("given: near= has these values already: leave one of them out")
@@ -131,21 +135,20 @@ fn given_values(arm: &DynamicArm, given: Option<&Bound<'_, PyAny>>) -> PyResult<
     if names.len() == values.len() {
         return Ok(values);
     }
-    Err(error::value(expected(&names, &format!("{} of them", values.len()), given.is_some())))
+    Err(error::value(expected(&names, &format!("{} of them", values.len()), given.is_some(), NEAR)))
 }
 
 /// The message of wrong values beside the target.
-fn expected(names: &[String], found: &str, is_given: bool) -> String {
+fn expected(names: &[String], found: &str, is_given: bool, or: &str) -> String {
     let list = names.join(", ");
     match (names, is_given) {
         ([], _) => "given: this arm's inverse takes no value beside the target: leave given= out".to_owned(),
         ([_], false) => format!(
-            "given: the target leaves {list} to choose: write given= with its value (rad or the length unit), or near= \
-             with joint values to be next to"
+            "given: the target leaves {list} to choose: write given= with its value (rad or the length unit), or {or}"
         ),
         (_, false) => format!(
             "given: the target leaves {list} to choose: write given= with their values in this order (rad or the length \
-             unit), or near= with joint values to be next to"
+             unit), or {or}"
         ),
         (_, true) => format!("given: expected the values of {list}, found {found}"),
     }
@@ -234,7 +237,7 @@ impl InverseBatch {
 }
 
 /// Targets of a batch: their numbers, so many for each.
-struct Targets<'a> {
+pub struct Targets<'a> {
     numbers: &'a [f64],
     width: usize,
     task: &'static str,
@@ -242,7 +245,42 @@ struct Targets<'a> {
     poses: bool,
 }
 
-impl Targets<'_> {
+impl<'a> Targets<'a> {
+    /// Targets of a task from an argument, which messages call `name`.
+    pub fn read(name: &str, task: &'static str, array: &'a Numbers<'_>) -> PyResult<Self> {
+        let numbers = array.values()?;
+        let (words, width) = target::words(task);
+        let (width, poses) = match *array.shape() {
+            [_, 4, 4] if task != "position_angle" => (16, true),
+            [_, found] if task != "pose" && found == width => (width, false),
+            _ => {
+                let numbers = if task == "pose" { String::new() } else { format!("(N, {width}): {words}") };
+                let poses = if task == "position_angle" { "" } else { "(N, 4, 4)" };
+                let or = if numbers.is_empty() || poses.is_empty() { "" } else { ", or " };
+                return Err(error::value(format!(
+                    "{name}: the task of this arm is {task}: expected shape {poses}{or}{numbers}, found {}",
+                    shown(array.shape())
+                )));
+            }
+        };
+        if poses {
+            for (index, matrix) in numbers.chunks_exact(width).enumerate() {
+                target::of_matrix(matrix).map_err(|message| error::value(format!("{name}[{index}]: {message}")))?;
+            }
+        }
+        Ok(Targets { numbers, width, task, poses })
+    }
+
+    /// The number of targets.
+    pub const fn len(&self) -> usize {
+        self.numbers.len() / self.width
+    }
+
+    /// Each of them; `None` for one that is none.
+    pub fn each(&self, arm: &DynamicArm) -> impl Iterator<Item = Option<DynamicTarget>> {
+        self.numbers.chunks_exact(self.width).map(|numbers| self.of(arm, numbers))
+    }
+
     fn of(&self, arm: &DynamicArm, numbers: &[f64]) -> Option<DynamicTarget> {
         if !self.poses {
             return target::of_numbers(self.task, numbers);
@@ -250,18 +288,72 @@ impl Targets<'_> {
         let pose = target::of_matrix(numbers).ok()?;
         if self.task == "pose" { Some(DynamicTarget::Pose(pose)) } else { arm.target_of(&pose).ok().flatten() }
     }
+
+    /// Appends the numbers of a target as lanes take them, so many.
+    fn append(&self, arm: &DynamicArm, numbers: &[f64], width: usize, to: &mut Vec<f64>) {
+        if !self.poses {
+            return to.extend_from_slice(numbers);
+        }
+        if self.task == "pose"
+            && let Ok(Pose { rotation: [[a, b, c], [d, e, f], [g, h, i]], translation: [x, y, z] }) =
+                target::of_matrix(numbers)
+        {
+            return to.extend_from_slice(&[a, b, c, d, e, f, g, h, i, x, y, z]);
+        }
+        match self.of(arm, numbers) {
+            Some(target) => to.extend(target::numbers(&target)),
+            None => to.extend(std::iter::repeat_n(f64::NAN, width)),
+        }
+    }
 }
 
 /// Values for every target of a batch, or the same for all.
-struct Beside<'a> {
+pub struct Beside<'a> {
     numbers: &'a [f64],
     width: usize,
     each: bool,
 }
 
-impl Beside<'_> {
+impl<'a> Beside<'a> {
+    /// No values.
+    pub const NOTHING: Self = Beside { numbers: &[], width: 0, each: false };
+
+    /// The values `given` for so many targets. `or` is the argument that has them too.
+    pub fn given(
+        py: Python<'_>,
+        arm: &DynamicArm,
+        given: Option<&'a Numbers<'_>>,
+        rows: usize,
+        or: &str,
+    ) -> PyResult<Self> {
+        let names = arm.given().map_err(|error| error::dynamic(py, &error))?;
+        let taken = names.len();
+        let Some(given) = given else {
+            return if taken == 0 { Ok(Self::NOTHING) } else { Err(error::value(expected(&names, "", false, or))) };
+        };
+        let numbers = given.values()?;
+        let each = match *given.shape() {
+            [found, width] if found == rows && width == taken => true,
+            [found] if taken == 1 && found == rows && rows != 1 => true,
+            [] | [_] if numbers.len() == taken => false,
+            _ => {
+                let shape = shown(given.shape());
+                let each = match taken {
+                    1 => format!(" or one for each target, ({rows},)"),
+                    _ => format!(" or ({rows}, {taken})"),
+                };
+                let text = expected(&names, &format!("shape {shape}"), true, or);
+                return Err(error::value(match taken {
+                    0 => text,
+                    _ => text + "; expected (" + &taken.to_string() + ",)" + &each,
+                }));
+            }
+        };
+        Ok(Beside { numbers, width: taken, each })
+    }
+
     /// The values of a target.
-    fn of(&self, target: usize) -> &[f64] {
+    pub fn of(&self, target: usize) -> &[f64] {
         let from = if self.each { target * self.width } else { 0 };
         self.numbers.get(from..from + self.width).unwrap_or(&[])
     }
@@ -296,26 +388,8 @@ impl Batch<'_, '_> {
             (solver.task().map_err(refused)?, solver.max_solutions().map_err(refused)?, solver.joints());
         let drop = drop(self.limits)?;
         let numbers = Numbers::read("targets", self.targets)?;
-        let (words, width) = target::words(task);
-        let (rows, width, poses) = match *numbers.shape() {
-            [rows, 4, 4] if task != "position_angle" => (rows, 16, true),
-            [rows, found] if task != "pose" && found == width => (rows, width, false),
-            _ => {
-                let numbers = if task == "pose" { String::new() } else { format!("(N, {width}): {words}") };
-                let poses = if task == "position_angle" { "" } else { "(N, 4, 4)" };
-                let or = if numbers.is_empty() || poses.is_empty() { "" } else { ", or " };
-                return Err(error::value(format!(
-                    "targets: the task of this arm is {task}: expected shape {poses}{or}{numbers}, found {}",
-                    shown(numbers_shape(self.targets)?.as_slice())
-                )));
-            }
-        };
-        let targets = Targets { numbers: numbers.values()?, width, task, poses };
-        if poses {
-            for (index, matrix) in targets.numbers.chunks_exact(width).enumerate() {
-                target::of_matrix(matrix).map_err(|message| error::value(format!("targets[{index}]: {message}")))?;
-            }
-        }
+        let targets = Targets::read("targets", task, &numbers)?;
+        let (rows, width) = (targets.len(), targets.width);
         let near_numbers = self.near.map(|near| Numbers::read("near", near)).transpose()?;
         let near = match &near_numbers {
             None => None,
@@ -330,37 +404,15 @@ impl Batch<'_, '_> {
         if near.is_some() && self.given.is_some() {
             return Err(twice());
         }
-        let names = solver.given().map_err(refused)?;
         let given_numbers = self.given.map(|given| Numbers::read("given", given)).transpose()?;
-        let taken = names.len();
         let given = match &given_numbers {
-            None if near.is_some() || taken == 0 => Beside { numbers: &[], width: 0, each: false },
-            None => return Err(error::value(expected(&names, "", false))),
-            Some(given) => {
-                let numbers = given.values()?;
-                let each = match *given.shape() {
-                    [found, width] if found == rows && width == taken => true,
-                    [found] if taken == 1 && found == rows && rows != 1 => true,
-                    [] | [_] if numbers.len() == taken => false,
-                    _ => {
-                        let shape = shown(given.shape());
-                        let each = if taken == 1 {
-                            format!(" or one for each target, ({rows},)")
-                        } else {
-                            format!(" or ({rows}, {taken})")
-                        };
-                        let text = expected(&names, &format!("shape {shape}"), true);
-                        return Err(error::value(if taken == 0 {
-                            text
-                        } else {
-                            text + "; expected (" + &taken.to_string() + ",)" + &each
-                        }));
-                    }
-                };
-                Beside { numbers, width: taken, each }
-            }
+            None if near.is_some() => Beside::NOTHING,
+            given => Beside::given(py, solver, given.as_ref(), rows, NEAR)?,
         };
-        let threads = threads(self.threads, rows)?;
+        // Beside a reference every solution is listed, each on the turns next to it: lanes give the nearest one alone.
+        let in_lanes = near.is_none() && solver.inverse_has_lanes().map_err(refused)?;
+        let each = if in_lanes { share::in_lanes(self.threads, rows)? } else { ROWS };
+        let threads = threads(self.threads, rows.div_ceil(each))?;
         let results = Results::given(py, self.out, &[rows, capacity, joints])?;
         let counts = empty(py, &[rows], Some("int64"))?;
         let flags = empty(py, &[rows, capacity], Some("uint8"))?;
@@ -373,14 +425,14 @@ impl Batch<'_, '_> {
             let unexpected = |error: numpy::AsSliceError| error::value(error.to_string());
             let jobs = targets
                 .numbers
-                .chunks(ROWS * width)
-                .zip(q.values()?.chunks_mut(ROWS * capacity * joints))
-                .zip(counts.as_slice_mut().map_err(unexpected)?.chunks_mut(ROWS))
-                .zip(flags.as_slice_mut().map_err(unexpected)?.chunks_mut(ROWS * capacity))
-                .zip(status.as_slice_mut().map_err(unexpected)?.chunks_mut(ROWS))
+                .chunks(each * width)
+                .zip(q.values()?.chunks_mut(each * capacity * joints))
+                .zip(counts.as_slice_mut().map_err(unexpected)?.chunks_mut(each))
+                .zip(flags.as_slice_mut().map_err(unexpected)?.chunks_mut(each * capacity))
+                .zip(status.as_slice_mut().map_err(unexpected)?.chunks_mut(each))
                 .enumerate()
                 .map(|(block, ((((targets, q), count), flags), status))| Job {
-                    first: block * ROWS,
+                    first: block * each,
                     targets,
                     q,
                     count,
@@ -388,8 +440,12 @@ impl Batch<'_, '_> {
                     status,
                 });
             let failed = Mutex::new(None);
-            let work = |job: Job<'_>| {
-                if let Err(error) = rows_of(solver, &targets, near.as_ref(), &given, drop, job)
+            let work = |memory: &mut Memory, job: Job<'_>| {
+                let done = match in_lanes {
+                    true => memory.rows_of(solver, &targets, &given, drop, job),
+                    false => rows_of(solver, &targets, near.as_ref(), &given, drop, job),
+                };
+                if let Err(error) = done
                     && let Ok(mut failed) = failed.lock()
                 {
                     *failed = Some(error);
@@ -409,7 +465,74 @@ impl Batch<'_, '_> {
     }
 }
 
-/// Solves for the targets of a job.
+/// Memory of a thread whose targets run in lanes: their numbers, the values beside them, and their outcomes.
+#[derive(Default)]
+struct Memory {
+    targets: Vec<f64>,
+    given: Vec<f64>,
+    found: Vec<Outcome>,
+}
+
+impl Memory {
+    /// Solves for the targets of a job in lanes, to the bits of single calls.
+    fn rows_of(
+        &mut self,
+        arm: &DynamicArm,
+        targets: &Targets<'_>,
+        given: &Beside<'_>,
+        drop: bool,
+        job: Job<'_>,
+    ) -> Result<(), DynamicError> {
+        let Job { first, targets: numbers, q, count, flags, status } = job;
+        let width = arm.target_width()?;
+        self.targets.clear();
+        for numbers in numbers.chunks_exact(targets.width) {
+            targets.append(arm, numbers, width, &mut self.targets);
+        }
+        self.given.clear();
+        for index in first..first + count.len() {
+            self.given.extend_from_slice(given.of(index));
+        }
+        self.found.resize(count.len(), Outcome::NOTHING);
+        arm.inverse_batch(&self.targets, &self.given, q, &mut self.found)?;
+        let joints = arm.joints().max(1);
+        let row = q.len() / count.len().max(1);
+        let places = q.chunks_exact_mut(row.max(1)).zip(flags.chunks_exact_mut((row / joints).max(1)));
+        for ((found, (q, flags)), (count, status)) in self.found.iter().zip(places).zip(count.iter_mut().zip(status)) {
+            let mut listed = 0;
+            for (number, facts) in found.flags().iter().enumerate() {
+                if drop && facts.contains(Flags::OUT_OF_LIMITS) {
+                    continue;
+                }
+                if number != listed {
+                    moved(q, number * joints, listed * joints, joints);
+                }
+                if let Some(place) = flags.get_mut(listed) {
+                    *place = bits(*facts);
+                }
+                listed += 1;
+            }
+            q.iter_mut().skip(listed * joints).for_each(|place| *place = f64::NAN);
+            flags.iter_mut().skip(listed).for_each(|place| *place = 0);
+            *count = i64::try_from(listed).unwrap_or(i64::MAX);
+            *status = number(&found.status);
+        }
+        Ok(())
+    }
+}
+
+/// Copies some numbers to an earlier place.
+fn moved(numbers: &mut [f64], from: usize, to: usize, length: usize) {
+    for index in 0..length {
+        if let Some(value) = numbers.get(from + index).copied()
+            && let Some(place) = numbers.get_mut(to + index)
+        {
+            *place = value;
+        }
+    }
+}
+
+/// Solves for the targets of a job, one by one.
 fn rows_of(
     arm: &DynamicArm,
     targets: &Targets<'_>,
@@ -444,8 +567,4 @@ fn rows_of(
         *status = number(&outcome);
     }
     Ok(())
-}
-
-fn numbers_shape(object: &Bound<'_, PyAny>) -> PyResult<Vec<usize>> {
-    Ok(Numbers::read("targets", object)?.shape().to_vec())
 }

@@ -7,6 +7,7 @@ mod arm;
 mod array;
 mod beyond;
 mod error;
+mod follow;
 mod inverse;
 mod picture;
 mod share;
@@ -22,6 +23,8 @@ use pyo3::prelude::*;
 mod _denhart {
     #[pymodule_export]
     use crate::arm::Arm;
+    #[pymodule_export]
+    use crate::follow::{Motion, Obstacle};
     #[pymodule_export]
     use crate::inverse::InverseBatch;
     #[pymodule_export]

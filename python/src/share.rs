@@ -15,12 +15,17 @@ use crate::error;
 
 /// Rows that a thread takes at once: a tenth of a millisecond of work, so that no thread waits long for the last one.
 pub const ROWS: usize = 64;
+/// The fewest and the most rows that a thread takes at once where they run in lanes: a row takes less time there, and each
+/// call of a batch makes its registers first, which are as long to make as some tens of rows.
+const IN_LANES: [usize; 2] = [512, 2048];
+/// Jobs that each thread has of a batch in lanes at least, where the rows are enough.
+const JOBS: usize = 8;
 /// How often the calling thread looks for Ctrl-C.
-const SIGNALS: Duration = Duration::from_millis(20);
+pub const SIGNALS: Duration = Duration::from_millis(20);
 
-/// The number of threads for so many rows: as many as asked for, else one for each processor.
-pub fn threads(asked: Option<i64>, rows: usize) -> PyResult<usize> {
-    let most = rows.div_ceil(ROWS).max(1);
+/// The number of threads for so many jobs: as many as asked for, else one for each processor.
+pub fn threads(asked: Option<i64>, jobs: usize) -> PyResult<usize> {
+    let most = jobs.max(1);
     match asked {
         None => Ok(thread::available_parallelism().map_or(1, NonZero::get).min(most)),
         Some(asked) => match usize::try_from(asked) {
@@ -32,15 +37,22 @@ pub fn threads(asked: Option<i64>, rows: usize) -> PyResult<usize> {
     }
 }
 
-/// Does every job, on so many threads, without holding up other threads of Python.
+/// Rows of a job in lanes, of so many rows.
+pub fn in_lanes(asked: Option<i64>, rows: usize) -> PyResult<usize> {
+    let [fewest, most] = IN_LANES;
+    Ok((rows / (JOBS * threads(asked, rows.div_ceil(fewest))?)).clamp(fewest, most))
+}
+
+/// Does every job, on so many threads, without holding up other threads of Python. Each thread has memory of its own, which
+/// its jobs use one after the other.
 ///
 /// # Errors
 /// An exception that a signal raises, such as `KeyboardInterrupt`. Some jobs are then not done.
-pub fn share<J: Send>(
+pub fn share<J: Send, M: Default>(
     py: Python<'_>,
     jobs: impl Iterator<Item = J> + Send,
     threads: usize,
-    work: impl Fn(J) + Sync,
+    work: impl Fn(&mut M, J) + Sync,
 ) -> PyResult<()> {
     let jobs = Mutex::new(jobs);
     let stopped = AtomicBool::new(false);
@@ -48,8 +60,9 @@ pub fn share<J: Send>(
         if stopped.load(Ordering::Relaxed) { None } else { jobs.lock().unwrap_or_else(PoisonError::into_inner).next() }
     };
     let help = || {
+        let mut memory = M::default();
         while let Some(job) = next() {
-            work(job)
+            work(&mut memory, job)
         }
     };
     py.detach(|| {
@@ -60,9 +73,10 @@ pub fn share<J: Send>(
                     break;
                 }
             }
+            let mut memory = M::default();
             let mut looked = Instant::now();
             while let Some(job) = next() {
-                work(job);
+                work(&mut memory, job);
                 if looked.elapsed() >= SIGNALS {
                     if let Err(error) = Python::attach(|py| py.check_signals()) {
                         stopped.store(true, Ordering::Relaxed);

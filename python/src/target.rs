@@ -140,7 +140,7 @@ pub fn matrix(pose: &Pose<f64>) -> [f64; 16] {
 }
 
 /// The numbers of a target that is no pose.
-fn numbers(target: &DynamicTarget) -> Vec<f64> {
+pub fn numbers(target: &DynamicTarget) -> Vec<f64> {
     match target {
         DynamicTarget::Pose(pose) => matrix(pose).to_vec(),
         DynamicTarget::Position(point) => point.to_vec(),

@@ -5,8 +5,14 @@ use pyo3::prelude::*;
 
 use crate::arm::Arm;
 use crate::array::{Numbers, Results, filled, shown};
-use crate::share::{ROWS, share, threads, told};
+use crate::share::{in_lanes, share, threads, told};
 use crate::{error, target};
+
+/// Rows from which a block of lanes takes less time than single calls.
+const FEWEST: usize = 8;
+
+/// The arguments `threads` and `out` of a batch.
+pub type Threaded<'a, 'py> = (Option<i64>, Option<&'a Bound<'py, PyAny>>);
 
 impl Arm {
     /// One joint vector.
@@ -47,13 +53,15 @@ impl Arm {
         ))
     }
 
-    /// A function of joint vectors: of each of them `tail` numbers.
-    pub fn rows<'py>(
+    /// A function of joint vectors: of each of them `tail` numbers. `one` is the function of one, `many` that of rows, in
+    /// lanes and to the same bits.
+    fn rows<'py, M: Default>(
         &self,
         q: &Bound<'py, PyAny>,
         tail: &[usize],
-        threaded: Option<(Option<i64>, Option<&Bound<'py, PyAny>>)>,
+        threaded: Option<Threaded<'_, 'py>>,
         one: impl Fn(&[f64], &mut [f64]) + Sync,
+        many: impl Fn(&mut M, &[f64], &mut [f64]) + Sync,
     ) -> PyResult<Bound<'py, PyAny>> {
         let py = q.py();
         let numbers = Numbers::read("q", q)?;
@@ -82,20 +90,47 @@ impl Arm {
                 None => one(values, places),
                 Some(rows) => {
                     let each: usize = tail.iter().product();
-                    let jobs = values.chunks(ROWS * joints.max(1)).zip(places.chunks_mut(ROWS * each));
-                    let work = |(values, places): (&[f64], &mut [f64])| {
-                        for (q, place) in values.chunks_exact(joints.max(1)).zip(places.chunks_exact_mut(each)) {
+                    let joints = joints.max(1);
+                    let job = in_lanes(asked, rows)?;
+                    let jobs = values.chunks(job * joints).zip(places.chunks_mut(job * each));
+                    let work = |memory: &mut M, (values, places): (&[f64], &mut [f64])| {
+                        if values.len() >= FEWEST * joints {
+                            return many(memory, values, places);
+                        }
+                        for (q, place) in values.chunks_exact(joints).zip(places.chunks_exact_mut(each)) {
                             one(q, place);
                         }
                     };
-                    share(py, jobs, threads(asked, rows)?, work).map_err(|error| told(py, error, out.is_some()))?;
+                    let threads = threads(asked, rows.div_ceil(job))?;
+                    share(py, jobs, threads, work).map_err(|error| told(py, error, out.is_some()))?;
                 }
             }
         }
         Ok(results.into_any())
     }
 
-    pub fn write_pose(&self, q: &[f64], place: &mut [f64]) {
+    /// Poses of one joint vector or of many.
+    pub fn poses<'py>(
+        &self,
+        q: &Bound<'py, PyAny>,
+        threaded: Option<Threaded<'_, 'py>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let one = |q: &[f64], place: &mut [f64]| self.write_pose(q, place);
+        self.rows(q, &[4, 4], threaded, one, |numbers, q, places| self.write_poses(numbers, q, places))
+    }
+
+    /// Jacobians of one joint vector or of many.
+    pub fn jacobians<'py>(
+        &self,
+        q: &Bound<'py, PyAny>,
+        threaded: Option<Threaded<'_, 'py>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let one = |q: &[f64], place: &mut [f64]| self.write_jacobian(q, place);
+        let many = |(): &mut (), q: &[f64], places: &mut [f64]| self.write_jacobians(q, places);
+        self.rows(q, &[6, self.arm.joints()], threaded, one, many)
+    }
+
+    fn write_pose(&self, q: &[f64], place: &mut [f64]) {
         match self.arm.forward(q) {
             Ok(pose) => place.copy_from_slice(&target::matrix(&pose)),
             // The number of values is that of the joints.
@@ -103,7 +138,25 @@ impl Arm {
         }
     }
 
-    pub fn write_jacobian(&self, q: &[f64], place: &mut [f64]) {
+    /// Poses of rows of joint values, with memory for their numbers as lanes give them.
+    fn write_poses(&self, numbers: &mut Vec<f64>, q: &[f64], places: &mut [f64]) {
+        numbers.resize(places.len() / 16 * 12, 0.0);
+        if self.arm.forward_batch(q, numbers).is_err() {
+            return places.fill(f64::NAN);
+        }
+        for (place, numbers) in places.as_chunks_mut().0.iter_mut().zip(numbers.as_chunks().0) {
+            let &[a, b, c, d, e, f, g, h, i, x, y, z] = numbers;
+            *place = [a, b, c, x, d, e, f, y, g, h, i, z, 0.0, 0.0, 0.0, 1.0];
+        }
+    }
+
+    fn write_jacobians(&self, q: &[f64], places: &mut [f64]) {
+        if self.arm.jacobian_batch(q, places).is_err() {
+            places.fill(f64::NAN);
+        }
+    }
+
+    fn write_jacobian(&self, q: &[f64], place: &mut [f64]) {
         match self.arm.jacobian(q) {
             Ok(rows) => {
                 for (to, row) in place.chunks_exact_mut(self.arm.joints().max(1)).zip(&rows) {

@@ -59,6 +59,46 @@ def test_every_task(name):
         same_as_single_calls(arm, poses, arm.inverse_batch(poses))
 
 
+ARMS = ["ur5", "puma560", "franka_panda", "scara_rrrp_325_275", "planar4r_redundant", "stanford", "kinova_jaco", "cylindrical_rpp"]
+
+
+@pytest.mark.parametrize("name", ARMS)
+@pytest.mark.parametrize("rows", [0, 1, 7, 8, 33, 1100])
+def test_poses_and_jacobians_of_rows_are_those_one_by_one(name, rows):
+    arm = denhart.Arm.preset(name)
+    q = joint_vectors(arm, rows)
+    if rows:
+        q[rows // 2] *= 1e6
+        q[-1, -1] = np.nan
+    poses = np.array([arm.forward(row) for row in q]).reshape(-1, 4, 4)
+    jacobians = np.array([arm.jacobian(row) for row in q]).reshape(-1, 6, arm.dof)
+    for found in [arm.forward(q), arm.forward_batch(q), arm.forward_batch(q, threads=2)]:
+        assert found.tobytes() == poses.tobytes()
+    for found in [arm.jacobian(q), arm.jacobian_batch(q), arm.jacobian_batch(q, threads=2)]:
+        assert found.tobytes() == jacobians.tobytes()
+
+
+def test_targets_that_lanes_doubt(ur5):
+    # Singular poses, drifted ones, the edge of reach, and ordinary ones between them, over several jobs of a thread.
+    q = joint_vectors(ur5, 1300)
+    q[::3] = np.round(q[::3] * 4 / np.pi) * np.pi / 4
+    q[1::7, 2] = 0.0
+    poses = ur5.forward(q)
+    poses[2::11, :3, :3] += 1e-6
+    poses[5::40] = np.nan
+    poses[6::40, 3, 3] = np.inf
+    same_as_single_calls(ur5, poses, ur5.inverse_batch(poses, threads=2))
+
+
+@pytest.mark.parametrize("name", ["puma560", "abb_irb120", "mecademic_meca500"])
+def test_dropped_solutions_leave_no_gap(name):
+    arm = denhart.Arm.preset(name)
+    targets = np.array([arm.target_at(row).values for row in joint_vectors(arm, 600)])
+    batch = arm.inverse_batch(targets, limits="drop")
+    assert (batch.count < arm.inverse_batch(targets).count).any()
+    same_as_single_calls(arm, targets, batch, limits="drop")
+
+
 def test_redundant_joints(panda):
     q = joint_vectors(panda, 100)
     poses = panda.forward(q)

@@ -18,3 +18,6 @@ batch: denhart.InverseBatch = arm.inverse_batch(np.zeros((5, 2)), threads=2, out
 reached: NDArray[np.bool_] = batch.status == denhart.Status.REACHABLE
 for value, found in arm.sweep(pose, 5):
     print(value + 1.0, found.why(), [solution.q for solution in found])
+motion: denhart.Motion = arm.follow(np.zeros((2, 2)), 0.01, times=[0, 1], keep="time", max_velocity=[1.0, 1.0])
+obstacle: denhart.Obstacle | None = motion.obstacle
+farthest: float = motion.off_position.max() + motion.duration + (obstacle.at if obstacle else 0.0)

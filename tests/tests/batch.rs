@@ -257,10 +257,11 @@ fn check_forward(name: &str, arm: &mut DynamicArm) {
     }
     for set in InstructionSet::available().into_iter().flatten() {
         arm.set_instruction_set(set);
-        let (mut poses, mut with, mut jacobians) =
-            (vec![UNTOUCHED; 12 * TARGETS], vec![UNTOUCHED; 12 * TARGETS], vec![UNTOUCHED; 6 * n * TARGETS]);
+        let (mut poses, mut with) = (vec![UNTOUCHED; 12 * TARGETS], vec![UNTOUCHED; 12 * TARGETS]);
+        let (mut jacobians, mut alone_of) = (vec![UNTOUCHED; 6 * n * TARGETS], vec![UNTOUCHED; 6 * n * TARGETS]);
         arm.forward_batch(&q, &mut poses).unwrap();
         arm.forward_and_jacobian_batch(&q, &mut with, &mut jacobians).unwrap();
+        arm.jacobian_batch(&q, &mut alone_of).unwrap();
         for (number, q) in q.chunks(n).enumerate() {
             let (pose, jacobian) = arm.forward_and_jacobian(q).unwrap();
             let expected = numbers(&DynamicTarget::Pose(pose));
@@ -270,6 +271,8 @@ fn check_forward(name: &str, arm: &mut DynamicArm) {
             assert!(equal(&with[12 * number..][..12], &expected), "{name}, {set}, {q:?}");
             let expected: Vec<f64> = jacobian.iter().flat_map(|row| row.iter().copied()).collect();
             assert!(equal(&jacobians[6 * n * number..][..6 * n], &expected), "{name}, {set}, {q:?}");
+            let expected: Vec<f64> = arm.jacobian(q).unwrap().iter().flat_map(|row| row.iter().copied()).collect();
+            assert!(equal(&alone_of[6 * n * number..][..6 * n], &expected), "{name}, {set}, {q:?}");
         }
     }
 }
@@ -330,6 +333,8 @@ fn slices_of_unlike_lengths_are_named_with_both_lengths() {
     let message = text(arm.forward_and_jacobian_batch(&[0.1; 12], &mut poses, &mut [0.0; 71]));
     assert_eq!(message, "jacobians has 71 numbers, but q has 12, 2 rows of 6: expected 72 numbers, 36 a row");
     assert_eq!(poses, [UNTOUCHED; 24]);
+    let message = text(arm.jacobian_batch(&[0.1; 12], &mut [0.0; 71]));
+    assert_eq!(message, "jacobians has 71 numbers, but q has 12, 2 rows of 6: expected 72 numbers, 36 a row");
     let (mut q, mut found) = ([UNTOUCHED; 96], [Found::NOTHING; 2]);
     let message = text(arm.inverse_batch(&[0.0; 24], &[], &mut q[..95], &mut found).map(drop));
     assert_eq!(message, "q has 95 numbers, but targets has 24, 2 rows of 12: expected 96 numbers, 48 a row");

@@ -6,9 +6,11 @@
 //! - [`check`](mod@check): the findings of the generator in an arm file, or the mistakes in it, as text and as data.
 //! - [`closest`](mod@closest): the closest approach of an arm to a target out of reach.
 //! - [`export`]: the arm as a library for C, as files.
+//! - [`follow`](mod@follow): joint values over time that bring the tool along a path of poses.
 //! - [`import`]: an arm file from a URDF, from the calibration of a UR arm, or from OPW parameters.
 //! - [`presets`]: known arms, with their files.
 //! - [`schema`]: the JSON schema of arm files, for editors.
+//! - [`times`]: equally spaced times.
 //!
 //! ```
 //! use denhart_tools::import::{self, Options};
@@ -37,9 +39,11 @@ pub mod check;
 pub mod closest;
 mod error;
 pub mod export;
+pub mod follow;
 pub mod import;
 pub mod presets;
 pub mod schema;
+pub mod times;
 mod units;
 
 pub use arm::{Arm, chain};

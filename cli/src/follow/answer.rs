@@ -4,39 +4,16 @@ use std::io::Write;
 
 use denhart::Residual;
 use denhart_dynamic::DynamicArm;
+use denhart_tools::follow::{Keep, Motion, Obstacle, Row};
 use serde_json::{Value, json};
 
 use crate::Failure;
 use crate::numbers::{Units, printed, short};
 
-/// A row.
-pub struct Row {
-    pub t: f64,
-    /// Joint values, rad or length unit.
-    pub q: Vec<f64>,
-    /// Their rates, 1/s.
-    pub velocity: Vec<f64>,
-    /// The path's parameter: a time, s, or the length of the path.
-    pub at: f64,
-    pub branch: String,
-    /// `kept` of a row on the path within the tolerance; else `exact`, or the reason why it is not.
-    pub tracking: &'static str,
-    /// The difference of the tool from the path.
-    pub off: Residual<f64>,
-}
-
-/// The place where no continuous path goes on, or where the arm is when the time is over.
-pub struct Obstacle {
-    pub at: f64,
-    pub branch: String,
-    pub reason: String,
-}
-
 /// The answer of the command.
 pub struct Answer {
-    pub keep: &'static str,
-    pub rows: Vec<Row>,
-    pub obstacle: Option<Obstacle>,
+    pub keep: Keep,
+    pub motion: Motion,
 }
 
 /// The form of an answer.
@@ -68,13 +45,13 @@ impl Answer {
     }
 
     fn write_csv(&self, arm: &DynamicArm, form: Form, out: &mut dyn Write) -> Result<(), Failure> {
-        if self.rows.is_empty() {
+        if self.motion.rows.is_empty() {
             return Ok(());
         }
         let rest = ["at", "branch", "tracking", "off_by_position", "off_by_orientation"];
         let names: Vec<&str> = ["t"].into_iter().chain(arm.joint_names()).chain(rest).collect();
         writeln!(out, "{}", names.join(","))?;
-        for Row { t, q, at, branch, tracking, off, .. } in &self.rows {
+        for Row { t, q, at, branch, tracking, off, .. } in &self.motion.rows {
             let q: Vec<String> = form.joints(arm, q).iter().map(|value| printed(*value)).collect();
             let [position, orientation] = [off.position, form.units.of(off.orientation)].map(printed);
             let (t, at, q) = (printed(*t), printed(*at), q.join(","));
@@ -85,17 +62,18 @@ impl Answer {
 
     fn write_json(&self, arm: &DynamicArm, form: Form, out: &mut dyn Write) -> Result<(), Failure> {
         let obstacle = self
+            .motion
             .obstacle
             .as_ref()
             .map(|obstacle| json!({ "at": obstacle.at, "branch": obstacle.branch, "reason": obstacle.reason }));
         let changes: Vec<Value> =
-            self.changes().map(|(t, from, to)| json!({ "t": t, "from": from, "to": to })).collect();
+            self.motion.changes().map(|(t, from, to)| json!({ "t": t, "from": from, "to": to })).collect();
         let head = [
             ("arm", json!(arm.model().name)),
             ("length_unit", json!(arm.length_unit().to_string())),
             ("angle_unit", json!(form.units.symbol())),
-            ("keep", json!(self.keep)),
-            ("duration", json!(self.rows.last().map(|row| row.t))),
+            ("keep", json!(if self.keep == Keep::Path { "path" } else { "time" })),
+            ("duration", json!(self.motion.rows.last().map(|row| row.t))),
             ("path_is_timed", json!(form.is_timed)),
             ("branch_changes", json!(changes)),
             ("obstacle", json!(obstacle)),
@@ -105,7 +83,7 @@ impl Answer {
             writeln!(out, "  {}: {value},", json!(key))?;
         }
         write!(out, "  \"rows\": [")?;
-        for (number, row) in self.rows.iter().enumerate() {
+        for (number, row) in self.motion.rows.iter().enumerate() {
             let off = json!({ "position": row.off.position, "orientation": form.units.of(row.off.orientation) });
             let row = json!({
                 "t": row.t,
@@ -121,49 +99,43 @@ impl Answer {
         Ok(())
     }
 
-    /// Changes of the branch: the time of the first row on the new one, and both.
-    fn changes(&self) -> impl Iterator<Item = (f64, &str, &str)> {
-        let pairs = self.rows.iter().zip(self.rows.iter().skip(1));
-        pairs.filter(|(a, b)| a.branch != b.branch).map(|(a, b)| (b.t, a.branch.as_str(), b.branch.as_str()))
-    }
-
     /// The lines for people: the time, changes of the branch, deviations, and why the path does not go on.
     pub fn said(&self, arm: &DynamicArm, form: Form) -> Vec<String> {
         let mut lines = Vec::new();
-        if let Some(last) = self.rows.last() {
+        if let Some(last) = self.motion.rows.last() {
             let path = if form.is_timed { format!(", of a path of {} s", short(last.at)) } else { String::new() };
             lines.push(format!("{} s{path}", short(last.t)));
-            for (t, from, to) in self.changes() {
+            for (t, from, to) in self.motion.changes() {
                 lines.push(format!("at {} s from the branch {from} to {to}", short(t)));
             }
         }
-        let most = |of: fn(&Residual<f64>) -> f64| self.rows.iter().map(|row| of(&row.off)).fold(0.0, f64::max);
-        let away: Vec<&Row> = self.rows.iter().filter(|row| !matches!(row.tracking, "exact" | "kept")).collect();
+        let most = |of: fn(&Residual<f64>) -> f64| self.motion.rows.iter().map(|row| of(&row.off)).fold(0.0, f64::max);
+        let away: Vec<&Row> = self.motion.away().collect();
         if let [first, ..] = away[..] {
             let (position, orientation) = (most(|off| off.position), most(|off| off.orientation));
             lines.push(format!(
                 "off the path from {} s on, in {} of {} rows, by at most {} {} and {} {}",
                 short(first.t),
                 away.len(),
-                self.rows.len(),
+                self.motion.rows.len(),
                 short(position),
                 arm.length_unit(),
                 short(form.units.of(orientation)),
                 form.units.symbol(),
             ));
         }
-        if let Some(Obstacle { at, branch, reason }) = &self.obstacle {
+        if let Some(Obstacle { at, branch, reason }) = &self.motion.obstacle {
             let at = match form.is_timed {
                 true => format!("{} s", short(*at)),
                 false => format!("{} {} of its length", short(*at), arm.length_unit()),
             };
             let branch = if branch.is_empty() { String::new() } else { format!(", on the branch {branch}") };
             lines.push(match self.keep {
-                "path" => format!(
+                Keep::Path => format!(
                     "error: no continuous path beyond {at}{branch}: {reason}\n\
                      help: begin elsewhere with --start, allow more with --tolerance, or keep the time with --keep time"
                 ),
-                _ => format!("error: the arm is away from the path at its end{branch}: {reason}"),
+                Keep::Time => format!("error: the arm is away from the path at its end{branch}: {reason}"),
             });
         }
         lines

@@ -1,8 +1,6 @@
 //! `denhart follow`: joint values over time that bring the tool along a path of poses.
 
 mod answer;
-mod keep_path;
-mod keep_time;
 #[cfg(feature = "draw")]
 mod picture;
 mod poses;
@@ -13,9 +11,9 @@ use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use denhart::Residual;
-use denhart_dynamic::plan::{PathError, TargetPath};
-use denhart_dynamic::{DynamicArm, DynamicError, DynamicView, WholeTarget};
+use denhart_dynamic::plan::{PathError, PlanError};
+use denhart_dynamic::{DynamicArm, WholeTarget};
+use denhart_tools::follow::{self, Asked, Refused, follow};
 
 use crate::Failure;
 use crate::files;
@@ -23,11 +21,9 @@ use crate::inverse::{GivenOrNear, beside};
 use crate::number_arguments::{joint_vector, single_number};
 use crate::numbers::{Units, outside};
 use crate::progress::Progress;
-use crate::target::{is_standard_input, shown};
-use crate::trace::times::Times;
+use crate::target::{is_standard_input, listed, shown};
 use answer::{Answer, Form};
 use poses::Poses;
-use rates::Rates;
 
 /// The progress bar, of the path.
 const BAR: &str = "{wide_bar} {percent} %, {eta} left";
@@ -35,10 +31,6 @@ const BAR: &str = "{wide_bar} {percent} %, {eta} left";
 const PARTS: f64 = 1000.0;
 /// Looks between two looks at the clock.
 const BETWEEN_LOOKS: u64 = 1;
-/// The most rows: a smaller period is more likely a mistake.
-const MOST_ROWS: f64 = 1e7;
-/// The tolerance relative to the reach.
-const TOLERANCE: f64 = 1e-5;
 
 /// The arguments of the command.
 #[derive(Args)]
@@ -95,16 +87,13 @@ enum Keep {
     Time,
 }
 
-/// The task of the command, as read.
-struct Asked<'a> {
-    arm: &'a DynamicArm,
-    path: TargetPath,
-    is_timed: bool,
-    start: Option<Vec<f64>>,
-    rates: Rates,
-    tolerance: Residual<f64>,
-    period: f64,
-    units: Units,
+impl From<Keep> for follow::Keep {
+    fn from(keep: Keep) -> Self {
+        match keep {
+            Keep::Path => Self::Path,
+            Keep::Time => Self::Time,
+        }
+    }
 }
 
 /// Prints the joint values over time; true if the path is continuous, or its end is met.
@@ -119,27 +108,26 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
     apart(options)?;
     let arm = crate::inverse::arm(&options.file)?;
     let asked = asked(&arm, options)?;
-    let answer = match arm.joints() {
-        2 => answered::<2>(&asked, options.keep),
-        3 => answered::<3>(&asked, options.keep),
-        4 => answered::<4>(&asked, options.keep),
-        5 => answered::<5>(&asked, options.keep),
-        6 => answered::<6>(&asked, options.keep),
-        7 => answered::<7>(&asked, options.keep),
-        8 => answered::<8>(&asked, options.keep),
-        joints => Err(Failure::Other(format!("follow takes arms of 2 to 8 joints, and this one has {joints}"))),
-    }?;
+    let keep = options.keep.into();
+    let mut progress = Progress::new(PARTS as u64, BAR, BETWEEN_LOOKS, !io::stdout().is_terminal());
+    let mut watch = |at: f64| {
+        progress.look((PARTS * at / asked.end()) as u64);
+        true
+    };
+    let motion = follow(&asked, keep, &mut watch).map_err(|error| refused(&asked, options, error))?;
+    drop(progress);
+    let answer = Answer { keep, motion };
     #[cfg(feature = "draw")]
     if let Some(file) = &options.plot
-        && !answer.rows.is_empty()
+        && !answer.motion.rows.is_empty()
     {
         picture::write(&asked, &answer, options.units, file)?;
     }
-    let form = Form { units: options.units, json: options.json, is_timed: asked.is_timed };
+    let form = Form { units: options.units, json: options.json, is_timed: asked.is_timed() };
     match &options.output {
         None => answer.write(&arm, form, out)?,
         // Without rows there is a table for JSON alone, which says why.
-        Some(_) if answer.rows.is_empty() && !options.json => {}
+        Some(_) if answer.motion.rows.is_empty() && !options.json => {}
         Some(file) => {
             let cannot = |error: io::Error| Failure::Other(format!("cannot write `{}`: {error}", file.display()));
             answer.write(&arm, form, &mut BufWriter::new(File::create(file).map_err(cannot)?))?;
@@ -148,7 +136,7 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
     for line in answer.said(&arm, form) {
         writeln!(err, "{line}")?;
     }
-    Ok(answer.obstacle.is_none())
+    Ok(answer.motion.obstacle.is_none())
 }
 
 /// No two of arm file, path, table and picture are one file.
@@ -168,13 +156,7 @@ fn apart(options: &Options) -> Result<(), Failure> {
 
 fn asked<'a>(arm: &'a DynamicArm, options: &Options) -> Result<Asked<'a>, Failure> {
     let units = options.units;
-    if !(options.period > 0.0 && options.period.is_finite()) {
-        let period = options.period;
-        return Err(Failure::Usage(format!(
-            "--period: {period} is no time between rows\nhelp: write one above 0, such as 0.001"
-        )));
-    }
-    let rates = Rates::read(arm, options.max_velocity.as_deref(), options.max_acceleration.as_deref(), units)?;
+    let rates = rates::read(arm, options.max_velocity.as_deref(), options.max_acceleration.as_deref(), units)?;
     let start = options.start.as_deref().map(|text| joint_vector("--start", text, arm, units)).transpose()?;
     if let Some(broken) = start.as_deref().and_then(|start| outside(arm, start, units).into_iter().next()) {
         return Err(Failure::Usage(format!("--start: {broken}\nhelp: start within the limits of the joints")));
@@ -194,25 +176,52 @@ fn asked<'a>(arm: &'a DynamicArm, options: &Options) -> Result<Asked<'a>, Failur
         }
         targets.push(WholeTarget::new(pose.target.target, own));
     }
-    if options.keep == Keep::Time && poses.times.is_none() {
-        return Err(Failure::Usage(format!(
-            "--keep time: {name} has no times\nhelp: add a column t with the time of each pose in s, or keep the path"
-        )));
+    let asked = Asked::new(arm, &targets, poses.times.as_deref());
+    let mut asked = asked.map_err(|error| no_path(&poses, &name, error))?;
+    (asked.start, asked.rates, asked.period) = (start, rates, options.period);
+    if let Some(tolerance) = options.tolerance {
+        asked.tolerance = tolerance * (1e-3 / arm.length_unit().in_meters());
     }
-    let reach = arm.program().inverse.as_ref().map_or(1.0, |inverse| inverse.constants.reach);
-    let path =
-        TargetPath::new(&targets, poses.times.as_deref(), reach).map_err(|error| no_path(&poses, &name, error))?;
-    let millimeter = 1e-3 / arm.length_unit().in_meters();
-    let position = options.tolerance.map_or(TOLERANCE * reach, |tolerance| tolerance * millimeter);
-    if !(position > 0.0 && position.is_finite()) {
-        let tolerance = options.tolerance.unwrap_or_default();
-        return Err(Failure::Usage(format!(
-            "--tolerance: {tolerance} is no distance from the path\nhelp: write one above 0, in mm, such as 0.1"
-        )));
-    }
-    let tolerance = Residual { position, orientation: position / reach };
-    let is_timed = poses.times.is_some();
-    Ok(Asked { arm, path, is_timed, start, rates, tolerance, period: options.period, units })
+    Ok(asked)
+}
+
+/// The failure of what is refused, with the options of the command.
+fn refused(asked: &Asked, options: &Options, error: Refused) -> Failure {
+    let units = options.units;
+    Failure::Usage(match error {
+        Refused::NoVelocity(joints) => format!(
+            "the arm file has no velocity of {}\n\
+             help: write max_velocity in the rows of the file, or --max-velocity with a value per s for each joint",
+            joints.join(", ")
+        ),
+        Refused::Untimed => {
+            let name = shown(&options.path);
+            format!(
+                "--keep time: {name} has no times\nhelp: add a column t with the time of each pose in s, or keep the path"
+            )
+        }
+        Refused::Tolerance(_) => {
+            let tolerance = options.tolerance.unwrap_or_default();
+            format!(
+                "--tolerance: {tolerance} is no distance from the path\nhelp: write one above 0, in mm, such as 0.1"
+            )
+        }
+        Refused::Period(_) => format!("--period: {error}\nhelp: write one above 0, such as 0.001"),
+        Refused::Rows { .. } => format!("--period: {error}\nhelp: write a longer one"),
+        Refused::Plan(PlanError::StartAway { nearest, .. }) => {
+            let kinds = asked.arm.joint_kinds().iter().zip(&nearest);
+            let values: Vec<f64> = kinds.map(|(kind, value)| units.of_joint(*kind, *value)).collect();
+            format!(
+                "--start: these joint values are not at the first pose\n\
+                 help: the nearest solution there is --start \"{}\"; leave --start out for the best of all",
+                listed(&values)
+            )
+        }
+        Refused::Plan(PlanError::Target { at }) => format!("--path: the pose at {at} is not finite, or no rotation"),
+        Refused::Arm(error) => return error.into(),
+        Refused::Joints(_) => return Failure::Other(error.to_string()),
+        error => error.to_string(),
+    })
 }
 
 /// The failure of poses that are no path, with the line.
@@ -242,40 +251,4 @@ fn no_path(poses: &Poses, name: &str, error: PathError) -> Failure {
         }
         _ => format!("{name}: {error}"),
     })
-}
-
-/// The answer, by an arm with `N` joints.
-fn answered<const N: usize>(asked: &Asked, keep: Keep) -> Result<Answer, Failure> {
-    let view: DynamicView<N> = asked.arm.view()?;
-    match keep {
-        Keep::Path => keep_path::answer(asked, &view),
-        Keep::Time => keep_time::answer(asked, &view),
-    }
-}
-
-impl Asked<'_> {
-    /// A progress bar over the path.
-    fn progress(&self) -> Progress {
-        Progress::new(PARTS as u64, BAR, BETWEEN_LOOKS, !io::stdout().is_terminal())
-    }
-
-    /// The times of rows: whole periods up to a time.
-    ///
-    /// # Errors
-    /// More than a file should have.
-    fn times(&self, duration: f64) -> Result<Times, Failure> {
-        let (period, rows) = (self.period, duration / self.period);
-        if rows > MOST_ROWS {
-            return Err(Failure::Usage(format!(
-                "--period: {period} s gives {rows:.0} rows for {duration:.3} s\nhelp: write a longer one"
-            )));
-        }
-        Times::new(0.0, duration, period).map_err(Failure::Usage)
-    }
-
-    /// The joint values of the start, for an arm with so many joints.
-    fn start<const N: usize>(&self) -> Result<Option<[f64; N]>, Failure> {
-        let wrong = |_| DynamicError::Joints { expected: N, found: self.arm.joints() };
-        Ok(self.start.as_deref().map(<[f64; N]>::try_from).transpose().map_err(wrong)?)
-    }
 }

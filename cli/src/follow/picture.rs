@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use denhart::JointKind;
+use denhart_tools::follow::{Asked, Keep};
 
-use super::Asked;
 use super::answer::Answer;
 use crate::Failure;
 use crate::numbers::Units;
@@ -20,7 +20,7 @@ pub fn write(asked: &Asked, answer: &Answer, units: Units, file: &Path) -> Resul
         return Err(Failure::Usage(format!("--plot: `{given}` is no SVG\nhelp: write a name that ends in .svg")));
     }
     let arm = asked.arm;
-    let times: Vec<f64> = answer.rows.iter().map(|row| row.t).collect();
+    let times: Vec<f64> = answer.motion.rows.iter().map(|row| row.t).collect();
     let (length, angle) = (arm.length_unit().to_string(), units.symbol());
     let free = [f64::NEG_INFINITY, f64::INFINITY];
     let panel = |title: &str, unit: &str, kind: JointKind, is_rate: bool| {
@@ -29,7 +29,8 @@ pub fn write(asked: &Asked, answer: &Answer, units: Units, file: &Path) -> Resul
         let curves = own.map(|(joint, ((name, _), limits))| {
             let most = asked.rates.velocity.get(joint).copied().unwrap_or(f64::INFINITY);
             let limits = if is_rate { [-most, most] } else { *limits };
-            let values = answer.rows.iter().filter_map(|row| if is_rate { &row.velocity } else { &row.q }.get(joint));
+            let values =
+                answer.motion.rows.iter().filter_map(|row| if is_rate { &row.velocity } else { &row.q }.get(joint));
             let shown = |value: f64| if value.is_finite() { units.of_joint(kind, value) } else { value };
             Curve {
                 name: name.to_owned(),
@@ -50,9 +51,9 @@ pub fn write(asked: &Asked, answer: &Answer, units: Units, file: &Path) -> Resul
         panel("slides", &length, JointKind::Prismatic, false),
         panel("velocities of slides", &format!("{length}/s"), JointKind::Prismatic, true),
     ];
-    if answer.keep == "time" {
-        panels.push(off("position", &length, answer.rows.iter().map(|row| row.off.position).collect()));
-        let turned = answer.rows.iter().map(|row| units.of(row.off.orientation));
+    if answer.keep == Keep::Time {
+        panels.push(off("position", &length, answer.motion.rows.iter().map(|row| row.off.position).collect()));
+        let turned = answer.motion.rows.iter().map(|row| units.of(row.off.orientation));
         panels.push(off("orientation", angle, turned.collect()));
     }
     panels.retain(|panel| !panel.curves.is_empty());

@@ -8,7 +8,6 @@ mod limits;
 #[cfg(feature = "draw")]
 pub mod plot;
 mod samples;
-pub mod times;
 mod token;
 
 use std::fs::File;
@@ -24,11 +23,11 @@ use crate::progress::Progress;
 use clap::{Args, ValueEnum};
 use denhart::{Chain, JointKind, Pose};
 use denhart_tools::Arm;
+use denhart_tools::times::Times;
 use jet::Jet;
 use law::Law;
 use limits::Limits;
 use samples::{Samples, Top};
-use times::Times;
 use token::LawError;
 
 /// How many samples pass between two looks at the clock.

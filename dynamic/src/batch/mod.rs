@@ -98,6 +98,20 @@ impl DynamicArm {
         Ok(())
     }
 
+    /// [`jacobian`](Self::jacobian) of many joint vectors. `q` and `jacobians` as of
+    /// [`forward_and_jacobian_batch`](Self::forward_and_jacobian_batch), which gives the poses in one pass.
+    ///
+    /// # Errors
+    /// As of [`forward_batch`](Self::forward_batch).
+    pub fn jacobian_batch(&self, q: &[f64], jacobians: &mut [f64]) -> Result<(), DynamicError> {
+        let rows = self.rows_of_joints(q)?;
+        let width = 6 * self.joints();
+        rows.check("jacobians", jacobians.len(), width)?;
+        let results = [(jacobians, width), (&mut [][..], 0)];
+        self.set().run(Evaluation { function: &self.jacobian, q, results });
+        Ok(())
+    }
+
     /// [`inverse`](Self::inverse) of many targets.
     ///
     /// `targets`: rows of the numbers of the task's target. A pose is 12 numbers, the rotation by rows, then the position;

@@ -1,4 +1,4 @@
-//! Pose and Jacobian of many joint vectors.
+//! Pose, Jacobian or both of many joint vectors.
 
 use denhart::batch::{BLOCK, Lanes, Work, math};
 

@@ -1,4 +1,4 @@
-//! The sample times.
+//! Equally spaced times.
 
 /// Most samples: beyond it a file would have terabytes, and a step is more likely a mistake.
 const MOST: f64 = 1e10;
