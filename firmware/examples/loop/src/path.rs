@@ -13,11 +13,13 @@ const EDGE: f32 = 455.10987;
 const OUT: [f32; 3] = [0.8, 0.0, 0.6];
 const ACROSS: [f32; 3] = [0.0, 1.0, 0.0];
 /// A line past the first axis at a distance of 20 mm: joint 1 turns by 130 degrees.
-const BEFORE: [f32; 3] = [20.0, -150.0, 550.0];
-const AFTER: [f32; 3] = [20.0, 150.0, 550.0];
+const BEFORE: [f32; 3] = [20.0, -150.0, 590.0];
+const AFTER: [f32; 3] = [20.0, 150.0, 590.0];
 /// Radius of the circles, and how far the second one leaves the workspace.
 const RADIUS: f32 = 100.0;
 const BEYOND: f32 = 2.0;
+/// A deviation that comes of rounding alone is less, mm.
+const ROUNDED: f32 = 0.01;
 
 /// A part of the path. The tool is at rest between two parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,6 +32,8 @@ pub enum Part {
     Aside,
     /// Past the first axis.
     Past,
+    /// Home again.
+    Back,
     /// To where the circles start.
     There,
     /// Half of a circle that touches the edge of the workspace from inside. The elbow turns round there, so the tool rests.
@@ -48,11 +52,12 @@ pub enum Part {
 
 impl Part {
     /// In order.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Up,
         Self::Down,
         Self::Aside,
         Self::Past,
+        Self::Back,
         Self::There,
         Self::ToTheEdge,
         Self::FromTheEdge,
@@ -69,6 +74,7 @@ impl Part {
             Self::Down => "straight line, back",
             Self::Aside => "straight line",
             Self::Past => "straight line past the first axis",
+            Self::Back => "straight line, home",
             Self::There => "straight line, to the circles",
             Self::ToTheEdge => "half a circle, to the edge of the workspace",
             Self::FromTheEdge => "half a circle, from the edge",
@@ -88,24 +94,19 @@ impl Part {
         }
     }
 
-    /// Returns true if targets on this part are out of reach.
-    const fn leaves_the_workspace(self) -> bool {
-        matches!(self, Self::Leaving | Self::Returning)
-    }
-
     /// Returns true if its ticks stand to their targets as they should.
     pub fn expects(self, tally: &Tally) -> bool {
         let Tally { exact, rates, limits, reach, target, deviation, .. } = *tally;
         let told = exact + rates + limits + reach == self.ticks() && limits + target == 0;
-        let far = match self {
-            // Two branches meet: joint 1 of the target is rounded there.
-            Self::Up | Self::Down => deviation > 0.01,
-            Self::Past => rates == 0,
-            Self::Leaving | Self::Returning => false,
-            _ => exact < self.ticks(),
-        };
         let ends = tally.ended_exact() || self == Self::Leaving;
-        told && ends && !far && (reach > 0) == self.leaves_the_workspace()
+        let there = match self {
+            // Two branches meet. A rounded target is beside that place or beyond it, and a tick is not always exact.
+            Self::Up | Self::Down | Self::ToTheEdge | Self::FromTheEdge => deviation < ROUNDED,
+            Self::Past => rates > 0 && reach == 0,
+            Self::Leaving | Self::Returning => reach > 0 && deviation < BEYOND + ROUNDED,
+            _ => exact == self.ticks(),
+        };
+        told && ends && there
     }
 
     /// The target after `step` of its ticks, mm.
@@ -117,7 +118,8 @@ impl Part {
             Self::Down => line(TOP, HOME, share),
             Self::Aside => line(HOME, BEFORE, share),
             Self::Past => line(BEFORE, AFTER, share),
-            Self::There => line(AFTER, circle(inner, 0.0), share),
+            Self::Back => line(AFTER, HOME, share),
+            Self::There => line(HOME, circle(inner, 0.0), share),
             Self::ToTheEdge => circle(inner, 0.5 * share),
             Self::FromTheEdge => circle(inner, 0.5 + 0.5 * share),
             Self::Outward => line(circle(inner, 0.0), circle(outer, 0.0), share),
