@@ -53,6 +53,12 @@ pub(crate) fn of(arm: &str, scalar: Scalar, path: &Path) -> Result<String, Error
             pub fn kept() -> Kept {
                 Kept::new(::denhart::Status::BadTarget)
             }
+            /// Calls of a follower and of a path follower.
+            pub fn followers(case: &Case) {
+                let mut digest = ::firmware_cases::Digest::new();
+                ::firmware_cases::followers(&Robot, black_box(case), &mut digest);
+                black_box(&digest);
+            }
             /// A follower of the arm.
             pub type Follower = ::denhart::follow::Follower<#scalar, { Robot::DOF }>;
             /// Its settings.
@@ -79,10 +85,7 @@ pub(crate) fn of(arm: &str, scalar: Scalar, path: &Path) -> Result<String, Error
                 d(case, "solutions", &|case, digest| ::firmware_cases::solutions(&Robot, case, digest));
                 d(case, "followers", &|case, digest| ::firmware_cases::followers(&Robot, case, digest));
             },
-            quote! {
-                ::firmware_cases::solutions(&Robot, case, &mut digest);
-                ::firmware_cases::followers(&Robot, case, &mut digest);
-            },
+            quote!(::firmware_cases::solutions(&Robot, case, &mut digest);),
         )
     } else {
         (quote!(), quote!())
@@ -107,7 +110,7 @@ pub(crate) fn of(arm: &str, scalar: Scalar, path: &Path) -> Result<String, Error
         pub mod call {
             use super::{Case, Robot};
             use ::core::hint::black_box;
-            /// Every call of this module.
+            /// Every call of this module but those of followers.
             pub fn every(case: &Case) {
                 let case = black_box(case);
                 #(#timed_calls)*
