@@ -1,6 +1,8 @@
 //! Followers: one call of each for the digests, and the lines of the tool that are measured.
 
-use denhart::follow::{Advance, Crossing, FollowError, FollowSettings, Follower, PathFollower, Progress, Rates, Step, Tracking};
+use denhart::follow::{
+    Advance, Crossing, FollowError, FollowSettings, Follower, PathFollower, Progress, Rates, Step, Tracking,
+};
 use denhart::{Pose, Scalar};
 
 use crate::aim::Aim;

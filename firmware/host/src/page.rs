@@ -151,7 +151,10 @@ mod tests {
     #[test]
     fn a_tick_is_told_in_times_of_the_inverse() {
         let arm = followed().first().map_or(String::new(), |arm| (*arm).to_owned());
-        let row = |function: &str, value: u64| Row { key: (arm.clone(), function.to_owned()), numbers: vec![Some(value); 27] };
+        let row = |function: &str, value: u64| Row {
+            key: (arm.clone(), function.to_owned()),
+            numbers: vec![Some(value); 27],
+        };
         let text = followers(&[row("inverse", 4000), row(FOLLOWER, 8610), row("inverse_near", 7000)]);
         let line = text.lines().nth(2).map_or("", |line| line);
         assert!(line.starts_with(&format!("| `{arm}` | 8,610 / 8,610 | 2.2 | 8,610 / 8,610 | 2.2 |")), "{text}");

@@ -147,6 +147,19 @@ mod tests {
     }
 
     #[test]
+    fn the_committed_table_is_as_it_is_printed() {
+        let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let text = fs::read_to_string(here.join("../measured.txt")).unwrap();
+        let rows = parse(&text).unwrap();
+        let (head, rest) = text.split_at(HEAD.len().min(text.len()));
+        let (compiler, printed) = rest.split_once('\n').unwrap();
+        assert!(head == HEAD && compiler.starts_with("# compiler: "), "{head}{compiler}");
+        assert!(printed == print(&rows), "firmware/measured.txt");
+        assert!(rows.iter().all(|row| row.numbers.len() == columns().len()));
+        page::check(&here.join("../../docs/microcontroller.md"), &rows).unwrap();
+    }
+
+    #[test]
     fn growth_beyond_three_percent_is_named() {
         assert_eq!(compare(&rows(100), &rows(103)), (vec![], vec![]));
         assert_eq!(compare(&rows(100), &rows(104)).0, ["puma560_f32 inverse stack: 100 -> 104"]);

@@ -83,7 +83,8 @@ macro_rules! follow {
                 let idle_ticks = ticks::of(black_box(&mut || {
                     black_box(&target);
                 }));
-                let taken = ticks::of(black_box(&mut || tracking = call::follower_step(&mut follower, &target, &mut kept)));
+                let taken =
+                    ticks::of(black_box(&mut || tracking = call::follower_step(&mut follower, &target, &mut kept)));
                 note(tracking, taken.saturating_sub(idle_ticks) * ticks::TICK, depth.saturating_sub(idle));
             }
         };
