@@ -224,7 +224,7 @@ pub const FOLLOWED: [Followed; 3] = [
         velocity: &[150.0, 150.0, 150.0, 360.0, 360.0, 450.0],
         exact: Line {
             middle: &[10.0, 20.0, -30.0, 40.0, 50.0, 30.0],
-            half: [0.1, 0.1, 0.1],
+            half: [0.05, 0.05, 0.05],
             time: 1.0,
             crossing: Crossing::Wrist,
         },
