@@ -88,6 +88,7 @@ program() { echo "$built/chip/$target/$1/$2"; }
 
 step "host: the tool" env CARGO_TARGET_DIR="$built/host" cargo build --locked --release -p firmware-host
 mapfile -t arms < <(host arms)
+mapfile -t followed < <(host followed)
 without_fpu=puma560_f32
 
 # The functions of a program that is measured for its size, as features.
@@ -107,6 +108,10 @@ sizes() {
       cp "$(program "$profile" size)" "$out/flash/$arm/$function.$level"
     done
   done
+  for arm in "${followed[@]}"; do
+    chip --profile "$profile" -p firmware-chip --bin size --features "fpu,$arm,follower"
+    cp "$(program "$profile" size)" "$out/flash/$arm/follower.$level"
+  done
   # A second arm of the same structure.
   chip --profile "$profile" -p firmware-chip --bin size --features "fpu,puma560_f32,abb_irb2400_f32$(features together)"
   cp "$(program "$profile" size)" "$out/flash/two.together.$level"
@@ -119,6 +124,10 @@ programs() {
       chip --profile release -p firmware-chip --bin $name --features "fpu,$arm"
       cp "$(program release $name)" "$out/programs/$arm.$name"
     done
+  done
+  for arm in "${followed[@]}"; do
+    chip --profile release -p firmware-chip --bin follow --features "fpu,$arm"
+    cp "$(program release follow)" "$out/programs/$arm.follow"
   done
   # The square root in integers, where there is no feature `fpu`.
   for arm in $without_fpu; do
@@ -144,6 +153,10 @@ proof() {
 measure() {
   mkdir -p "$out/measured"
   run "$out/programs/$1.measure" -icount shift=0,sleep=off >"$out/measured/$1.txt" || { tail -n 3 "$out/measured/$1.txt"; return 1; }
+}
+# After `measure`.
+measure_follower() {
+  run "$out/programs/$1.follow" -icount shift=0,sleep=off >>"$out/measured/$1.txt" || { tail -n 3 "$out/measured/$1.txt"; return 1; }
 }
 bits() {
   mkdir -p "$out/bits"
@@ -208,6 +221,9 @@ runs() {
   for arm in "${arms[@]}"; do
     step "$arm: instructions and stack" measure "$arm"
     step "$arm: chip and host" bits "$arm"
+  done
+  for arm in "${followed[@]}"; do
+    step "$arm: instructions of a follower" measure_follower "$arm"
   done
   for arm in $without_fpu; do
     step "$arm, square root in integers: chip and host" bits "$arm.integer"

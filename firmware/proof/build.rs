@@ -5,6 +5,21 @@ use std::{env, fs};
 
 use firmware_generate::{Error, Scalar, all_arms, folders, write};
 
+/// The arms whose followers are linked too: of each task, with given joints, slides, linked motors, and without names of
+/// branches. A follower is compiled for each arm, and takes as long to link as the arm's own functions.
+const FOLLOWED: [&str; 10] = [
+    "abb_irb2400",
+    "fanuc_lrmate200id",
+    "kuka_iiwa7_r800",
+    "planar3r",
+    "puma560",
+    "salman_rrr",
+    "scorbot_er5",
+    "stanford",
+    "ur5",
+    "ur5_measured_near",
+];
+
 fn main() -> Result<(), Error> {
     for folder in folders() {
         println!("cargo:rerun-if-changed={}", folder.display());
@@ -14,12 +29,11 @@ fn main() -> Result<(), Error> {
     for scalar in [Scalar::F32, Scalar::F64] {
         let arms: Vec<_> = names.iter().map(|name| (name.as_str(), scalar)).collect();
         write(&format!("{scalar}.rs"), &arms)?;
-        let calls: String = names
-            .iter()
-            .map(|name| {
-                format!("arms::{name}_{scalar}::call::every(black_box(&arms::{name}_{scalar}::Case::BLANK));\n")
-            })
-            .collect();
+        let call = |function: &str, name: &str| {
+            format!("arms::{name}_{scalar}::call::{function}(black_box(&arms::{name}_{scalar}::Case::BLANK));\n")
+        };
+        let every = names.iter().map(|name| call("every", name));
+        let calls: String = every.chain(FOLLOWED.iter().map(|name| call("followers", name))).collect();
         fs::write(Path::new(&directory).join(format!("{scalar}_calls.rs")), format!("{{\n{calls}}}"))?;
     }
     Ok(())

@@ -7,6 +7,7 @@ mod aim;
 mod compare;
 mod digest;
 mod family;
+mod follow;
 mod library;
 mod random;
 
@@ -14,6 +15,7 @@ pub use aim::Aim;
 pub use compare::{CASES, digests};
 pub use digest::{Bits, Digest};
 pub use family::{Family, Maker};
+pub use follow::{FOLLOWED, Followed, Line, followers};
 pub use library::{numeric, poses, solutions};
 pub use random::Random;
 

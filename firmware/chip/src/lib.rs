@@ -47,5 +47,7 @@ macro_rules! calls {
         call::inverse_near(case);
         #[cfg(feature = "inverse_branch")]
         call::inverse_branch(case);
+        #[cfg(feature = "follower")]
+        call::follower(case, &mut call::kept());
     }};
 }

@@ -53,11 +53,38 @@ pub(crate) fn of(arm: &str, scalar: Scalar, path: &Path) -> Result<String, Error
             pub fn kept() -> Kept {
                 Kept::new(::denhart::Status::BadTarget)
             }
+            /// Calls of a follower and of a path follower.
+            pub fn followers(case: &Case) {
+                let mut digest = ::firmware_cases::Digest::new();
+                ::firmware_cases::followers(&Robot, black_box(case), &mut digest);
+                black_box(&digest);
+            }
+            /// A follower of the arm.
+            pub type Follower = ::denhart::follow::Follower<#scalar, { Robot::DOF }>;
+            /// Its settings.
+            pub type FollowSettings = ::denhart::follow::FollowSettings<#scalar, { Robot::DOF }>;
+            /// Calls `Follower::step`.
+            #[inline(never)]
+            pub fn follower_step(follower: &mut Follower, target: &#target, kept: &mut Kept) -> ::denhart::follow::Tracking {
+                let step = black_box(follower).step(&Robot, black_box(target), kept);
+                black_box(&step).tracking
+            }
+            /// Begins to follow, and calls `follower_step`.
+            pub fn follower(case: &Case, kept: &mut Kept) {
+                let rates = ::denhart::follow::Rates { velocity: case.qd, acceleration: case.qdd };
+                let settings = FollowSettings::new(black_box(0.001), rates);
+                if let Ok(mut follower) = Follower::new(&Robot, black_box(settings), black_box(&case.q)) {
+                    follower_step(&mut follower, &case.target, kept);
+                }
+            }
         }
     });
     let (solutions, kept_solutions) = if has_inverse {
         (
-            quote!(d(case, "solutions", &|case, digest| ::firmware_cases::solutions(&Robot, case, digest));),
+            quote! {
+                d(case, "solutions", &|case, digest| ::firmware_cases::solutions(&Robot, case, digest));
+                d(case, "followers", &|case, digest| ::firmware_cases::followers(&Robot, case, digest));
+            },
             quote!(::firmware_cases::solutions(&Robot, case, &mut digest);),
         )
     } else {
@@ -83,7 +110,7 @@ pub(crate) fn of(arm: &str, scalar: Scalar, path: &Path) -> Result<String, Error
         pub mod call {
             use super::{Case, Robot};
             use ::core::hint::black_box;
-            /// Every call of this module.
+            /// Every call of this module but those of followers.
             pub fn every(case: &Case) {
                 let case = black_box(case);
                 #(#timed_calls)*

@@ -1,7 +1,7 @@
 //! Commands of `check.sh` on the host. Each command prints to standard output and fails with a message on standard
 //! error:
 //!
-//! - `arms`: the names of the arms that are measured
+//! - `arms`: the names of the arms that are measured; `followed`: of those whose followers are
 //! - `bits FILE`: computes the digests that the chip wrote to the file, and compares
 //! - `c FILE`: the same for the program in C
 //! - `flash ELF`, `symbols ELF`: bytes of a program, of its largest functions
@@ -34,6 +34,10 @@ fn main() -> ExitCode {
             println!("{}", rows::arms().join("\n"));
             Ok(())
         }
+        ["followed"] => {
+            println!("{}", rows::followed().join("\n"));
+            Ok(())
+        }
         ["bits", file] => bits::compare(Path::new(file)),
         ["c", file] => c::compare(Path::new(file)),
         ["flash", file] => elf::Program::read(Path::new(file)).map(|program| println!("{}", program.flash)),
@@ -46,7 +50,7 @@ fn main() -> ExitCode {
         ["table", folder, committed, page] => table::check(Path::new(folder), Path::new(committed), Path::new(page), false),
         ["table", folder, committed, page, "--accept"] => table::check(Path::new(folder), Path::new(committed), Path::new(page), true),
         _ => Err(
-            "usage: firmware-host arms | bits FILE | c FILE | flash ELF | symbols ELF | doubles ELF | panics ELF | profile ELF FUNCTION | table FOLDER COMMITTED PAGE [--accept]"
+            "usage: firmware-host arms | followed | bits FILE | c FILE | flash ELF | symbols ELF | doubles ELF | panics ELF | profile ELF FUNCTION | table FOLDER COMMITTED PAGE [--accept]"
                 .into(),
         ),
     };

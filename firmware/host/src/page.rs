@@ -1,11 +1,11 @@
-//! The short table of `docs/microcontroller.md`, made from the rows of the long one.
+//! The short tables of `docs/microcontroller.md`, made from the rows of the long one.
 
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
 use crate::Error;
-use crate::rows::{FAMILIES, Row, arms};
+use crate::rows::{FAMILIES, FOLLOWER, Row, arms, followed};
 
 const BEGIN: &str = "<!-- written by firmware/check.sh --accept -->\n";
 const END: &str = "<!-- end -->\n";
@@ -39,15 +39,63 @@ fn place(text: &str) -> Option<(&str, &str)> {
     Some((before, after))
 }
 
-/// One line an arm.
+/// Both tables.
 fn table(rows: &[Row]) -> String {
+    format!("{}\n{}", functions(rows), followers(rows))
+}
+
+/// A number of a row, by column.
+fn number(rows: &[Row], arm: &str, function: &str, column: usize) -> Option<u64> {
+    let row = rows.iter().find(|row| row.key.0 == arm && row.key.1 == function)?;
+    row.numbers.get(column).copied().flatten()
+}
+
+fn shown(number: Option<u64>) -> String {
+    number.map_or("-".to_owned(), thousands)
+}
+
+/// Followers: one line an arm that is followed.
+fn followers(rows: &[Row]) -> String {
+    let mut text = "| arm | exact tick | times `inverse` | deviating tick | times `inverse` | at worst | times `inverse` | flash at 3 | flash at `s` | beside `inverse_near` | stack |\n\
+                    |---|---|---|---|---|---|---|---|---|---|---|\n"
+        .to_owned();
+    let exact = 3 + 3 * FAMILIES.len();
+    let deviating = exact + 3;
+    for arm in followed() {
+        let of = |function: &str, column: usize| number(rows, arm, function, column);
+        let times = |column: usize| {
+            let tick = of(FOLLOWER, column).zip(of("inverse", 3).filter(|inverse| *inverse > 0));
+            // Tenths, rounded.
+            let tenths = tick.map(|(tick, inverse)| (20 * tick + inverse) / (2 * inverse));
+            tenths.map_or("-".to_owned(), |tenths| format!("{}.{}", tenths / 10, tenths % 10))
+        };
+        let both = |column: usize| format!("{} / {}", shown(of(FOLLOWER, column)), shown(of(FOLLOWER, column + 1)));
+        let beside = |column: usize| shown(of("inverse_near", column));
+        let _ = writeln!(
+            text,
+            "| `{arm}` | {} | {} | {} | {} | {} | {} | {} | {} | {} / {} | {} |",
+            both(exact),
+            times(exact),
+            both(deviating),
+            times(deviating),
+            shown(of(FOLLOWER, deviating + 2)),
+            times(deviating + 2),
+            shown(of(FOLLOWER, 0)),
+            shown(of(FOLLOWER, 1)),
+            beside(0),
+            beside(1),
+            shown(of(FOLLOWER, 2)),
+        );
+    }
+    text
+}
+
+/// Functions: one line an arm.
+fn functions(rows: &[Row]) -> String {
     let mut text = "| arm | `forward` | and Jacobian | `inverse` | `inverse_into` | `inverse_near` | `inverse_branch` | longest call | flash at 3 | flash at `s` | stack | stack, list kept |\n\
                     |---|---|---|---|---|---|---|---|---|---|---|---|\n"
         .to_owned();
-    let number = |arm: &str, function: &str, column: usize| {
-        let row = rows.iter().find(|row| row.key.0 == arm && row.key.1 == function)?;
-        row.numbers.get(column).copied().flatten()
-    };
+    let number = |arm: &str, function: &str, column: usize| number(rows, arm, function, column);
     // Bytes, then median, 99th percentile and worst of each family, random first.
     let worst = |arm: &str| {
         let columns = (0..FAMILIES.len()).map(|family| 5 + 3 * family);
@@ -56,7 +104,6 @@ fn table(rows: &[Row]) -> String {
     };
     let stack =
         |arm: &str| ["inverse", "inverse_near"].map(|function| number(arm, function, 2)).into_iter().flatten().max();
-    let shown = |number: Option<u64>| number.map_or("-".to_owned(), thousands);
     for arm in arms() {
         let both =
             |function: &str| format!("{} / {}", shown(number(arm, function, 3)), shown(number(arm, function, 4)));
@@ -99,6 +146,19 @@ mod tests {
     #[test]
     fn thousands_are_set_apart() {
         assert_eq!([0, 999, 1000, 1_234_567].map(thousands), ["0", "999", "1,000", "1,234,567"]);
+    }
+
+    #[test]
+    fn a_tick_is_told_in_times_of_the_inverse() {
+        let arm = followed().first().map_or(String::new(), |arm| (*arm).to_owned());
+        let row = |function: &str, value: u64| Row {
+            key: (arm.clone(), function.to_owned()),
+            numbers: vec![Some(value); 27],
+        };
+        let text = followers(&[row("inverse", 4000), row(FOLLOWER, 8610), row("inverse_near", 7000)]);
+        let line = text.lines().nth(2).map_or("", |line| line);
+        assert!(line.starts_with(&format!("| `{arm}` | 8,610 / 8,610 | 2.2 | 8,610 / 8,610 | 2.2 |")), "{text}");
+        assert!(line.ends_with("| 8,610 | 8,610 | 7,000 / 7,000 | 8,610 |"), "{text}");
     }
 
     #[test]

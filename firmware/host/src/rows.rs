@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
+use firmware_cases::Followed;
+
 use crate::Error;
 use crate::elf::Program;
 
@@ -14,6 +16,10 @@ pub const FUNCTIONS: [&str; 7] =
 
 /// Families of cases, as the chip names them.
 pub const FAMILIES: [&str; 6] = ["random", "grid", "singular", "out-of-reach", "drifted", "nan"];
+
+/// The function of a follower's tick, and the families of its ticks.
+pub const FOLLOWER: &str = "follower";
+pub const TICKS: [&str; 2] = ["exact", "deviating"];
 
 /// Names of the arms that are measured.
 #[must_use]
@@ -26,6 +32,12 @@ pub fn arms() -> Vec<&'static str> {
     }
     firmware_arms::each_arm!(each);
     names
+}
+
+/// Those whose followers are measured.
+#[must_use]
+pub fn followed() -> Vec<&'static str> {
+    arms().into_iter().filter(|arm| Followed::of(arm).is_some()).collect()
 }
 
 /// One line of the table: bytes, then median, 99th percentile and worst instructions of each family.
@@ -41,10 +53,15 @@ pub struct Row {
 #[must_use]
 pub fn columns() -> Vec<String> {
     let mut heads = vec!["flash-3".to_owned(), "flash-s".to_owned(), "stack".to_owned()];
-    for family in FAMILIES {
+    for family in families() {
         heads.extend(["median", "p99", "worst"].map(|what| format!("{family}:{what}")));
     }
     heads
+}
+
+/// Families of cases, then those of a follower's ticks.
+pub fn families() -> impl Iterator<Item = &'static str> {
+    FAMILIES.into_iter().chain(TICKS)
 }
 
 /// The rows of what `check.sh` left in `folder`: `flash/ARM/FUNCTION.3` and `.s`, programs, with `empty` to take off;
@@ -60,26 +77,25 @@ pub fn read(folder: &Path) -> Result<Vec<Row>, Error> {
             let of = |name: &str| Program::read(&folder.join("flash").join(arm).join(format!("{name}.{level}")));
             Ok(of(function)?.flash.saturating_sub(of("empty")?.flash))
         };
-        for function in FUNCTIONS {
+        let followed = Followed::of(arm).map(|_| FOLLOWER);
+        for function in FUNCTIONS.into_iter().chain(followed) {
             let mut numbers = vec![Some(flash(function, "3")?), Some(flash(function, "s")?)];
-            if function == "together" {
-                numbers.resize(columns().len(), None);
-            } else {
-                let of_family = |family: &str| {
-                    measured
-                        .get(&(function.to_owned(), family.to_owned()))
-                        .ok_or_else(|| format!("{arm}: the chip did not measure {function}, {family}"))
-                };
-                let mut instructions = Vec::new();
-                let mut stack = 0;
-                for family in FAMILIES {
-                    let &[median, p99, worst, deepest] = of_family(family)?;
-                    instructions.extend([Some(median), Some(p99), Some(worst)]);
-                    stack = stack.max(deepest);
+            let mut instructions = Vec::new();
+            let mut stack = None;
+            for family in families() {
+                let asked = function != "together" && TICKS.contains(&family) == (function == FOLLOWER);
+                let found = measured.get(&(function.to_owned(), family.to_owned()));
+                match found.filter(|_| asked) {
+                    Some(&[median, p99, worst, deepest]) => {
+                        instructions.extend([Some(median), Some(p99), Some(worst)]);
+                        stack = stack.max(Some(deepest));
+                    }
+                    None if asked => return Err(format!("{arm}: the chip did not measure {function}, {family}").into()),
+                    None => instructions.extend([None; 3]),
                 }
-                numbers.push(Some(stack));
-                numbers.extend(instructions);
             }
+            numbers.push(stack);
+            numbers.extend(instructions);
             rows.push(Row { key: (arm.to_owned(), function.to_owned()), numbers });
         }
     }

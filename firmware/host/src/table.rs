@@ -6,7 +6,7 @@ use std::path::Path;
 
 use crate::Error;
 use crate::page;
-use crate::rows::{FAMILIES, Row, columns, read};
+use crate::rows::{Row, columns, families, read};
 
 /// Growth that is let pass, in percent.
 const GROWTH: u64 = 3;
@@ -16,7 +16,8 @@ const HEAD: &str = "\
 # flash: bytes of a program that calls this function alone, less the empty program, at opt-level 3 and \"s\".
 # `together` calls forward, forward_and_jacobian, inverse and inverse_near; `second` is what the same of another arm of like
 # structure adds. stack: bytes, painted, the most of all cases.
-# Then instructions at opt-level 3 by family of targets: median/p99/worst.
+# Then instructions at opt-level 3 by family of targets: median/p99/worst. `follower` is a tick of `Follower::step`, by whether
+# it is exact; its flash is that of a program that begins to follow and makes a step.
 ";
 
 /// Prints the table of the measurements in `folder` and compares it with the `committed` file; `accept`: writes it there, and its short form into the `page`.
@@ -59,7 +60,7 @@ pub fn check(folder: &Path, committed: &Path, page: &Path, accept: bool) -> Resu
 fn print(rows: &[Row]) -> String {
     let mut lines = vec![["arm", "function", "flash-3", "flash-s", "stack"].map(str::to_owned).to_vec()];
     if let Some(head) = lines.first_mut() {
-        head.extend(FAMILIES.map(str::to_owned));
+        head.extend(families().map(str::to_owned));
     }
     for Row { key, numbers } in rows {
         let mut cells = vec![key.0.clone(), key.1.clone()];
@@ -143,6 +144,19 @@ mod tests {
         let mut rows = rows(100);
         rows[0].numbers[5] = None;
         assert_eq!(parse(&print(&rows)).unwrap(), rows);
+    }
+
+    #[test]
+    fn the_committed_table_is_as_it_is_printed() {
+        let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let text = fs::read_to_string(here.join("../measured.txt")).unwrap();
+        let rows = parse(&text).unwrap();
+        let (head, rest) = text.split_at(HEAD.len().min(text.len()));
+        let (compiler, printed) = rest.split_once('\n').unwrap();
+        assert!(head == HEAD && compiler.starts_with("# compiler: "), "{head}{compiler}");
+        assert!(printed == print(&rows), "firmware/measured.txt");
+        assert!(rows.iter().all(|row| row.numbers.len() == columns().len()));
+        page::check(&here.join("../../docs/microcontroller.md"), &rows).unwrap();
     }
 
     #[test]

@@ -1,4 +1,5 @@
 //! The receiver of moves that the control loop has, on the host.
+#![allow(clippy::unwrap_used)]
 
 #[path = "../../examples/loop/src/moves.rs"]
 mod moves;

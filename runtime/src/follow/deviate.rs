@@ -246,13 +246,17 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         let (mut most, mut longest) = (T::ONE, None);
         for (joint, (way, velocity)) in closing.ways.iter().zip(&self.bounds.most).enumerate() {
             if *velocity > T::ZERO && way.abs() > most * *velocity {
-                (most, longest) = (way.abs() / *velocity, Some(joint));
+                (most, longest) = (way.abs() / *velocity, Some((joint, *way)));
             }
         }
-        let Some(joint) = longest else { return interval.cut(system.step(self, &alone, closing, share)) };
+        let Some((joint, way)) = longest else { return interval.cut(system.step(self, &alone, closing, share)) };
         let mut led = [T::ZERO; N];
-        led[joint] = braked(share * closing.ways[joint], self.bounds.change[joint]);
-        alone[joint] = Some(interval.cut(led)[joint]);
+        for (led, change) in led.iter_mut().zip(&self.bounds.change) {
+            *led = braked(share * way, *change);
+        }
+        if let Some((alone, led)) = alone.iter_mut().zip(interval.cut(led)).nth(joint) {
+            *alone = Some(led);
+        }
         interval.cut(system.step(self, &alone, system.closing(&alone), share))
     }
 

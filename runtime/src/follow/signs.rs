@@ -86,24 +86,21 @@ fn eliminated<T: Scalar>(mut matrix: [[T; 6]; 6], size: usize) -> T {
     let mut product = T::ONE;
     let size = size.min(6);
     for column in 0..size {
-        let mut largest = column;
-        for row in column..size {
-            if matrix[row][column].abs() > matrix[largest][column].abs() {
-                largest = row;
+        let rows = matrix.get_mut(column..size).and_then(<[_]>::split_first_mut);
+        let Some((pivot, below)) = rows else { return T::ZERO };
+        for line in below.iter_mut() {
+            if line[column].abs() > pivot[column].abs() {
+                core::mem::swap(line, pivot);
+                product = -product;
             }
         }
-        if largest != column {
-            matrix.swap(largest, column);
-            product = -product;
-        }
-        let pivot = matrix[column];
         product *= pivot[column];
         if pivot[column] == T::ZERO {
             return T::ZERO;
         }
-        for line in matrix.iter_mut().take(size).skip(column + 1) {
+        for line in below {
             let share = line[column] / pivot[column];
-            for (entry, above) in line.iter_mut().zip(&pivot) {
+            for (entry, above) in line.iter_mut().zip(&*pivot) {
                 *entry -= share * *above;
             }
         }

@@ -1,5 +1,7 @@
 //! The path of the tool.
 
+use crate::tally::Tally;
+
 /// Where the motors count 0, mm.
 const HOME: [f32; 3] = [258.0, 10.0, 367.0];
 /// Beside the first axis by as much as the links are: the two solutions of joint 1 meet.
@@ -10,43 +12,75 @@ const EDGE: f32 = 455.10987;
 /// The way from the shoulder to where the circles come nearest to the edge, and a direction at right angles to it.
 const OUT: [f32; 3] = [0.8, 0.0, 0.6];
 const ACROSS: [f32; 3] = [0.0, 1.0, 0.0];
+/// A line past the first axis at a distance of 20 mm: joint 1 turns by 130 degrees.
+const BEFORE: [f32; 3] = [20.0, -150.0, 590.0];
+const AFTER: [f32; 3] = [20.0, 150.0, 590.0];
 /// Radius of the circles, and how far the second one leaves the workspace.
 const RADIUS: f32 = 100.0;
 const BEYOND: f32 = 2.0;
+/// A deviation that comes of rounding alone is less, mm.
+const ROUNDED: f32 = 0.01;
 
-/// A part of the path.
+/// A part of the path. The tool is at rest between two parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
     /// From home to the singularity of joint 1.
     Up,
     /// Home again.
     Down,
+    /// To the line past the first axis.
+    Aside,
+    /// Past the first axis.
+    Past,
+    /// Home again.
+    Back,
     /// To where the circles start.
     There,
-    /// A circle that touches the edge of the workspace from inside.
-    Touching,
+    /// Half of a circle that touches the edge of the workspace from inside. The elbow turns round there, so the tool rests.
+    ToTheEdge,
+    /// The other half.
+    FromTheEdge,
     /// Outward, to the second circle.
     Outward,
-    /// A circle that leaves the workspace.
+    /// Half of a circle that leaves the workspace.
     Leaving,
+    /// The other half.
+    Returning,
     /// Home.
     Home,
 }
 
 impl Part {
     /// In order.
-    pub const ALL: [Self; 7] =
-        [Self::Up, Self::Down, Self::There, Self::Touching, Self::Outward, Self::Leaving, Self::Home];
+    pub const ALL: [Self; 12] = [
+        Self::Up,
+        Self::Down,
+        Self::Aside,
+        Self::Past,
+        Self::Back,
+        Self::There,
+        Self::ToTheEdge,
+        Self::FromTheEdge,
+        Self::Outward,
+        Self::Leaving,
+        Self::Returning,
+        Self::Home,
+    ];
 
     /// Description of the part.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Up => "straight line, to the singularity of joint 1",
             Self::Down => "straight line, back",
+            Self::Aside => "straight line",
+            Self::Past => "straight line past the first axis",
+            Self::Back => "straight line, home",
             Self::There => "straight line, to the circles",
-            Self::Touching => "circle that touches the edge of the workspace",
+            Self::ToTheEdge => "half a circle, to the edge of the workspace",
+            Self::FromTheEdge => "half a circle, from the edge",
             Self::Outward => "straight line",
-            Self::Leaving => "circle that leaves the workspace",
+            Self::Leaving => "half a circle, out of the workspace",
+            Self::Returning => "half a circle, back into the workspace",
             Self::Home => "straight line, home",
         }
     }
@@ -54,28 +88,43 @@ impl Part {
     /// Duration of the part, ms.
     pub const fn ticks(self) -> u32 {
         match self {
-            Self::Outward => 100,
-            Self::Touching | Self::Leaving => 2_000,
-            _ => 1_000,
+            Self::Outward => 300,
+            Self::Past | Self::Leaving | Self::Returning => 3_000,
+            _ => 2_000,
         }
     }
 
-    /// Returns true if targets on this part are out of reach.
-    pub const fn leaves_the_workspace(self) -> bool {
-        matches!(self, Self::Leaving)
+    /// Returns true if its ticks stand to their targets as they should.
+    pub fn expects(self, tally: &Tally) -> bool {
+        let Tally { exact, rates, limits, reach, target, deviation, .. } = *tally;
+        let told = exact + rates + limits + reach == self.ticks() && limits + target == 0;
+        let ends = tally.ended_exact() || self == Self::Leaving;
+        let there = match self {
+            // Two branches meet. A rounded target is beside that place or beyond it, and a tick is not always exact.
+            Self::Up | Self::Down | Self::ToTheEdge | Self::FromTheEdge => deviation < ROUNDED,
+            Self::Past => rates > 0 && reach == 0,
+            Self::Leaving | Self::Returning => reach > 0 && deviation < BEYOND + ROUNDED,
+            _ => exact == self.ticks(),
+        };
+        told && ends && there
     }
 
     /// The target after `step` of its ticks, mm.
     pub fn target(self, step: u32) -> [f32; 3] {
-        let share = step as f32 / self.ticks() as f32;
+        let share = smooth(step as f32 / self.ticks() as f32);
         let (inner, outer) = (EDGE - RADIUS, EDGE - RADIUS + BEYOND);
         match self {
             Self::Up => line(HOME, TOP, share),
             Self::Down => line(TOP, HOME, share),
+            Self::Aside => line(HOME, BEFORE, share),
+            Self::Past => line(BEFORE, AFTER, share),
+            Self::Back => line(AFTER, HOME, share),
             Self::There => line(HOME, circle(inner, 0.0), share),
-            Self::Touching => circle(inner, share),
+            Self::ToTheEdge => circle(inner, 0.5 * share),
+            Self::FromTheEdge => circle(inner, 0.5 + 0.5 * share),
             Self::Outward => line(circle(inner, 0.0), circle(outer, 0.0), share),
-            Self::Leaving => circle(outer, share),
+            Self::Leaving => circle(outer, 0.5 * share),
+            Self::Returning => circle(outer, 0.5 + 0.5 * share),
             Self::Home => line(circle(outer, 0.0), HOME, share),
         }
     }
@@ -85,6 +134,11 @@ fn line(from: [f32; 3], to: [f32; 3], share: f32) -> [f32; 3] {
     let [x, y, z] = from;
     let [u, v, w] = to;
     [x + (u - x) * share, y + (v - y) * share, z + (w - z) * share]
+}
+
+/// From 0 to 1, at rest at both ends.
+fn smooth(share: f32) -> f32 {
+    share * share * share * (10.0 + share * (6.0 * share - 15.0))
 }
 
 /// A circle with its center `distance` from the shoulder. It starts next to the shoulder, and is farthest out halfway.
