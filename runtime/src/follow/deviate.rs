@@ -116,8 +116,8 @@ impl<T: Scalar, const N: usize> Weights<T, N> {
 struct Own<T, const N: usize> {
     /// The step of each joint to its own goal: the motion of the goal, and the way that is left, with the brake.
     step: [T; N],
-    /// Time of each joint's way in parts of the longest.
-    share: [T; N],
+    /// Of each joint that leads the step with which all of them arrive together.
+    lead: [Option<T>; N],
     /// The longest time, in ticks.
     ticks: T,
     /// The goal moves faster than the joints can.
@@ -231,10 +231,9 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         let mut alone = [None; N];
         for (joint, alone) in alone.iter_mut().enumerate() {
             let locked = self.bounds.most.get(joint) == Some(&T::ZERO);
-            let leads = leader.is_some_and(|own| own.share[joint] > T::from_f64(LEADS));
-            if leads || locked || deviation.given.contains(joint) {
-                let share = |own: &Own<T, N>| if leads { own.share[joint] } else { T::ONE };
-                *alone = Some(own.as_ref().map_or(T::ZERO, |own| share(own) * own.step[joint]));
+            *alone = leader.and_then(|own| own.lead.get(joint).copied().flatten());
+            if alone.is_none() && (locked || deviation.given.contains(joint)) {
+                *alone = Some(own.as_ref().and_then(|own| own.step.get(joint)).copied().unwrap_or(T::ZERO));
             }
         }
         if leader.is_some() {
@@ -274,18 +273,19 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         let faster =
             |times: T| last.is_none() || motion.iter().zip(most).any(|(motion, most)| motion.abs() > times * *most);
         let flees = tracking == Tracking::Rates && faster(T::from_f64(FLIGHT));
-        let mut own = Own { step: interval.rest(), share: [T::ZERO; N], ticks: T::ZERO, fast: flees || faster(T::ONE) };
+        let mut own = Own { step: interval.rest(), lead: [None; N], ticks: T::ZERO, fast: flees || faster(T::ONE) };
+        let mut times = [T::ZERO; N];
         for i in 0..N {
             if !flees {
                 let along = clamp(motion[i], -most[i], most[i]);
                 own.step[i] = clamp(along + braked(way[i] - along, change[i]), interval.low[i], interval.high[i]);
             }
-            let ticks = if most[i] > T::ZERO { (way[i] - own.step[i]).abs() / most[i] } else { T::ZERO };
-            own.share[i] = ticks;
-            own.ticks = own.ticks.max(ticks);
+            times[i] = if most[i] > T::ZERO { (way[i] - own.step[i]).abs() / most[i] } else { T::ZERO };
+            own.ticks = own.ticks.max(times[i]);
         }
-        if own.ticks > T::ZERO {
-            own.share = own.share.map(|ticks| ticks / own.ticks);
+        for ((lead, step), time) in own.lead.iter_mut().zip(own.step).zip(times) {
+            let share = time / own.ticks;
+            *lead = (share > T::from_f64(LEADS)).then_some(share * step);
         }
         own
     }
