@@ -2,14 +2,12 @@
 
 use core::fmt;
 
-use denhart_core::lanes::{InstructionSet, Lanes, Work};
+use denhart_core::lanes::{InstructionSet, Lanes, MOST_LANES, Work};
 
+use super::rows::{columns, in_fours, poses, put, write_jacobians, write_poses};
 use super::{BatchArm, BatchInverse, Found, Summary};
 use crate::limits::within;
 use crate::{Flags, Jacobian, Pose, Status};
-
-/// More lanes than any register has.
-const MOST: usize = 8;
 
 /// Groups of lanes left out at most before lanes are tried again.
 const MOST_LEFT_OUT: usize = 2048;
@@ -105,44 +103,6 @@ pub fn inverse_with<A: BatchInverse<N, S>, const N: usize, const S: usize>(
     Ok(set.run(Inverse { arm, targets, q, found }))
 }
 
-/// Numbers of the lanes, in memory.
-type Column = [f64; MOST];
-
-/// The number of a lane.
-#[inline(always)]
-fn of_lane(column: &Column, lane: usize) -> f64 {
-    column.get(lane % MOST).copied().unwrap_or(f64::NAN)
-}
-
-/// Columns of the rows of some lanes, as vectors.
-#[inline(always)]
-fn columns<L: Lanes, const K: usize>(set: L::Set, rows: &[&[f64; K]; MOST]) -> [L; K] {
-    let mut columns = [[0.0; MOST]; K];
-    for (lane, row) in rows.iter().enumerate().take(L::WIDTH) {
-        for (column, number) in columns.iter_mut().zip(*row) {
-            if let Some(place) = column.get_mut(lane % MOST) {
-                *place = *number;
-            }
-        }
-    }
-    let mut vectors = [L::all(set, 0.0); K];
-    for (vector, column) in vectors.iter_mut().zip(&columns) {
-        *vector = L::read(set, column);
-    }
-    vectors
-}
-
-/// Some rows, the last one again where there are fewer than lanes.
-#[inline(always)]
-fn filled<T>(rows: &[T]) -> Option<[&T; MOST]> {
-    let last = rows.last()?;
-    let mut filled = [last; MOST];
-    for (place, row) in filled.iter_mut().zip(rows) {
-        *place = row;
-    }
-    Some(filled)
-}
-
 struct Forward<'a, A, const N: usize> {
     arm: &'a A,
     q: &'a [[f64; N]],
@@ -154,15 +114,18 @@ impl<A: BatchArm<N>, const N: usize> Work for Forward<'_, A, N> {
 
     #[inline(always)]
     fn run<L: Lanes>(self, set: L::Set) {
-        for (q, out) in self.q.chunks(L::WIDTH).zip(self.out.chunks_mut(L::WIDTH)) {
-            let Some(rows) = filled(q) else { continue };
-            let (pose, far) = self.arm.forward_lanes::<L>(set, columns(set, &rows));
-            let pose = Written::of(&pose);
-            let far = L::bits(far);
-            for (lane, (q, out)) in q.iter().zip(out).enumerate() {
-                *out = if far >> lane & 1 == 0 { pose.lane(lane) } else { again(self.arm, q) };
+        let Self { arm, q, out } = self;
+        let whole = q.len() - q.len() % L::WIDTH;
+        let Some((q, rest_of_q)) = q.split_at_checked(whole) else { return };
+        let Some((out, rest)) = out.split_at_mut_checked(whole) else { return };
+        for (q, out) in q.chunks_exact(L::WIDTH).zip(out.chunks_exact_mut(L::WIDTH)) {
+            let (pose, far) = arm.forward_lanes::<L>(set, columns(set, q));
+            write_poses(&pose, out.iter_mut());
+            if L::bits(far) != 0 {
+                again(arm, q, out);
             }
         }
+        again(arm, rest_of_q, rest);
     }
 }
 
@@ -177,63 +140,37 @@ impl<A: BatchArm<N>, const N: usize> Work for Both<'_, A, N> {
 
     #[inline(always)]
     fn run<L: Lanes>(self, set: L::Set) {
-        for (q, out) in self.q.chunks(L::WIDTH).zip(self.out.chunks_mut(L::WIDTH)) {
-            let Some(rows) = filled(q) else { continue };
-            let (pose, jacobian, far) = self.arm.forward_and_jacobian_lanes::<L>(set, columns(set, &rows));
-            let pose = Written::of(&pose);
-            let mut entries = [[[0.0; MOST]; N]; 6];
-            for (to, from) in entries.iter_mut().flatten().zip(jacobian.rows.iter().flatten()) {
-                from.write(to);
-            }
-            let far = L::bits(far);
-            for (lane, (q, (to, jacobian))) in q.iter().zip(out).enumerate() {
-                if far >> lane & 1 != 0 {
-                    (*to, *jacobian) = both_again(self.arm, q);
-                    continue;
-                }
-                *to = pose.lane(lane);
-                for (to, column) in jacobian.rows.iter_mut().flatten().zip(entries.iter().flatten()) {
-                    *to = of_lane(column, lane);
-                }
+        let Self { arm, q, out } = self;
+        let whole = q.len() - q.len() % L::WIDTH;
+        let Some((q, rest_of_q)) = q.split_at_checked(whole) else { return };
+        let Some((out, rest)) = out.split_at_mut_checked(whole) else { return };
+        for (q, out) in q.chunks_exact(L::WIDTH).zip(out.chunks_exact_mut(L::WIDTH)) {
+            let (pose, jacobian, far) = arm.forward_and_jacobian_lanes::<L>(set, columns(set, q));
+            write_poses(&pose, out.iter_mut().map(|(pose, _)| pose));
+            write_jacobians(&jacobian, out);
+            if L::bits(far) != 0 {
+                both_again(arm, q, out);
             }
         }
+        both_again(arm, rest_of_q, rest);
     }
 }
 
+/// Poses by single calls: of a group with an angle that is too large for lanes, and what is left over.
 #[cold]
 #[inline(never)]
-fn again<A: BatchArm<N>, const N: usize>(arm: &A, q: &[f64; N]) -> Pose<f64> {
-    arm.forward(q)
-}
-
-#[cold]
-#[inline(never)]
-fn both_again<A: BatchArm<N>, const N: usize>(arm: &A, q: &[f64; N]) -> (Pose<f64>, Jacobian<f64, N>) {
-    arm.forward_and_jacobian(q)
-}
-
-/// Poses of the lanes, in memory.
-struct Written {
-    rotation: [[Column; 3]; 3],
-    translation: [Column; 3],
-}
-
-impl Written {
-    #[inline(always)]
-    fn of<L: Lanes>(pose: &Pose<L>) -> Self {
-        let mut written = Self { rotation: [[[0.0; MOST]; 3]; 3], translation: [[0.0; MOST]; 3] };
-        let places = written.rotation.iter_mut().flatten().chain(&mut written.translation);
-        for (place, number) in places.zip(pose.rotation.iter().flatten().chain(&pose.translation)) {
-            number.write(place);
-        }
-        written
+fn again<A: BatchArm<N>, const N: usize>(arm: &A, q: &[[f64; N]], out: &mut [Pose<f64>]) {
+    for (q, pose) in q.iter().zip(out) {
+        *pose = arm.forward(q);
     }
+}
 
-    #[inline(always)]
-    fn lane(&self, lane: usize) -> Pose<f64> {
-        let Self { rotation: [x, y, z], translation: [p, q, r] } = self;
-        let row = |[a, b, c]: &[Column; 3]| [of_lane(a, lane), of_lane(b, lane), of_lane(c, lane)];
-        Pose { rotation: [row(x), row(y), row(z)], translation: [of_lane(p, lane), of_lane(q, lane), of_lane(r, lane)] }
+/// Poses and Jacobians by single calls.
+#[cold]
+#[inline(never)]
+fn both_again<A: BatchArm<N>, const N: usize>(arm: &A, q: &[[f64; N]], out: &mut [(Pose<f64>, Jacobian<f64, N>)]) {
+    for (q, both) in q.iter().zip(out) {
+        *both = arm.forward_and_jacobian(q);
     }
 }
 
@@ -253,33 +190,43 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Inverse<'_,
         let (mut left_out, mut next) = (0, 1);
         let outputs = self.q.chunks_mut(L::WIDTH).zip(self.found.chunks_mut(L::WIDTH));
         for (targets, (q, found)) in self.targets.chunks(L::WIDTH).zip(outputs) {
-            let Some(rows) = filled(targets) else { continue };
             let all = (1 << targets.len()) - 1;
             let mut doubt = all;
             if left_out > 0 {
                 left_out -= 1;
             } else {
-                let branches = self.arm.inverse_lanes(set, &pose::<L>(set, &rows));
+                // The last group is filled up with targets that are none: their lanes are in doubt.
+                let mut filled = [Pose { rotation: [[0.0; 3]; 3], translation: [0.0; 3] }; MOST_LANES];
+                let group = match targets.get(..L::WIDTH) {
+                    Some(group) => group,
+                    None => {
+                        for (place, target) in filled.iter_mut().zip(targets) {
+                            *place = *target;
+                        }
+                        filled.get(..L::WIDTH).unwrap_or(&filled)
+                    }
+                };
+                let branches = self.arm.inverse_lanes(set, &poses::<L>(set, group));
                 doubt = branches.doubt() & all;
                 for place in found.iter_mut() {
                     *place = Found::NOTHING;
                 }
                 for (values, exists) in branches.places() {
-                    let mut columns = [[0.0; MOST]; N];
-                    for (column, value) in columns.iter_mut().zip(values) {
-                        value.write(column);
-                    }
-                    for (lane, (q, found)) in q.iter_mut().zip(found.iter_mut()).enumerate() {
-                        if exists >> lane & 1 == 0 {
-                            continue;
+                    in_fours(values, |lane, at, four| {
+                        if exists >> lane & 1 != 0
+                            && let (Some(q), Some(found)) = (q.get_mut(lane), found.get(lane))
+                            && let Some(place) = q.get_mut(usize::from(found.count))
+                        {
+                            put(place, at, four);
                         }
+                    });
+                    for (lane, (q, found)) in q.iter().zip(found.iter_mut()).enumerate() {
                         let number = usize::from(found.count);
-                        let (Some(place), Some(flags)) = (q.get_mut(number), found.flags.get_mut(number)) else {
+                        let (Some(place), Some(flags), true) =
+                            (q.get(number), found.flags.get_mut(number), exists >> lane & 1 != 0)
+                        else {
                             continue;
                         };
-                        for (place, column) in place.iter_mut().zip(&columns) {
-                            *place = of_lane(column, lane);
-                        }
                         *flags = if inside::<A, N, S>(place) {
                             Flags::EXACT
                         } else {
@@ -288,10 +235,10 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Inverse<'_,
                         found.count += 1;
                     }
                 }
-                let mut least = [0.0; MOST];
+                let mut least = [0.0; MOST_LANES];
                 branches.least().write(&mut least);
-                for (lane, found) in found.iter_mut().enumerate() {
-                    found.status = status(found.count != 0, of_lane(&least, lane), A::ARM_CONSTANTS.reach);
+                for (lane, (found, least)) in found.iter_mut().zip(least).enumerate() {
+                    found.status = status(found.count != 0, least, A::ARM_CONSTANTS.reach);
                     if doubt >> lane & 1 == 0 {
                         summary.reached += usize::from(found.count != 0);
                     }
@@ -311,30 +258,6 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Inverse<'_,
             }
         }
         summary
-    }
-}
-
-/// Poses of some lanes.
-#[inline(always)]
-fn pose<L: Lanes>(set: L::Set, poses: &[&Pose<f64>; MOST]) -> Pose<L> {
-    let numbers = |pose: &Pose<f64>| {
-        let [[a, b, c], [d, e, f], [g, h, i]] = pose.rotation;
-        let [x, y, z] = pose.translation;
-        [a, b, c, d, e, f, g, h, i, x, y, z]
-    };
-    let mut columns = [[0.0; MOST]; 12];
-    for (lane, pose) in poses.iter().enumerate().take(L::WIDTH) {
-        for (column, number) in columns.iter_mut().zip(numbers(pose)) {
-            if let Some(place) = column.get_mut(lane % MOST) {
-                *place = number;
-            }
-        }
-    }
-    let [a, b, c, d, e, f, g, h, i, x, y, z] = &columns;
-    let of = |column: &Column| L::read(set, column);
-    Pose {
-        rotation: [[of(a), of(b), of(c)], [of(d), of(e), of(f)], [of(g), of(h), of(i)]],
-        translation: [of(x), of(y), of(z)],
     }
 }
 

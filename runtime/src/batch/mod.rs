@@ -11,6 +11,7 @@ mod branches;
 mod drivers;
 mod found;
 mod ordinary;
+mod rows;
 
 pub use denhart_core::lanes::{BLOCK, InstructionSet, Lanes, Row, Work};
 
