@@ -71,6 +71,7 @@ impl Lanes for Four {
     type Mask = [u64; 4];
     type Set = ();
     const WIDTH: usize = 4;
+    const EXPLICIT: bool = false;
 
     #[inline(always)]
     fn all((): (), value: f64) -> Self {

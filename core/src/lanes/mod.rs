@@ -62,6 +62,8 @@ pub trait Lanes:
     type Set: Copy;
     /// The number of lanes; it divides [`BLOCK`].
     const WIDTH: usize;
+    /// True of vectors whose operations are instructions of the set. Loops over arrays are left to the compiler.
+    const EXPLICIT: bool;
 
     /// One number in every lane.
     fn all(set: Self::Set, value: f64) -> Self;

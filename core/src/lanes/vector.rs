@@ -17,6 +17,7 @@ macro_rules! vector {
             type Mask = $Mask<S>;
             type Set = S;
             const WIDTH: usize = $width;
+            const EXPLICIT: bool = true;
 
             #[inline(always)]
             fn all(set: S, value: f64) -> Self {

@@ -5,8 +5,8 @@ use core::fmt;
 use denhart_core::lanes::{InstructionSet, Lanes, MOST_LANES, Work};
 
 use super::rows::{columns, in_fours, poses, put, write_jacobians, write_poses};
-use super::{BatchArm, BatchInverse, Found, Summary};
-use crate::limits::within;
+use super::{BatchArm, BatchInverse, Branches, Found, Summary};
+use crate::limits::within_lanes;
 use crate::{Flags, Jacobian, Pose, Status};
 
 /// Groups of lanes left out at most before lanes are tried again.
@@ -187,6 +187,7 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Inverse<'_,
     #[inline(always)]
     fn run<L: Lanes>(self, set: L::Set) -> Summary {
         let mut summary = Summary::default();
+        let mut branches = Branches::<L, N, S>::new(set);
         let (mut left_out, mut next) = (0, 1);
         let outputs = self.q.chunks_mut(L::WIDTH).zip(self.found.chunks_mut(L::WIDTH));
         for (targets, (q, found)) in self.targets.chunks(L::WIDTH).zip(outputs) {
@@ -206,7 +207,7 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Inverse<'_,
                         filled.get(..L::WIDTH).unwrap_or(&filled)
                     }
                 };
-                let branches = self.arm.inverse_lanes(set, &poses::<L>(set, group));
+                self.arm.inverse_lanes(set, &poses::<L>(set, group), &mut branches);
                 doubt = branches.doubt() & all;
                 for place in found.iter_mut() {
                     *place = Found::NOTHING;
@@ -220,6 +221,7 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Inverse<'_,
                             put(place, at, four);
                         }
                     });
+                    let inside = inside::<A, L, N, S>(set, values);
                     for (lane, (q, found)) in q.iter().zip(found.iter_mut()).enumerate() {
                         let number = usize::from(found.count);
                         let (Some(place), Some(flags), true) =
@@ -227,7 +229,8 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Inverse<'_,
                         else {
                             continue;
                         };
-                        *flags = if inside::<A, N, S>(place) {
+                        let combined = A::ARM_CONSTANTS.combined;
+                        *flags = if inside >> lane & 1 != 0 && combined.iter().all(|limit| limit.holds(place)) {
                             Flags::EXACT
                         } else {
                             Flags::EXACT.union(Flags::OUT_OF_LIMITS)
@@ -261,18 +264,18 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Inverse<'_,
     }
 }
 
-/// Returns true if a joint vector is within the limits, as the search marks it.
+/// Lanes whose joint values are within their limits, as the search marks them.
 #[inline(always)]
-fn inside<A: BatchInverse<N, S>, const N: usize, const S: usize>(q: &[f64; N]) -> bool {
+fn inside<A: BatchInverse<N, S>, L: Lanes, const N: usize, const S: usize>(set: L::Set, q: &[L; N]) -> u32 {
     let constants = A::ARM_CONSTANTS;
     if !constants.limited && constants.combined.is_empty() {
-        return true;
+        return u32::MAX;
     }
-    let mut inside = true;
+    let mut inside = L::mask(set, true);
     for (q, limits) in q.iter().zip(constants.limits) {
-        inside &= within(*q, *limits, q.abs());
+        inside = L::both(inside, within_lanes(*q, *limits, q.abs()));
     }
-    inside && constants.combined.iter().all(|limit| limit.holds(q))
+    L::bits(inside)
 }
 
 /// The status of an ordinary target, as the search sets it.

@@ -91,8 +91,11 @@ pub fn write_poses<'a, L: Lanes>(pose: &Pose<L>, out: impl Iterator<Item = &'a m
     let ([[a, b, c], [d, e, f], [g, h, i]], [x, y, z]) = (pose.rotation, pose.translation);
     let (first, second, third) = (L::rows([a, b, c, d]), L::rows([e, f, g, h]), L::rows([i, x, y, z]));
     for (((first, second), third), pose) in first.iter().zip(&second).zip(&third).zip(out) {
-        let ([a, b, c, d], [e, f, g, h], [i, x, y, z]) = (*first, *second, *third);
-        *pose = Pose { rotation: [[a, b, c], [d, e, f], [g, h, i]], translation: [x, y, z] };
+        let rotation = pose.rotation.as_flattened_mut();
+        put(rotation, 0, first);
+        put(rotation, 4, second);
+        let [[.., corner], point] = [&mut pose.rotation[2], &mut pose.translation];
+        [*corner, point[0], point[1], point[2]] = *third;
     }
 }
 
