@@ -112,3 +112,6 @@ pub trait Lanes:
     /// `rounded`; `angle` gives the sign.
     fn quarters(rounded: Self, sine: Self, cosine: Self, angle: Self) -> (Self, Self);
 }
+
+#[cfg(test)]
+mod tests;

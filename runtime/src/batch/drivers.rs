@@ -188,6 +188,7 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Inverse<'_,
     fn run<L: Lanes>(self, set: L::Set) -> Summary {
         let mut summary = Summary::default();
         let mut branches = Branches::<L, N, S>::new(set);
+        let mut last = Last::new();
         let (mut left_out, mut next) = (0, 1);
         let outputs = self.q.chunks_mut(L::WIDTH).zip(self.found.chunks_mut(L::WIDTH));
         for (targets, (q, found)) in self.targets.chunks(L::WIDTH).zip(outputs) {
@@ -196,55 +197,63 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Inverse<'_,
             if left_out > 0 {
                 left_out -= 1;
             } else {
-                // The last group is filled up with targets that are none: their lanes are in doubt.
-                let mut filled = [Pose { rotation: [[0.0; 3]; 3], translation: [0.0; 3] }; MOST_LANES];
-                let group = match targets.get(..L::WIDTH) {
-                    Some(group) => group,
-                    None => {
-                        for (place, target) in filled.iter_mut().zip(targets) {
-                            *place = *target;
-                        }
-                        filled.get(..L::WIDTH).unwrap_or(&filled)
-                    }
+                let slices = (targets.get(..L::WIDTH), q.get_mut(..L::WIDTH), found.get_mut(..L::WIDTH));
+                let (group, q_of_lanes, found_of_lanes) = match slices {
+                    (Some(targets), Some(q), Some(found)) => (targets, q, found),
+                    _ => last.of(targets),
+                };
+                // As many as lanes, so that the loops over them have no ends to look for.
+                let (Some(group), Some(q_of_lanes), Some(found_of_lanes)) =
+                    (group.get(..L::WIDTH), q_of_lanes.get_mut(..L::WIDTH), found_of_lanes.get_mut(..L::WIDTH))
+                else {
+                    continue;
                 };
                 self.arm.inverse_lanes(set, &poses::<L>(set, group), &mut branches);
                 doubt = branches.doubt() & all;
-                for place in found.iter_mut() {
+                for place in found_of_lanes.iter_mut() {
                     *place = Found::NOTHING;
                 }
+                let mut counts = [0; MOST_LANES];
                 for (values, exists) in branches.places() {
+                    if exists & all == 0 {
+                        continue;
+                    }
+                    // Without branches, which would be foretold badly: a lane without this solution writes it to the
+                    // place of its next one.
                     in_fours(values, |lane, at, four| {
-                        if exists >> lane & 1 != 0
-                            && let (Some(q), Some(found)) = (q.get_mut(lane), found.get(lane))
-                            && let Some(place) = q.get_mut(usize::from(found.count))
+                        if let (Some(q), Some(count)) = (q_of_lanes.get_mut(lane), counts.get(lane))
+                            && let Some(place) = q.get_mut(*count)
                         {
                             put(place, at, four);
                         }
                     });
                     let inside = inside::<A, L, N, S>(set, values);
-                    for (lane, (q, found)) in q.iter().zip(found.iter_mut()).enumerate() {
-                        let number = usize::from(found.count);
-                        let (Some(place), Some(flags), true) =
-                            (q.get(number), found.flags.get_mut(number), exists >> lane & 1 != 0)
-                        else {
-                            continue;
-                        };
-                        let combined = A::ARM_CONSTANTS.combined;
-                        *flags = if inside >> lane & 1 != 0 && combined.iter().all(|limit| limit.holds(place)) {
+                    for (lane, ((q, found), count)) in
+                        q_of_lanes.iter().zip(found_of_lanes.iter_mut()).zip(&mut counts).enumerate()
+                    {
+                        let (Some(place), Some(flags)) = (q.get(*count), found.flags.get_mut(*count)) else { continue };
+                        let combined = A::ARM_CONSTANTS.combined.iter().all(|limit| limit.holds(place));
+                        let fact = if combined && inside >> lane & 1 != 0 {
                             Flags::EXACT
                         } else {
                             Flags::EXACT.union(Flags::OUT_OF_LIMITS)
                         };
-                        found.count += 1;
+                        let has = (exists >> lane & 1) as usize;
+                        *flags = if has != 0 { fact } else { Flags::NONE };
+                        *count += has;
                     }
                 }
                 let mut least = [0.0; MOST_LANES];
                 branches.least().write(&mut least);
-                for (lane, (found, least)) in found.iter_mut().zip(least).enumerate() {
+                for (lane, ((found, least), count)) in found_of_lanes.iter_mut().zip(least).zip(counts).enumerate() {
+                    found.count = count as u8;
                     found.status = status(found.count != 0, least, A::ARM_CONSTANTS.reach);
                     if doubt >> lane & 1 == 0 {
                         summary.reached += usize::from(found.count != 0);
                     }
+                }
+                if targets.len() < L::WIDTH {
+                    last.hand_out(q, found);
                 }
                 if doubt == all {
                     left_out = next;
@@ -261,6 +270,39 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Inverse<'_,
             }
         }
         summary
+    }
+}
+
+/// The last targets where they are fewer than lanes, and places for their solutions.
+struct Last<const N: usize, const S: usize> {
+    targets: [Pose<f64>; MOST_LANES],
+    q: [[[f64; N]; S]; MOST_LANES],
+    found: [Found; MOST_LANES],
+}
+
+impl<const N: usize, const S: usize> Last<N, S> {
+    fn new() -> Self {
+        // Filled up with targets that are none: their lanes are in doubt, and belong to nobody.
+        let none = Pose { rotation: [[0.0; 3]; 3], translation: [0.0; 3] };
+        Self { targets: [none; MOST_LANES], q: [[[0.0; N]; S]; MOST_LANES], found: [Found::NOTHING; MOST_LANES] }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn of(&mut self, targets: &[Pose<f64>]) -> (&[Pose<f64>], &mut [[[f64; N]; S]], &mut [Found]) {
+        for (place, target) in self.targets.iter_mut().zip(targets) {
+            *place = *target;
+        }
+        (&self.targets, &mut self.q, &mut self.found)
+    }
+
+    /// Copies what was found.
+    #[cold]
+    #[inline(never)]
+    fn hand_out(&self, q: &mut [[[f64; N]; S]], found: &mut [Found]) {
+        for ((q, found), (of_q, of_found)) in q.iter_mut().zip(found).zip(self.q.iter().zip(&self.found)) {
+            (*q, *found) = (*of_q, *of_found);
+        }
     }
 }
 
