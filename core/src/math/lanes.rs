@@ -37,20 +37,16 @@ pub fn sin_cos<L: Lanes>(angle: L) -> ((L, L), L::Mask) {
 #[inline(always)]
 pub fn sin_cos_array<L: Lanes, const N: usize>(set: L::Set, angles: [L; N]) -> (([L; N], [L; N]), L::Mask) {
     let (mut results, mut doubt) = ((angles, angles), L::mask(set, false));
-    let mut begin = 0;
-    if L::EXPLICIT {
-        // A loop would keep the arrays in memory, where they are copied.
-        for_one(&angles, 0, &mut results, &mut doubt);
-        for_one(&angles, 1, &mut results, &mut doubt);
-        for_one(&angles, 2, &mut results, &mut doubt);
-        for_one(&angles, 3, &mut results, &mut doubt);
-        for_one(&angles, 4, &mut results, &mut doubt);
-        for_one(&angles, 5, &mut results, &mut doubt);
-        for_one(&angles, 6, &mut results, &mut doubt);
-        for_one(&angles, 7, &mut results, &mut doubt);
-        begin = 8;
-    }
-    for index in begin..N {
+    // One by one: a loop would keep the arrays in memory, where they are copied.
+    for_one(&angles, 0, &mut results, &mut doubt);
+    for_one(&angles, 1, &mut results, &mut doubt);
+    for_one(&angles, 2, &mut results, &mut doubt);
+    for_one(&angles, 3, &mut results, &mut doubt);
+    for_one(&angles, 4, &mut results, &mut doubt);
+    for_one(&angles, 5, &mut results, &mut doubt);
+    for_one(&angles, 6, &mut results, &mut doubt);
+    for_one(&angles, 7, &mut results, &mut doubt);
+    for index in 8..N {
         for_one(&angles, index, &mut results, &mut doubt);
     }
     (results, doubt)

@@ -67,8 +67,21 @@ pub fn forward_and_jacobian<A: BatchArm<N>, const N: usize>(
     q: &[[f64; N]],
     out: &mut [(Pose<f64>, Jacobian<f64, N>)],
 ) -> Result<(), Lengths> {
+    forward_and_jacobian_with(InstructionSet::best(), arm, q, out)
+}
+
+/// [`forward_and_jacobian`] with one of the processor's instruction sets.
+///
+/// # Errors
+/// As of [`forward`].
+pub fn forward_and_jacobian_with<A: BatchArm<N>, const N: usize>(
+    set: InstructionSet,
+    arm: &A,
+    q: &[[f64; N]],
+    out: &mut [(Pose<f64>, Jacobian<f64, N>)],
+) -> Result<(), Lengths> {
     Lengths::check(q.len(), out.len())?;
-    InstructionSet::best().run(Both { arm, q, out });
+    set.run(Both { arm, q, out });
     Ok(())
 }
 
@@ -115,7 +128,8 @@ impl<A: BatchArm<N>, const N: usize> Work for Forward<'_, A, N> {
     #[inline(always)]
     fn run<L: Lanes>(self, set: L::Set) {
         let Self { arm, q, out } = self;
-        let whole = q.len() - q.len() % L::WIDTH;
+        // Loops over arrays that the compiler leaves alone take longer than single calls: all of them are left over.
+        let whole = if L::EXPLICIT { q.len() - q.len() % L::WIDTH } else { 0 };
         let Some((q, rest_of_q)) = q.split_at_checked(whole) else { return };
         let Some((out, rest)) = out.split_at_mut_checked(whole) else { return };
         for (q, out) in q.chunks_exact(L::WIDTH).zip(out.chunks_exact_mut(L::WIDTH)) {
@@ -141,7 +155,8 @@ impl<A: BatchArm<N>, const N: usize> Work for Both<'_, A, N> {
     #[inline(always)]
     fn run<L: Lanes>(self, set: L::Set) {
         let Self { arm, q, out } = self;
-        let whole = q.len() - q.len() % L::WIDTH;
+        // Loops over arrays that the compiler leaves alone take longer than single calls: all of them are left over.
+        let whole = if L::EXPLICIT { q.len() - q.len() % L::WIDTH } else { 0 };
         let Some((q, rest_of_q)) = q.split_at_checked(whole) else { return };
         let Some((out, rest)) = out.split_at_mut_checked(whole) else { return };
         for (q, out) in q.chunks_exact(L::WIDTH).zip(out.chunks_exact_mut(L::WIDTH)) {
