@@ -1,6 +1,6 @@
 //! Registers of a block of poses, and a tape run on them.
 
-use denhart::batch::{BLOCK, Lanes, MOST_LANES, Row};
+use denhart::batch::{BLOCK, Lanes, Row};
 
 use crate::tape::{Code, Operation, Register};
 
@@ -97,58 +97,36 @@ fn of_two<L: Lanes>(set: L::Set, a: &Row, b: &Row, to: &mut Row, f: impl Fn(L, L
     }
 }
 
-/// The first of four columns of rows of so many numbers. The last four overlap those before where four does not divide the
-/// width.
+/// Writes registers of a block to rows of so many numbers; four at a time, whose rows stay in the cache.
 #[inline(always)]
-fn begins(group: usize, width: usize) -> usize {
-    (4 * group).min(width.saturating_sub(4))
-}
-
-/// Writes registers of a block to rows of so many numbers; four at a time, which are turned by shuffles.
-#[inline(always)]
-pub fn written<L: Lanes>(set: L::Set, rows: &Rows, registers: &[Register], to: &mut [f64], width: usize) {
-    for group in 0..registers.len().div_ceil(4) {
-        let column = begins(group, registers.len());
-        let mut four = [Register::MAX; 4];
-        for (place, register) in four.iter_mut().zip(registers.iter().skip(column)) {
-            *place = *register;
+pub fn written(rows: &Rows, registers: &[Register], to: &mut [f64], width: usize) {
+    let (fours, rest) = registers.as_chunks::<4>();
+    for (number, four) in fours.iter().enumerate() {
+        let [Some(a), Some(b), Some(c), Some(d)] = four.map(|register| rows.row(register)) else { continue };
+        for (lane, place) in to.chunks_exact_mut(width.max(1)).take(BLOCK).enumerate() {
+            let place = place.get_mut(4 * number..).and_then(<[f64]>::first_chunk_mut::<4>);
+            if let Some(place) = place {
+                *place = [a, b, c, d].map(|row| of_lane(row, lane));
+            }
         }
-        for (at, to) in to.chunks_mut(width.max(1) * L::WIDTH).take(BLOCK / L::WIDTH).enumerate() {
-            let turned = L::rows(rows.all(set, &four, at));
-            for (numbers, row) in turned.iter().zip(to.chunks_exact_mut(width.max(1))) {
-                match row.get_mut(column..).and_then(<[f64]>::first_chunk_mut::<4>) {
-                    Some(place) => *place = *numbers,
-                    None => {
-                        for (place, number) in row.iter_mut().zip(numbers) {
-                            *place = *number;
-                        }
-                    }
-                }
+    }
+    for (number, register) in rest.iter().enumerate() {
+        let Some(row) = rows.row(*register) else { continue };
+        for (value, place) in row.0.iter().zip(to.chunks_exact_mut(width.max(1))) {
+            if let Some(place) = place.get_mut(4 * fours.len() + number) {
+                *place = *value;
             }
         }
     }
 }
 
-/// Reads rows of so many numbers, each column to its register; four at a time, which are turned by shuffles.
+/// Reads rows of so many numbers, each column to its register.
 #[inline(always)]
-pub fn read<L: Lanes>(set: L::Set, rows: &mut Rows, registers: &[Register], from: &[f64], width: usize) {
-    for group in 0..registers.len().div_ceil(4) {
-        let column = begins(group, registers.len());
-        for (at, from) in from.chunks(width.max(1) * L::WIDTH).take(BLOCK / L::WIDTH).enumerate() {
-            let mut four = [[f64::NAN; 4]; MOST_LANES];
-            for (place, row) in four.iter_mut().zip(from.chunks_exact(width.max(1))) {
-                match row.get(column..).and_then(<[f64]>::first_chunk::<4>) {
-                    Some(numbers) => *place = *numbers,
-                    None => {
-                        for (place, number) in place.iter_mut().zip(row) {
-                            *place = *number;
-                        }
-                    }
-                }
-            }
-            for (register, value) in registers.iter().skip(column).zip(L::columns(set, &four)) {
-                rows.store(*register, at, value);
-            }
+pub fn read(rows: &mut Rows, registers: &[Register], from: &[f64], width: usize) {
+    for (number, register) in registers.iter().enumerate() {
+        let Some(row) = rows.0.get_mut(*register) else { continue };
+        for (place, numbers) in row.0.iter_mut().zip(from.chunks_exact(width.max(1))) {
+            *place = numbers.get(number).copied().unwrap_or(f64::NAN);
         }
     }
 }

@@ -26,7 +26,7 @@ impl Work for Evaluation<'_> {
         // A chunk of a slice that is not asked for is empty.
         let mut others = others.chunks_mut((other * BLOCK).max(1));
         for (q, poses) in q.chunks(joints * BLOCK).zip(poses.chunks_mut(pose * BLOCK)) {
-            read::<L>(set, &mut rows, &function.joints, q, joints);
+            read(&mut rows, &function.joints, q, joints);
             let mut doubt = 0;
             for (sum, pair) in function.sums.iter().zip(&function.pairs) {
                 for at in 0..BLOCK / L::WIDTH {
@@ -47,9 +47,9 @@ impl Work for Evaluation<'_> {
                 }
             }
             rows.run::<L>(set, operations);
-            written::<L>(set, &rows, of_pose, poses, pose);
+            written(&rows, of_pose, poses, pose);
             let others = others.next().unwrap_or(&mut []);
-            written::<L>(set, &rows, of_others, others, other);
+            written(&rows, of_others, others, other);
             for lane in lanes_of(doubt & first(q.len() / joints)) {
                 again(function, joints, lane, q, (&mut *poses, pose), (&mut *others, other));
             }

@@ -13,7 +13,7 @@ mod found;
 mod ordinary;
 mod rows;
 
-pub use denhart_core::lanes::{BLOCK, InstructionSet, Lanes, MOST_LANES, Row, Work};
+pub use denhart_core::lanes::{BLOCK, InstructionSet, Lanes, Row, Work};
 
 pub use crate::limits::within_lanes;
 pub use crate::math::lanes as math;
