@@ -6,8 +6,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 command -v valgrind >/dev/null || { echo "no valgrind: nothing was counted" >&2; exit 77; }
-cargo build --quiet --release --locked -p denhart-tests --no-default-features --bin batch
-binary=${CARGO_TARGET_DIR:-target}/release/batch
+cargo build --quiet --release --locked -p denhart-dynamic --features batch --example counts
+binary=${CARGO_TARGET_DIR:-target}/release/examples/counts
 
 count() {
   valgrind --tool=callgrind --callgrind-out-file=/dev/null "$binary" "$@" 2>&1 | sed -n 's/.*Collected : //p'

@@ -119,18 +119,17 @@ fn inverse(model: &Model, plan: &Plan, target: &Target) -> TokenStream {
                 &self,
                 set: L::Set,
                 target: &#krate::Pose<L>,
-            ) -> #krate::batch::Branches<L, #n, #most> {
+                branches: &mut #krate::batch::Branches<L, #n, #most>,
+            ) {
                 #of
                 #measures
-                let mut branches = #krate::batch::Branches::new(set);
                 let start = branches.begins(target, REACH);
                 if !branches.go_on(start) {
-                    return branches;
+                    return;
                 }
                 let [#(#rotation),*] = target.rotation;
                 let #translation = target.translation;
                 #levels
-                branches
             }
         }
     }

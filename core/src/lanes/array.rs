@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{Lanes, Row, sealed};
+use super::{Lanes, MOST_LANES, Row, sealed};
 use crate::math::{SIGN, UPPER};
 
 /// Four lanes.
@@ -71,6 +71,7 @@ impl Lanes for Four {
     type Mask = [u64; 4];
     type Set = ();
     const WIDTH: usize = 4;
+    const EXPLICIT: bool = false;
 
     #[inline(always)]
     fn all((): (), value: f64) -> Self {
@@ -101,6 +102,18 @@ impl Lanes for Four {
         if let Some(four) = to.first_chunk_mut::<4>() {
             *four = self.0;
         }
+    }
+    #[inline(always)]
+    fn columns((): (), [a, b, c, d, ..]: &[[f64; 4]; MOST_LANES]) -> [Self; 4] {
+        let ([a, e, i, m], [b, f, j, n], [c, g, k, o], [d, h, l, p]) = (*a, *b, *c, *d);
+        [Self([a, b, c, d]), Self([e, f, g, h]), Self([i, j, k, l]), Self([m, n, o, p])]
+    }
+    #[inline(always)]
+    fn rows([x, y, z, w]: [Self; 4]) -> [[f64; 4]; MOST_LANES] {
+        let (Self([a, b, c, d]), Self([e, f, g, h])) = (x, y);
+        let (Self([i, j, k, l]), Self([m, n, o, p])) = (z, w);
+        let none = [0.0; 4];
+        [[a, e, i, m], [b, f, j, n], [c, g, k, o], [d, h, l, p], none, none, none, none]
     }
     #[inline(always)]
     fn abs(self) -> Self {

@@ -13,6 +13,8 @@
 mod array;
 mod set;
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+mod turned;
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 mod vector;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -22,6 +24,9 @@ pub use set::{InstructionSet, Work};
 
 /// The poses of a block: as many as a mask of blocks has bits.
 pub const BLOCK: usize = 32;
+
+/// The lanes of the widest vector.
+pub const MOST_LANES: usize = 8;
 
 /// A number for each pose of a block.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,6 +62,8 @@ pub trait Lanes:
     type Set: Copy;
     /// The number of lanes; it divides [`BLOCK`].
     const WIDTH: usize;
+    /// True of vectors whose operations are instructions of the set. Loops over arrays are left to the compiler.
+    const EXPLICIT: bool;
 
     /// One number in every lane.
     fn all(set: Self::Set, value: f64) -> Self;
@@ -70,6 +77,11 @@ pub trait Lanes:
     fn read(set: Self::Set, from: &[f64]) -> Self;
     /// Writes the numbers to the front of a slice; nothing if it is too short.
     fn write(self, to: &mut [f64]);
+    /// The columns of four numbers of each lane's row: the first numbers, the second ones, and so on. Rows beyond the
+    /// lanes are not looked at.
+    fn columns(set: Self::Set, rows: &[[f64; 4]; MOST_LANES]) -> [Self; 4];
+    /// Four numbers of each lane as a row; zeros beyond the lanes.
+    fn rows(columns: [Self; 4]) -> [[f64; 4]; MOST_LANES];
     /// Magnitude.
     fn abs(self) -> Self;
     /// Square root, correctly rounded.
@@ -100,3 +112,6 @@ pub trait Lanes:
     /// `rounded`; `angle` gives the sign.
     fn quarters(rounded: Self, sine: Self, cosine: Self, angle: Self) -> (Self, Self);
 }
+
+#[cfg(test)]
+mod tests;

@@ -5,7 +5,8 @@ use fearless_simd::{
     mask64x8, u64x2, u64x4, u64x8,
 };
 
-use super::{Lanes, Row, sealed};
+use super::turned::Turned;
+use super::{Lanes, MOST_LANES, Row, sealed};
 use crate::math::{SIGN, UPPER};
 
 macro_rules! vector {
@@ -16,6 +17,7 @@ macro_rules! vector {
             type Mask = $Mask<S>;
             type Set = S;
             const WIDTH: usize = $width;
+            const EXPLICIT: bool = true;
 
             #[inline(always)]
             fn all(set: S, value: f64) -> Self {
@@ -48,6 +50,14 @@ macro_rules! vector {
                 if let Some(vector) = to.first_chunk_mut::<$width>() {
                     SimdBase::store_array(self, vector);
                 }
+            }
+            #[inline(always)]
+            fn columns(set: S, rows: &[[f64; 4]; MOST_LANES]) -> [Self; 4] {
+                Turned::columns(set, rows)
+            }
+            #[inline(always)]
+            fn rows(columns: [Self; 4]) -> [[f64; 4]; MOST_LANES] {
+                Turned::rows(columns)
             }
             #[inline(always)]
             fn abs(self) -> Self {

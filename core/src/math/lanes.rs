@@ -36,13 +36,35 @@ pub fn sin_cos<L: Lanes>(angle: L) -> ((L, L), L::Mask) {
 /// Sines and cosines of several angles in rad, and where one of them is too large.
 #[inline(always)]
 pub fn sin_cos_array<L: Lanes, const N: usize>(set: L::Set, angles: [L; N]) -> (([L; N], [L; N]), L::Mask) {
-    let (mut sines, mut cosines, mut doubt) = (angles, angles, L::mask(set, false));
-    for (angle, (sine, cosine)) in angles.iter().zip(sines.iter_mut().zip(&mut cosines)) {
+    let (mut results, mut doubt) = ((angles, angles), L::mask(set, false));
+    // One by one: a loop would keep the arrays in memory, where they are copied.
+    for_one(&angles, 0, &mut results, &mut doubt);
+    for_one(&angles, 1, &mut results, &mut doubt);
+    for_one(&angles, 2, &mut results, &mut doubt);
+    for_one(&angles, 3, &mut results, &mut doubt);
+    for_one(&angles, 4, &mut results, &mut doubt);
+    for_one(&angles, 5, &mut results, &mut doubt);
+    for_one(&angles, 6, &mut results, &mut doubt);
+    for_one(&angles, 7, &mut results, &mut doubt);
+    for index in 8..N {
+        for_one(&angles, index, &mut results, &mut doubt);
+    }
+    (results, doubt)
+}
+
+/// Sine and cosine of one of the angles, if it is there.
+#[inline(always)]
+fn for_one<L: Lanes, const N: usize>(
+    angles: &[L; N],
+    index: usize,
+    (sines, cosines): &mut ([L; N], [L; N]),
+    doubt: &mut L::Mask,
+) {
+    if let (Some(angle), Some(sine), Some(cosine)) = (angles.get(index), sines.get_mut(index), cosines.get_mut(index)) {
         let far;
         ((*sine, *cosine), far) = sin_cos(*angle);
-        doubt = L::either(doubt, far);
+        *doubt = L::either(*doubt, far);
     }
-    ((sines, cosines), doubt)
 }
 
 /// [`sqrt`](super::sqrt).

@@ -25,6 +25,6 @@ pub trait BatchInverse<const N: usize, const S: usize>:
     /// The constants of the search.
     const ARM_CONSTANTS: ArmConstants<'static, f64, N>;
 
-    /// Every branch of the ordinary targets.
-    fn inverse_lanes<L: Lanes>(&self, set: L::Set, target: &Pose<L>) -> Branches<L, N, S>;
+    /// Every branch of the ordinary targets, in the place of what `branches` had.
+    fn inverse_lanes<L: Lanes>(&self, set: L::Set, target: &Pose<L>, branches: &mut Branches<L, N, S>);
 }

@@ -34,9 +34,11 @@ impl<L: Lanes, const N: usize, const S: usize> Branches<L, N, S> {
         }
     }
 
-    /// Lanes whose target is ordinary. The others are in doubt.
+    /// Begins anew. Lanes whose target is ordinary; the others are in doubt.
     #[inline(always)]
     pub fn begins(&mut self, target: &Pose<L>, reach: f64) -> L::Mask {
+        self.len = 0;
+        self.least = L::all(self.set, -1.0);
         let ordinary = ordinary(target, L::all(self.set, 0.0), reach);
         self.doubt = L::not(ordinary);
         ordinary

@@ -2,14 +2,12 @@
 
 use core::fmt;
 
-use denhart_core::lanes::{InstructionSet, Lanes, Work};
+use denhart_core::lanes::{InstructionSet, Lanes, MOST_LANES, Work};
 
-use super::{BatchArm, BatchInverse, Found, Summary};
-use crate::limits::within;
+use super::rows::{columns, in_fours, poses, put, write_jacobians, write_poses};
+use super::{BatchArm, BatchInverse, Branches, Found, Summary};
+use crate::limits::within_lanes;
 use crate::{Flags, Jacobian, Pose, Status};
-
-/// More lanes than any register has.
-const MOST: usize = 8;
 
 /// Groups of lanes left out at most before lanes are tried again.
 const MOST_LEFT_OUT: usize = 2048;
@@ -69,8 +67,21 @@ pub fn forward_and_jacobian<A: BatchArm<N>, const N: usize>(
     q: &[[f64; N]],
     out: &mut [(Pose<f64>, Jacobian<f64, N>)],
 ) -> Result<(), Lengths> {
+    forward_and_jacobian_with(InstructionSet::best(), arm, q, out)
+}
+
+/// [`forward_and_jacobian`] with one of the processor's instruction sets.
+///
+/// # Errors
+/// As of [`forward`].
+pub fn forward_and_jacobian_with<A: BatchArm<N>, const N: usize>(
+    set: InstructionSet,
+    arm: &A,
+    q: &[[f64; N]],
+    out: &mut [(Pose<f64>, Jacobian<f64, N>)],
+) -> Result<(), Lengths> {
     Lengths::check(q.len(), out.len())?;
-    InstructionSet::best().run(Both { arm, q, out });
+    set.run(Both { arm, q, out });
     Ok(())
 }
 
@@ -105,44 +116,6 @@ pub fn inverse_with<A: BatchInverse<N, S>, const N: usize, const S: usize>(
     Ok(set.run(Inverse { arm, targets, q, found }))
 }
 
-/// Numbers of the lanes, in memory.
-type Column = [f64; MOST];
-
-/// The number of a lane.
-#[inline(always)]
-fn of_lane(column: &Column, lane: usize) -> f64 {
-    column.get(lane % MOST).copied().unwrap_or(f64::NAN)
-}
-
-/// Columns of the rows of some lanes, as vectors.
-#[inline(always)]
-fn columns<L: Lanes, const K: usize>(set: L::Set, rows: &[&[f64; K]; MOST]) -> [L; K] {
-    let mut columns = [[0.0; MOST]; K];
-    for (lane, row) in rows.iter().enumerate().take(L::WIDTH) {
-        for (column, number) in columns.iter_mut().zip(*row) {
-            if let Some(place) = column.get_mut(lane % MOST) {
-                *place = *number;
-            }
-        }
-    }
-    let mut vectors = [L::all(set, 0.0); K];
-    for (vector, column) in vectors.iter_mut().zip(&columns) {
-        *vector = L::read(set, column);
-    }
-    vectors
-}
-
-/// Some rows, the last one again where there are fewer than lanes.
-#[inline(always)]
-fn filled<T>(rows: &[T]) -> Option<[&T; MOST]> {
-    let last = rows.last()?;
-    let mut filled = [last; MOST];
-    for (place, row) in filled.iter_mut().zip(rows) {
-        *place = row;
-    }
-    Some(filled)
-}
-
 struct Forward<'a, A, const N: usize> {
     arm: &'a A,
     q: &'a [[f64; N]],
@@ -154,15 +127,19 @@ impl<A: BatchArm<N>, const N: usize> Work for Forward<'_, A, N> {
 
     #[inline(always)]
     fn run<L: Lanes>(self, set: L::Set) {
-        for (q, out) in self.q.chunks(L::WIDTH).zip(self.out.chunks_mut(L::WIDTH)) {
-            let Some(rows) = filled(q) else { continue };
-            let (pose, far) = self.arm.forward_lanes::<L>(set, columns(set, &rows));
-            let pose = Written::of(&pose);
-            let far = L::bits(far);
-            for (lane, (q, out)) in q.iter().zip(out).enumerate() {
-                *out = if far >> lane & 1 == 0 { pose.lane(lane) } else { again(self.arm, q) };
+        let Self { arm, q, out } = self;
+        // Loops over arrays that the compiler leaves alone take longer than single calls: all of them are left over.
+        let whole = if L::EXPLICIT { q.len() - q.len() % L::WIDTH } else { 0 };
+        let Some((q, rest_of_q)) = q.split_at_checked(whole) else { return };
+        let Some((out, rest)) = out.split_at_mut_checked(whole) else { return };
+        for (q, out) in q.chunks_exact(L::WIDTH).zip(out.chunks_exact_mut(L::WIDTH)) {
+            let (pose, far) = arm.forward_lanes::<L>(set, columns(set, q));
+            write_poses(&pose, out.iter_mut());
+            if L::bits(far) != 0 {
+                again(arm, q, out);
             }
         }
+        again(arm, rest_of_q, rest);
     }
 }
 
@@ -177,63 +154,38 @@ impl<A: BatchArm<N>, const N: usize> Work for Both<'_, A, N> {
 
     #[inline(always)]
     fn run<L: Lanes>(self, set: L::Set) {
-        for (q, out) in self.q.chunks(L::WIDTH).zip(self.out.chunks_mut(L::WIDTH)) {
-            let Some(rows) = filled(q) else { continue };
-            let (pose, jacobian, far) = self.arm.forward_and_jacobian_lanes::<L>(set, columns(set, &rows));
-            let pose = Written::of(&pose);
-            let mut entries = [[[0.0; MOST]; N]; 6];
-            for (to, from) in entries.iter_mut().flatten().zip(jacobian.rows.iter().flatten()) {
-                from.write(to);
-            }
-            let far = L::bits(far);
-            for (lane, (q, (to, jacobian))) in q.iter().zip(out).enumerate() {
-                if far >> lane & 1 != 0 {
-                    (*to, *jacobian) = both_again(self.arm, q);
-                    continue;
-                }
-                *to = pose.lane(lane);
-                for (to, column) in jacobian.rows.iter_mut().flatten().zip(entries.iter().flatten()) {
-                    *to = of_lane(column, lane);
-                }
+        let Self { arm, q, out } = self;
+        // Loops over arrays that the compiler leaves alone take longer than single calls: all of them are left over.
+        let whole = if L::EXPLICIT { q.len() - q.len() % L::WIDTH } else { 0 };
+        let Some((q, rest_of_q)) = q.split_at_checked(whole) else { return };
+        let Some((out, rest)) = out.split_at_mut_checked(whole) else { return };
+        for (q, out) in q.chunks_exact(L::WIDTH).zip(out.chunks_exact_mut(L::WIDTH)) {
+            let (pose, jacobian, far) = arm.forward_and_jacobian_lanes::<L>(set, columns(set, q));
+            write_poses(&pose, out.iter_mut().map(|(pose, _)| pose));
+            write_jacobians(&jacobian, out);
+            if L::bits(far) != 0 {
+                both_again(arm, q, out);
             }
         }
+        both_again(arm, rest_of_q, rest);
     }
 }
 
+/// Poses by single calls: of a group with an angle that is too large for lanes, and what is left over.
 #[cold]
 #[inline(never)]
-fn again<A: BatchArm<N>, const N: usize>(arm: &A, q: &[f64; N]) -> Pose<f64> {
-    arm.forward(q)
-}
-
-#[cold]
-#[inline(never)]
-fn both_again<A: BatchArm<N>, const N: usize>(arm: &A, q: &[f64; N]) -> (Pose<f64>, Jacobian<f64, N>) {
-    arm.forward_and_jacobian(q)
-}
-
-/// Poses of the lanes, in memory.
-struct Written {
-    rotation: [[Column; 3]; 3],
-    translation: [Column; 3],
-}
-
-impl Written {
-    #[inline(always)]
-    fn of<L: Lanes>(pose: &Pose<L>) -> Self {
-        let mut written = Self { rotation: [[[0.0; MOST]; 3]; 3], translation: [[0.0; MOST]; 3] };
-        let places = written.rotation.iter_mut().flatten().chain(&mut written.translation);
-        for (place, number) in places.zip(pose.rotation.iter().flatten().chain(&pose.translation)) {
-            number.write(place);
-        }
-        written
+fn again<A: BatchArm<N>, const N: usize>(arm: &A, q: &[[f64; N]], out: &mut [Pose<f64>]) {
+    for (q, pose) in q.iter().zip(out) {
+        *pose = arm.forward(q);
     }
+}
 
-    #[inline(always)]
-    fn lane(&self, lane: usize) -> Pose<f64> {
-        let Self { rotation: [x, y, z], translation: [p, q, r] } = self;
-        let row = |[a, b, c]: &[Column; 3]| [of_lane(a, lane), of_lane(b, lane), of_lane(c, lane)];
-        Pose { rotation: [row(x), row(y), row(z)], translation: [of_lane(p, lane), of_lane(q, lane), of_lane(r, lane)] }
+/// Poses and Jacobians by single calls.
+#[cold]
+#[inline(never)]
+fn both_again<A: BatchArm<N>, const N: usize>(arm: &A, q: &[[f64; N]], out: &mut [(Pose<f64>, Jacobian<f64, N>)]) {
+    for (q, both) in q.iter().zip(out) {
+        *both = arm.forward_and_jacobian(q);
     }
 }
 
@@ -250,51 +202,73 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Inverse<'_,
     #[inline(always)]
     fn run<L: Lanes>(self, set: L::Set) -> Summary {
         let mut summary = Summary::default();
+        let mut branches = Branches::<L, N, S>::new(set);
+        let mut last = Last::new();
         let (mut left_out, mut next) = (0, 1);
         let outputs = self.q.chunks_mut(L::WIDTH).zip(self.found.chunks_mut(L::WIDTH));
         for (targets, (q, found)) in self.targets.chunks(L::WIDTH).zip(outputs) {
-            let Some(rows) = filled(targets) else { continue };
             let all = (1 << targets.len()) - 1;
             let mut doubt = all;
             if left_out > 0 {
                 left_out -= 1;
             } else {
-                let branches = self.arm.inverse_lanes(set, &pose::<L>(set, &rows));
+                let slices = (targets.get(..L::WIDTH), q.get_mut(..L::WIDTH), found.get_mut(..L::WIDTH));
+                let (group, q_of_lanes, found_of_lanes) = match slices {
+                    (Some(targets), Some(q), Some(found)) => (targets, q, found),
+                    _ => last.of(targets),
+                };
+                // As many as lanes, so that the loops over them have no ends to look for.
+                let (Some(group), Some(q_of_lanes), Some(found_of_lanes)) =
+                    (group.get(..L::WIDTH), q_of_lanes.get_mut(..L::WIDTH), found_of_lanes.get_mut(..L::WIDTH))
+                else {
+                    continue;
+                };
+                self.arm.inverse_lanes(set, &poses::<L>(set, group), &mut branches);
                 doubt = branches.doubt() & all;
-                for place in found.iter_mut() {
+                for place in found_of_lanes.iter_mut() {
                     *place = Found::NOTHING;
                 }
+                let mut counts = [0; MOST_LANES];
                 for (values, exists) in branches.places() {
-                    let mut columns = [[0.0; MOST]; N];
-                    for (column, value) in columns.iter_mut().zip(values) {
-                        value.write(column);
+                    if exists & all == 0 {
+                        continue;
                     }
-                    for (lane, (q, found)) in q.iter_mut().zip(found.iter_mut()).enumerate() {
-                        if exists >> lane & 1 == 0 {
-                            continue;
+                    // Without branches, which would be foretold badly: a lane without this solution writes it to the
+                    // place of its next one.
+                    in_fours(values, |lane, at, four| {
+                        if let (Some(q), Some(count)) = (q_of_lanes.get_mut(lane), counts.get(lane))
+                            && let Some(place) = q.get_mut(*count)
+                        {
+                            put(place, at, four);
                         }
-                        let number = usize::from(found.count);
-                        let (Some(place), Some(flags)) = (q.get_mut(number), found.flags.get_mut(number)) else {
-                            continue;
-                        };
-                        for (place, column) in place.iter_mut().zip(&columns) {
-                            *place = of_lane(column, lane);
-                        }
-                        *flags = if inside::<A, N, S>(place) {
+                    });
+                    let inside = inside::<A, L, N, S>(set, values);
+                    for (lane, ((q, found), count)) in
+                        q_of_lanes.iter().zip(found_of_lanes.iter_mut()).zip(&mut counts).enumerate()
+                    {
+                        let (Some(place), Some(flags)) = (q.get(*count), found.flags.get_mut(*count)) else { continue };
+                        let combined = A::ARM_CONSTANTS.combined.iter().all(|limit| limit.holds(place));
+                        let fact = if combined && inside >> lane & 1 != 0 {
                             Flags::EXACT
                         } else {
                             Flags::EXACT.union(Flags::OUT_OF_LIMITS)
                         };
-                        found.count += 1;
+                        let has = (exists >> lane & 1) as usize;
+                        *flags = if has != 0 { fact } else { Flags::NONE };
+                        *count += has;
                     }
                 }
-                let mut least = [0.0; MOST];
+                let mut least = [0.0; MOST_LANES];
                 branches.least().write(&mut least);
-                for (lane, found) in found.iter_mut().enumerate() {
-                    found.status = status(found.count != 0, of_lane(&least, lane), A::ARM_CONSTANTS.reach);
+                for (lane, ((found, least), count)) in found_of_lanes.iter_mut().zip(least).zip(counts).enumerate() {
+                    found.count = count as u8;
+                    found.status = status(found.count != 0, least, A::ARM_CONSTANTS.reach);
                     if doubt >> lane & 1 == 0 {
                         summary.reached += usize::from(found.count != 0);
                     }
+                }
+                if targets.len() < L::WIDTH {
+                    last.hand_out(q, found);
                 }
                 if doubt == all {
                     left_out = next;
@@ -314,42 +288,51 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Inverse<'_,
     }
 }
 
-/// Poses of some lanes.
-#[inline(always)]
-fn pose<L: Lanes>(set: L::Set, poses: &[&Pose<f64>; MOST]) -> Pose<L> {
-    let numbers = |pose: &Pose<f64>| {
-        let [[a, b, c], [d, e, f], [g, h, i]] = pose.rotation;
-        let [x, y, z] = pose.translation;
-        [a, b, c, d, e, f, g, h, i, x, y, z]
-    };
-    let mut columns = [[0.0; MOST]; 12];
-    for (lane, pose) in poses.iter().enumerate().take(L::WIDTH) {
-        for (column, number) in columns.iter_mut().zip(numbers(pose)) {
-            if let Some(place) = column.get_mut(lane % MOST) {
-                *place = number;
-            }
-        }
+/// The last targets where they are fewer than lanes, and places for their solutions.
+struct Last<const N: usize, const S: usize> {
+    targets: [Pose<f64>; MOST_LANES],
+    q: [[[f64; N]; S]; MOST_LANES],
+    found: [Found; MOST_LANES],
+}
+
+impl<const N: usize, const S: usize> Last<N, S> {
+    fn new() -> Self {
+        // Filled up with targets that are none: their lanes are in doubt, and belong to nobody.
+        let none = Pose { rotation: [[0.0; 3]; 3], translation: [0.0; 3] };
+        Self { targets: [none; MOST_LANES], q: [[[0.0; N]; S]; MOST_LANES], found: [Found::NOTHING; MOST_LANES] }
     }
-    let [a, b, c, d, e, f, g, h, i, x, y, z] = &columns;
-    let of = |column: &Column| L::read(set, column);
-    Pose {
-        rotation: [[of(a), of(b), of(c)], [of(d), of(e), of(f)], [of(g), of(h), of(i)]],
-        translation: [of(x), of(y), of(z)],
+
+    #[cold]
+    #[inline(never)]
+    fn of(&mut self, targets: &[Pose<f64>]) -> (&[Pose<f64>], &mut [[[f64; N]; S]], &mut [Found]) {
+        for (place, target) in self.targets.iter_mut().zip(targets) {
+            *place = *target;
+        }
+        (&self.targets, &mut self.q, &mut self.found)
+    }
+
+    /// Copies what was found.
+    #[cold]
+    #[inline(never)]
+    fn hand_out(&self, q: &mut [[[f64; N]; S]], found: &mut [Found]) {
+        for ((q, found), (of_q, of_found)) in q.iter_mut().zip(found).zip(self.q.iter().zip(&self.found)) {
+            (*q, *found) = (*of_q, *of_found);
+        }
     }
 }
 
-/// Returns true if a joint vector is within the limits, as the search marks it.
+/// Lanes whose joint values are within their limits, as the search marks them.
 #[inline(always)]
-fn inside<A: BatchInverse<N, S>, const N: usize, const S: usize>(q: &[f64; N]) -> bool {
+fn inside<A: BatchInverse<N, S>, L: Lanes, const N: usize, const S: usize>(set: L::Set, q: &[L; N]) -> u32 {
     let constants = A::ARM_CONSTANTS;
     if !constants.limited && constants.combined.is_empty() {
-        return true;
+        return u32::MAX;
     }
-    let mut inside = true;
+    let mut inside = L::mask(set, true);
     for (q, limits) in q.iter().zip(constants.limits) {
-        inside &= within(*q, *limits, q.abs());
+        inside = L::both(inside, within_lanes(*q, *limits, q.abs()));
     }
-    inside && constants.combined.iter().all(|limit| limit.holds(q))
+    L::bits(inside)
 }
 
 /// The status of an ordinary target, as the search sets it.

@@ -11,6 +11,7 @@ mod branches;
 mod drivers;
 mod found;
 mod ordinary;
+mod rows;
 
 pub use denhart_core::lanes::{BLOCK, InstructionSet, Lanes, Row, Work};
 
@@ -23,6 +24,8 @@ pub use crate::solve::{
 pub use crate::windings::next_to_lanes;
 pub use arm::{BatchArm, BatchInverse};
 pub use branches::Branches;
-pub use drivers::{Lengths, forward, forward_and_jacobian, forward_with, inverse, inverse_with};
+pub use drivers::{
+    Lengths, forward, forward_and_jacobian, forward_and_jacobian_with, forward_with, inverse, inverse_with,
+};
 pub use found::{Found, MOST_SOLUTIONS, Summary};
 pub use ordinary::{FAR, ordinary};
