@@ -288,6 +288,9 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Inverse<'_,
     }
 }
 
+/// Targets of lanes, and where their solutions go.
+type Block<'a, const N: usize, const S: usize> = (&'a [Pose<f64>], &'a mut [[[f64; N]; S]], &'a mut [Found]);
+
 /// The last targets where they are fewer than lanes, and places for their solutions.
 struct Last<const N: usize, const S: usize> {
     targets: [Pose<f64>; MOST_LANES],
@@ -304,7 +307,7 @@ impl<const N: usize, const S: usize> Last<N, S> {
 
     #[cold]
     #[inline(never)]
-    fn of(&mut self, targets: &[Pose<f64>]) -> (&[Pose<f64>], &mut [[[f64; N]; S]], &mut [Found]) {
+    fn of(&mut self, targets: &[Pose<f64>]) -> Block<'_, N, S> {
         for (place, target) in self.targets.iter_mut().zip(targets) {
             *place = *target;
         }
