@@ -18,8 +18,8 @@ const AFTER: [f32; 3] = [20.0, 150.0, 590.0];
 /// Radius of the circles, and how far the second one leaves the workspace.
 const RADIUS: f32 = 100.0;
 const BEYOND: f32 = 2.0;
-/// A deviation that comes of rounding alone is less, mm.
-const ROUNDED: f32 = 0.01;
+/// Half of the way of the tool for one pulse at the edge, mm: 12,800 pulses a turn. The motors round by as much.
+const HALF_A_PULSE: f32 = 0.1;
 
 /// A part of the path. The tool is at rest between two parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -101,9 +101,9 @@ impl Part {
         let ends = tally.ended_exact() || self == Self::Leaving;
         let there = match self {
             // Two branches meet. A rounded target is beside that place or beyond it, and a tick is not always exact.
-            Self::Up | Self::Down | Self::ToTheEdge | Self::FromTheEdge => deviation < ROUNDED,
+            Self::Up | Self::Down | Self::ToTheEdge | Self::FromTheEdge => deviation < HALF_A_PULSE,
             Self::Past => rates > 0 && reach == 0,
-            Self::Leaving | Self::Returning => reach > 0 && deviation < BEYOND + ROUNDED,
+            Self::Leaving | Self::Returning => reach > 0 && deviation < BEYOND + HALF_A_PULSE,
             _ => exact == self.ticks(),
         };
         told && ends && there
