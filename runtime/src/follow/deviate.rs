@@ -298,7 +298,8 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         }
         self.under_way += T::ONE;
         if self.allowed == T::ZERO {
-            let [times, seconds] = PATIENCE.map(T::from_f64);
+            // One by one: constants become constants of `T` however little is optimized.
+            let (times, seconds) = (T::from_f64(PATIENCE[0]), T::from_f64(PATIENCE[1]));
             self.allowed = times * own.ticks + seconds * self.second();
         }
         self.under_way > self.allowed
