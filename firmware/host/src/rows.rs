@@ -34,7 +34,7 @@ pub fn arms() -> Vec<&'static str> {
     names
 }
 
-/// Those whose followers are measured.
+/// Arms whose followers are measured.
 #[must_use]
 pub fn followed() -> Vec<&'static str> {
     arms().into_iter().filter(|arm| Followed::of(arm).is_some()).collect()
