@@ -245,13 +245,13 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         let (mut most, mut longest) = (T::ONE, None);
         for (joint, (way, velocity)) in closing.ways.iter().zip(&self.bounds.most).enumerate() {
             if *velocity > T::ZERO && way.abs() > most * *velocity {
-                (most, longest) = (way.abs() / *velocity, Some((joint, *way)));
+                (most, longest) = (way.abs() / *velocity, Some(joint));
             }
         }
-        let Some((joint, way)) = longest else { return interval.cut(system.step(self, &alone, closing, share)) };
-        let mut led = [T::ZERO; N];
+        let Some(joint) = longest else { return interval.cut(system.step(self, &alone, closing, share)) };
+        let mut led = closing.ways;
         for (led, change) in led.iter_mut().zip(&self.bounds.change) {
-            *led = braked(share * way, *change);
+            *led = braked(share * *led, *change);
         }
         if let Some((alone, led)) = alone.iter_mut().zip(interval.cut(led)).nth(joint) {
             *alone = Some(led);

@@ -26,7 +26,8 @@ impl<T: Scalar, const N: usize> Rates<T, N> {
 
 /// Singularities through which a deviation may lead to a branch that is nearer in time.
 ///
-/// A step that is exact may cross any: there two branches meet, and the target goes on along the other one.
+/// A step that is exact may cross any: there two branches meet, and the target goes on along the other one. An arm that
+/// swings past another singularity comes back; where limits or reach then keep it from its target for a second, it stays.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Crossing {
     /// None: only exact steps change the branch.
