@@ -128,8 +128,7 @@ impl<A: BatchArm<N>, const N: usize> Work for Forward<'_, A, N> {
     #[inline(always)]
     fn run<L: Lanes>(self, set: L::Set) {
         let Self { arm, q, out } = self;
-        // Loops over arrays that the compiler leaves alone take longer than single calls: all of them are left over.
-        let whole = if L::EXPLICIT { q.len() - q.len() % L::WIDTH } else { 0 };
+        let whole = in_lanes::<L>(q.len());
         let Some((q, rest_of_q)) = q.split_at_checked(whole) else { return };
         let Some((out, rest)) = out.split_at_mut_checked(whole) else { return };
         for (q, out) in q.chunks_exact(L::WIDTH).zip(out.chunks_exact_mut(L::WIDTH)) {
@@ -155,8 +154,7 @@ impl<A: BatchArm<N>, const N: usize> Work for Both<'_, A, N> {
     #[inline(always)]
     fn run<L: Lanes>(self, set: L::Set) {
         let Self { arm, q, out } = self;
-        // Loops over arrays that the compiler leaves alone take longer than single calls: all of them are left over.
-        let whole = if L::EXPLICIT { q.len() - q.len() % L::WIDTH } else { 0 };
+        let whole = in_lanes::<L>(q.len());
         let Some((q, rest_of_q)) = q.split_at_checked(whole) else { return };
         let Some((out, rest)) = out.split_at_mut_checked(whole) else { return };
         for (q, out) in q.chunks_exact(L::WIDTH).zip(out.chunks_exact_mut(L::WIDTH)) {
@@ -169,6 +167,12 @@ impl<A: BatchArm<N>, const N: usize> Work for Both<'_, A, N> {
         }
         both_again(arm, rest_of_q, rest);
     }
+}
+
+/// How many rows of so many run in lanes: whole groups. Loops over arrays that the compiler leaves alone take longer than
+/// single calls, and take none.
+const fn in_lanes<L: Lanes>(rows: usize) -> usize {
+    if L::EXPLICIT { rows - rows % L::WIDTH } else { 0 }
 }
 
 /// Poses by single calls: of a group with an angle that is too large for lanes, and what is left over.
