@@ -7,7 +7,7 @@ use firmware_generate::{Error, Scalar, all_arms, folders, write};
 
 /// The arms whose followers are linked too: a pose, of six and of five joints and with one given, and a point. A follower is
 /// compiled for each arm, and takes as long to link as the arm's own functions.
-const FOLLOWED: [&str; 4] = ["kuka_iiwa7_r800", "salman_rrr", "scorbot_er5", "ur5"];
+const WITH_FOLLOWERS: [&str; 4] = ["kuka_iiwa7_r800", "salman_rrr", "scorbot_er5", "ur5"];
 
 fn main() -> Result<(), Error> {
     for folder in folders() {
@@ -22,7 +22,7 @@ fn main() -> Result<(), Error> {
             format!("arms::{name}_{scalar}::call::{function}(black_box(&arms::{name}_{scalar}::Case::BLANK));\n")
         };
         let every = names.iter().map(|name| call("every", name));
-        let calls: String = every.chain(FOLLOWED.iter().map(|name| call("followers", name))).collect();
+        let calls: String = every.chain(WITH_FOLLOWERS.iter().map(|name| call("followers", name))).collect();
         fs::write(Path::new(&directory).join(format!("{scalar}_calls.rs")), format!("{{\n{calls}}}"))?;
     }
     Ok(())

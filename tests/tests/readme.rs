@@ -152,7 +152,7 @@ fn every_other_example_is_as_it_is_shown() {
                         assert!(manifest.contains(&format!("\n{feature} = [")), "{place}: no feature {feature}");
                     }
                 }
-                // firmware/host/src/moves.rs has a receiver of these.
+                // firmware/host/tests/moves.rs has them received.
                 ("moves", None, None) => fence.content.lines().for_each(|line| {
                     let (counts, sum) = line.rsplit_once('*').unwrap();
                     assert_eq!(sum, format!("{:02X}", counts.bytes().fold(0, |all, byte| all ^ byte)), "{place}");
@@ -210,7 +210,8 @@ fn features(manifest: &str) -> Vec<&str> {
     lists.flat_map(|list| list.split('"').skip(1).step_by(2)).collect()
 }
 
-/// A command that writes files, or serves a page until it is stopped, is not run: its subcommand and its options are those of its help.
+/// A command that writes files, or serves a page until it is stopped, is not run: its subcommand and its options are those
+/// of its help.
 fn has_its_options(words: &[String], place: &str) {
     let (mut out, mut errors) = (Vec::new(), Vec::new());
     // `export` has subcommands of its own.
