@@ -1,7 +1,7 @@
 //! The command as it is run from a shell.
 #![allow(dead_code, clippy::unwrap_used)]
 
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
@@ -38,12 +38,15 @@ pub fn close(value: &Value, expected: &[f64]) {
     assert!(values.iter().zip(expected).all(|(x, y)| (x - y).abs() < 1e-9), "{values:?}, not {expected:?}");
 }
 
-/// Runs with a text on the standard input.
+/// Runs with a text on the standard input. A command that is refused may end before it reads.
 pub fn fed(arguments: &[&str], input: &str) -> Output {
     let mut child = command(arguments);
     child.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = child.spawn().unwrap();
-    child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
+    match child.stdin.take().unwrap().write_all(input.as_bytes()) {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => {}
+        written => written.unwrap(),
+    }
     child.wait_with_output().unwrap()
 }
 
