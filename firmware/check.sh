@@ -23,8 +23,9 @@ export CARGO_TERM_COLOR=never
 unset RUSTFLAGS CARGO_ENCODED_RUSTFLAGS
 tools=${DENHART_FIRMWARE_TOOLCHAIN:-${XDG_CACHE_HOME:-$HOME/.cache}/denhart/firmware}
 target=thumbv7em-none-eabihf
-# Of the repository's own workspace, which has the command `denhart`.
-workspace=$(realpath -m "${CARGO_TARGET_DIR:-../target}")
+# The command `denhart`, built apart from what `cargo test --workspace` has built: beside it, with another CARGO_HOME, cargo
+# would write the same files anew while doc tests read them.
+command=$(realpath -m "${CARGO_TARGET_DIR:-../target}")/command
 built=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 out=$built/check
 rm -rf "$out"
@@ -169,8 +170,8 @@ bits() {
 # The arm of specs/salman_rrr.yaml as a library for C, a program in C with it, and its results beside those of Rust.
 in_c() {
   local crate=$out/c/salman_rrr
-  CARGO_TARGET_DIR=$workspace cargo build --locked --quiet --manifest-path ../Cargo.toml -p denhart-cli
-  "$workspace/debug/denhart" export c ../specs/salman_rrr.yaml -o "$crate" --scalar f32 --crate-path ../runtime
+  CARGO_TARGET_DIR=$command cargo build --locked --quiet --manifest-path ../Cargo.toml -p denhart-cli
+  "$command/debug/denhart" export c ../specs/salman_rrr.yaml -o "$crate" --scalar f32 --crate-path ../runtime
   # The versions of this repository.
   cp ../Cargo.lock "$crate/"
   RUSTC=$tools/bin/rustc CARGO_TARGET_DIR=$built/chip cargo build --quiet --release --target $target \
@@ -192,7 +193,7 @@ elsewhere() {
   for arm in salman_rrr:f32 puma560:f64; do
     scalar=${arm#*:} arm=${arm%:*}
     crate=$out/elsewhere/$arm
-    "$workspace/debug/denhart" export c "../specs/$arm.yaml" -o "$crate" --scalar "$scalar" --crate-path ../runtime
+    "$command/debug/denhart" export c "../specs/$arm.yaml" -o "$crate" --scalar "$scalar" --crate-path ../runtime
     cp ../Cargo.lock "$crate/"
     mapfile -t roots < <(sed -n 's/^int32_t \([a-z0-9_]*\)(.*/--undefined=\1/p' "$crate/include/$arm.h")
     for target in thumbv6m-none-eabi riscv32imac-unknown-none-elf riscv32imafc-unknown-none-elf; do

@@ -9,8 +9,9 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 
 export CARGO_TERM_COLOR=never CHROMIUM=${CHROMIUM:-/usr/bin/chromium}
 root=$(realpath ..)
-# Of the repository's own workspace, which has the command `denhart`.
-workspace=$(realpath -m "${CARGO_TARGET_DIR:-../target}")
+# The command `denhart`, built apart from what `cargo test --workspace` has built: beside it, with another CARGO_HOME, cargo
+# would write the same files anew while doc tests read them.
+command=$(realpath -m "${CARGO_TARGET_DIR:-../target}")/command
 built=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 export CARGO_TARGET_DIR=$built
 mkdir -p "$built"
@@ -54,5 +55,5 @@ if [[ ! -x $CHROMIUM ]] && ! { command -v apt-get >/dev/null && apt-get install 
   echo "page: no browser $CHROMIUM here" >&2
   exit 77
 fi
-step 'the command' env CARGO_TARGET_DIR="$workspace" cargo build --locked --manifest-path "$root/Cargo.toml" -p denhart-cli
-node page/tests/browser.mjs "$built/page/page.html" "$workspace/debug/denhart" "$built/page/shots"
+step 'the command' env CARGO_TARGET_DIR="$command" cargo build --locked --manifest-path "$root/Cargo.toml" -p denhart-cli
+node page/tests/browser.mjs "$built/page/page.html" "$command/debug/denhart" "$built/page/shots"

@@ -13,8 +13,9 @@ if ! "$python" -c 'import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 
 fi
 export CARGO_TERM_COLOR=never PIP_DISABLE_PIP_VERSION_CHECK=1
 root=$(realpath ..)
-# Of the repository's own workspace, which has the command `denhart`.
-workspace=$(realpath -m "${CARGO_TARGET_DIR:-../target}")
+# The command `denhart`, built apart from what `cargo test --workspace` has built: beside it, with another CARGO_HOME, cargo
+# would write the same files anew while doc tests read them.
+command=$(realpath -m "${CARGO_TARGET_DIR:-../target}")/command
 built=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 export CARGO_TARGET_DIR=$built
 mkdir -p "$built"
@@ -67,8 +68,8 @@ ln -s "$(realpath ../docs)" "$out/docs"
 mkdir "$out/python"
 cp tour.ipynb README.md "$out/python"
 cd "$out"
-step 'the command' env CARGO_TARGET_DIR="$workspace" cargo build --locked --manifest-path "$root/Cargo.toml" -p denhart-cli
+step 'the command' env CARGO_TARGET_DIR="$command" cargo build --locked --manifest-path "$root/Cargo.toml" -p denhart-cli
 step 'type stubs' "$bin/python" -m mypy.stubtest denhart --ignore-missing-stub --ignore-disjoint-bases
 step 'types of the tests' "$bin/mypy" --strict tests/typed.py
-step 'tests' env DENHART_ROOT="$out" DENHART="$workspace/debug/denhart" "$bin/pytest" -q -p no:cacheprovider tests
+step 'tests' env DENHART_ROOT="$out" DENHART="$command/debug/denhart" "$bin/pytest" -q -p no:cacheprovider tests
 tail -n 1 "$out/log"
