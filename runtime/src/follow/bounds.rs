@@ -64,13 +64,13 @@ impl<T: Scalar, const N: usize> Bounds<T, N> {
     /// A step of the joints as one of the motors.
     #[allow(clippy::wrong_self_convention)]
     pub(super) fn to_motors(&self, joints: [T; N]) -> [T; N] {
-        self.linked.map_or(joints, |linked| product(&linked.to_motor, &joints))
+        self.linked.as_ref().map_or(joints, |linked| product(&linked.to_motor, &joints))
     }
 
     /// A step of the motors as one of the joints.
     #[allow(clippy::wrong_self_convention)]
     pub(super) fn to_joints(&self, motors: [T; N]) -> [T; N] {
-        self.linked.map_or(motors, |linked| product(&linked.from_motor, &motors))
+        self.linked.as_ref().map_or(motors, |linked| product(&linked.from_motor, &motors))
     }
 
     /// The way of the motors from joint values to others.
@@ -92,7 +92,7 @@ impl<T: Scalar, const N: usize> Bounds<T, N> {
 
     /// A Jacobian by the joints as one by the motors.
     pub(super) fn by_motors(&self, jacobian: &Jacobian<T, N>) -> [[T; N]; 6] {
-        let Some(linked) = self.linked else { return jacobian.rows };
+        let Some(linked) = &self.linked else { return jacobian.rows };
         jacobian.rows.map(|row| {
             let mut by_motors = [T::ZERO; N];
             for (entry, line) in row.iter().zip(&linked.from_motor) {

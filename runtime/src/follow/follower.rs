@@ -271,19 +271,18 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         for by_name in [true, false] {
             choice = Choice::NONE;
             for solution in solutions.iter().filter(|solution| solution.is_exact()) {
-                let q = self.on_the_turn_of_the_goal(arm, &solution.q);
-                let candidate = Candidate::new(solution, q, self.bounds.ticks(&self.way(&q)));
                 let asked = match self.sent {
-                    Some(sent) => sent.agrees_with(candidate.branch),
-                    None => !by_name || candidate.branch.with_root(0) == followed,
+                    Some(sent) => sent.agrees_with(solution.branch),
+                    None => !by_name || solution.branch.with_root(0) == followed,
                 };
                 let signs = || Signs::at(arm, &solution.q, Some(target));
                 let own = asked && (self.sent.is_some() || !signs().differ(self.wanted.signs));
                 // An arm that is beyond a singularity against its settings may stay there rather than wait for ever.
                 let is_here = || self.has_waited() && !signs().differ(self.here.signs);
-                let allowed = || self.settings.crossing.allows(self.wanted.branch, candidate.branch) || is_here();
-                if own || (self.sent.is_none() && candidate.within_limits && allowed()) {
-                    choice.note(candidate, own);
+                let allowed = || self.settings.crossing.allows(self.wanted.branch, solution.branch) || is_here();
+                if own || (self.sent.is_none() && solution.is_within_limits() && allowed()) {
+                    let q = self.on_the_turn_of_the_goal(arm, &solution.q);
+                    choice.note(Candidate::new(solution, q, self.bounds.ticks(&self.way(&q))), own);
                 }
             }
             if choice.own.is_some() {

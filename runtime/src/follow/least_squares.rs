@@ -21,18 +21,14 @@ enum Place {
 impl<T: Scalar, const N: usize> Normal<T, N> {
     /// The matrix `rows^T rows + damping`.
     pub(super) fn new(rows: &[[T; N]; 6], damping: T) -> Self {
+        let product = |i: usize, j: usize| rows.iter().fold(T::ZERO, |sum, row| sum + row[i] * row[j]);
         let mut matrix = [[T::ZERO; N]; N];
-        for row in rows {
-            for (line, left) in matrix.iter_mut().zip(row) {
-                for (entry, right) in line.iter_mut().zip(row) {
-                    *entry += *left * *right;
-                }
+        for i in 0..N {
+            for j in 0..i {
+                let sum = product(i, j);
+                (matrix[i][j], matrix[j][i]) = (sum, sum);
             }
-        }
-        for (joint, line) in matrix.iter_mut().enumerate() {
-            if let Some(entry) = line.get_mut(joint) {
-                *entry += damping;
-            }
+            matrix[i][i] = product(i, i) + damping;
         }
         Self { matrix }
     }
