@@ -2,6 +2,7 @@
 //!
 //! `denhart-bind WASM FOLDER` writes `denhart_page.js`, its types, and `denhart_page.wasm.gz` to the folder.
 
+mod order;
 mod pack;
 
 use std::fs;

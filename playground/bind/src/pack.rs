@@ -7,11 +7,10 @@ use wasm_encoder::reencode::{Error, Reencode, utils};
 use wasm_encoder::{CodeSection, Encode, FunctionSection, Module};
 use wasmparser::{CodeSectionReader, FunctionBody, FunctionSectionReader, Parser, Payload, TypeRef};
 
+use crate::order::side_by_side;
+
 /// Rounds in which functions that call equal ones are found equal.
 const ROUNDS: usize = 12;
-/// So many first bytes of a function tell which others it is like.
-const BEGINNING: usize = 60;
-
 type Failed = Error<Infallible>;
 
 /// The new places of functions.
@@ -109,9 +108,8 @@ fn packed(wasm: &[u8]) -> Result<Vec<u8>, Failed> {
             break;
         }
     }
-    let beginning =
-        |index: &usize| codes.get(*index).map(|code| code.iter().skip(8).take(BEGINNING).copied().collect::<Vec<u8>>());
-    packer.order.sort_by_cached_key(beginning);
+    let kept: Vec<&[u8]> = packer.order.iter().filter_map(|index| codes.get(*index)).map(Vec::as_slice).collect();
+    packer.order = side_by_side(&kept).into_iter().filter_map(|place| packer.order.get(place).copied()).collect();
     let mut place = vec![0; bodies.len()];
     for (new, old) in packer.order.iter().enumerate() {
         if let Some(place) = place.get_mut(*old) {
