@@ -19,6 +19,9 @@ use crate::{DynamicArm, DynamicError, DynamicSolution, DynamicSolutions, Dynamic
 /// and names of the file are those of [`limits`](Arm::limits), [`joint_kinds`](Arm::joint_kinds) and
 /// [`DynamicArm::joint_names`].
 ///
+/// A view by [`DynamicArm::padded_view`] may have more joints than the arm. Those [`beyond`](Self::beyond) the arm's own stand
+/// at 0 and move nothing.
+///
 /// ```
 /// use denhart::{Arm, InverseKinematics, Solution};
 /// use denhart_dynamic::{DynamicArm, DynamicError};
@@ -59,10 +62,30 @@ impl DynamicArm {
     /// # Errors
     /// [`DynamicError::Joints`] if `N` is not the number of joints; an arm without inverse.
     pub fn view<const N: usize>(&self) -> Result<DynamicView<'_, N>, DynamicError> {
+        if self.joints() != N {
+            return Err(DynamicError::Joints { expected: self.joints(), found: N });
+        }
+        self.padded_view()
+    }
+
+    /// A view with `N` joints of an arm that has as many or fewer: one instance of generic code for arms of any number of
+    /// joints. A follower's [`locked`](denhart::follow::FollowSettings::locked) has to name the joints
+    /// [`beyond`](DynamicView::beyond) the arm's own.
+    ///
+    /// # Errors
+    /// [`DynamicError::Joints`] if the arm has more than `N` joints; an arm without inverse.
+    pub fn padded_view<const N: usize>(&self) -> Result<DynamicView<'_, N>, DynamicError> {
         self.task()?;
-        let wrong = |_| DynamicError::Joints { expected: self.joints(), found: N };
-        let limits = <[[f64; 2]; N]>::try_from(self.limits()).map_err(wrong)?;
-        let kinds = <[JointKind; N]>::try_from(self.joint_kinds()).map_err(wrong)?;
+        if self.joints() > N {
+            return Err(DynamicError::Joints { expected: self.joints(), found: N });
+        }
+        let (mut limits, mut kinds) = ([[0.0; 2]; N], [JointKind::Revolute; N]);
+        for (place, own) in limits.iter_mut().zip(self.limits()) {
+            *place = *own;
+        }
+        for (place, own) in kinds.iter_mut().zip(self.joint_kinds()) {
+            *place = *own;
+        }
         let combined = |limit: &denhart_codegen::model::CombinedLimit| CombinedLimit {
             factors: array(&limit.factors),
             limits: limit.limits,
@@ -137,8 +160,9 @@ fn typed<const N: usize>(solution: &DynamicSolution) -> Solution<f64, N> {
     Solution { q: array(&q), flags, free, branch, residual }
 }
 
+/// Values of the arm's joints, and 0 of those beyond.
 fn array<const N: usize>(values: &[f64]) -> [f64; N] {
-    let mut array = [f64::NAN; N];
+    let mut array = [0.0; N];
     for (place, value) in array.iter_mut().zip(values) {
         *place = *value;
     }
@@ -156,10 +180,29 @@ impl<const N: usize> DynamicView<'_, N> {
         given: &[f64],
         (q, here): (&[f64; N], &(Pose<f64>, Jacobian<f64, N>)),
     ) -> Deviation<f64, N> {
-        match held(&program.given, N, given).as_slice() {
+        let mut deviation = match held(&program.given, N, given).as_slice() {
             [] => Deviation::new(goal, q, here),
             held => Deviation::new(&AllLocked::new(goal, held), q, here),
+        };
+        for joint in self.beyond().iter() {
+            deviation.given.insert(JointMask::single(joint));
         }
+        deviation
+    }
+
+    /// The values of the arm's own joints.
+    fn own<'q>(&self, q: &'q [f64; N]) -> &'q [f64] {
+        q.get(..self.arm.joints()).unwrap_or(q)
+    }
+
+    /// The joints that the arm does not have.
+    #[must_use]
+    pub fn beyond(&self) -> JointMask {
+        let mut beyond = JointMask::NONE;
+        for joint in self.arm.joints()..N {
+            beyond.insert(JointMask::single(joint));
+        }
+        beyond
     }
 
     /// The arm that is viewed.
@@ -185,7 +228,7 @@ const fn no_jacobian<const N: usize>() -> Jacobian<f64, N> {
     Jacobian { rows: [[f64::NAN; N]; 6] }
 }
 
-/// The number of joints is that of the arm, so no function of joint values fails.
+/// The number of the arm's own joints is right, so no function of joint values fails.
 impl<const N: usize> Arm<f64, N> for DynamicView<'_, N> {
     const LIMITS: [[f64; 2]; N] = [[f64::NEG_INFINITY, f64::INFINITY]; N];
     const JOINT_NAMES: [&'static str; N] = Self::NAMES;
@@ -200,24 +243,25 @@ impl<const N: usize> Arm<f64, N> for DynamicView<'_, N> {
     }
 
     fn forward(&self, q: &[f64; N]) -> Pose<f64> {
-        self.arm.pose(q)
+        self.arm.pose(self.own(q))
     }
 
     fn link_poses(&self, q: &[f64; N]) -> [Pose<f64>; N] {
-        let mut links = [NO_POSE; N];
-        for (place, link) in links.iter_mut().zip(self.arm.link_poses(q).unwrap_or_default()) {
+        let own = self.arm.link_poses(self.own(q)).unwrap_or_default();
+        let mut links = [own.last().copied().unwrap_or(NO_POSE); N];
+        for (place, link) in links.iter_mut().zip(own) {
             *place = link;
         }
         links
     }
 
     fn jacobian(&self, q: &[f64; N]) -> Jacobian<f64, N> {
-        self.arm.jacobian(q).map_or(no_jacobian(), |rows| Jacobian { rows: rows.map(|row| array(&row)) })
+        self.arm.jacobian(self.own(q)).map_or(no_jacobian(), |rows| Jacobian { rows: rows.map(|row| array(&row)) })
     }
 
     fn forward_and_jacobian(&self, q: &[f64; N]) -> (Pose<f64>, Jacobian<f64, N>) {
         let typed = |(pose, rows): (_, crate::DynamicJacobian)| (pose, Jacobian { rows: rows.map(|row| array(&row)) });
-        self.arm.forward_and_jacobian(q).map_or((NO_POSE, no_jacobian()), typed)
+        self.arm.forward_and_jacobian(self.own(q)).map_or((NO_POSE, no_jacobian()), typed)
     }
 }
 
@@ -237,21 +281,21 @@ impl<const N: usize> InverseKinematics<f64, N> for DynamicView<'_, N> {
     }
 
     fn inverse_near(&self, target: &WholeTarget, q_ref: &[f64; N]) -> ViewSolutions<N> {
-        ViewSolutions::of(|found| self.arm.inverse_near_into(&target.target, q_ref, found))
+        ViewSolutions::of(|found| self.arm.inverse_near_into(&target.target, self.own(q_ref), found))
     }
 
     fn inverse_near_into(&self, target: &WholeTarget, q_ref: &[f64; N], solutions: &mut ViewSolutions<N>) {
-        solutions.fill(|found| self.arm.inverse_near_into(&target.target, q_ref, found));
+        solutions.fill(|found| self.arm.inverse_near_into(&target.target, self.own(q_ref), found));
     }
 
     fn residual(&self, q: &[f64; N], target: &WholeTarget) -> Residual<f64> {
         let missed = Residual { position: f64::NAN, orientation: f64::NAN };
-        self.arm.residual(q, &target.target).unwrap_or(missed)
+        self.arm.residual(self.own(q), &target.target).unwrap_or(missed)
     }
 
     fn target_at(&self, q: &[f64; N]) -> WholeTarget {
-        let target = self.arm.target_at(q).unwrap_or(DynamicTarget::Pose(NO_POSE));
-        WholeTarget::new(target, &self.arm.held(q).unwrap_or_default())
+        let target = self.arm.target_at(self.own(q)).unwrap_or(DynamicTarget::Pose(NO_POSE));
+        WholeTarget::new(target, &self.arm.held(self.own(q)).unwrap_or_default())
     }
 
     fn deviation(&self, q: &[f64; N], target: &WholeTarget, here: &(Pose<f64>, Jacobian<f64, N>)) -> Deviation<f64, N> {
@@ -274,11 +318,11 @@ impl<const N: usize> InverseKinematics<f64, N> for DynamicView<'_, N> {
     }
 
     fn inverse_given_near_into(&self, target: &WholeTarget, q_ref: &[f64; N], solutions: &mut ViewSolutions<N>) {
-        solutions.fill(|found| self.arm.inverse_given_near_into(&target.target, &target.given, q_ref, found));
+        solutions.fill(|found| self.arm.inverse_given_near_into(&target.target, &target.given, self.own(q_ref), found));
     }
 
     fn factors(&self, q: &[f64; N], factors: &mut [f64]) -> usize {
-        let margins = self.arm.margins(q).ok().flatten().unwrap_or_default();
+        let margins = self.arm.margins(self.own(q)).ok().flatten().unwrap_or_default();
         for (factor, margin) in factors.iter_mut().zip(&margins) {
             *factor = margin.value;
         }
@@ -393,6 +437,43 @@ mod tests {
         let other = WholeTarget::from(DynamicTarget::Position([0.1; 3]));
         assert_eq!(DynamicView::<6>::status(&view.inverse(&other)), Status::BadTarget);
         assert!(view.inverse(&other).as_ref().is_empty() && view.residual(&[0.0; 6], &other).position.is_nan());
+    }
+
+    /// A follower of an arm with joints beyond its own takes the same steps.
+    fn follows_alike<const N: usize>(name: &str, start: [f64; N]) {
+        use denhart::follow::{FollowSettings, Follower, Rates};
+        let arm = spec(name);
+        let (own, padded) = (arm.view::<N>().unwrap(), arm.padded_view::<8>().unwrap());
+        let settings = FollowSettings::new(1e-3, Rates { velocity: [2.0; N], acceleration: [16.0; N] });
+        let mut follower = Follower::new(&own, settings.held(), &start).unwrap();
+        let settings = FollowSettings::new(1e-3, Rates { velocity: [2.0; 8], acceleration: [16.0; 8] });
+        let wide: [f64; 8] = array(&start);
+        let mut other = Follower::new(&padded, settings.locked(padded.beyond()), &wide).unwrap();
+        let (mut found, mut list) = (ViewSolutions::default(), ViewSolutions::default());
+        let mut exact = 0;
+        for tick in 0..400 {
+            let mut q = start;
+            for (joint, q) in q.iter_mut().enumerate() {
+                *q += 0.4 * (0.01 * f64::from(tick) * (1.0 + joint as f64)).sin() * f64::from(tick / 100 % 2);
+            }
+            let target = own.target_at(&q);
+            let [left, right] =
+                [follower.step(&own, &target, &mut found).residual, other.step(&padded, &target, &mut list).residual];
+            let apart = follower.q().iter().zip(other.q()).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+            assert!(apart < 1e-9 && (left.position - right.position).abs() < 1e-9, "{name} tick {tick}: {apart}");
+            assert!(other.q()[N..].iter().all(|q| *q == 0.0));
+            exact += usize::from(left.position == 0.0);
+        }
+        assert!((100..400).contains(&exact), "{name}: {exact}");
+    }
+
+    #[test]
+    fn joints_beyond_the_arm_change_no_step() {
+        follows_alike("ur5", [0.3, -1.2, 1.4, -0.5, 0.9, 0.2]);
+        follows_alike("planar3r", [0.3, 0.8, -0.6]);
+        follows_alike("scara_rrrp_325_275", [0.3, 0.8, -0.6, 0.05]);
+        follows_alike("kuka_iiwa7_r800", [0.3, 0.5, 0.2, -1.1, 0.3, 0.8, 0.1]);
+        assert_eq!(spec("ur5").padded_view::<5>().unwrap_err(), DynamicError::Joints { expected: 6, found: 5 });
     }
 
     #[derive(denhart::Arm, Default)]
