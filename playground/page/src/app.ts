@@ -58,6 +58,8 @@ export class App {
   /** Times of the handlers that move the arm, ms. */
   times: number[] = [];
   readonly history = new History<Snapshot>();
+  /** Brings the arm to the target as time goes on; unset, it jumps to the solution next to it. */
+  chase: (() => void) | undefined;
 
   private readonly listeners: ((change: Change) => void)[] = [];
   private asked = 0;
@@ -191,8 +193,15 @@ export class App {
     this.target = target;
     this.angle = angle;
     this.solve();
-    const next = this.next(this.q);
+    const next = this.chase ? undefined : this.next(this.q);
     if (next) this.stand(next);
+    this.emit("posture");
+    this.chase?.();
+  }
+
+  /** The arm has come to joint values on its way to the target. */
+  comeTo(q: number[]): void {
+    this.stand(q);
     this.emit("posture");
   }
 

@@ -7,6 +7,7 @@ import { byId, messageOf, notice } from "./dom";
 import { Editor } from "./editor";
 import { Files } from "./files";
 import { FlatView } from "./flat";
+import { Follower } from "./follower";
 import { Gallery } from "./gallery";
 import { Jobs } from "./jobs";
 import { listenToKeys } from "./keys";
@@ -95,6 +96,7 @@ async function start(): Promise<void> {
   new Sliders(app);
   new Answers(app);
   new Motors(app);
+  new Follower(app);
   byId("version").textContent = version();
   // For the tests in a browser, and for the curious.
   Object.assign(window, { denhart: { app, view } });

@@ -183,6 +183,58 @@ const tests = {
     });
   },
 
+  async "the arm follows a target within its rates"(browser) {
+    const page = await open(browser);
+    // A far target: from where the arm stands, joint 1 turned by 2 rad.
+    const [before, goal] = await page.evaluate(() => {
+      const { app } = window.denhart;
+      const q = Array.from(app.q);
+      app.moveTo(q.map((value, joint) => (joint === 0 ? value + 2 : value)));
+      const goal = { q: Array.from(app.q), pose: Array.from(app.target) };
+      app.moveTo(q);
+      return [q, goal];
+    });
+    await page.locator("#follow").check();
+    const run = await page.evaluate(async ({ pose }) => {
+      const { app } = window.denhart;
+      const steps = [];
+      const start = performance.now();
+      let last = Array.from(app.q);
+      app.listen(() => {
+        const now = Array.from(app.q);
+        steps.push(Math.max(...now.map((value, joint) => Math.abs(value - last[joint]))));
+        last = now;
+      });
+      app.aim(pose);
+      const jump = steps.at(-1);
+      const says = document.getElementById("tracking");
+      const seen = new Set();
+      while (says.textContent !== "exact" && performance.now() - start < 20000) {
+        seen.add(says.textContent.split(":")[0]);
+        await new Promise((done) => requestAnimationFrame(done));
+      }
+      return { jump, most: Math.max(...steps), moves: steps.filter((step) => step > 0).length, seen: [...seen] };
+    }, goal);
+    const after = await state(page);
+    assert.equal(run.jump, 0, "the arm jumps to no solution");
+    // A frame has at most 50 ticks of 1 ms, at 3 rad/s where the file says nothing.
+    assert.ok(run.most <= 0.15 + 1e-9, `a frame moves a joint by ${run.most}`);
+    assert.ok(run.moves >= 10 && run.seen.includes("rates"), JSON.stringify(run));
+    assert.equal(await page.locator("#tracking").textContent(), "exact");
+    near(after.tool[9], goal.pose[9], 1e-9, "x of the tool");
+    assert.ok(Math.abs(after.q[0] - before[0]) > 1, "joint 1 has turned");
+    // Out of reach the arm comes to rest, and says so.
+    await page.evaluate((pose) => window.denhart.app.aim(pose.map((value, place) => (place < 9 ? value : 10 * value))), goal.pose);
+    await page.waitForFunction(() => document.getElementById("tracking").textContent.startsWith("reach"), null, { timeout: 20000 });
+    await page.screenshot({ path: join(shots, "follow.png") });
+    // A solution that is taken is where it goes on from.
+    await page.evaluate((pose) => window.denhart.app.aim(pose), goal.pose);
+    await page.evaluate(() => window.denhart.app.choose(1));
+    await page.waitForFunction(() => document.getElementById("tracking").textContent === "exact", null, { timeout: 20000 });
+    await page.locator("#follow").uncheck();
+    assert.equal(await page.locator("#tracking").textContent(), "");
+  },
+
   async "the target is dragged with eight ghosts, and one is taken"(browser) {
     const page = await open(browser);
     // Well within the workspace of all eight.

@@ -9,6 +9,7 @@ use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::facts::facts;
+use crate::follow::Following;
 use crate::numbers::{self, figure, of_pose, target, thrown};
 
 /// An arm of an arm file.
@@ -16,6 +17,7 @@ use crate::numbers::{self, figure, of_pose, target, thrown};
 pub struct PageArm {
     pub(crate) arm: DynamicArm,
     solutions: DynamicSolutions,
+    pub(crate) following: Option<Following>,
 }
 
 #[wasm_bindgen]
@@ -24,7 +26,7 @@ impl PageArm {
     #[wasm_bindgen(constructor)]
     pub fn new(text: &str) -> Result<PageArm, JsError> {
         let arm = DynamicArm::named(text, "arm.yaml").map_err(thrown)?;
-        Ok(PageArm { arm, solutions: DynamicSolutions::default() })
+        Ok(PageArm { arm, solutions: DynamicSolutions::default(), following: None })
     }
 
     /// Names, units, limits, task: JSON.

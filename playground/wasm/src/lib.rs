@@ -7,6 +7,7 @@
 
 mod arm;
 mod facts;
+mod follow;
 mod numbers;
 mod picture;
 mod text;
