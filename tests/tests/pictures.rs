@@ -1,6 +1,6 @@
 //! The pictures of README.md and of the pages of `docs/` are those that the command draws now.
 //!
-//! A comment above a picture has its command: `<!-- denhart draw ARM .. -->`, or `<!-- denhart trace ARM .. -->`, without
+//! A comment above a picture has its command: `<!-- denhart draw ARM .. -->`, or `trace` or `follow` in place of `draw`, without
 //! the file that it writes. `DENHART_ACCEPT=1 cargo test -p denhart-tests --no-default-features --test pictures` draws them.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use pages::{Page, pages, words};
 
 /// Least number of pictures. Fewer: the comments are not found.
-const LEAST: usize = 9;
+const LEAST: usize = 11;
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
@@ -24,9 +24,9 @@ fn drawn(page: &Page, command: &str, name: &str) -> String {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pictures");
     fs::create_dir_all(&folder).unwrap();
     let picture = folder.join(name);
-    // An arm file of the page, or one of the repository.
+    // An arm file or a path of the page, or one of the repository.
     let argument = |word: String| {
-        if !word.ends_with(".yaml") {
+        if !word.ends_with(".yaml") && !word.ends_with(".csv") {
             return word;
         }
         let shown = page.fences.iter().find(|fence| fence.file.as_deref() == Some(&word));
@@ -36,7 +36,7 @@ fn drawn(page: &Page, command: &str, name: &str) -> String {
         file.display().to_string()
     };
     let arguments = words(command).into_iter().map(argument);
-    let option = if command.contains(" trace ") { "--plot" } else { "-o" };
+    let option = if command.contains(" draw ") { "-o" } else { "--plot" };
     let arguments: Vec<String> = arguments.chain([option.to_owned(), picture.display().to_string()]).collect();
     let (mut out, mut errors) = (Vec::new(), Vec::new());
     let status = denhart_cli::run(&arguments, &mut out, &mut errors);
