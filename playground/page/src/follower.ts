@@ -23,10 +23,15 @@ export class Follower {
 
   constructor(private readonly app: App) {
     this.box.addEventListener("change", () => {
-      this.app.chase = this.box.checked ? () => this.run() : undefined;
-      this.left = undefined;
-      this.says.textContent = "";
+      this.stop();
+      if (this.box.checked) this.app.chase = () => this.run();
     });
+  }
+
+  private stop(): void {
+    this.app.chase = undefined;
+    this.left = undefined;
+    this.says.textContent = "";
   }
 
   private run(): void {
@@ -49,7 +54,10 @@ export class Follower {
   private ticks(ticks: number): boolean {
     const { app } = this;
     const { arm } = app;
-    if (!app.chase || !arm || !app.facts?.task) return false;
+    if (!app.chase || !arm || !app.facts?.task) {
+      this.says.textContent = "";
+      return false;
+    }
     try {
       if (this.left?.q !== app.q || this.left.arm !== arm) arm.begin(Float64Array.from(app.q));
       const numbers = arm.follow(Float64Array.from(app.target), app.angle, ticks);
@@ -61,8 +69,9 @@ export class Follower {
       this.still = fastest < 1e-6 ? this.still + ticks : 0;
       return this.still < (tracking === 0 ? 1 : WAIT);
     } catch (error) {
-      this.left = undefined;
-      this.says.textContent = "";
+      // Too many joints, or a joint outside its limits: told once.
+      this.box.checked = false;
+      this.stop();
       notice(`the arm cannot follow from here: ${messageOf(error)}`, true);
       return false;
     }

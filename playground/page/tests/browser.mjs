@@ -233,6 +233,20 @@ const tests = {
     await page.waitForFunction(() => document.getElementById("tracking").textContent === "exact", null, { timeout: 20000 });
     await page.locator("#follow").uncheck();
     assert.equal(await page.locator("#tracking").textContent(), "");
+    // A start outside the limits is told once, and the arm jumps again.
+    await page.locator("#follow").check();
+    const other = await page.evaluate(async (text) => {
+      const { app } = window.denhart;
+      await app.setText(text);
+      const pose = Array.from(app.target);
+      app.moveTo(app.q.map((value, joint) => (joint === 1 ? 7 : value)));
+      app.aim(pose);
+      return pose;
+    }, readFileSync(join(root, "specs/abb_irb120.yaml"), "utf8"));
+    await page.waitForFunction(() => document.getElementById("notices").textContent.includes("cannot follow"));
+    assert.equal(await page.locator("#follow").isChecked(), false);
+    await page.evaluate((pose) => window.denhart.app.aim(pose), other);
+    near((await state(page)).tool[9], other[9], 1e-9, "the arm jumps");
   },
 
   async "the target is dragged with eight ghosts, and one is taken"(browser) {
