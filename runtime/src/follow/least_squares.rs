@@ -18,6 +18,8 @@ enum Place {
     Fixed,
 }
 
+// Rows and columns as the formulas number them.
+#[allow(clippy::needless_range_loop)]
 impl<T: Scalar, const N: usize> Normal<T, N> {
     /// The matrix `rows^T rows + damping`.
     pub(super) fn new(rows: &[[T; N]; 6], damping: T) -> Self {
