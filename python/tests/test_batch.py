@@ -212,14 +212,20 @@ def test_ctrl_c(ur5, threads):
     # Seconds of work, which end within a fraction of one.
     poses = np.tile(ur5.forward(np.full(6, 0.3)), (200_000, 1, 1))
     out = np.empty((200_000, 8, 6))
-    timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
-    start = time.perf_counter()
-    timer.start()
-    with pytest.raises(KeyboardInterrupt) as caught:
-        for _ in range(20):
-            ur5.inverse_batch(poses, threads=threads, out=out)
-    assert time.perf_counter() - start < 2.0
-    assert caught.value.__notes__ == ["some rows of out= are written, others are not"]
+    notes: list[str] = []
+    for _ in range(20):
+        timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+        start = time.perf_counter()
+        timer.start()
+        with pytest.raises(KeyboardInterrupt) as caught:
+            while time.perf_counter() - start < 5.0:
+                ur5.inverse_batch(poses, threads=threads, out=out)
+        assert time.perf_counter() - start < 2.0
+        notes = getattr(caught.value, "__notes__", [])
+        # A signal between two calls finds nothing half written: again.
+        if notes:
+            break
+    assert notes == ["some rows of out= are written, others are not"]
     # The array is free again.
     ur5.inverse_batch(poses[:10], out=out[:10])
 
