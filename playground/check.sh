@@ -42,6 +42,7 @@ step 'cargo fmt' cargo fmt --all --check
 step 'build' ./build.sh
 tail -n 1 "$out/log"
 step 'cargo clippy' cargo clippy --release --locked -p denhart-bind -- -D warnings
+step 'cargo test' cargo test --release --locked -p denhart-bind
 size=$(gzip -9 -c "$built/page/page.html" | wc -c)
 if ((size > most)); then
   echo "the page has $size bytes as gzip, more than $most"

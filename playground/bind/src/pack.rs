@@ -11,6 +11,7 @@ use crate::order::side_by_side;
 
 /// Rounds in which functions that call equal ones are found equal.
 const ROUNDS: usize = 12;
+
 type Failed = Error<Infallible>;
 
 /// The new places of functions.
