@@ -19,8 +19,8 @@ use crate::{DynamicArm, DynamicError, DynamicSolution, DynamicSolutions, Dynamic
 /// and names of the file are those of [`limits`](Arm::limits), [`joint_kinds`](Arm::joint_kinds) and
 /// [`DynamicArm::joint_names`].
 ///
-/// A view by [`DynamicArm::padded_view`] may have more joints than the arm. Those [`beyond`](Self::beyond) the arm's own stand
-/// at 0 and move nothing.
+/// A view by [`DynamicArm::padded_view`] may have more joints than the arm. Those beyond the arm's own move nothing, and their
+/// limits hold them at 0.
 ///
 /// ```
 /// use denhart::{Arm, InverseKinematics, Solution};
@@ -69,8 +69,7 @@ impl DynamicArm {
     }
 
     /// A view with `N` joints of an arm that has as many or fewer: one instance of generic code for arms of any number of
-    /// joints. A follower's [`locked`](denhart::follow::FollowSettings::locked) has to name the joints
-    /// [`beyond`](DynamicView::beyond) the arm's own.
+    /// joints. Joints beyond the arm's own move nothing, and their limits hold them at 0.
     ///
     /// # Errors
     /// [`DynamicError::Joints`] if the arm has more than `N` joints; an arm without inverse.
@@ -184,8 +183,8 @@ impl<const N: usize> DynamicView<'_, N> {
             [] => Deviation::new(goal, q, here),
             held => Deviation::new(&AllLocked::new(goal, held), q, here),
         };
-        for joint in self.beyond().iter() {
-            deviation.given.insert(JointMask::single(joint));
+        for beyond in self.arm.joints()..N {
+            deviation.given.insert(JointMask::single(beyond));
         }
         deviation
     }
@@ -193,16 +192,6 @@ impl<const N: usize> DynamicView<'_, N> {
     /// The values of the arm's own joints.
     fn own<'q>(&self, q: &'q [f64; N]) -> &'q [f64] {
         q.get(..self.arm.joints()).unwrap_or(q)
-    }
-
-    /// The joints that the arm does not have.
-    #[must_use]
-    pub fn beyond(&self) -> JointMask {
-        let mut beyond = JointMask::NONE;
-        for joint in self.arm.joints()..N {
-            beyond.insert(JointMask::single(joint));
-        }
-        beyond
     }
 
     /// The arm that is viewed.
@@ -228,7 +217,7 @@ const fn no_jacobian<const N: usize>() -> Jacobian<f64, N> {
     Jacobian { rows: [[f64::NAN; N]; 6] }
 }
 
-/// The number of the arm's own joints is right, so no function of joint values fails.
+/// The arm gets the values of as many joints as it has, so no function of joint values fails.
 impl<const N: usize> Arm<f64, N> for DynamicView<'_, N> {
     const LIMITS: [[f64; 2]; N] = [[f64::NEG_INFINITY, f64::INFINITY]; N];
     const JOINT_NAMES: [&'static str; N] = Self::NAMES;
@@ -445,10 +434,10 @@ mod tests {
         let arm = spec(name);
         let (own, padded) = (arm.view::<N>().unwrap(), arm.padded_view::<8>().unwrap());
         let settings = FollowSettings::new(1e-3, Rates { velocity: [2.0; N], acceleration: [16.0; N] });
-        let mut follower = Follower::new(&own, settings.held(), &start).unwrap();
+        let mut follower = Follower::new(&own, settings, &start).unwrap();
         let settings = FollowSettings::new(1e-3, Rates { velocity: [2.0; 8], acceleration: [16.0; 8] });
         let wide: [f64; 8] = array(&start);
-        let mut other = Follower::new(&padded, settings.locked(padded.beyond()), &wide).unwrap();
+        let mut other = Follower::new(&padded, settings, &wide).unwrap();
         let (mut found, mut list) = (ViewSolutions::default(), ViewSolutions::default());
         let mut exact = 0;
         for tick in 0..400 {
