@@ -210,6 +210,11 @@ export class App {
     if (!this.arm || !this.facts?.task) return;
     this.given = given;
     this.solve();
+    if (this.chase) {
+      this.emit("posture");
+      this.chase();
+      return;
+    }
     // The nearest of all solutions: those near a posture would keep its own values.
     let [best, least] = [undefined as number[] | undefined, Infinity];
     for (const solution of this.answer?.solutions ?? []) {

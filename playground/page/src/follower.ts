@@ -60,7 +60,7 @@ export class Follower {
     }
     try {
       if (this.left?.q !== app.q || this.left.arm !== arm) arm.begin(Float64Array.from(app.q));
-      const numbers = arm.follow(Float64Array.from(app.target), app.angle, ticks);
+      const numbers = arm.follow(Float64Array.from(app.target), app.angle, Float64Array.from(app.given), ticks);
       const [tracking = 4, distance = 0, angle = 0, fastest = 0] = numbers;
       app.comeTo(Array.from(numbers.subarray(4)));
       this.left = { q: app.q, arm };

@@ -1,7 +1,7 @@
 //! The arm follows a target that is dragged, within the rates of its joints.
 
 use denhart::JointKind;
-use denhart::follow::{Crossing, FollowSettings, Follower, Rates, Tracking};
+use denhart::follow::{Crossing, FollowSettings, Follower, Rates};
 use denhart_dynamic::{DynamicArm, ViewSolutions, WholeTarget};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -9,13 +9,13 @@ use wasm_bindgen::prelude::wasm_bindgen;
 use crate::arm::PageArm;
 use crate::numbers::{target, thrown};
 
-/// One follower serves all arms: joints beyond an arm's own are locked.
+/// One follower serves all arms: joints beyond an arm's own stand still.
 const MOST: usize = 8;
 
 /// From one tick to the next, s.
 const PERIOD: f64 = 0.001;
 
-/// Velocity of a joint whose file says nothing: rad/s, or ways along the links a second. Accelerations reach it in 1/8 s.
+/// Velocity of a joint whose file says nothing: rad/s, or reaches a second. Accelerations reach it in 1/8 s.
 const VELOCITY: [f64; 2] = [3.0, 0.5];
 
 /// A follower, and the list that its ticks overwrite.
@@ -43,7 +43,7 @@ impl PageArm {
     /// their limits.
     pub fn begin(&mut self, q: &[f64]) -> Result<(), JsError> {
         let view = self.arm.padded_view::<MOST>().map_err(thrown)?;
-        let settings = FollowSettings::new(PERIOD, rates(&self.arm)).crossing(Crossing::Any).locked(view.beyond());
+        let settings = FollowSettings::new(PERIOD, rates(&self.arm)).crossing(Crossing::Any);
         let mut start = [0.0; MOST];
         for (place, q) in start.iter_mut().zip(q) {
             *place = *q;
@@ -55,24 +55,17 @@ impl PageArm {
 
     /// Ticks of 1 ms towards a target: how the last one stands to it (0 exact, 1 rates, 2 limits, 3 reach, 4 no target), the
     /// distance and the angle by which it is missed, the largest velocity, the joint values; nothing before `begin`.
-    pub fn follow(&mut self, pose: &[f64], angle: f64, ticks: u32) -> Result<Vec<f64>, JsError> {
+    pub fn follow(&mut self, pose: &[f64], angle: f64, given: &[f64], ticks: u32) -> Result<Vec<f64>, JsError> {
         let Some(Following { follower, found }) = &mut self.following else { return Ok(Vec::new()) };
         let view = self.arm.padded_view::<MOST>().map_err(thrown)?;
-        let target = WholeTarget::from(target(&self.arm, pose, angle).map_err(thrown)?);
+        let target = WholeTarget::new(target(&self.arm, pose, angle).map_err(thrown)?, given);
         let mut last = None;
         for _ in 0..ticks.clamp(1, 100) {
             last = Some(follower.step(&view, &target, found));
         }
         let Some(step) = last else { return Ok(Vec::new()) };
-        let tracking = match step.tracking {
-            Tracking::Exact => 0.0,
-            Tracking::Rates => 1.0,
-            Tracking::Limits => 2.0,
-            Tracking::Reach => 3.0,
-            Tracking::Target => 4.0,
-        };
         let fastest = step.velocity.iter().fold(0.0_f64, |most, velocity| most.max(velocity.abs()));
-        let head = [tracking, step.residual.position, step.residual.orientation, fastest];
+        let head = [f64::from(step.tracking as u8), step.residual.position, step.residual.orientation, fastest];
         Ok(head.into_iter().chain(step.q.into_iter().take(self.arm.joints())).collect())
     }
 }
