@@ -82,9 +82,10 @@ impl Judgment {
         8 * (self.lost & RANDOM).count_ones() as usize <= self.poses
     }
 
-    /// Better ones first: fewer random poses lost, fewer missed, a lesser residual; last by number.
+    /// Better ones first: fewer random poses lost, fewer of all, fewer missed, a lesser residual; last by number. Where its
+    /// samples tell nothing a cut says so and others follow; where it loses a solution without a doubt nothing follows.
     fn compare(&self, other: &Self) -> Ordering {
-        let rank = |x: &Self| (!x.is_open, (x.lost & RANDOM).count_ones(), x.missed);
+        let rank = |x: &Self| (!x.is_open, (x.lost & RANDOM).count_ones(), x.lost.count_ones(), x.missed);
         rank(self).cmp(&rank(other)).then_with(|| self.residual().total_cmp(&other.residual()))
     }
 }
@@ -102,8 +103,8 @@ type Make<'a> = dyn Fn(&mut dyn FnMut() -> f64) -> Chain<f64> + 'a;
 /// Chooses the cuts of a chain. None if no cut serves.
 ///
 /// At 120 poses, half of them with round angles, each cut is asked for the joint vector that made the pose. The first
-/// cut is the one that loses the fewest random poses, misses the fewest of all, and leaves the least residual before
-/// refinement. The second and the third one hold other joints, and find what those before them lose. A cut is given up
+/// cut is the one that loses the fewest random poses, then the fewest of all, then misses the fewest, and leaves the least
+/// residual before refinement. The second and the third one hold other joints, and find what those before them lose. A cut is given up
 /// as soon as it loses a quarter of the random poses, and if another one that holds the same joint is better. Where
 /// none serves, the cuts are asked for solutions of chains beside the arm's own, as they are at special targets.
 pub fn choose(chain: &Chain<f64>) -> Option<Cuts> {
