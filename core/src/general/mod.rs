@@ -159,7 +159,7 @@ pub(crate) const MOVED: f64 = 1e-5;
 /// Searches along the cuts until one serves and leaves no doubt, or two have served; along `all` of them if so asked. Where
 /// none serves, rings beside the arm's own are solved.
 fn along(count: usize, all: bool, mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome {
-    let (mut is_complete, mut has_families, mut is_served) = (true, true, false);
+    let (mut is_complete, mut has_families, mut is_served, mut is_sound) = (true, true, false, false);
     for moved in [0.0, MOVED, -MOVED] {
         let (is_moved, mut served) = (moved != 0.0, 0);
         let enough = if is_moved { 4 } else { 2 };
@@ -172,6 +172,7 @@ fn along(count: usize, all: bool, mut search: impl FnMut(Part) -> Option<Rest>) 
             is_complete &= rest.is_complete && !rest.is_ended;
             has_families &= !rest.has_families;
             served += usize::from(!rest.is_useless);
+            is_sound |= !rest.is_useless && !rest.is_unsound;
             if rest.is_ended {
                 return Outcome { is_complete };
             }
@@ -180,7 +181,7 @@ fn along(count: usize, all: bool, mut search: impl FnMut(Part) -> Option<Rest>) 
             }
         }
         is_served |= served > 0;
-        if !is_moved && (is_served || !has_families) {
+        if !is_moved && (is_sound || !has_families) {
             break;
         }
     }
