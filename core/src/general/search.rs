@@ -52,8 +52,6 @@ struct Search<'a, 'v> {
     is_full: bool,
     /// At a simple root the other joints did not follow.
     is_unsound: bool,
-    /// Nor did they with the other one of e and f eliminated first.
-    has_failed: bool,
     reference: &'a [f64; 6],
     visit: &'a mut Visitor<'v, f64>,
     root: u8,
@@ -72,7 +70,7 @@ pub(crate) struct Rest {
     pub(crate) is_doubtful: bool,
     /// The polynomial is not known, or zero everywhere.
     pub(crate) is_useless: bool,
-    /// At some root the elimination fails both ways: the joints there are not known.
+    /// At some root the elimination fails: the other joints did not follow.
     pub(crate) is_unsound: bool,
     /// Members of a family have been listed.
     pub(crate) has_families: bool,
@@ -105,8 +103,14 @@ impl Elimination {
         let moved = if part.moved == 0.0 { None } else { self.moved(part.moved) };
         let closed = moved.as_ref().unwrap_or(self).closed(target);
         let fit = Fit::sampled_in_pairs(|sin, cos| values(&closed.equations, sin, cos));
-        let mut rest =
-            Rest { is_doubtful: true, is_useless: true, is_unsound: false, has_families: false, is_complete: true, is_ended: false };
+        let mut rest = Rest {
+            is_doubtful: true,
+            is_useless: true,
+            is_unsound: false,
+            has_families: false,
+            is_complete: true,
+            is_ended: false,
+        };
         if !closed.equations.is_finite() {
             return rest;
         }
@@ -116,7 +120,6 @@ impl Elimination {
             arcs: 0,
             is_full: false,
             is_unsound: false,
-            has_failed: false,
             reference,
             visit,
             root: (part.number.min(MOST_NUMBERED) * MOST_CANDIDATES) as u8,
@@ -140,7 +143,7 @@ impl Elimination {
         rest.is_ended = search.all(&roots, None, &ARCS).is_break();
         let has_doubts = roots.as_slice().iter().any(|root| is_doubtful(&roots, root));
         rest.is_doubtful = has_doubts || search.is_unsound || is_small || moved.is_some();
-        rest.is_unsound = search.has_failed;
+        rest.is_unsound = search.is_unsound;
         rest.is_complete = !search.is_full;
         rest
     }
@@ -251,8 +254,7 @@ impl Search<'_, '_> {
         let is_sound = self.at(root.sin_cos)?;
         self.is_unsound |= !is_sound;
         if root.is_doubtful || !is_sound {
-            let is_other_sound = self.at_other(root.sin_cos)?;
-            self.has_failed |= !is_sound && !is_other_sound;
+            self.at_other(root.sin_cos)?;
         }
         self.root = self.root.saturating_add(1);
         Continue(())
