@@ -123,9 +123,7 @@ impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
                 slides.search(target, reference, visit)
             }
             Method::General { constants: Some(general), .. } => general.search(target, reference, visit),
-            Method::General { cuts, constants: None } => {
-                cuts.search(&chain.gathered(), self.plan.chain.is_square(given), target, reference, visit)
-            }
+            Method::General { cuts, constants: None } => cuts.search(&chain.gathered(), target, reference, visit),
         }
     }
 }

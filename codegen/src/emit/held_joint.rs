@@ -6,7 +6,7 @@ use super::margins::table_branch;
 use super::solver_constants::{chain_constants, cuts, general, meet, structure};
 use super::task::{TaskCode, task};
 use super::tokens::{array, ident, integer};
-use super::{Target, angle, docs, given};
+use super::{Target, docs, given};
 use crate::lower;
 use crate::model::Model;
 use crate::solve::{Goal, HeldJointPlan, Link, Method};
@@ -229,26 +229,8 @@ fn search(plan: &HeldJointPlan, target: &Target) -> (TokenStream, TokenStream) {
         }
         Method::General { constants: None, .. } => {
             let is_prismatic = array(plan.chain.is_prismatic.iter());
-            let given = plan.chain.given_joints().filter(|joint| !joint.is_prismatic);
-            let squares: Vec<TokenStream> = given
-                .map(|joint| {
-                    let q = ident(&format!("q{}", joint.joint + 1));
-                    let offset = (!joint.offset.is_zero()).then(|| {
-                        let offset = angle::tokens(joint.offset, target);
-                        quote!(+ #offset)
-                    });
-                    quote!(#krate::held_joint::general::is_square(#krate::math::sin_cos(#q #offset)))
-                })
-                .collect();
-            let square = match squares.as_slice() {
-                [] => quote!(false),
-                [first, others @ ..] => quote!(#first #(|| #others)*),
-            };
-            let prepare = quote! {
-                let chain = #krate::held_joint::Chain::new(#links, #is_prismatic).gathered();
-                let is_square = #square;
-            };
-            (prepare, quote!(CUTS.search(&chain, is_square, &target, &reference, visit)))
+            let prepare = quote!(let chain = #krate::held_joint::Chain::new(#links, #is_prismatic).gathered(););
+            (prepare, quote!(CUTS.search(&chain, &target, &reference, visit)))
         }
     }
 }

@@ -6,10 +6,10 @@
 
 use std::f64::consts::PI;
 
-use denhart_core::general::{self, Cuts, General};
+use denhart_core::general::{Cuts, General};
 use denhart_core::meet::{Meet, Structure};
 use denhart_core::slides::Slides;
-use denhart_core::{Chain as NumericChain, Transform as NumericTransform, choice, math};
+use denhart_core::{Chain as NumericChain, Transform as NumericTransform, choice};
 
 use super::loop_chain::LoopChain;
 use super::plan::Plan;
@@ -20,7 +20,7 @@ use super::unsupported::Unsupported;
 use crate::model::chain::Chain;
 use crate::model::geometry::Geometry;
 use crate::model::numeric::Transform;
-use crate::model::{Angle, Axis, Model, Redundant, Task};
+use crate::model::{Axis, Model, Redundant, Task};
 
 /// An inverse that holds a joint.
 #[derive(Debug, Clone)]
@@ -94,8 +94,6 @@ pub struct GivenJoint {
     pub joint: usize,
     /// True for a joint that slides.
     pub is_prismatic: bool,
-    /// The row's theta: added to the value of a joint that turns, it is the angle between two common normals.
-    pub offset: Angle,
     /// The constant transform behind it.
     pub after: Transform,
 }
@@ -376,7 +374,7 @@ impl SixJoints {
             let own = slot.label.arm();
             match own {
                 Some(joint) if given.holds(joint) => {
-                    six.links.last_mut()?.given.push(GivenJoint { joint, is_prismatic, offset: slot.offset, after });
+                    six.links.last_mut()?.given.push(GivenJoint { joint, is_prismatic, after });
                     continue;
                 }
                 Some(joint) => six.solved.push(joint),
@@ -421,13 +419,6 @@ impl SixJoints {
             *known = link.given.is_empty();
         }
         known
-    }
-
-    /// Returns true if a given joint turns by a multiple of a right angle.
-    pub fn is_square(&self, given: &[f64]) -> bool {
-        let joints = self.given_joints().zip(given);
-        let mut turning = joints.filter(|(joint, _)| !joint.is_prismatic);
-        turning.any(|(joint, value)| general::is_square(math::sin_cos(*value + joint.offset.rad())))
     }
 
     /// The number of given joints.

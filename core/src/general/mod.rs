@@ -103,7 +103,7 @@ impl General {
     /// `reference` has the value of a joint that may take any value. A target that is not finite has no candidates.
     pub fn search(&self, target: &Transform<f64>, reference: &[f64; 6], visit: &mut Visitor<'_, f64>) -> Outcome {
         let cuts = [Some(&self.first), self.second.as_ref(), self.third.as_ref()];
-        along(MOST_CUTS, false, |part| Some(cuts.get(part.number)?.as_ref()?.search(target, reference, part, visit)))
+        along(MOST_CUTS, |part| Some(cuts.get(part.number)?.as_ref()?.search(target, reference, part, visit)))
     }
 }
 
@@ -112,13 +112,10 @@ impl Cuts {
     /// where they are needed. Not complete if no cut has constants for this chain.
     ///
     /// A given joint may have a value at which two neighboring axes meet and two are parallel. [`Meet`] solves that chain:
-    /// structured arms lose some of the roots of the determinant. `is_square`: a given joint turns by a multiple of a right
-    /// angle from one common normal of the axes to the next, so axes may be parallel that are not elsewhere. Then most cuts
-    /// lose roots at which their elimination fails, and all of them are searched.
+    /// structured arms lose some of the roots of the determinant.
     pub fn search(
         &self,
         chain: &Chain<f64>,
-        is_square: bool,
         target: &Transform<f64>,
         reference: &[f64; 6],
         visit: &mut Visitor<'_, f64>,
@@ -132,7 +129,7 @@ impl Cuts {
         }
         let own = [Some(self.first), self.second, self.third];
         let others = Cut::ALL.map(Some);
-        along(MOST_CUTS + others.len(), is_square, |part| {
+        along(MOST_CUTS + others.len(), |part| {
             let cut = own.into_iter().chain(others).nth(part.number)??;
             let is_known = own.contains(&Some(cut)) && part.number >= MOST_CUTS;
             if is_known {
@@ -143,12 +140,6 @@ impl Cuts {
     }
 }
 
-/// Returns true for an angle within 1e-6 rad of a multiple of a right angle.
-#[must_use]
-pub fn is_square((sin, cos): (f64, f64)) -> bool {
-    (sin * cos).abs() < 1e-6
-}
-
 /// The most cuts of an arm.
 const MOST_CUTS: usize = 3;
 
@@ -156,31 +147,34 @@ const MOST_CUTS: usize = 3;
 /// are gone on one side.
 pub(crate) const MOVED: f64 = 1e-5;
 
-/// Searches along the cuts until one serves and leaves no doubt, or two have served; along `all` of them if so asked. Where
-/// none serves, rings beside the arm's own are solved.
-fn along(count: usize, all: bool, mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome {
-    let (mut is_complete, mut has_families, mut is_served) = (true, true, false);
+/// Searches along the cuts until one serves and leaves no doubt, or two have served. Rings beside the arm's own are solved where none serves,
+/// and where each that serves has a root at which its elimination fails. At a given joint's round values axes may be parallel that are not
+/// elsewhere: a determinant of the elimination, whose square is a factor of the polynomial, then vanishes at solutions. So there is a
+/// root, and no joints follow from it. On a ring beside they do, and it is solved instead of asking more cuts of the ring itself: these
+/// fail at the same solutions.
+fn along(count: usize, mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome {
+    let (mut is_complete, mut has_families, mut is_served, mut is_sound) = (true, true, false, false);
     for moved in [0.0, MOVED, -MOVED] {
         let (is_moved, mut served) = (moved != 0.0, 0);
         let enough = if is_moved { 4 } else { 2 };
         for number in 0..count {
-            let all = all && !is_moved;
-            if number >= MOST_CUTS && served > 0 && !is_moved && !all {
+            if number >= MOST_CUTS && served > 0 && !is_moved {
                 break;
             }
             let Some(rest) = search(Part { number, has_families, moved }) else { continue };
             is_complete &= rest.is_complete && !rest.is_ended;
             has_families &= !rest.has_families;
             served += usize::from(!rest.is_useless);
+            is_sound |= !rest.is_useless && !rest.is_unsound;
             if rest.is_ended {
                 return Outcome { is_complete };
             }
-            if !all && (served == enough || (served == 1 && !rest.is_doubtful)) {
+            if served == enough || (served == 1 && !rest.is_doubtful) {
                 break;
             }
         }
         is_served |= served > 0;
-        if !is_moved && (is_served || !has_families) {
+        if !is_moved && (is_sound || !has_families) {
             break;
         }
     }

@@ -70,6 +70,8 @@ pub(crate) struct Rest {
     pub(crate) is_doubtful: bool,
     /// The polynomial is not known, or zero everywhere.
     pub(crate) is_useless: bool,
+    /// At some root the elimination fails: the other joints did not follow.
+    pub(crate) is_unsound: bool,
     /// Members of a family have been listed.
     pub(crate) has_families: bool,
     /// No list was full and no bound was reached.
@@ -101,8 +103,14 @@ impl Elimination {
         let moved = if part.moved == 0.0 { None } else { self.moved(part.moved) };
         let closed = moved.as_ref().unwrap_or(self).closed(target);
         let fit = Fit::sampled_in_pairs(|sin, cos| values(&closed.equations, sin, cos));
-        let mut rest =
-            Rest { is_doubtful: true, is_useless: true, has_families: false, is_complete: true, is_ended: false };
+        let mut rest = Rest {
+            is_doubtful: true,
+            is_useless: true,
+            is_unsound: false,
+            has_families: false,
+            is_complete: true,
+            is_ended: false,
+        };
         if !closed.equations.is_finite() {
             return rest;
         }
@@ -135,6 +143,7 @@ impl Elimination {
         rest.is_ended = search.all(&roots, None, &ARCS).is_break();
         let has_doubts = roots.as_slice().iter().any(|root| is_doubtful(&roots, root));
         rest.is_doubtful = has_doubts || search.is_unsound || is_small || moved.is_some();
+        rest.is_unsound = search.is_unsound;
         rest.is_complete = !search.is_full;
         rest
     }

@@ -106,6 +106,10 @@ impl<T: Tolerances, const N: usize, const M: usize> HeldJointSearch<'_, T, N, M>
         if !outcome.is_complete {
             self.solutions.mark_incomplete();
         }
+        // Where several joints are free at once, no root may lead to a solution. A reference may still be one.
+        if self.solutions.is_empty() || !outcome.is_complete {
+            self.solutions.mark_awkward();
+        }
     }
 
     /// Makes a candidate a solution, if it closes. Breaks without evaluations left.
