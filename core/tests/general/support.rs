@@ -119,9 +119,7 @@ impl Arm {
 
     /// As with a given joint: the constants are computed in the call.
     pub fn solve_anew(&self, target: &Transform<f64>) -> Solutions {
-        solutions(&self.chain, target, &mut |visit| {
-            self.cuts.search(&self.chain, false, target, &[0.0; 6], visit).is_complete
-        })
+        solutions(&self.chain, target, &mut |visit| self.cuts.search(&self.chain, target, &[0.0; 6], visit).is_complete)
     }
 }
 
