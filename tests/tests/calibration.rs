@@ -44,7 +44,7 @@ fn loses(arm: &DynamicArm, q: &[f64]) -> bool {
 /// Of joint vectors beside the singularities of the table so many of a thousand may be lost, as docs/known-gaps.md says.
 fn most_beside(s: f64) -> u32 {
     // Neither the arm's own equation nor the starts from the table have the digits for this one.
-    if s == 1e-6 { 65 } else { 10 }
+    if s == 1e-6 { 30 } else { 10 }
 }
 
 /// Random joint vectors, and those beside the singularities of the table: q5 and q3 within 2e-3 of 0.

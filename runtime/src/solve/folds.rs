@@ -3,7 +3,8 @@
 //! Where the table's arm is singular, two of its branches meet, and beyond there is none. The arm that was measured is
 //! singular beside that place: between the two it has two solutions where its table has one double root, or none. Both
 //! follow from a joint vector near the fold: along the direction n in which the joints move the tool least the target is
-//! missed by a quadratic function, whose slope and bend two Jacobians give.
+//! missed by a function of period one turn, `b sin x + a (1 - cos x)`, whose slope and bend two Jacobians give. So both flips
+//! of a wrist that is nearly straight are found, half a turn of its outer joints apart.
 
 use super::kernel::tolerances::Tolerances;
 use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
@@ -17,8 +18,6 @@ use crate::{Flags, Solution};
 const STEEP: f64 = 0.05;
 /// The bend is taken between Jacobians so far apart, rad.
 const ASIDE: f64 = 1e-3;
-/// The other root is not looked for beyond this, rad.
-const FAR: f64 = 1.0;
 /// Evaluations kept for the reference of `inverse_near`: the first one, and its steps.
 const RESERVED: usize = MOST_STEPS + 1;
 /// Coordinates of a motion of the tool, and joints that move it.
@@ -105,6 +104,15 @@ fn dot<T: Tolerances>(a: &[T; SIX], b: &[T; SIX]) -> T {
     a.iter().zip(b).fold(T::ZERO, |sum, (x, y)| sum + *x * *y)
 }
 
+/// The angles x at which `b sin x + a (1 - cos x) = missed`, by the tangent of x / 2; without roots twice an angle near the
+/// extremum.
+fn turned<T: Tolerances>(b: T, a: T, missed: T) -> [T; 2] {
+    let (square, discriminant) = (a + a - missed, b * b + missed * (a + a - missed));
+    let root = discriminant.max(T::ZERO).sqrt();
+    let sign = if square < T::ZERO { -T::ONE } else { T::ONE };
+    [root - b, -root - b].map(|tangent| T::TWO * crate::math::atan2(tangent * sign, square.abs()))
+}
+
 impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T, M>> Search<'_, T, N, M, D, P> {
     /// Lists what lies on the other side of a fold from the solutions that are listed. One that missed its target was a
     /// start, and leaves the list where it led to solutions.
@@ -168,7 +176,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         true
     }
 
-    /// The joint vectors near a solution at which the quadratic function vanishes.
+    /// The joint vectors along n from a solution at which the function vanishes.
     fn beyond(&mut self, solution: &Solution<T, N>) -> [Option<[T; N]>; 2] {
         let none = [None; 2];
         let Some(left) = self.left.checked_sub(2 + RESERVED) else { return none };
@@ -184,12 +192,19 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         let bend = (slope(&columns, &near) - near.slope) / aside;
         // Of a solution one root is its own place.
         let missed = if solution.is_exact() { T::ZERO } else { near.missed };
-        let height = (near.slope * near.slope + T::TWO * bend * missed).max(T::ZERO).sqrt();
-        [height, -height].map(|height| {
-            let distance = (height - near.slope) / bend;
-            let is_beyond = distance.abs() <= T::from_f64(FAR) && distance.abs() > T::COINCIDENT;
-            is_beyond.then(|| self.along(&solution.q, &near, distance))
+        let rate = self.rate(&near);
+        turned(near.slope / rate, bend / (rate * rate), missed).map(|angle| {
+            let distance = angle / rate;
+            (distance.abs() > T::COINCIDENT).then(|| self.along(&solution.q, &near, distance))
         })
+    }
+
+    /// The angle by which the joint that turns most turns along n, for a motion of length 1.
+    fn rate(&self, nearly: &Nearly<T>) -> T {
+        let (constants, given) = (self.constants, self.goal.given());
+        let moving = (0..N).filter(|joint| !given.contains(*joint)).zip(&nearly.right);
+        let turning = moving.filter(|(joint, _)| !constants.prismatic.contains(*joint));
+        turning.fold(T::EPSILON, |most, (_, change)| most.max(change.abs()))
     }
 
     /// A joint vector so far away in the direction n.
@@ -253,6 +268,22 @@ mod tests {
         assert!((a + c).abs() < 1e-12 && (2.0 * c - f).abs() < 1e-12 && b.abs() + d.abs() + e.abs() < 1e-12);
         assert!(matrix.iter().all(|column| dot(column, &near.left).abs() < 1e-12));
         assert!(near.slope.abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_function_vanishes_at_both_angles() {
+        for (b, a) in [(0.3, 0.2), (-0.01, 0.4), (0.2, -0.3), (0.0, 0.1)] {
+            for angle in [-3.0, -0.4, 0.0, 1e-3, 2.2] {
+                let function = |x: f64| b * x.sin() + a * (1.0 - x.cos());
+                let missed = function(angle);
+                let found = turned(b, a, missed);
+                assert!(found.iter().all(|x| (function(*x) - missed).abs() < 1e-14), "{b} {a} {angle} {found:?}");
+                let distance = |x: &f64| crate::math::wrap(x - angle).abs();
+                assert!(found.iter().any(|x| distance(x) < 1e-6), "{b} {a} {angle} {found:?}");
+            }
+        }
+        // Nowhere so far from 0: near the extremum at half a turn.
+        assert_eq!(turned(0.0, 0.1, 0.3).map(f64::abs), [0.0; 2]);
     }
 
     #[test]

@@ -76,8 +76,8 @@ impl<T: Tolerances, const N: usize, const M: usize> HeldJointSearch<'_, T, N, M>
     }
 
     /// Like [`run_held_joint`](Self::run_held_joint) for a measured arm whose table has names for its branches: `name` gives
-    /// that of a joint vector. The solution that the reference leads to is listed, too. Solutions that share a name have
-    /// numbers, but for the first.
+    /// that of a joint vector. The other solution of a fold is listed, and that to which the reference leads. Solutions that
+    /// share a name have numbers, but for the first.
     #[inline]
     pub fn run_named(
         &mut self,
@@ -88,6 +88,7 @@ impl<T: Tolerances, const N: usize, const M: usize> HeldJointSearch<'_, T, N, M>
         solve: impl FnOnce(&mut dyn FnMut(&Candidate<T>) -> ControlFlow<()>) -> Outcome,
     ) {
         self.gather(|joints| (place(joints), T::ZERO), solve);
+        self.unfold();
         self.finish_measured(constants, near, |q, branch| *branch = name(q));
     }
 
