@@ -10,7 +10,19 @@ Angles are rad where a name does not say degrees; lengths are in `arm.length_uni
 
 from collections.abc import Sequence
 
-from ._denhart import Arm, InverseBatch, Motion, NumericSolution, Obstacle, Picture, Solution, Solutions, Target
+from ._denhart import (
+    Arm,
+    Follower,
+    InverseBatch,
+    Motion,
+    NumericSolution,
+    Obstacle,
+    Picture,
+    Solution,
+    Solutions,
+    Step,
+    Target,
+)
 from ._names import ArmError, Flags, Status
 
 Sequence.register(Solutions)
@@ -20,6 +32,7 @@ __all__ = [
     "Arm",
     "ArmError",
     "Flags",
+    "Follower",
     "InverseBatch",
     "Motion",
     "NumericSolution",
@@ -28,5 +41,6 @@ __all__ = [
     "Solution",
     "Solutions",
     "Status",
+    "Step",
     "Target",
 ]

@@ -11,6 +11,7 @@ from ._names import Flags, Status
 
 __all__ = [
     "Arm",
+    "Follower",
     "InverseBatch",
     "Motion",
     "NumericSolution",
@@ -18,6 +19,7 @@ __all__ = [
     "Picture",
     "Solution",
     "Solutions",
+    "Step",
     "Target",
 ]
 
@@ -156,6 +158,17 @@ class Arm:
         max_velocity: ArrayLike | None = None,
         max_acceleration: ArrayLike | None = None,
     ) -> Motion: ...
+    def follower(
+        self,
+        start: ArrayLike,
+        dt: float = 0.001,
+        *,
+        max_velocity: ArrayLike | None = None,
+        max_acceleration: ArrayLike | None = None,
+        given: ArrayLike | None = None,
+        length: float | None = None,
+        crossing: Literal["exact", "wrist", "any"] = "wrist",
+    ) -> Follower: ...
     def numeric(
         self,
         target: _Target,
@@ -167,6 +180,42 @@ class Arm:
     ) -> NumericSolution: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
+
+@final
+class Follower:
+    def step(self, target: _Target, given: ArrayLike | None = None) -> Step: ...
+    def stop(self) -> Step: ...
+    def go_to_branch(self, branch: str) -> None: ...
+    @property
+    def q(self) -> NDArray[np.float64]: ...
+    @property
+    def dt(self) -> float: ...
+    @property
+    def arm(self) -> Arm: ...
+
+@final
+class Step:
+    @property
+    def q(self) -> NDArray[np.float64]: ...
+    @property
+    def velocity(self) -> NDArray[np.float64]: ...
+    @property
+    def tracking(self) -> Literal["exact", "rates", "limits", "reach", "target"]: ...
+    @property
+    def deviation(self) -> NDArray[np.float64]: ...
+    @property
+    def residual(self) -> tuple[float, float]: ...
+    @property
+    def branch(self) -> str: ...
+    @property
+    def crossed(self) -> str | None: ...
+    @property
+    def held(self) -> tuple[int, ...]: ...
+    @property
+    def remaining(self) -> float: ...
+    @property
+    def is_exact(self) -> bool: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final

@@ -15,6 +15,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyTuple, PyType};
 
 use crate::follow::{Motion, Path as Followed};
+use crate::follower::{Beginning, Follower};
 use crate::inverse::{Asked, Batch, InverseBatch, branch, drop};
 use crate::picture::{Picture, theme, view};
 use crate::solutions::{NumericSolution, Solutions, joints};
@@ -601,6 +602,30 @@ impl Arm {
     ) -> PyResult<Motion> {
         let path = Followed { targets, dt, times, keep, start, given, tolerance, max_velocity, max_acceleration };
         path.follow(targets.py(), self)
+    }
+
+    /// A follower of a target that moves, at rest at `start` (n,): each `step(target)` is a tick of `dt` s, within the rates and
+    /// the ranges of the joints, and on the target wherever these allow. For a path known before, `follow` is better.
+    ///
+    /// `max_velocity` and `max_acceleration` (n,): rad or the length unit per s and s^2, by default those of the arm file;
+    /// np.inf is no limit of an acceleration. `given`: values of the redundant joints that `arm.given` names, for targets
+    /// without, by default those of `start`. `length`, in the arm's length unit, weighs as much as 1 rad where the tool has to
+    /// deviate: a small one keeps the position; by default about a tenth of the reach. `crossing`: singularities through which
+    /// a deviation may lead, "exact" (none), "wrist" or "any".
+    #[pyo3(signature = (start, dt=0.001, *, max_velocity=None, max_acceleration=None, given=None, length=None, crossing="wrist"))]
+    #[allow(clippy::too_many_arguments)]
+    fn follower(
+        slf: &Bound<'_, Self>,
+        start: &Bound<'_, PyAny>,
+        dt: f64,
+        max_velocity: Option<&Bound<'_, PyAny>>,
+        max_acceleration: Option<&Bound<'_, PyAny>>,
+        given: Option<&Bound<'_, PyAny>>,
+        length: Option<f64>,
+        crossing: &str,
+    ) -> PyResult<Follower> {
+        let beginning = Beginning { start, dt, max_velocity, max_acceleration, given, length, crossing };
+        beginning.follower(slf.py(), slf.clone().unbind())
     }
 
     /// A joint vector by iteration from `start` (n,): for arms without a closed form, and for the closest approach to a

@@ -251,7 +251,7 @@ impl Path<'_, '_> {
 }
 
 /// Greatest rates of the joints.
-fn rates(arm: &Arm, name: &str, rates: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Vec<f64>>> {
+pub fn rates(arm: &Arm, name: &str, rates: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Vec<f64>>> {
     let Some(rates) = rates else { return Ok(None) };
     let rates = arm.joints(name, rates)?;
     match arm.arm.joint_names().zip(&rates).find(|(_, rate)| rate.is_nan() || **rate <= 0.0) {
@@ -282,7 +282,7 @@ fn refused_path(error: &PathError, times: Option<&[f64]>) -> PyErr {
 }
 
 /// The exception of what is asked for and refused.
-fn refused(py: Python<'_>, arm: &Arm, refused: &Refused) -> PyErr {
+pub fn refused(py: Python<'_>, arm: &Arm, refused: &Refused) -> PyErr {
     error::value(match refused {
         Refused::Period(dt) => format!("dt: expected a finite time above 0 in s, found {dt}"),
         Refused::Rows { .. } => format!("dt: {refused}: expected a longer one"),

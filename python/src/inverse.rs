@@ -120,7 +120,7 @@ fn twice() -> PyErr {
 }
 
 /// The values beside the target.
-fn given_values(arm: &DynamicArm, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<f64>> {
+pub fn given_values(arm: &DynamicArm, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<f64>> {
     let values = match given {
         Some(given) => Numbers::read("given", given)?.values()?.to_vec(),
         None => Vec::new(),

@@ -19,5 +19,8 @@ reached: NDArray[np.bool_] = batch.status == denhart.Status.REACHABLE
 for value, found in arm.sweep(pose, 5):
     print(value + 1.0, found.why(), [solution.q for solution in found])
 motion: denhart.Motion = arm.follow(np.zeros((2, 2)), 0.01, times=[0, 1], keep="time", max_velocity=[1.0, 1.0])
+follower: denhart.Follower = arm.follower([0.1, 0.2], 0.01, max_velocity=np.ones(2), crossing="any")
+step: denhart.Step = follower.step([0.2, 0.3])
+gone: float = step.q.max() + step.remaining + follower.stop().velocity.max() + step.residual[0]
 obstacle: denhart.Obstacle | None = motion.obstacle
 farthest: float = motion.off_position.max() + motion.duration + (obstacle.at if obstacle else 0.0)

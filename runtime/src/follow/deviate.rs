@@ -34,7 +34,7 @@ const LENGTH: f64 = 0.09;
 const FLIGHT: f64 = 2.0;
 /// A way that takes longer than so many times the least, and this time in s, ends with every joint on its own.
 const PATIENCE: [f64; 2] = [2.0, 0.3];
-/// A way beyond this asks for another turn of a joint, rad.
+/// A way beyond this asks for another turn of a joint, rad, if the goal has not been on that turn before.
 pub(super) const TURN: f64 = 3.3;
 
 /// Where an arm wants to go in a tick.
@@ -55,12 +55,18 @@ impl<T: Scalar, const N: usize> Aim<T, N> {
     }
 
     /// A solution; where limits keep the arm from it, without the whole turns that they ask for, and within the range.
-    pub(super) fn at<A: Arm<T, N>>(arm: &A, candidate: &Candidate<T, N>, q: &[T; N]) -> Self {
+    ///
+    /// A goal that was on its way in the `last` tick stays so, however far: a joint that goes away from it for a while, as
+    /// others lead, would otherwise be turned back at half a turn, and then led away again, for ever.
+    pub(super) fn at<A: Arm<T, N>>(arm: &A, candidate: &Candidate<T, N>, q: &[T; N], last: Option<&[T; N]>) -> Self {
         let mut goal = candidate.q;
-        let turns = |(goal, (q, kind)): (&T, (&T, JointKind))| {
-            kind == JointKind::Revolute && (*goal - *q).abs() > T::from_f64(TURN)
+        let jumps = |joint: usize, goal: T| {
+            last.and_then(|last| last.get(joint)).is_none_or(|last| (goal - *last).abs() > T::PI)
         };
-        let wound = goal.iter().zip(q.iter().zip(arm.joint_kinds())).any(turns);
+        let turns = |(joint, (goal, (q, kind))): (usize, (&T, (&T, JointKind)))| {
+            kind == JointKind::Revolute && (*goal - *q).abs() > T::from_f64(TURN) && jumps(joint, *goal)
+        };
+        let wound = goal.iter().zip(q.iter().zip(arm.joint_kinds())).enumerate().any(turns);
         if candidate.within_limits && !wound {
             return Self { goal: Some(goal), tracking: Tracking::Rates, held: JointMask::NONE, ticks: candidate.ticks };
         }

@@ -240,7 +240,8 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         let second = self.second();
         let choice = self.choice(arm, target, solutions);
         let made = choice.made(second);
-        let aim = made.map_or_else(Aim::out_of_reach, |(candidate, _)| Aim::at(arm, &candidate, &self.q));
+        let aim =
+            made.map_or_else(Aim::out_of_reach, |(candidate, _)| Aim::at(arm, &candidate, &self.q, self.goal.as_ref()));
         match made {
             Some((candidate, true)) => self.follow(arm, target, &candidate),
             _ if self.is_stuck(&aim) => self.leave(arm, target, choice.other.as_ref()),
@@ -333,7 +334,8 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     fn leave<A: InverseKinematics<T, N>>(&mut self, arm: &A, target: &A::Target, other: Option<&Candidate<T, N>>) {
         if let Some(origin) = self.strayed_from.take() {
             (self.wanted, self.stuck) = (origin, T::ZERO);
-        } else if let Some(other) = other.filter(|other| Aim::at(arm, other, &self.q).tracking == Tracking::Rates) {
+        } else if let Some(other) = other.filter(|other| Aim::at(arm, other, &self.q, None).tracking == Tracking::Rates)
+        {
             self.follow(arm, target, other);
             self.stuck = T::ZERO;
         }

@@ -3,13 +3,13 @@
 use std::process::ExitCode;
 
 use clap::Parser;
-use denhart::follow::Crossing;
+use denhart::follow::{Crossing, Step};
 use denhart::{Arm, InverseKinematics, PointAxis, Pose};
 use denhart_tests::follow::arms::{
     ANTHRO, Anthro, Data, IIWA, IRB2400, Iiwa, Irb2400, JACO, Jaco, KR210, Kr210, PUMA560, Puma560, TORCH, Torch, UR5,
     Ur5,
 };
-use denhart_tests::follow::random::{jumps, splines};
+use denhart_tests::follow::random::{Splines, jumps};
 
 /// Follows random splines, and targets that jump, on eight arms of different structure.
 ///
@@ -23,6 +23,12 @@ struct Options {
     /// All numbers follow from it.
     #[arg(long, default_value_t = 1)]
     seed: u64,
+    /// Only the arm of this name.
+    #[arg(long)]
+    arm: Option<String>,
+    /// Only the spline of this number, as a failure names it; prints each of its ticks. No jumps.
+    #[arg(long)]
+    spline: Option<usize>,
 }
 
 fn main() -> ExitCode {
@@ -52,12 +58,23 @@ fn one<A, const N: usize>(
 where
     A: InverseKinematics<f64, N> + Arm<f64, N>,
 {
+    if options.arm.as_ref().is_some_and(|name| name != data.name) {
+        return true;
+    }
     let count = options.count.div_ceil(8);
     let mut held = true;
     for accelerations in [false, true] {
-        let many = splines(arm, data, accelerations, count.div_ceil(2), options.seed, &target);
+        let splines = Splines { accelerations, count: count.div_ceil(2), seed: options.seed, only: options.spline };
+        let many = splines.follow(arm, data, &target, |t, _, step| {
+            if options.spline.is_some() {
+                print(t, step);
+            }
+        });
         println!("{:9} splines {many:?}", data.name);
-        held &= many.lost == 0 && many.wrong == 0 && many.restless == 0;
+        held &= many.holds();
+    }
+    if options.spline.is_some() {
+        return held;
     }
     let longer = |q: &[f64; N], factor: f64| {
         let mut pose = arm.forward(q);
@@ -67,4 +84,14 @@ where
     let jumps = jumps(arm, data, Crossing::Wrist, count, options.seed, longer, bad);
     println!("{:9} jumps   {jumps:?}", data.name);
     held && jumps.run.holds(1e-6) && jumps.restless == 0
+}
+
+/// A tick, in a line.
+fn print<const N: usize>(t: f64, step: &Step<f64, N>) {
+    let Step { q, velocity, tracking, residual, branch, crossed, held, remaining, .. } = step;
+    let [position, orientation] = [residual.position, residual.orientation];
+    println!(
+        "{t:.3} {tracking} q {q:.5?} velocity {velocity:.4?} off {position:.6} {orientation:.6} \
+         branch {branch:?} crossed {crossed:?} held {held:?} remaining {remaining:.3}"
+    );
 }

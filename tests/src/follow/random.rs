@@ -1,16 +1,16 @@
 //! Random paths and targets for a follower.
 
-use denhart::follow::{Crossing, FollowSettings, Rates, Tracking};
+use denhart::follow::{Crossing, FollowSettings, Rates, Step, Tracking};
 use denhart::{InverseKinematics, Pose};
 
 use super::arms::Data;
-use super::path::{Path, SPLINE, spline};
+use super::path::{SPLINE, spline};
 use super::table::PERIOD;
 use super::watch::{Run, Watch, keep};
 use crate::random::Random;
 
 /// Results of many random paths.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Many {
     /// Paths, and those that have a continuous solution from the start: those that the path follower keeps to the end.
     pub paths: [usize; 2],
@@ -24,21 +24,39 @@ pub struct Many {
     pub rates: [f64; 2],
     /// Largest deviations where a continuous solution exists.
     pub deviation: [f64; 2],
-    /// Runs that end out of reach or at limits and still move, by more than 1e-3 rad a tick.
+    /// Runs that do not come to rest: an arm still moves 10 s after the end of its path, by more than 1e-3 rad a tick.
     pub restless: usize,
+    /// Longest time from the end of the path to rest at its last target, s.
+    pub longest: f64,
+    /// Largest step of a joint in the last half second of a run that ends away.
+    pub creep: f64,
     /// Longest time of the path follower over the path's own.
     pub slowest: f64,
+    /// Numbers of the paths that are lost, wrong or restless.
+    pub failed: Vec<usize>,
 }
 
 impl Many {
-    fn note(&mut self, run: &Run) {
-        self.wrong += usize::from(!run.holds(1e-6));
-        for (most, rate) in self.rates.iter_mut().zip(run.rates) {
-            *most = most.max(rate);
-        }
-        let ended = matches!(run.end, Some(Tracking::Limits | Tracking::Reach));
-        self.restless += usize::from(ended && run.last_step > 1e-3);
+    /// Returns true if no path failed.
+    #[must_use]
+    pub const fn holds(&self) -> bool {
+        self.lost == 0 && self.wrong == 0 && self.restless == 0
     }
+}
+
+/// Time after the end of a path for which its last target is held at most, s. An arm at its limits waits for a second before
+/// it leaves a branch, then a way of whole turns of slow joints takes seconds.
+const BACK: f64 = 10.0;
+/// An arm that is still for longer than it waits before it leaves a branch, and the one from which it has strayed, stays, s.
+const WAITS: f64 = 2.1;
+/// Step of an arm that is still.
+const STILL: f64 = 1e-9;
+/// Step of an arm that is at rest.
+const REST: f64 = 1e-3;
+
+/// The ticks of a time.
+fn ticks_of(time: f64) -> usize {
+    (time / PERIOD) as usize
 }
 
 /// Joint values in the box of an arm.
@@ -46,68 +64,104 @@ pub fn posture<const N: usize>(data: &Data<N>, random: &mut Random) -> [f64; N] 
     data.drawn.map(|[low, high]| random.uniform(low, high).to_radians())
 }
 
-/// Splines around random postures. `target`: from a pose, and from the joint values at its start.
-pub fn splines<A, const N: usize>(
-    arm: &A,
-    data: &Data<N>,
-    accelerations: bool,
-    count: usize,
-    seed: u64,
-    target: impl Fn(&Pose<f64>, &[f64; N]) -> A::Target,
-) -> Many
-where
-    A: InverseKinematics<f64, N>,
-{
-    let mut random = Random::new(seed);
-    let mut many = Many::default();
-    for _ in 0..count {
-        let q = posture(data, &mut random);
-        let path = spline(arm.forward(&q), data.reach * 0.1, &mut random);
-        let phase = random.uniform(0.0, 1.0) * PERIOD;
-        one(arm, data, accelerations, &q, &path, phase, &target, &mut many);
-    }
-    many
+/// Splines around random postures.
+#[derive(Debug, Clone, Copy)]
+pub struct Splines {
+    /// Accelerations are bounded too.
+    pub accelerations: bool,
+    /// How many.
+    pub count: usize,
+    /// All numbers follow from it.
+    pub seed: u64,
+    /// The number of the only one to follow.
+    pub only: Option<usize>,
 }
 
-#[allow(clippy::too_many_arguments, reason = "the parts of one case")]
-fn one<A, const N: usize>(
-    arm: &A,
-    data: &Data<N>,
-    accelerations: bool,
-    q: &[f64; N],
-    path: &Path<Pose<f64>>,
-    phase: f64,
-    target: &impl Fn(&Pose<f64>, &[f64; N]) -> A::Target,
-    many: &mut Many,
-) where
-    A: InverseKinematics<f64, N>,
-{
-    let slow = Rates::velocity(data.rates().velocity);
-    let kept = keep(arm, slow, FollowSettings::new(PERIOD, slow), PERIOD, |t| target(&path(t), q), SPLINE, q);
-    let continuous = kept.share >= 1.0;
-    many.paths[0] += 1;
-    many.paths[1] += usize::from(continuous);
-    many.wrong += usize::from(kept.rates[0] > 1.0 + 1e-9 || kept.deviation > 1e-8);
-    if continuous {
-        many.slowest = many.slowest.max(kept.time / SPLINE);
+impl Splines {
+    /// Follows them. `target`: from a pose, and from the joint values at its start. `see`: the time of each tick, its target
+    /// and the answer.
+    pub fn follow<A, const N: usize>(
+        &self,
+        arm: &A,
+        data: &Data<N>,
+        target: impl Fn(&Pose<f64>, &[f64; N]) -> A::Target,
+        mut see: impl FnMut(f64, &A::Target, &Step<f64, N>),
+    ) -> Many
+    where
+        A: InverseKinematics<f64, N>,
+    {
+        let mut random = Random::new(self.seed);
+        let mut many = Many::default();
+        for number in 0..self.count {
+            let q = posture(data, &mut random);
+            let path = spline(arm.forward(&q), data.reach * 0.1, &mut random);
+            let phase = random.uniform(0.0, 1.0) * PERIOD;
+            if self.only.is_none_or(|only| only == number) {
+                let path = |t: f64| target(&path(t), &q);
+                self.one(arm, data, (number, &q, phase), path, &mut many, &mut see);
+            }
+        }
+        many
     }
-    let rates = if accelerations { data.rates() } else { slow };
-    let mut watch = Watch::new(arm, PERIOD, rates, FollowSettings::new(PERIOD, rates), q);
-    // A slow arm that keeps the path takes several times as long.
-    let time = if continuous { kept.time.max(SPLINE) } else { SPLINE };
-    for tick in 1..=(time / PERIOD) as usize + 1500 {
-        watch.tick(&target(&path(tick as f64 * PERIOD + phase), q));
-    }
-    let run = watch.run;
-    many.note(&run);
-    let exact = run.end == Some(Tracking::Exact);
-    if continuous {
-        many.lost += usize::from(!exact);
-        for (most, deviation) in many.deviation.iter_mut().zip(run.deviation) {
+
+    fn one<A, const N: usize>(
+        &self,
+        arm: &A,
+        data: &Data<N>,
+        (number, q, phase): (usize, &[f64; N], f64),
+        path: impl Fn(f64) -> A::Target,
+        many: &mut Many,
+        see: &mut impl FnMut(f64, &A::Target, &Step<f64, N>),
+    ) where
+        A: InverseKinematics<f64, N>,
+    {
+        let slow = Rates::velocity(data.rates().velocity);
+        let kept = keep(arm, slow, FollowSettings::new(PERIOD, slow), PERIOD, &path, SPLINE, q);
+        let continuous = kept.share >= 1.0;
+        many.paths[0] += 1;
+        many.paths[1] += usize::from(continuous);
+        if continuous {
+            many.slowest = many.slowest.max(kept.time / SPLINE);
+        }
+        let rates = if self.accelerations { data.rates() } else { slow };
+        let mut watch = Watch::new(arm, PERIOD, rates, FollowSettings::new(PERIOD, rates), q);
+        let (mut still, mut ticks, mut moves) = (0, 0, 0.0_f64);
+        while ticks < ticks_of(SPLINE) || (still <= ticks_of(WAITS) && ticks < ticks_of(SPLINE + BACK)) {
+            ticks += 1;
+            let at = ticks as f64 * PERIOD;
+            let target = path(at + phase);
+            let step = watch.tick(&target);
+            see(at, &target, &step);
+            let rests = watch.run.last_step < STILL;
+            moves = if ticks % ticks_of(0.5) == 1 { 0.0 } else { moves }.max(watch.run.last_step);
+            still = match step.tracking {
+                Tracking::Exact if rests => usize::MAX,
+                _ if rests && ticks > ticks_of(SPLINE) => still + 1,
+                _ => 0,
+            };
+        }
+        let run = watch.run;
+        let exact = run.end == Some(Tracking::Exact);
+        let (lost, restless) = (continuous && !exact, moves > REST && !exact);
+        let wrong = kept.rates[0] > 1.0 + 1e-9 || kept.deviation > 1e-8 || !run.holds(1e-6);
+        if exact {
+            many.longest = many.longest.max(ticks as f64 * PERIOD - SPLINE);
+        } else {
+            many.creep = many.creep.max(moves);
+        }
+        many.lost += usize::from(lost);
+        many.away += usize::from(!continuous && !exact);
+        many.wrong += usize::from(wrong);
+        many.restless += usize::from(restless);
+        if lost || restless || wrong {
+            many.failed.push(number);
+        }
+        for (most, rate) in many.rates.iter_mut().zip(run.rates) {
+            *most = most.max(rate);
+        }
+        for (most, deviation) in many.deviation.iter_mut().zip(run.deviation).filter(|_| continuous) {
             *most = most.max(deviation);
         }
-    } else {
-        many.away += usize::from(!exact);
     }
 }
 
@@ -172,7 +226,7 @@ where
             _ => 1,
         };
         result.ends[end] += 1;
-        result.restless += usize::from(end >= 2 && watch.run.last_step > 1e-3);
+        result.restless += usize::from(end >= 2 && watch.run.last_step > REST);
     }
     result.run = watch.run;
     result
