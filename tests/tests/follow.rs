@@ -3,8 +3,8 @@
 use denhart::follow::{Crossing, FollowError, FollowSettings, Follower, PathFollower, Progress, Rates, Step, Tracking};
 use denhart::{Arm, Branch, InverseKinematics, JointMask, PointAxis, Pose, Wrist};
 use denhart_tests::follow::arms::{
-    ANTHRO, Anthro, Data, IIWA, IRB2400, Iiwa, Irb2400, JACO, Jaco, KR210, Kr210, LINKED, Linked, PUMA560, Puma560,
-    Single, TORCH, Torch, UR5, Ur5,
+    ANTHRO, Anthro, Data, IIWA, IRB2400, Iiwa, Irb2400, JACO, Jaco, KR210, Kr210, Kr210Single, LINKED, Linked, PUMA560,
+    Puma560, TORCH, Torch, UR5, Ur5,
 };
 use denhart_tests::follow::random::{Jumps, Splines, jumps};
 use denhart_tests::follow::table::{Case, PERIOD, elbow_arc, elbow_radial, limit, shoulder, wrist};
@@ -173,7 +173,7 @@ fn single_precision() {
         for phase in [0.0, 0.5] {
             let case = wrist(off, phase);
             let settings = FollowSettings::new(PERIOD as f32, rates);
-            let mut watch = Watch::new(&Single, PERIOD as f32, rates, settings, &single(case.q));
+            let mut watch = Watch::new(&Kr210Single, PERIOD as f32, rates, settings, &single(case.q));
             for tick in 1..=(case.time / PERIOD) as usize + 500 {
                 let Pose { rotation, translation } = (case.path)(tick as f64 * PERIOD);
                 let rotation = rotation.map(|row| row.map(|x| x as f32));
