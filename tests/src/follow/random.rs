@@ -186,7 +186,7 @@ pub struct Jumps {
     pub ends: [usize; 4],
     /// The whole run.
     pub run: Run,
-    /// Targets after which the arm still moves, by more than 1e-3 rad a tick.
+    /// Targets at whose limits, or out of whose reach, the arm still moves after 10 s more, by more than 1e-3 rad a tick.
     pub restless: usize,
     /// Ticks with bad targets, stops among them.
     pub bad: usize,
@@ -235,6 +235,13 @@ where
                 watch.tick(&target);
             }
         }
+        // From far out of reach the way to rest may take longer.
+        let moves = |run: &Run| run.last_step > REST && matches!(run.end, Some(Tracking::Limits | Tracking::Reach));
+        let mut more = 0;
+        while moves(&watch.run) && more < ticks_of(BACK) {
+            more += 1;
+            watch.tick(&target);
+        }
         let end = match watch.run.end {
             Some(Tracking::Exact) => 0,
             Some(Tracking::Limits) => 2,
@@ -242,7 +249,7 @@ where
             _ => 1,
         };
         result.ends[end] += 1;
-        result.restless += usize::from(end >= 2 && watch.run.last_step > REST);
+        result.restless += usize::from(moves(&watch.run));
     }
     result.run = watch.run;
     result
