@@ -1,10 +1,11 @@
 //! Followers: the rows of the measured table, random splines, targets that jump, bad settings.
 
 use denhart::follow::{Crossing, FollowError, FollowSettings, Follower, PathFollower, Progress, Rates, Step, Tracking};
-use denhart::{Arm, Branch, InverseKinematics, JointMask, PointAxis, Pose, Wrist};
+use denhart::{Arm, Branch, InverseKinematics, JointMask, PointAxis, Pose, Scalar, Wrist};
 use denhart_tests::follow::arms::{
-    ANTHRO, Anthro, Data, IIWA, IRB2400, Iiwa, Irb2400, JACO, Jaco, KR210, Kr210, LINKED, Linked, PUMA560, Puma560,
-    Single, TORCH, Torch, UR5, Ur5,
+    ANTHRO, Anthro, AnthroSingle, Data, IIWA, IRB2400, Iiwa, IiwaSingle, Irb2400, Irb2400Single, JACO, Jaco,
+    JacoSingle, KR210, Kr210, Kr210Single, LINKED, Linked, PUMA560, Puma560, Puma560Single, TORCH, Torch, TorchSingle,
+    UR5, Ur5, Ur5Single,
 };
 use denhart_tests::follow::random::{Jumps, Splines, jumps};
 use denhart_tests::follow::table::{Case, PERIOD, elbow_arc, elbow_radial, limit, shoulder, wrist};
@@ -104,10 +105,10 @@ fn the_path_is_kept() {
     assert_eq!(kept(&Irb2400, &IRB2400, &limit(0.0)).1, Progress::Blocked(Tracking::Limits));
 }
 
-fn paths<A: InverseKinematics<f64, N>, const N: usize>(
+fn paths<A: InverseKinematics<T, N>, T: Scalar, const N: usize>(
     arm: &A,
     data: &Data<N>,
-    target: impl Fn(&Pose<f64>, &[f64; N]) -> A::Target,
+    target: impl Fn(&Pose<T>, &[T; N]) -> A::Target,
 ) {
     for accelerations in [false, true] {
         let splines = Splines { accelerations, count: COUNT / 2, seed: 7, only: None };
@@ -126,6 +127,30 @@ fn splines_end_exact() {
     paths(&Torch, &TORCH, |pose, _| PointAxis::new(pose.translation, pose.rotation.map(|[_, _, z]| z)));
     paths(&Anthro, &ANTHRO, |pose, _| pose.translation);
     paths(&Jaco, &JACO, |pose, _| *pose);
+}
+
+/// Joint 4 of a torch has more than half a turn to go, inside its range, and the joint that leads takes it the other way first.
+#[test]
+fn a_goal_beyond_half_a_turn_is_reached() {
+    let axis = |pose: &Pose<f64>, _: &[f64; 5]| PointAxis::new(pose.translation, pose.rotation.map(|[_, _, z]| z));
+    for accelerations in [false, true] {
+        let splines = Splines { accelerations, count: 473, seed: 1, only: Some(472) };
+        let many = splines.follow(&Torch, &TORCH, axis, |_, _, _| {});
+        assert!(many.away == 0 && many.holds(), "{many:?}");
+    }
+}
+
+/// Limits, branches and ends of the same paths; the arms have the equations of those in double precision.
+#[test]
+fn splines_end_exact_in_single_precision() {
+    paths(&Irb2400Single, &IRB2400, |pose, _| *pose);
+    paths(&Ur5Single, &UR5, |pose, _| *pose);
+    paths(&Puma560Single, &PUMA560, |pose, _| *pose);
+    paths(&Kr210Single, &KR210, |pose, _| *pose);
+    paths(&IiwaSingle, &IIWA, |pose, q| (*pose, q[2]));
+    paths(&TorchSingle, &TORCH, |pose, _| PointAxis::new(pose.translation, pose.rotation.map(|[_, _, z]| z)));
+    paths(&AnthroSingle, &ANTHRO, |pose, _| pose.translation);
+    paths(&JacoSingle, &JACO, |pose, _| *pose);
 }
 
 fn jumping<A: InverseKinematics<f64, N>, const N: usize>(
@@ -173,7 +198,7 @@ fn single_precision() {
         for phase in [0.0, 0.5] {
             let case = wrist(off, phase);
             let settings = FollowSettings::new(PERIOD as f32, rates);
-            let mut watch = Watch::new(&Single, PERIOD as f32, rates, settings, &single(case.q));
+            let mut watch = Watch::new(&Kr210Single, PERIOD as f32, rates, settings, &single(case.q));
             for tick in 1..=(case.time / PERIOD) as usize + 500 {
                 let Pose { rotation, translation } = (case.path)(tick as f64 * PERIOD);
                 let rotation = rotation.map(|row| row.map(|x| x as f32));

@@ -16,6 +16,21 @@ pub struct Data<const N: usize> {
     pub drawn: [[f64; 2]; N],
 }
 
+/// An arm in double precision, and in single precision.
+macro_rules! both {
+    ($(#[$doc:meta])* $Double:ident $Single:ident $yaml:tt) => {
+        $(#[$doc])*
+        #[derive(Arm, Clone, Copy)]
+        #[arm(yaml = $yaml)]
+        pub struct $Double;
+
+        #[doc = concat!("[`", stringify!($Double), "`] in single precision.")]
+        #[derive(Arm, Clone, Copy)]
+        #[arm(scalar = "f32", yaml = $yaml)]
+        pub struct $Single;
+    };
+}
+
 impl<const N: usize> Data<N> {
     /// The rates; accelerations reach the velocity in an eighth of a second.
     #[must_use]
@@ -25,9 +40,9 @@ impl<const N: usize> Data<N> {
     }
 }
 
-/// KUKA KR210 R2700, the structure of specs/kuka_kr6_r700.yaml; limits of A4 to A6 from the data sheet.
-#[derive(Arm, Clone, Copy)]
-#[arm(yaml = "
+both! {
+    /// KUKA KR210 R2700, the structure of specs/kuka_kr6_r700.yaml; limits of A4 to A6 from the data sheet.
+    Kr210 Kr210Single "
 name: kr210
 convention: standard
 units: {length: m, angle: deg}
@@ -39,8 +54,8 @@ joints:
   - {a: 0, alpha: 90, d: 1.2, theta: 0, limits: [-350, 350]}
   - {a: 0, alpha: -90, d: 0, theta: 0, limits: [-125, 125]}
   - {a: 0, alpha: 0, d: 0.215, theta: 180, limits: [-350, 350]}
-")]
-pub struct Kr210;
+"
+}
 
 /// The data of [`Kr210`].
 pub const KR210: Data<6> = Data {
@@ -50,9 +65,9 @@ pub const KR210: Data<6> = Data {
     drawn: [[-90.0, 90.0], [-120.0, -30.0], [-20.0, 120.0], [-150.0, 150.0], [-100.0, 100.0], [-180.0, 180.0]],
 };
 
-/// ABB IRB 2400, the table of specs/abb_irb2400.yaml with limits.
-#[derive(Arm, Clone, Copy)]
-#[arm(yaml = "
+both! {
+    /// ABB IRB 2400, the table of specs/abb_irb2400.yaml with limits.
+    Irb2400 Irb2400Single "
 name: irb2400
 convention: standard
 units: {length: m, angle: deg}
@@ -64,8 +79,8 @@ joints:
   - {a: 0, alpha: 90, d: 0.755, theta: 0, limits: [-200, 200]}
   - {a: 0, alpha: -90, d: 0, theta: 0, limits: [-120, 120]}
   - {a: 0, alpha: 0, d: 0.085, theta: 180, limits: [-400, 400]}
-")]
-pub struct Irb2400;
+"
+}
 
 /// The data of [`Irb2400`].
 pub const IRB2400: Data<6> = Data {
@@ -75,9 +90,9 @@ pub const IRB2400: Data<6> = Data {
     drawn: [[-90.0, 90.0], [-20.0, 60.0], [-60.0, 40.0], [-150.0, 150.0], [-100.0, 100.0], [-180.0, 180.0]],
 };
 
-/// Universal Robots UR5, the table of specs/ur5.yaml with limits.
-#[derive(Arm, Clone, Copy)]
-#[arm(yaml = "
+both! {
+    /// Universal Robots UR5, the table of specs/ur5.yaml with limits.
+    Ur5 Ur5Single "
 name: ur5
 convention: standard
 units: {length: m, angle: deg}
@@ -89,15 +104,15 @@ joints:
   - {a: 0, alpha: 90, d: 0.10915, theta: 0, limits: [-360, 360]}
   - {a: 0, alpha: -90, d: 0.09465, theta: 0, limits: [-360, 360]}
   - {a: 0, alpha: 0, d: 0.0823, theta: 0, limits: [-360, 360]}
-")]
-pub struct Ur5;
+"
+}
 
 /// The data of [`Ur5`].
 pub const UR5: Data<6> = Data { name: "UR5", velocity: [180.0; 6], reach: 0.85, drawn: [[-150.0, 150.0]; 6] };
 
-/// Unimation Puma 560, specs/puma560.yaml.
-#[derive(Arm, Clone, Copy)]
-#[arm(yaml = "
+both! {
+    /// Unimation Puma 560, specs/puma560.yaml.
+    Puma560 Puma560Single "
 name: puma560
 convention: standard
 units: {length: m, angle: deg}
@@ -109,8 +124,8 @@ joints:
   - {a: 0, alpha: 90, d: 0.4318, theta: 0, limits: [-110, 170]}
   - {a: 0, alpha: -90, d: 0, theta: 0, limits: [-100, 100]}
   - {a: 0, alpha: 0, d: 0, theta: 0, limits: [-266, 266]}
-")]
-pub struct Puma560;
+"
+}
 
 /// The data of [`Puma560`].
 pub const PUMA560: Data<6> = Data {
@@ -120,9 +135,9 @@ pub const PUMA560: Data<6> = Data {
     drawn: [[-90.0, 90.0], [0.0, 120.0], [-180.0, 0.0], [-100.0, 100.0], [-90.0, 90.0], [-180.0, 180.0]],
 };
 
-/// KUKA LBR iiwa 7, the table of specs/kuka_iiwa7_r800.yaml with limits; joint 3 is given.
-#[derive(Arm, Clone, Copy)]
-#[arm(yaml = "
+both! {
+    /// KUKA LBR iiwa 7, the table of specs/kuka_iiwa7_r800.yaml with limits; joint 3 is given.
+    Iiwa IiwaSingle "
 name: iiwa
 convention: modified
 units: {length: m, angle: deg}
@@ -135,8 +150,8 @@ joints:
   - {a: 0, alpha: 90, d: 0.4, theta: 0, limits: [-170, 170]}
   - {a: 0, alpha: -90, d: 0, theta: 0, limits: [-120, 120]}
   - {a: 0, alpha: 90, d: 0.126, theta: 0, limits: [-175, 175]}
-")]
-pub struct Iiwa;
+"
+}
 
 /// The data of [`Iiwa`].
 pub const IIWA: Data<7> = Data {
@@ -154,9 +169,9 @@ pub const IIWA: Data<7> = Data {
     ],
 };
 
-/// A Puma 560 without joint 6, with a torch: tests/arms/position_axis/puma_with_torch.yaml with limits.
-#[derive(Arm, Clone, Copy)]
-#[arm(yaml = "
+both! {
+    /// A Puma 560 without joint 6, with a torch: tests/arms/position_axis/puma_with_torch.yaml with limits.
+    Torch TorchSingle "
 name: torch
 convention: standard
 units: {length: m, angle: deg}
@@ -168,8 +183,8 @@ joints:
   - {a: 0, alpha: 90, d: 0.4318, theta: 0, limits: [-110, 170]}
   - {a: 0, alpha: -90, d: 0, theta: 0, limits: [-100, 100]}
 tool: {xyz: [0, 0, 0.1], rpy: [0, 0, 0]}
-")]
-pub struct Torch;
+"
+}
 
 /// The data of [`Torch`].
 pub const TORCH: Data<5> = Data {
@@ -179,9 +194,9 @@ pub const TORCH: Data<5> = Data {
     drawn: [[-90.0, 90.0], [0.0, 120.0], [-180.0, 0.0], [-100.0, 100.0], [-90.0, 90.0]],
 };
 
-/// Three joints for a point, specs/anthro3r.yaml with limits.
-#[derive(Arm, Clone, Copy)]
-#[arm(yaml = "
+both! {
+    /// Three joints for a point, specs/anthro3r.yaml with limits.
+    Anthro AnthroSingle "
 name: anthro3r
 convention: standard
 units: {length: m, angle: deg}
@@ -190,8 +205,8 @@ joints:
   - {a: 0, alpha: 90, d: 0.35, theta: 0, limits: [-170, 170]}
   - {a: 0.3, alpha: 0, d: 0, theta: 0, limits: [-30, 150]}
   - {a: 0.25, alpha: 0, d: 0, theta: 0, limits: [-150, 150]}
-")]
-pub struct Anthro;
+"
+}
 
 /// The data of [`Anthro`].
 pub const ANTHRO: Data<3> = Data {
@@ -201,9 +216,9 @@ pub const ANTHRO: Data<3> = Data {
     drawn: [[-120.0, 120.0], [0.0, 120.0], [-120.0, 120.0]],
 };
 
-/// Kinova's Jaco, specs/kinova_jaco.yaml: a joint is held, branches are numbered.
-#[derive(Arm, Clone, Copy)]
-#[arm(yaml = "
+both! {
+    /// Kinova's Jaco, specs/kinova_jaco.yaml: a joint is held, branches are numbered.
+    Jaco JacoSingle "
 name: kinova_jaco
 convention: standard
 units: {length: m, angle: deg}
@@ -215,8 +230,8 @@ joints:
   - {a: 0, alpha: 60, d: -0.2501971250007892, theta: 0, limits: [-360, 360]}
   - {a: 0, alpha: 60, d: -0.08579425000157839, theta: -180, limits: [-360, 360]}
   - {a: 0, alpha: 180, d: -0.2115971250007892, theta: 100, limits: [-360, 360]}
-")]
-pub struct Jaco;
+"
+}
 
 /// The data of [`Jaco`].
 pub const JACO: Data<6> = Data {
@@ -225,26 +240,6 @@ pub const JACO: Data<6> = Data {
     reach: 0.9,
     drawn: [[-120.0, 120.0], [-80.0, 80.0], [-120.0, 120.0], [-150.0, 150.0], [-150.0, 150.0], [-150.0, 150.0]],
 };
-
-/// [`Kr210`] in single precision.
-#[derive(Arm, Clone, Copy)]
-#[arm(
-    scalar = "f32",
-    yaml = "
-name: kr210_f32
-convention: standard
-units: {length: m, angle: deg}
-inverse: {task: pose}
-joints:
-  - {a: 0.35, alpha: -90, d: 0.675, theta: 0, limits: [-185, 185]}
-  - {a: 1.15, alpha: 0, d: 0, theta: 0, limits: [-140, -5]}
-  - {a: -0.041, alpha: -90, d: 0, theta: -90, limits: [-120, 168]}
-  - {a: 0, alpha: 90, d: 1.2, theta: 0, limits: [-350, 350]}
-  - {a: 0, alpha: -90, d: 0, theta: 0, limits: [-125, 125]}
-  - {a: 0, alpha: 0, d: 0.215, theta: 180, limits: [-350, 350]}
-"
-)]
-pub struct Single;
 
 /// An arm whose motors 2 and 3 are linked, specs/fanuc_lrmate200id.yaml with limits, one of them of a sum.
 #[derive(Arm, Clone, Copy)]

@@ -1,7 +1,7 @@
 //! Random paths and targets for a follower.
 
 use denhart::follow::{Crossing, FollowSettings, Rates, Step, Tracking};
-use denhart::{InverseKinematics, Pose};
+use denhart::{InverseKinematics, Pose, Scalar};
 
 use super::arms::Data;
 use super::path::{SPLINE, spline};
@@ -22,6 +22,8 @@ pub struct Many {
     pub wrong: usize,
     /// Largest velocity and acceleration in parts of their limits.
     pub rates: [f64; 2],
+    /// Largest difference of a joint's way from its velocity times the period, in `epsilon (1 + |q|)`.
+    pub apart: f64,
     /// Largest deviations where a continuous solution exists.
     pub deviation: [f64; 2],
     /// Runs that do not come to rest: an arm still moves 10 s after the end of its path, by more than 1e-3 rad a tick.
@@ -59,6 +61,12 @@ fn ticks_of(time: f64) -> usize {
     (time / PERIOD) as usize
 }
 
+/// A pose with numbers of another kind.
+fn converted<S: Scalar, T: Scalar>(pose: &Pose<S>) -> Pose<T> {
+    let number = |x: S| T::from_f64(x.to_f64());
+    Pose { rotation: pose.rotation.map(|row| row.map(number)), translation: pose.translation.map(number) }
+}
+
 /// Joint values in the box of an arm.
 pub fn posture<const N: usize>(data: &Data<N>, random: &mut Random) -> [f64; N] {
     data.drawn.map(|[low, high]| random.uniform(low, high).to_radians())
@@ -80,51 +88,54 @@ pub struct Splines {
 impl Splines {
     /// Follows them. `target`: from a pose, and from the joint values at its start. `see`: the time of each tick, its target
     /// and the answer.
-    pub fn follow<A, const N: usize>(
+    pub fn follow<A, T: Scalar, const N: usize>(
         &self,
         arm: &A,
         data: &Data<N>,
-        target: impl Fn(&Pose<f64>, &[f64; N]) -> A::Target,
-        mut see: impl FnMut(f64, &A::Target, &Step<f64, N>),
+        target: impl Fn(&Pose<T>, &[T; N]) -> A::Target,
+        mut see: impl FnMut(f64, &A::Target, &Step<T, N>),
     ) -> Many
     where
-        A: InverseKinematics<f64, N>,
+        A: InverseKinematics<T, N>,
     {
         let mut random = Random::new(self.seed);
         let mut many = Many::default();
         for number in 0..self.count {
-            let q = posture(data, &mut random);
-            let path = spline(arm.forward(&q), data.reach * 0.1, &mut random);
+            let q = posture(data, &mut random).map(T::from_f64);
+            let path = spline(converted(&arm.forward(&q)), data.reach * 0.1, &mut random);
             let phase = random.uniform(0.0, 1.0) * PERIOD;
             if self.only.is_none_or(|only| only == number) {
-                let path = |t: f64| target(&path(t), &q);
+                let path = |t: f64| target(&converted(&path(t)), &q);
                 self.one(arm, data, (number, &q, phase), path, &mut many, &mut see);
             }
         }
         many
     }
 
-    fn one<A, const N: usize>(
+    fn one<A, T: Scalar, const N: usize>(
         &self,
         arm: &A,
         data: &Data<N>,
-        (number, q, phase): (usize, &[f64; N], f64),
+        (number, q, phase): (usize, &[T; N], f64),
         path: impl Fn(f64) -> A::Target,
         many: &mut Many,
-        see: &mut impl FnMut(f64, &A::Target, &Step<f64, N>),
+        see: &mut impl FnMut(f64, &A::Target, &Step<T, N>),
     ) where
-        A: InverseKinematics<f64, N>,
+        A: InverseKinematics<T, N>,
     {
-        let slow = Rates::velocity(data.rates().velocity);
-        let kept = keep(arm, slow, FollowSettings::new(PERIOD, slow), PERIOD, &path, SPLINE, q);
+        let Rates { velocity, acceleration } = data.rates();
+        let fast = Rates { velocity: velocity.map(T::from_f64), acceleration: acceleration.map(T::from_f64) };
+        let (slow, period) = (Rates::velocity(fast.velocity), T::from_f64(PERIOD));
+        let kept = keep(arm, slow, FollowSettings::new(period, slow), period, &path, SPLINE, q);
         let continuous = kept.share >= 1.0;
         many.paths[0] += 1;
         many.paths[1] += usize::from(continuous);
         if continuous {
             many.slowest = many.slowest.max(kept.time / SPLINE);
         }
-        let rates = if self.accelerations { data.rates() } else { slow };
-        let mut watch = Watch::new(arm, PERIOD, rates, FollowSettings::new(PERIOD, rates), q);
+        let rates = if self.accelerations { fast } else { slow };
+        let mut watch = Watch::new(arm, period, rates, FollowSettings::new(period, rates), q);
+        let still_step = STILL.max(8.0 * T::EPSILON.to_f64());
         let (mut still, mut ticks, mut moves) = (0, 0, 0.0_f64);
         while ticks < ticks_of(SPLINE) || (still <= ticks_of(WAITS) && ticks < ticks_of(SPLINE + BACK)) {
             ticks += 1;
@@ -132,7 +143,7 @@ impl Splines {
             let target = path(at + phase);
             let step = watch.tick(&target);
             see(at, &target, &step);
-            let rests = watch.run.last_step < STILL;
+            let rests = watch.run.last_step < still_step;
             moves = if ticks % ticks_of(0.5) == 1 { 0.0 } else { moves }.max(watch.run.last_step);
             still = match step.tracking {
                 Tracking::Exact if rests => usize::MAX,
@@ -143,7 +154,9 @@ impl Splines {
         let run = watch.run;
         let exact = run.end == Some(Tracking::Exact);
         let (lost, restless) = (continuous && !exact, moves > REST && !exact);
-        let wrong = kept.rates[0] > 1.0 + 1e-9 || kept.deviation > 1e-8 || !run.holds(1e-6);
+        // An acceleration is the difference of two velocities over the period, each of them rounded.
+        let (rates_off, off) = if T::EPSILON.to_f64() < 1e-10 { (1e-6, 1e-8) } else { (5e-4, 2e-3) };
+        let wrong = kept.rates[0] > 1.0 + rates_off || kept.deviation > off || !run.holds(rates_off);
         if exact {
             many.longest = many.longest.max(ticks as f64 * PERIOD - SPLINE);
         } else {
@@ -159,6 +172,7 @@ impl Splines {
         for (most, rate) in many.rates.iter_mut().zip(run.rates) {
             *most = most.max(rate);
         }
+        many.apart = many.apart.max(run.apart);
         for (most, deviation) in many.deviation.iter_mut().zip(run.deviation).filter(|_| continuous) {
             *most = most.max(deviation);
         }
@@ -172,7 +186,7 @@ pub struct Jumps {
     pub ends: [usize; 4],
     /// The whole run.
     pub run: Run,
-    /// Targets after which the arm still moves, by more than 1e-3 rad a tick.
+    /// Targets at whose limits, or out of whose reach, the arm still moves after 10 s more, by more than 1e-3 rad a tick.
     pub restless: usize,
     /// Ticks with bad targets, stops among them.
     pub bad: usize,
@@ -180,31 +194,33 @@ pub struct Jumps {
 
 /// Targets that jump: near ones, far ones, some out of reach, each held for 3 s; between them bad ones and stops.
 /// `target`: of joint values, and longer by a factor; `bad`: a target that is none.
-pub fn jumps<A, const N: usize>(
+pub fn jumps<A, T: Scalar, const N: usize>(
     arm: &A,
     data: &Data<N>,
     crossing: Crossing,
     count: usize,
     seed: u64,
-    target: impl Fn(&[f64; N], f64) -> A::Target,
+    target: impl Fn(&[T; N], T) -> A::Target,
     bad: impl Fn() -> A::Target,
 ) -> Jumps
 where
-    A: InverseKinematics<f64, N>,
+    A: InverseKinematics<T, N>,
 {
     let mut random = Random::new(seed);
     let mut result = Jumps::default();
-    let rates = data.rates();
-    let start = data.drawn.map(|[low, high]| (0.5 * (low + high)).to_radians() + 0.1);
-    let settings = FollowSettings::new(PERIOD, rates).crossing(crossing);
-    let mut watch = Watch::new(arm, PERIOD, rates, settings, &start);
+    let Rates { velocity, acceleration } = data.rates();
+    let rates = Rates { velocity: velocity.map(T::from_f64), acceleration: acceleration.map(T::from_f64) };
+    let start = data.drawn.map(|[low, high]| T::from_f64((0.5 * (low + high)).to_radians() + 0.1));
+    let settings = FollowSettings::new(T::from_f64(PERIOD), rates).crossing(crossing);
+    let mut watch = Watch::new(arm, T::from_f64(PERIOD), rates, settings, &start);
     for jump in 0..count {
         let size = [0.3, 0.02, 2.0][jump % 3];
         let mut q = *watch.follower.q();
         for (q, [low, high]) in q.iter_mut().zip(data.drawn) {
-            *q = (*q + size * random.uniform(-0.5, 0.5)).clamp(low.to_radians(), high.to_radians());
+            let drawn = q.to_f64() + size * random.uniform(-0.5, 0.5);
+            *q = T::from_f64(drawn.clamp(low.to_radians(), high.to_radians()));
         }
-        let target = target(&q, if jump % 10 == 9 { 1.5 } else { 1.0 });
+        let target = target(&q, if jump % 10 == 9 { T::from_f64(1.5) } else { T::ONE });
         // While the arm is under way.
         let interrupted = if jump % 4 == 1 { 60 + random.below(60) } else { usize::MAX };
         for tick in 0..3000 {
@@ -219,6 +235,13 @@ where
                 watch.tick(&target);
             }
         }
+        // From far out of reach the way to rest may take longer.
+        let moves = |run: &Run| run.last_step > REST && matches!(run.end, Some(Tracking::Limits | Tracking::Reach));
+        let mut more = 0;
+        while moves(&watch.run) && more < ticks_of(BACK) {
+            more += 1;
+            watch.tick(&target);
+        }
         let end = match watch.run.end {
             Some(Tracking::Exact) => 0,
             Some(Tracking::Limits) => 2,
@@ -226,7 +249,7 @@ where
             _ => 1,
         };
         result.ends[end] += 1;
-        result.restless += usize::from(end >= 2 && watch.run.last_step > REST);
+        result.restless += usize::from(moves(&watch.run));
     }
     result.run = watch.run;
     result

@@ -8,6 +8,8 @@ use denhart::{InverseKinematics, Scalar};
 pub struct Run {
     /// Largest velocity and acceleration, in parts of their limits.
     pub rates: [f64; 2],
+    /// Largest difference of a joint's way from its velocity times the period, in `epsilon (1 + |q|)`.
+    pub apart: f64,
     /// Largest distance beyond the range of a joint.
     pub beyond: f64,
     /// Largest deviations: length, rad.
@@ -106,7 +108,9 @@ impl<'a, A: InverseKinematics<T, N>, T: Scalar, const N: usize> Watch<'a, A, T, 
             run.rates[1] = run.rates[1].max((now - then).abs() / h / a);
             // The velocity is that of the step.
             let moved = q - before[joint].to_f64();
-            run.expect((moved - now * h).abs() <= 8.0 * ulp, "the velocity is not that of the step");
+            let apart = (moved - now * h).abs() / ulp;
+            run.apart = run.apart.max(apart);
+            run.expect(apart <= 8.0, "the velocity is not that of the step");
             run.last_step = run.last_step.max(moved.abs());
             let [low, high] = A::LIMITS[joint].map(Scalar::to_f64);
             let beyond = (q - high).max(low - q);
@@ -159,14 +163,14 @@ pub struct Kept {
 ///
 /// # Panics
 /// If the follower does not begin.
-pub fn keep<A: InverseKinematics<f64, N>, const N: usize>(
+pub fn keep<A: InverseKinematics<T, N>, T: Scalar, const N: usize>(
     arm: &A,
-    rates: Rates<f64, N>,
-    settings: FollowSettings<f64, N>,
-    period: f64,
+    rates: Rates<T, N>,
+    settings: FollowSettings<T, N>,
+    period: T,
     path: impl Fn(f64) -> A::Target,
     end: f64,
-    q: &[f64; N],
+    q: &[T; N],
 ) -> Kept {
     let mut follower = match PathFollower::new(arm, settings, q) {
         Ok(follower) => follower,
@@ -174,21 +178,24 @@ pub fn keep<A: InverseKinematics<f64, N>, const N: usize>(
     };
     let mut found = arm.inverse(&path(0.0));
     let mut kept = Kept { rates: [0.0; 2], time: 0.0, end: Progress::Full, share: 0.0, deviation: 0.0 };
-    let mut last = [0.0; N];
+    let mut last = [T::ZERO; N];
+    let target = |at: T| path(at.to_f64());
+    let end = T::from_f64(end);
     for _ in 0..100_000 {
-        let advance = follower.step(arm, &path, end, &mut found);
-        kept.time += period;
+        let advance = follower.step(arm, target, end, &mut found);
+        kept.time += period.to_f64();
         #[allow(clippy::needless_range_loop)]
         for joint in 0..N {
-            let (v, a) = (rates.velocity[joint], rates.velocity[joint] * 8.0);
-            kept.rates[0] = kept.rates[0].max(advance.velocity[joint].abs() / v);
-            kept.rates[1] = kept.rates[1].max((advance.velocity[joint] - last[joint]).abs() / period / a);
+            let v = rates.velocity[joint].to_f64();
+            kept.rates[0] = kept.rates[0].max(advance.velocity[joint].to_f64().abs() / v);
+            kept.rates[1] =
+                kept.rates[1].max((advance.velocity[joint] - last[joint]).to_f64().abs() / period.to_f64() / (8.0 * v));
         }
         last = advance.velocity;
-        let residual = arm.residual(&advance.q, &path(advance.at));
-        kept.deviation = kept.deviation.max(residual.position).max(residual.orientation);
+        let residual = arm.residual(&advance.q, &target(advance.at));
+        kept.deviation = kept.deviation.max(residual.position.to_f64()).max(residual.orientation.to_f64());
         kept.end = advance.state;
-        kept.share = advance.at / end;
+        kept.share = (advance.at / end).to_f64();
         if matches!(advance.state, Progress::Done | Progress::Blocked(_)) {
             break;
         }
