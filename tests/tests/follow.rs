@@ -3,9 +3,9 @@
 use denhart::follow::{Crossing, FollowError, FollowSettings, Follower, PathFollower, Progress, Rates, Step, Tracking};
 use denhart::{Arm, Branch, InverseKinematics, JointMask, PointAxis, Pose, Scalar, Wrist};
 use denhart_tests::follow::arms::{
-    ANTHRO, Anthro, AnthroSingle, Data, IIWA, IRB2400, Iiwa, IiwaSingle, Irb2400, Irb2400Single, JACO, Jaco,
-    JacoSingle, KR210, Kr210, Kr210Single, LINKED, Linked, PUMA560, Puma560, Puma560Single, TORCH, Torch, TorchSingle,
-    UR5, Ur5, Ur5Single,
+    ANTHRO, Anthro, AnthroSingle, Data, IIWA, IRB2400, Iiwa, IiwaSingle, Irb2400, Irb2400Single, JACO, Jaco, KR210,
+    Kr210, Kr210Single, LINKED, Linked, PUMA560, Puma560, Puma560Single, TORCH, Torch, TorchSingle, UR5, Ur5,
+    Ur5Single,
 };
 use denhart_tests::follow::random::{Jumps, Splines, jumps};
 use denhart_tests::follow::table::{Case, PERIOD, elbow_arc, elbow_radial, limit, shoulder, wrist};
