@@ -140,8 +140,7 @@ fn a_goal_beyond_half_a_turn_is_reached() {
     }
 }
 
-/// Limits, branches and ends of the same paths, but for the Jaco, whose paths take minutes in single precision: on some the path
-/// follower, which says which of them are continuous, neither goes on nor is blocked.
+/// Limits, branches and ends of the same paths, but for the Jaco: some of its paths take minutes in single precision.
 #[test]
 fn splines_end_exact_in_single_precision() {
     paths(&Irb2400Single, &IRB2400, |pose, _| *pose);
