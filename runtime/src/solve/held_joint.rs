@@ -107,10 +107,8 @@ impl<T: Tolerances, const N: usize, const M: usize> HeldJointSearch<'_, T, N, M>
         if !outcome.is_complete {
             self.solutions.mark_incomplete();
         }
-        // Where several joints are free at once, no root may lead to a solution. A reference may still be one.
-        if self.solutions.is_empty() || !outcome.is_complete {
-            self.solutions.mark_awkward();
-        }
+        // Where several joints are free at once, or rounding hides a root, no root leads to the solution at a reference.
+        self.solutions.mark_awkward();
     }
 
     /// Makes a candidate a solution, if it closes. Breaks without evaluations left.
@@ -146,9 +144,6 @@ impl<T: Tolerances, const N: usize, const M: usize> HeldJointSearch<'_, T, N, M>
             solution.flags |= Flags::FREE;
         }
         let is_doubtful = candidate.is_doubtful || !is_exact;
-        if is_doubtful || !solution.free.is_empty() {
-            self.solutions.mark_awkward();
-        }
         let twin = match is_doubtful {
             true => self.neighbor(&solution),
             false => self.solutions.iter().position(|other| coincident(constants, &other.q, &solution.q)),

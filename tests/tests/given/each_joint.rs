@@ -70,5 +70,5 @@ fn baxter() {
 
 #[test]
 fn franka_panda() {
-    check("../specs/franka_panda.yaml", [0, 2, 1, 0, 0, 0, 0].map(Some));
+    check("../specs/franka_panda.yaml", [0; 7].map(Some));
 }

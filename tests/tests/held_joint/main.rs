@@ -87,10 +87,10 @@ arms! {
     two_parallel_6r 6 Pose losing 1 "../specs/two_parallel_6r.yaml";
     kinova_mico 6 Pose "../specs/kinova_mico.yaml";
     rethink_sawyer 7 Pose given 3 losing 28 "../specs/rethink_sawyer.yaml";
-    baxter_left 7 Pose given 3 losing 5 "../specs/baxter_left.yaml";
+    baxter_left 7 Pose given 3 losing 2 "../specs/baxter_left.yaml";
     slides_rprrpr 6 Pose "arms/held_joint/slides_rprrpr.yaml";
     slide_rrprrr 6 Pose "arms/held_joint/slide_rrprrr.yaml";
-    ufactory_xarm7 7 Pose given 3 losing 1 "../specs/ufactory_xarm7.yaml";
+    ufactory_xarm7 7 Pose given 3 "../specs/ufactory_xarm7.yaml";
     axis_rrrrr 5 PositionAxis(2) "arms/held_joint/axis_rrrrr.yaml";
     axis_square_rrrrr 5 PositionAxis(0) losing 4 "arms/held_joint/axis_square_rrrrr.yaml";
     axis_rrprr 5 PositionAxis(2) "arms/held_joint/axis_rrprr.yaml";
