@@ -104,9 +104,10 @@ type Make<'a> = dyn Fn(&mut dyn FnMut() -> f64) -> Chain<f64> + 'a;
 ///
 /// At 120 poses, half of them with round angles, each cut is asked for the joint vector that made the pose. The first
 /// cut is the one that loses the fewest random poses, then the fewest of all, then misses the fewest, and leaves the least
-/// residual before refinement. The second and the third one hold other joints, and find what those before them lose. A cut is given up
-/// as soon as it loses a quarter of the random poses, and if another one that holds the same joint is better. Where
-/// none serves, the cuts are asked for solutions of chains beside the arm's own, as they are at special targets.
+/// residual before refinement. The second and the third one hold other joints, and find what those before them lose. A
+/// cut is given up as soon as it loses a quarter of the random poses, and if another one that holds the same joint is
+/// better. Where none serves, the cuts are asked for solutions of chains beside the arm's own, as they are at special
+/// targets.
 pub fn choose(chain: &Chain<f64>) -> Option<Cuts> {
     choose_given(&|_| *chain)
 }

@@ -1,7 +1,8 @@
-//! Solutions of a measured arm that the equations of its table lack: the other root of a fold.
+//! Solutions of a measured arm that its equations lose beside a singularity: the other root of a fold.
 //!
 //! Where the table's arm is singular, two of its branches meet, and beyond there is none. The arm that was measured is
-//! singular beside that place: between the two it has two solutions where its table has one double root, or none. Both
+//! singular beside that place: between the two it has two solutions where its table has one double root, or none. The
+//! arm's own equation, where it holds a joint, may have too few digits to tell the two roots from none. Both
 //! follow from a joint vector near the fold: along the direction n in which the joints move the tool least the target is
 //! missed by a function of period one turn, `b sin x + a (1 - cos x)`, whose slope and bend two Jacobians give. So both flips
 //! of a wrist that is nearly straight are found, half a turn of its outer joints apart.
@@ -11,7 +12,7 @@ use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
 use super::passes::Missed;
 use super::search::Search;
 use super::verify::coincident;
-use crate::{Flags, Solution};
+use crate::Solution;
 
 /// A solution at which the joints move the tool by more than this along n, relative to reach and in rad, is not near a
 /// fold.
@@ -162,9 +163,9 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         wrap_angles(&mut q, self.goal.given(), constants.prismatic);
         let is_listed = self.solutions.exact().any(|other| coincident(constants, &other.q, &q));
         if !is_listed {
-            let mut solution = Solution { q, residual: iterate.residual, ..*beside };
-            solution.flags.remove(Flags::APPROXIMATE);
-            solution.flags |= Flags::EXACT;
+            // Apart from the fold: what is free or on the boundary beside it is not so here.
+            let mut solution = Solution::exact(q, beside.branch);
+            solution.residual = iterate.residual;
             self.solutions.mark_awkward();
             if !self.solutions.push(solution) {
                 match self.solutions.as_mut_slice().iter_mut().find(|other| !other.is_exact()) {
