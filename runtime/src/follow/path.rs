@@ -86,7 +86,8 @@ impl<T: Scalar, const N: usize> PathFollower<T, N> {
         };
         let velocity = self.bounds.to_joints(self.bounds.capped(self.way(&trial.solution.q)));
         self.q = trial.solution.q;
-        self.at = if trial.advance >= rest { end } else { self.at + trial.advance };
+        let before = self.at;
+        self.at = if trial.advance >= rest { end } else { before + trial.advance };
         self.rate = trial.advance;
         let period = self.settings.period;
         let signs = Signs::at(arm, &self.q, Some(&path(self.at))).or(self.here.signs);
@@ -95,7 +96,9 @@ impl<T: Scalar, const N: usize> PathFollower<T, N> {
             self.here.branch = trial.solution.branch.with_root(0);
         }
         self.here.signs = signs;
-        let creeps = trial.advance < T::from_f64(1e-4) * period && trial.share < T::from_f64(0.3);
+        let is_slow = trial.advance < T::from_f64(1e-4) * period && trial.share < T::from_f64(0.3);
+        // An advance below the rounding of the time is none, whatever the joints do meanwhile.
+        let creeps = is_slow || self.at <= before;
         let state = match () {
             () if self.at >= end => Progress::Done,
             () if creeps => self.waits(reason).state,
