@@ -60,8 +60,7 @@ pub struct Step<T, const N: usize> {
     pub branch: Branch,
     /// The branch that was left, in the tick in which a factor of the arm's `margins` changes its sign.
     pub crossed: Option<Branch>,
-    /// Joints that cannot do what the target asks for: with [`Tracking::Rates`] those that their rates hold back, with
-    /// [`Tracking::Limits`] those at the end of their range.
+    /// With [`Tracking::Limits`] the joints whose range the target asks to leave; else none.
     pub held: JointMask,
     /// The least time to the goal at full rates, s: 0 in exact ticks, infinite where no goal is known.
     pub remaining: T,
