@@ -35,30 +35,28 @@ struct Options {
     spline: Option<usize>,
 }
 
+/// The eight arms, with numbers of one type.
+macro_rules! all {
+    ($options:expr; $Irb2400:ident $Ur5:ident $Puma560:ident $Kr210:ident $Iiwa:ident $Torch:ident $Anthro:ident $Jaco:ident) => {
+        [
+            one($options, &$Irb2400, &IRB2400, |pose, _| *pose, bad),
+            one($options, &$Ur5, &UR5, |pose, _| *pose, bad),
+            one($options, &$Puma560, &PUMA560, |pose, _| *pose, bad),
+            one($options, &$Kr210, &KR210, |pose, _| *pose, bad),
+            one($options, &$Iiwa, &IIWA, |pose, q| (*pose, q[2]), || (bad(), 0.0)),
+            one($options, &$Torch, &TORCH, |pose, _| axis(pose), || axis(&bad())),
+            one($options, &$Anthro, &ANTHRO, |pose, _| pose.translation, || bad().translation),
+            one($options, &$Jaco, &JACO, |pose, _| *pose, bad),
+        ]
+    };
+}
+
 fn main() -> ExitCode {
     let options = Options::parse();
     let held = if options.f32 {
-        [
-            one(&options, &Irb2400Single, &IRB2400, |pose, _| *pose, bad),
-            one(&options, &Ur5Single, &UR5, |pose, _| *pose, bad),
-            one(&options, &Puma560Single, &PUMA560, |pose, _| *pose, bad),
-            one(&options, &Kr210Single, &KR210, |pose, _| *pose, bad),
-            one(&options, &IiwaSingle, &IIWA, |pose, q| (*pose, q[2]), || (bad(), 0.0)),
-            one(&options, &TorchSingle, &TORCH, |pose, _| axis(pose), || axis(&bad())),
-            one(&options, &AnthroSingle, &ANTHRO, |pose, _| pose.translation, || [f32::NAN; 3]),
-            one(&options, &JacoSingle, &JACO, |pose, _| *pose, bad),
-        ]
+        all!(&options; Irb2400Single Ur5Single Puma560Single Kr210Single IiwaSingle TorchSingle AnthroSingle JacoSingle)
     } else {
-        [
-            one(&options, &Irb2400, &IRB2400, |pose, _| *pose, bad),
-            one(&options, &Ur5, &UR5, |pose, _| *pose, bad),
-            one(&options, &Puma560, &PUMA560, |pose, _| *pose, bad),
-            one(&options, &Kr210, &KR210, |pose, _| *pose, bad),
-            one(&options, &Iiwa, &IIWA, |pose, q| (*pose, q[2]), || (bad(), 0.0)),
-            one(&options, &Torch, &TORCH, |pose, _| axis(pose), || axis(&bad())),
-            one(&options, &Anthro, &ANTHRO, |pose, _| pose.translation, || [f64::NAN; 3]),
-            one(&options, &Jaco, &JACO, |pose, _| *pose, bad),
-        ]
+        all!(&options; Irb2400 Ur5 Puma560 Kr210 Iiwa Torch Anthro Jaco)
     };
     if held.iter().all(|held| *held) { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
@@ -107,8 +105,7 @@ where
     };
     let jumps = jumps(arm, data, Crossing::Wrist, count, options.seed, longer, bad);
     println!("{:9} jumps   {jumps:?}", data.name);
-    // In f32 an acceleration is the difference of two velocities over the period, each of them rounded.
-    held && jumps.run.holds(if options.f32 { 5e-4 } else { 1e-6 }) && jumps.restless == 0
+    held && jumps.run.holds() && jumps.restless == 0
 }
 
 /// A tick, in a line.

@@ -46,8 +46,9 @@ impl Many {
     }
 }
 
-/// Time after the end of a path for which its last target is held at most, s. An arm at its limits waits for a second before
-/// it leaves a branch, then a way of whole turns of slow joints takes seconds.
+/// Time after the end of a path for which its last target is held at most, s. An arm at its limits waits for
+/// [a second or two](WAITS) before it leaves a branch. Then two turns of a joint of the UR5, which its range allows, take 4 s
+/// at full rate, and a way may take twice the least time before every joint goes on its own.
 const BACK: f64 = 10.0;
 /// An arm that is still for longer than it waits before it leaves a branch, and the one from which it has strayed, stays, s.
 const WAITS: f64 = 2.1;
@@ -154,9 +155,7 @@ impl Splines {
         let run = watch.run;
         let exact = run.end == Some(Tracking::Exact);
         let (lost, restless) = (continuous && !exact, moves > REST && !exact);
-        // An acceleration is the difference of two velocities over the period, each of them rounded.
-        let (rates_off, off) = if T::EPSILON.to_f64() < 1e-10 { (1e-6, 1e-8) } else { (5e-4, 2e-3) };
-        let wrong = kept.rates[0] > 1.0 + rates_off || kept.deviation > off || !run.holds(rates_off);
+        let wrong = !kept.holds::<T>() || !run.holds();
         if exact {
             many.longest = many.longest.max(ticks as f64 * PERIOD - SPLINE);
         } else {
@@ -235,7 +234,7 @@ where
                 watch.tick(&target);
             }
         }
-        // From far out of reach the way to rest may take longer.
+        // A way may take longer.
         let moves = |run: &Run| run.last_step > REST && matches!(run.end, Some(Tracking::Limits | Tracking::Reach));
         let mut more = 0;
         while moves(&watch.run) && more < ticks_of(BACK) {

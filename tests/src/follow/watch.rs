@@ -38,9 +38,20 @@ impl Run {
 
     /// Returns true if every tick held the limits, and reported its crossings. `slack`: of the rates.
     #[must_use]
-    pub fn holds(&self, slack: f64) -> bool {
-        self.rates.iter().all(|rate| *rate <= 1.0 + slack) && self.beyond <= 1e-9 && self.wrong == 0
+    pub fn holds(&self) -> bool {
+        self.beyond <= 1e-9 && self.wrong == 0
     }
+}
+
+/// A velocity is rounded when it is chosen and when it is cut to its limits, by so much of the rate each time; an
+/// acceleration is the difference of two.
+fn rounding<T: Scalar>() -> f64 {
+    T::EPSILON.to_f64()
+}
+
+/// Deviations, in the length unit and rad, up to which a tick is exact.
+fn exact<T: Scalar>() -> f64 {
+    if T::EPSILON.to_f64() < 1e-10 { 1e-8 } else { 2e-3 }
 }
 
 /// A follower, watched.
@@ -106,6 +117,9 @@ impl<'a, A: InverseKinematics<T, N>, T: Scalar, const N: usize> Watch<'a, A, T, 
             let ulp = T::EPSILON.to_f64() * (1.0 + q.abs());
             run.rates[0] = run.rates[0].max(now.abs() / v);
             run.rates[1] = run.rates[1].max((now - then).abs() / h / a);
+            run.expect(now.abs() <= v * (1.0 + 2.0 * rounding::<T>()), "a velocity is beyond its limit");
+            let change = (now - then).abs();
+            run.expect(change <= a * h + 4.0 * rounding::<T>() * v, "an acceleration is beyond its limit");
             // The velocity is that of the step.
             let moved = q - before[joint].to_f64();
             let apart = (moved - now * h).abs() / ulp;
@@ -125,8 +139,7 @@ impl<'a, A: InverseKinematics<T, N>, T: Scalar, const N: usize> Watch<'a, A, T, 
         run.expect(!renamed || step.crossed.is_some(), "the branch changed without a word");
         run.crossings += usize::from(step.crossed.is_some());
         if step.tracking.is_exact() {
-            let bound = if T::EPSILON.to_f64() < 1e-10 { 1e-8 } else { 2e-3 };
-            run.expect(residual <= bound, "an exact tick was not");
+            run.expect(residual <= exact::<T>(), "an exact tick was not");
         }
         run.end = Some(step.tracking);
         for (known, now) in self.factors.iter_mut().zip(now) {
@@ -157,6 +170,15 @@ pub struct Kept {
     pub share: f64,
     /// Largest deviation.
     pub deviation: f64,
+}
+
+impl Kept {
+    /// Returns true if rates were kept, and the path exactly, with numbers of `T`, up to its end or to where it is blocked.
+    #[must_use]
+    pub fn holds<T: Scalar>(&self) -> bool {
+        let is_over = matches!(self.end, Progress::Done | Progress::Blocked(_));
+        is_over && self.rates[0] <= 1.0 + 2.0 * rounding::<T>() && self.deviation <= exact::<T>()
+    }
 }
 
 /// Keeps a path.
