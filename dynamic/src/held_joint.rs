@@ -3,14 +3,17 @@
 use denhart::held_joint::meet::Meet;
 use denhart::held_joint::slides::Slides;
 use denhart::held_joint::{HeldJointSearch, Outcome, Transform, Visitor};
-use denhart::solve::{AllLocked, Goal, Pointing, nearest_rotation};
+use denhart::solve::{AllLocked, Goal, Levels, Missed, Pointing, Search, nearest_rotation};
 use denhart::{Pose, Residual, Solutions, Status};
 use denhart_codegen::lower::{Goal as Task, HeldJointPlan, Inverse, Method, margins};
 
 use crate::arm_constants::ArmConstants;
 use crate::function::Straight;
+use crate::kernel::MOST_DOUBTS;
 use crate::margins::Factors;
-use crate::solver::{Asked, Evaluator, Solve, held};
+use crate::nest::Nest;
+use crate::run::Run;
+use crate::solver::{Asked, Evaluator, Solve, entry, held};
 use crate::{DynamicSolution, DynamicSolutions, DynamicTarget};
 
 /// The solver of a plan.
@@ -21,14 +24,20 @@ pub struct HeldJointSolver<const N: usize, const M: usize> {
     both: Evaluator<N>,
     /// The margins of a measured arm's table, which name its branches.
     names: Option<Factors>,
+    /// The stages of a measured arm's table, where they give starts.
+    starts: Option<Nest>,
 }
+
+/// The search of a measured arm that starts from its table.
+type MergedSearch<'a, const N: usize, const M: usize> = Search<'a, f64, N, M, MOST_DOUBTS, Levels<f64, M>>;
 
 impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
     /// The solver of a program; `None` if its arm has another number of joints.
     pub fn boxed(plan: &HeldJointPlan, program: &Inverse, both: &Straight) -> Option<Box<dyn Solve>> {
         let constants = ArmConstants::of(&program.constants)?;
+        let starts = program.of_table.as_deref().map(Nest::new);
         let names = plan.names.as_deref().and_then(margins).map(|margins| Factors::new(&margins, plan.reach));
-        Some(Box::new(Self { plan: plan.clone(), constants, both: Evaluator(both.clone()), names }))
+        Some(Box::new(Self { plan: plan.clone(), constants, both: Evaluator(both.clone()), names, starts }))
     }
 
     fn solutions(&self, asked: &Asked) -> Solutions<f64, N, M> {
@@ -66,10 +75,35 @@ impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
     fn search(&self, goal: &dyn Goal<f64, N>, pose: &Pose<f64>, asked: &Asked, solutions: &mut Solutions<f64, N, M>) {
         let Ok(near) = asked.near.map(<&[f64; N]>::try_from).transpose() else { return };
         let constants = self.constants.get();
-        let mut search = HeldJointSearch::<f64, N, M>::new(&constants, &self.both, goal, near, solutions);
-        if !search.begins(near) {
-            return;
+        match &self.starts {
+            Some(nest) => {
+                let mut search = MergedSearch::<N, M>::new(&constants, &self.both, goal, near, solutions).in_doubt();
+                if search.begins(near) {
+                    let mut run = Run::new(nest, &[], &|input| entry(pose, input), None);
+                    search.start_from_table(nest.program.off_table.unwrap_or(0.0), |search, start| {
+                        run.cascade(search, start)
+                    });
+                    self.run(search, goal, pose, near, &constants);
+                }
+            }
+            None => {
+                let mut search = HeldJointSearch::<f64, N, M>::new(&constants, &self.both, goal, near, solutions);
+                if search.begins(near) {
+                    self.run(search, goal, pose, near, &constants);
+                }
+            }
         }
+    }
+
+    /// Solves what a search has begun.
+    fn run<const D: usize, P: Missed<f64, M>>(
+        &self,
+        mut search: Search<'_, f64, N, M, D, P>,
+        goal: &dyn Goal<f64, N>,
+        pose: &Pose<f64>,
+        near: Option<&[f64; N]>,
+        constants: &denhart::solve::ArmConstants<'_, f64, N>,
+    ) {
         let target = Transform { rotation: pose.rotation, translation: pose.translation };
         let solved = &self.plan.chain.solved;
         let defaults = search.defaults();
@@ -93,8 +127,8 @@ impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
         let given: Vec<f64> = given.collect();
         let solve = |visit: &mut Visitor<'_, f64>| self.candidates(&given, &target, &reference, visit);
         match &self.names {
-            Some(names) => search.run_named(&constants, near, |six| place(six).0, |q| names.branch(q, pose), solve),
-            None => search.run_with_turn(&constants, near, place, solve),
+            Some(names) => search.run_named(constants, near, |six| place(six).0, |q| names.branch(q, pose), solve),
+            None => search.run_with_turn(constants, near, place, solve),
         }
     }
 

@@ -47,6 +47,7 @@ pub fn held_joint(model: &Model, plan: &HeldJointPlan) -> Inverse {
         in_doubt: false,
         off_table: None,
         held_joint: Some(plan.clone()),
+        of_table: plan.stages_of_table().map(|table| Box::new(stages(model, &table))),
     }
 }
 
@@ -117,6 +118,7 @@ pub fn stages(model: &Model, plan: &Plan) -> Inverse {
         in_doubt: plan.missed.is_some() || plan.lacks_a_turn(),
         off_table: plan.off_table,
         held_joint: None,
+        of_table: None,
     }
 }
 

@@ -44,6 +44,8 @@ pub struct Inverse {
     pub off_table: Option<f64>,
     /// The solver of an arm without stages: it holds a joint, and there are no statements.
     pub held_joint: Option<HeldJointPlan>,
+    /// The stages of a measured arm's table, which give starts before a joint is held.
+    pub of_table: Option<Box<Inverse>>,
 }
 
 impl Inverse {

@@ -6,10 +6,11 @@
 
 use std::f64::consts::PI;
 
+use denhart_core::choice::{self, Poses};
 use denhart_core::general::{Cuts, General};
 use denhart_core::meet::{Meet, Structure};
 use denhart_core::slides::Slides;
-use denhart_core::{Chain as NumericChain, Transform as NumericTransform, choice};
+use denhart_core::{Chain as NumericChain, Transform as NumericTransform};
 
 use super::loop_chain::LoopChain;
 use super::plan::Plan;
@@ -39,6 +40,9 @@ pub struct HeldJointPlan {
     pub no_stages: Unsupported,
     /// The plan of a measured arm's table, where the signs of its margins name the branches.
     pub names: Option<Box<Plan>>,
+    /// Where the stages of that plan give starts to solutions, before the arm's own equation: how far the links are off the
+    /// table, relative to reach and in rad.
+    pub off_table: Option<f64>,
 }
 
 /// The solver of an inverse that holds a joint.
@@ -111,9 +115,11 @@ pub fn plan(
     chain: &Chain,
     geometry: &Geometry,
     no_stages: Unsupported,
+    poses: Poses,
 ) -> Result<HeldJointPlan, Unsupported> {
     let asked = asked(model, chain, geometry);
-    let Some((task, six, method)) = asked.and_then(|(task, six)| Some((task, six.clone(), Method::of(&six)?))) else {
+    let Some((task, six, method)) = asked.and_then(|(task, six)| Some((task, six.clone(), Method::of(&six, poses)?)))
+    else {
         return Err(no_stages);
     };
     Ok(HeldJointPlan {
@@ -124,6 +130,7 @@ pub fn plan(
         method,
         no_stages,
         names: None,
+        off_table: None,
     })
 }
 
@@ -136,7 +143,7 @@ pub fn plan_of_table(
     no_stages: Unsupported,
 ) -> Option<HeldJointPlan> {
     let meets = holding(model, chain, geometry, &model.inverse.redundant)? == Holding::Meet;
-    if meets { plan(model, chain, geometry, no_stages).ok() } else { None }
+    if meets { plan(model, chain, geometry, no_stages, Poses::Anywhere).ok() } else { None }
 }
 
 /// The task of the file and its six joints; `None` if no joint of them can be held.
@@ -245,7 +252,7 @@ fn can_hold_a_joint(model: &Model, joints: &LoopChain) -> bool {
 
 impl Method {
     /// The solver of a chain; `None` if no joint can be held.
-    fn of(six: &SixJoints) -> Option<Self> {
+    fn of(six: &SixJoints, poses: Poses) -> Option<Self> {
         let chain = six.at(&[]);
         if six.is_prismatic.iter().filter(|slides| **slides).count() == 2 {
             let somewhere = six.at(&vec![GENERIC; six.given()]);
@@ -259,18 +266,27 @@ impl Method {
             return Some(Method::Meet { structure, constants });
         }
         let slides: Vec<bool> = six.given_joints().map(|joint| joint.is_prismatic).collect();
-        let cuts = choice::choose_given(&|angle| {
-            // A given displacement is a part of the reach, as an angle is a part of half a turn.
-            let values: Vec<f64> =
-                slides.iter().map(|slides| angle() * if *slides { 0.5 * chain.reach / PI } else { 1.0 }).collect();
-            six.at(&values)
-        })?;
+        let cuts = choice::choose_given(
+            &|angle| {
+                // A given displacement is a part of the reach, as an angle is a part of half a turn.
+                let values: Vec<f64> =
+                    slides.iter().map(|slides| angle() * if *slides { 0.5 * chain.reach / PI } else { 1.0 }).collect();
+                six.at(&values)
+            },
+            poses,
+        )?;
         let constants = if is_constant { Some(Box::new(General::of(&chain, &cuts)?)) } else { None };
         Some(Method::General { cuts, constants })
     }
 }
 
 impl HeldJointPlan {
+    /// The plan in stages of a measured arm's table, where it gives starts to solutions.
+    pub fn stages_of_table(&self) -> Option<Plan> {
+        let (off, plan) = (self.off_table?, self.names.as_deref()?);
+        Some(Plan { missed: Some(off), off_table: Some(off), ..plan.clone() })
+    }
+
     /// Task, joints, capacity and reach.
     pub fn outline(&self) -> Outline<'_> {
         let capacity = if matches!(self.method, Method::Slides { .. }) { 8 } else { 16 };

@@ -11,11 +11,11 @@ use denhart_core::held_joint::{Candidate, Outcome};
 use super::arm_constants::ArmConstants;
 use super::kernel::tolerances::Tolerances;
 use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
-use super::passes::Decoupled;
+use super::passes::{Decoupled, Missed};
 use super::search::Search;
 use super::smallest_pivot::smallest_pivot;
 use super::verify::{apart, coincident};
-use crate::effort::MOST_HELD_JOINT_EVALUATIONS;
+use crate::effort::{MOST_EVALUATIONS, MOST_HELD_JOINT_EVALUATIONS};
 use crate::{Branch, Elbow, Flags, JointMask, Shoulder, Solution};
 
 /// The search of an arm with `N` joints and at most `M` solutions whose inverse holds a joint.
@@ -32,7 +32,7 @@ const NEIGHBORS: f64 = 0.01;
 /// fourfold root, known to the fourth root of rounding, turns by far less.
 const TURNED: f64 = 0.1;
 
-impl<T: Tolerances, const N: usize, const M: usize> HeldJointSearch<'_, T, N, M> {
+impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T, M>> Search<'_, T, N, M, D, P> {
     /// Where each joint stays if the target leaves it free: its reference value; without one 0, or the limit nearest to 0.
     #[inline]
     pub fn defaults(&self) -> [T; N] {
@@ -77,7 +77,8 @@ impl<T: Tolerances, const N: usize, const M: usize> HeldJointSearch<'_, T, N, M>
 
     /// Like [`run_held_joint`](Self::run_held_joint) for a measured arm whose table has names for its branches: `name` gives
     /// that of a joint vector. The other solution of a fold is listed, and that to which the reference leads. Solutions that
-    /// share a name have numbers, but for the first.
+    /// share a name have numbers, but for the first. The call may begin with
+    /// [`start_from_table`](Search::start_from_table).
     #[inline]
     pub fn run_named(
         &mut self,
@@ -99,7 +100,8 @@ impl<T: Tolerances, const N: usize, const M: usize> HeldJointSearch<'_, T, N, M>
         place: impl Fn([T; 6]) -> ([T; N], T),
         solve: impl FnOnce(&mut dyn FnMut(&Candidate<T>) -> ControlFlow<()>) -> Outcome,
     ) {
-        self.left = MOST_HELD_JOINT_EVALUATIONS;
+        // With what the table's stages have left, if the call began with them.
+        self.left += MOST_HELD_JOINT_EVALUATIONS - MOST_EVALUATIONS;
         let outcome = solve(&mut |candidate| {
             let (q, turn) = place(candidate.joints);
             self.consider(candidate, q, turn.abs() <= T::from_f64(TURNED))

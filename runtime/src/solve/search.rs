@@ -318,10 +318,18 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         off: T,
         nest: impl FnMut(&mut Self, BranchState),
     ) {
-        (self.doubt, self.slack) = (true, off);
-        self.cascades(nest);
+        self.start_from_table(off, nest);
         self.unfold();
         self.finish_measured(constants, near, |_, _| {});
+    }
+
+    /// Lists the solutions of a measured arm to which the stages of its table lead; `off`: how far its links are off the table,
+    /// relative to reach and in rad. The call goes on with [`run_named`](Self::run_named), where the arm's own equation has too
+    /// few digits for some of its roots.
+    #[inline(always)]
+    pub fn start_from_table(&mut self, off: T, nest: impl FnMut(&mut Self, BranchState)) {
+        (self.doubt, self.slack) = (true, off);
+        self.cascades(nest);
     }
 
     #[inline(always)]

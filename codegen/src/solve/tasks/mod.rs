@@ -16,6 +16,8 @@ pub use choices::{Choice, Way, choices};
 
 use attempt::attempt;
 
+use denhart_core::choice::Poses;
+
 use super::held_joint::{self, HeldJointPlan};
 use super::inverse_plan::InversePlan;
 use super::loop_chain::LoopChain;
@@ -37,8 +39,11 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Inverse
     match in_stages(model, chain, geometry) {
         Ok(plan) => Ok(InversePlan::Stages(Box::new(plan))),
         Err(unsupported) => {
-            let plan = held_joint::plan(model, chain, geometry, unsupported)?;
-            Ok(InversePlan::HeldJoint(Box::new(HeldJointPlan { names: names_of_the_table(model), ..plan })))
+            let names = names_of_the_table(model);
+            let off_table = off_table(model, geometry).filter(|off| names.is_some() && *off <= FEW_DIGITS);
+            let poses = if off_table.is_some() { Poses::BesideRightAngles } else { Poses::Anywhere };
+            let plan = held_joint::plan(model, chain, geometry, unsupported, poses)?;
+            Ok(InversePlan::HeldJoint(Box::new(HeldJointPlan { names, off_table, ..plan })))
         }
     }
 }
@@ -46,6 +51,9 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Inverse
 /// Up to this distance from its table, relative to reach and in rad, the equations of the table give starts to the solutions
 /// of a measured arm. The arm's own equation of degree 8 has too few digits there.
 const NEAR_TABLE: f64 = 3e-7;
+
+/// Up to this distance the table's equations give starts, too: the arm's own equation loses single roots.
+const FEW_DIGITS: f64 = 1e-4;
 
 /// The plan of a measured arm near its table.
 fn of_the_table(model: &Model, geometry: &Geometry) -> Option<InversePlan> {
