@@ -1,15 +1,17 @@
 //! The inverse that holds a joint: the constants of its solver, and the call.
 
-use super::inverse::Inverse;
+use super::constants::Dimensions;
+use super::inverse::{Inverse, measure};
 use super::inverse_frame::{Solver, Sought, inverse_trait, items, methods, solutions, sought};
 use super::margins::table_branch;
+use super::nest::Nest;
 use super::solver_constants::{chain_constants, cuts, general, meet, structure};
 use super::task::{TaskCode, task};
-use super::tokens::{array, ident, integer};
+use super::tokens::{array, ident, integer, number};
 use super::{Target, docs, given};
 use crate::lower;
 use crate::model::Model;
-use crate::solve::{Goal, HeldJointPlan, Link, Method};
+use crate::solve::{Goal, HeldJointPlan, Link, Method, Plan};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -33,9 +35,11 @@ pub fn held_joint(model: &Model, plan: &HeldJointPlan, target: &Target) -> Inver
         branch: branches.method,
     };
     let (constants, item) = (solver_constants(plan, target), branches.item);
+    let starts = plan.stages_of_table().map(|table| Starts::of(model, &table, outline.capacity, target));
+    let own = starts.as_ref().map(|starts| &starts.items);
     Inverse {
-        items: items(model, &program.constants, target, [TokenStream::new(), quote!(#constants #item)]),
-        function: function(plan, target, &task),
+        items: items(model, &program.constants, target, [TokenStream::new(), quote!(#own #constants #item)]),
+        function: function(plan, target, &task, starts),
         methods: methods(model, outline, target, &task, &solver),
         trait_impl: inverse_trait(model, outline, [plan.names.is_some(), false], target, &task, &solver),
     }
@@ -98,6 +102,57 @@ fn named_branch(plan: &HeldJointPlan, target: &Target, task: &TaskCode) -> Token
     }
 }
 
+/// The stages of a measured arm's table, which give starts to solutions.
+struct Starts {
+    /// Constants beside the functions.
+    items: TokenStream,
+    /// The type of the search, before the function.
+    search: TokenStream,
+    /// Constants of the equations, in the function.
+    dimensions: TokenStream,
+    /// The statements that follow the stages.
+    follow: TokenStream,
+}
+
+impl Starts {
+    /// `capacity`: the most solutions of the arm that was measured.
+    fn of(model: &Model, table: &Plan, capacity: usize, target: &Target) -> Self {
+        let program = lower::stages(model, table);
+        let nest = Nest { plan: table, target, program: &program, bound: false, lanes: false };
+        let (levels, constants, measure) = (nest.levels(), nest.constants(), measure(model, target));
+        let mut dimensions = Dimensions::default();
+        dimensions.collect_from(&table.graph, &table.inputs());
+        let unpack = task(model, &program, target).unpack;
+        let (krate, scalar, n, m) = (&target.krate, target.scalar.tokens(), integer(table.joints()), integer(capacity));
+        let doubts = integer(program.most_doubts());
+        let off = program.off_table.unwrap_or(0.0);
+        let doc = docs::lines(&format!(
+            "Follows every branch of the table, stage by stage. The arm that was measured is up to {off:.0e} off it: every branch \
+             is verified. Where the table is singular, solutions are missing here."
+        ));
+        let off = number(off);
+        Self {
+            items: quote!(#measure #constants),
+            search: quote! {
+                /// The search; it remembers the branches that are missed with a free joint at its default value. Its numbers:
+                /// joints, solutions, stages that may be in doubt.
+                type InverseSearch<'a> =
+                    #krate::solve::Search<'a, #scalar, #n, #m, #doubts, #krate::solve::Levels<#scalar, #m>>;
+            },
+            dimensions: dimensions.items(model, target),
+            follow: quote! {
+                #unpack
+                let wanted = ALL;
+                #doc
+                let nest = |search: &mut InverseSearch<'_>, start| {
+                    #levels
+                };
+                search.start_from_table(#off, nest);
+            },
+        }
+    }
+}
+
 /// The constants of the solver, as items.
 fn solver_constants(plan: &HeldJointPlan, target: &Target) -> TokenStream {
     let krate = &target.krate;
@@ -136,7 +191,7 @@ fn solver_constants(plan: &HeldJointPlan, target: &Target) -> TokenStream {
 }
 
 /// The function that fills a list.
-fn function(plan: &HeldJointPlan, target: &Target, task: &TaskCode) -> TokenStream {
+fn function(plan: &HeldJointPlan, target: &Target, task: &TaskCode, starts: Option<Starts>) -> TokenStream {
     let outline = &plan.outline();
     let (krate, scalar, type_name) = (&target.krate, target.scalar.tokens(), &target.type_name);
     let (n, m) = (integer(outline.joints), integer(outline.capacity));
@@ -163,7 +218,16 @@ fn function(plan: &HeldJointPlan, target: &Target, task: &TaskCode) -> TokenStre
     } else {
         quote!(run_held_joint(&CONSTANTS, near, |[#(#six),* #unread]| [#(#all),*], |visit| #search))
     };
+    let search_type = quote!(#krate::held_joint::HeldJointSearch::<'_, #scalar, #n, #m>);
+    let (kind, dimensions, search_type, in_doubt, follow) = match starts {
+        Some(Starts { search, dimensions, follow, .. }) => {
+            (search, dimensions, quote!(InverseSearch), quote!(.in_doubt()), follow)
+        }
+        None => (TokenStream::new(), TokenStream::new(), search_type, TokenStream::new(), TokenStream::new()),
+    };
     quote! {
+        #kind
+
         #doc
         fn solve(
             arm: &#type_name,
@@ -172,10 +236,11 @@ fn function(plan: &HeldJointPlan, target: &Target, task: &TaskCode) -> TokenStre
             near: ::core::option::Option<&[#scalar; #n]>,
             solutions: &mut #solutions,
         ) {
+            #dimensions
             #bind
-            let mut search =
-                #krate::held_joint::HeldJointSearch::<'_, #scalar, #n, #m>::new(&CONSTANTS, arm, #sought, near, solutions);
+            let mut search = #search_type::new(&CONSTANTS, arm, #sought, near, solutions) #in_doubt;
             if search.begins(near) {
+                #follow
                 #bind_frame
                 let target = #krate::held_joint::Transform { rotation: #frame.rotation, translation: #frame.translation };
                 let [#(#defaults),*] = search.defaults();

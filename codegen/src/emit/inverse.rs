@@ -51,7 +51,7 @@ pub fn inverse(model: &Model, plan: &Plan, dimensions: &TokenStream, target: &Ta
 }
 
 /// The scale of every length comparison.
-fn measure(model: &Model, target: &Target) -> TokenStream {
+pub(super) fn measure(model: &Model, target: &Target) -> TokenStream {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
     if !model.parameters.is_empty() {
         return parameters::reach(model, target);
@@ -79,7 +79,7 @@ fn given_symbols(program: &lower::Inverse, target: &Target) -> TokenStream {
 
 impl Nest<'_> {
     /// The selection of all branches, and the constant ranges of the stages.
-    fn constants(&self) -> TokenStream {
+    pub(super) fn constants(&self) -> TokenStream {
         let krate = &self.target.krate;
         let statements = self.program.levels.iter().flat_map(|level| &level.body);
         let mut calls: Vec<&Call> = statements
@@ -96,7 +96,7 @@ impl Nest<'_> {
         }
     }
 
-    fn levels(&self) -> TokenStream {
+    pub(super) fn levels(&self) -> TokenStream {
         let mut inner = TokenStream::new();
         for level in self.program.levels.iter().rev() {
             let body = level.body.iter().map(|statement| self.statement(statement));

@@ -329,7 +329,9 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
     #[inline(always)]
     pub fn start_from_table(&mut self, off: T, nest: impl FnMut(&mut Self, BranchState)) {
         (self.doubt, self.slack) = (true, off);
+        let defaults = self.defaults;
         self.cascades(nest);
+        self.defaults = defaults;
     }
 
     #[inline(always)]
