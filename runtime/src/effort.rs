@@ -14,7 +14,8 @@ pub const MOST_EVALUATIONS: usize = 200;
 /// The most places of a held joint at which its polynomial is sampled, and the most of its roots that are followed.
 pub use denhart_core::held_joint::{MOST_CANDIDATES, MOST_PLACES};
 
-/// The most evaluations of `forward_and_jacobian` in one call of an inverse that holds a joint.
+/// The most evaluations of `forward_and_jacobian` in one call of an inverse that holds a joint, also where the stages of a
+/// measured arm's table give starts.
 pub const MOST_HELD_JOINT_EVALUATIONS: usize = 300;
 
 #[cfg(feature = "count")]
@@ -30,14 +31,20 @@ mod counted {
         pub cascades: usize,
         /// Evaluations of `forward_and_jacobian`.
         pub evaluations: usize,
+        /// True if a joint was held: the bound is [`MOST_HELD_JOINT_EVALUATIONS`](super::MOST_HELD_JOINT_EVALUATIONS).
+        pub holds_a_joint: bool,
     }
 
     std::thread_local! {
-        static EFFORT: Cell<Effort> = const { Cell::new(Effort { cascades: 0, evaluations: 0 }) };
+        static EFFORT: Cell<Effort> = const { Cell::new(Effort { cascades: 0, evaluations: 0, holds_a_joint: false }) };
     }
 
     pub(crate) fn cascade() {
         EFFORT.with(|effort| effort.set(Effort { cascades: effort.get().cascades + 1, ..effort.get() }));
+    }
+
+    pub(crate) fn holding_a_joint() {
+        EFFORT.with(|effort| effort.set(Effort { holds_a_joint: true, ..effort.get() }));
     }
 
     /// Counts an evaluation, for types that implement `Evaluate` themselves.
@@ -54,16 +61,20 @@ mod counted {
 }
 
 #[cfg(feature = "count")]
-pub(crate) use counted::cascade;
-#[cfg(feature = "count")]
 #[doc(hidden)]
 pub use counted::evaluation;
 #[cfg(feature = "count")]
 pub use counted::{Effort, effort_of};
+#[cfg(feature = "count")]
+pub(crate) use counted::{cascade, holding_a_joint};
 
 #[cfg(not(feature = "count"))]
 #[inline(always)]
 pub(crate) fn cascade() {}
+
+#[cfg(not(feature = "count"))]
+#[inline(always)]
+pub(crate) fn holding_a_joint() {}
 
 #[cfg(not(feature = "count"))]
 #[doc(hidden)]

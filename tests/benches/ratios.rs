@@ -43,6 +43,57 @@ holding_a_joint! {
     BaxterLeft "../specs/baxter_left.yaml";
 }
 
+/// A UR5 with the deltas of a calibration, and of one that is a hundred times better.
+macro_rules! measured {
+    ($($Type:ident $yaml:literal;)*) => {$(
+        #[derive(Arm)]
+        #[arm(yaml = $yaml)]
+        struct $Type;
+    )*};
+}
+
+measured! {
+    MeasuredUr5 "
+name: measured_ur5
+convention: standard
+units: {length: m, angle: deg}
+joints:
+  - {a: 0, alpha: 90, d: 0.089159, theta: 0}
+  - {a: -0.425, alpha: 0, d: 0, theta: 0}
+  - {a: -0.39225, alpha: 0, d: 0, theta: 0}
+  - {a: 0, alpha: 90, d: 0.10915, theta: 0}
+  - {a: 0, alpha: -90, d: 0.09465, theta: 0}
+  - {a: 0, alpha: 0, d: 0.0823, theta: 0}
+calibration:
+  q1: {a: 8e-5, alpha: -6e-4 rad, d: 3e-4, theta: 5e-4 rad}
+  q2: {a: -5e-4, alpha: 9e-4 rad, d: 2e-4, theta: -4e-4 rad}
+  q3: {a: 7e-4, alpha: -3e-4 rad, d: -6e-4, theta: 8e-4 rad}
+  q4: {a: -2e-4, alpha: 4e-4 rad, d: 9e-4, theta: -7e-4 rad}
+  q5: {a: 6e-5, alpha: 5e-4 rad, d: -8e-4, theta: 1e-4 rad}
+";
+    CloselyMeasuredUr5 "
+name: closely_measured_ur5
+convention: standard
+units: {length: m, angle: deg}
+joints:
+  - {a: 0, alpha: 90, d: 0.089159, theta: 0}
+  - {a: -0.425, alpha: 0, d: 0, theta: 0}
+  - {a: -0.39225, alpha: 0, d: 0, theta: 0}
+  - {a: 0, alpha: 90, d: 0.10915, theta: 0}
+  - {a: 0, alpha: -90, d: 0.09465, theta: 0}
+  - {a: 0, alpha: 0, d: 0.0823, theta: 0}
+calibration:
+  q1: {a: 8e-7, alpha: -6e-6 rad, d: 3e-6, theta: 5e-6 rad}
+  q2: {a: -5e-6, alpha: 9e-6 rad, d: 2e-6, theta: -4e-6 rad}
+  q3: {a: 7e-6, alpha: -3e-6 rad, d: -6e-6, theta: 8e-6 rad}
+  q4: {a: -2e-6, alpha: 4e-6 rad, d: 9e-6, theta: -7e-6 rad}
+  q5: {a: 6e-7, alpha: 5e-6 rad, d: -8e-6, theta: 1e-6 rad}
+";
+}
+
+/// Beside a straight wrist, rad.
+const BESIDE: f64 = 2e-3;
+
 /// More than a branch predictor learns by heart.
 const INPUTS: usize = 2048;
 
@@ -87,6 +138,18 @@ macro_rules! held {
         ];
         println!("{}", compare(stringify!($Type), cases, $rounds));
     }};
+    ($Type:ident, $rounds:ident, $repeat:ident, beside the wrist) => {{
+        let q = joints(stringify!($Type));
+        let beside = q.iter().map(|q| [q[0], q[1], q[2], q[3], q[4] / PI * BESIDE, q[5]]);
+        let [targets, beside]: [Vec<Pose<f64>>; 2] =
+            [q.iter().map(|q| $Type.forward(q)).collect(), beside.map(|q| $Type.forward(&q)).collect()];
+        let cases = vec![
+            Case::new("six f64::sin_cos", &q, $repeat, |q| q.map(f64::sin_cos)),
+            Case::new("inverse, every solution", &targets, $repeat, |target| $Type.inverse(target)),
+            Case::new("inverse beside the wrist", &beside, $repeat, |target| $Type.inverse(target)),
+        ];
+        println!("{}", compare(stringify!($Type), cases, $rounds));
+    }};
     ($Type:ident, $rounds:ident, $repeat:ident, given $given:literal) => {{
         let q = joints(stringify!($Type));
         let whole = |q: &[f64; 6]| -> [f64; 7] { std::array::from_fn(|joint| q[joint % 6]) };
@@ -117,4 +180,6 @@ fn main() {
     held!(SawyerQ3, rounds, repeat, given 2);
     held!(Xarm7Q3, rounds, repeat, given 2);
     held!(BaxterLeft, rounds, repeat, given 2);
+    held!(MeasuredUr5, rounds, repeat, beside the wrist);
+    held!(CloselyMeasuredUr5, rounds, repeat, beside the wrist);
 }

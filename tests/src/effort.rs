@@ -20,9 +20,9 @@ pub fn bounded<R>(call: impl FnOnce() -> R) -> R {
     result
 }
 
-/// Returns true if a call has kept to its bound. A call without a cascade is one of an inverse that holds a joint.
+/// Returns true if a call has kept to its bound.
 fn is_bounded(effort: &Effort) -> bool {
-    let most = if effort.cascades == 0 { MOST_HELD_JOINT_EVALUATIONS } else { MOST_EVALUATIONS };
+    let most = if effort.holds_a_joint { MOST_HELD_JOINT_EVALUATIONS } else { MOST_EVALUATIONS };
     effort.cascades <= MOST_CASCADES && effort.evaluations <= most
 }
 

@@ -345,6 +345,9 @@ impl HeldJointPlan {
         let mut lines = vec![self.no_stages.alone.clone()];
         lines.extend(addition);
         lines.extend([structure, slower.to_owned()]);
+        lines.extend(self.off_table.map(|_| {
+            "the table's branches give starts, too: so near the table the equation has too few digits for some roots".to_owned()
+        }));
         lines.extend(named);
         if !self.no_stages.instead.is_empty() {
             lines.push(format!("in closed form: `{}`", self.no_stages.instead.join("`, `")));

@@ -100,6 +100,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         place: impl Fn([T; 6]) -> ([T; N], T),
         solve: impl FnOnce(&mut dyn FnMut(&Candidate<T>) -> ControlFlow<()>) -> Outcome,
     ) {
+        crate::effort::holding_a_joint();
         // With what the table's stages have left, if the call began with them.
         self.left += MOST_HELD_JOINT_EVALUATIONS - MOST_EVALUATIONS;
         let outcome = solve(&mut |candidate| {

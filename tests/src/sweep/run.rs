@@ -188,7 +188,7 @@ impl Found {
         for (reason, (arms, first)) in &self.refusals {
             text += &format!("{reason:<100} {arms:>6}  {first}\n");
         }
-        let Effort { cascades, evaluations } = self.most;
+        let Effort { cascades, evaluations, .. } = self.most;
         text + &format!("\nthe most of one call: {cascades} runs of the nest, {evaluations} evaluations\n")
     }
 }
