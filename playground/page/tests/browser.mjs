@@ -211,6 +211,8 @@ const tests = {
     near(directions[0][0] * directions[1][0] + directions[0][1] * directions[1][1], 0, 1e-6, "the axes turn with joint 1");
     await page.waitForTimeout(200);
     assert.deepEqual(await told(), ["axes 2, 3, 4 are parallel"]);
+    await page.click("#frame");
+    await page.waitForTimeout(300);
     await page.screenshot({ path: join(shots, "axes-parallel.png") });
     // An IRB 2400: its wrist meets where joints 5 and 6 stand, and only the first three joints move that point.
     await choose(page, "abb_irb2400");
@@ -248,6 +250,7 @@ const tests = {
     }
     await page.locator("#show-axes").uncheck();
     assert.deepEqual((await state(page)).seen.axes, []);
+    await page.waitForTimeout(200);
     assert.deepEqual(await told(), []);
     assert.deepEqual(page.failures, []);
     // The words fit on a phone.
@@ -257,6 +260,11 @@ const tests = {
     await phone.waitForTimeout(200);
     const [box, label] = [await phone.locator("#view").boundingBox(), await phone.locator("#labels .axes").boundingBox()];
     assert.ok(label.x >= box.x && label.x + label.width <= box.x + box.width, JSON.stringify([box, label]));
+    for (const other of await phone.locator("#labels .joint:visible").all()) {
+      const joint = await other.boundingBox();
+      const apart = joint.y >= label.y + label.height || joint.y + joint.height <= label.y || joint.x >= label.x + label.width || joint.x + joint.width <= label.x;
+      assert.ok(apart, `a name lies on the words: ${JSON.stringify([joint, label])}`);
+    }
     await phone.screenshot({ path: join(shots, "phone-axes.png") });
     await choose(phone, "abb_irb2400");
     await phone.waitForTimeout(200);
