@@ -51,6 +51,20 @@ fn a_picture_goes_where_it_is_said() {
 }
 
 #[test]
+fn the_axes_that_decide_the_inverse_are_drawn_in_words() {
+    let folder = folder("axes");
+    for (name, words) in [
+        ("ur5", "axes 2, 3, 4 are parallel"),
+        ("puma560", "axes 4, 5, 6 meet in a point"),
+        ("anthro3r", "axes v1, v2, v3 meet in a point, all of them virtual"),
+        ("singular_6r", "no inverse that axes decide"),
+    ] {
+        let svg = |more: &[&str]| text(&run(&folder, &[&["draw", &spec(name), "-o", "-"], more].concat()).stdout);
+        assert!(svg(&["--axes"]).contains(words) && !svg(&[]).contains(words), "{name}");
+    }
+}
+
+#[test]
 fn a_file_of_something_else_is_left_alone() {
     let folder = folder("alone");
     fs::write(folder.join("ur5.svg"), "<svg>mine</svg>").unwrap();

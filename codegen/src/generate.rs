@@ -7,7 +7,7 @@ use crate::model::chain::Chain;
 use crate::model::geometry::{Geometry, geometry};
 use crate::model::{self, Bound, Model, Parameter, Sizes};
 use crate::report::Report;
-use crate::solve::{self, InversePlan, Unsupported, by_the_table, plan};
+use crate::solve::{self, DecidingAxes, InversePlan, Unsupported, by_the_table, plan};
 use crate::{ScalarKind, spec, stages};
 use proc_macro2::TokenStream;
 use quote::ToTokens;
@@ -217,6 +217,9 @@ pub struct Program {
     pub functions: Functions,
     /// The inverse, or why there is none.
     pub inverse: Result<Inverse, String>,
+    /// The axes whose relation the inverse rests on, in the words of the report; empty where there is no inverse, or it rests on
+    /// none.
+    pub deciding_axes: Vec<DecidingAxes>,
     /// The factors of the Jacobian's determinant, where the task has them.
     pub margins: Option<Margins>,
     /// Motor values, where motors move more than their own joint.
@@ -238,6 +241,7 @@ pub fn program(text: &str, file: &str) -> Result<Program, Errors> {
     let plan = inverse.as_ref();
     Ok(Program {
         functions,
+        deciding_axes: plan.map(InversePlan::deciding_axes).unwrap_or_default(),
         margins: plan.ok().and_then(InversePlan::stages).and_then(lower::margins),
         inverse: plan.map(|plan| lower::inverse(&model, plan)).map_err(|unsupported| unsupported.reason.clone()),
         linked: lower::linked(&model),

@@ -36,4 +36,4 @@ pub use generate::{Generated, Options, Program, check, generate, program};
 pub use generate::{stages_text, takes_a_choice};
 pub use model::Bound;
 pub use report::Report;
-pub use solve::{Choice, Way};
+pub use solve::{AxesRelation, Choice, DecidingAxes, Way};

@@ -38,6 +38,7 @@ mod aims;
 mod apart;
 mod canvas;
 mod contour;
+mod deciding;
 mod document;
 mod error;
 mod figure;
@@ -61,6 +62,7 @@ mod vector;
 mod view;
 
 pub use apart::apart;
+pub use deciding::{DecidingLines, deciding_words};
 pub use error::DrawError;
 pub use picture::{Command, Dash, Paint, Picture, Role, Shape, Text};
 pub use scene::{Figure, Miss, Scene};

@@ -2,6 +2,7 @@
 
 use crate::aims::{aim, curves, region};
 use crate::canvas::Canvas;
+use crate::deciding::deciding;
 use crate::figure::{arm, ground};
 use crate::font::Font;
 use crate::furniture::{Frame, footer, header};
@@ -22,7 +23,9 @@ pub fn picture(scene: &Scene, view: View, size: Flat, font: &Font) -> Picture {
         section.region.iter().chain(section.singular.iter().flat_map(|curves| &curves.lines)).flatten().copied()
     });
     let target = scene.target.iter().map(|pose| pose.translation);
-    let all = points.chain(section).chain(target);
+    let axes = scene.axes.iter().flat_map(|(axes, _)| axes);
+    let axes = axes.flat_map(|one| one.lines.iter().flatten().chain(&one.point)).copied();
+    let all = points.chain(section).chain(target).chain(axes);
     let camera = Camera::fit(view, all.clone(), frame.inside(scene.dimensions));
     // Signs of joints may stand beside the links.
     let signs: Vec<Vector> = scene
@@ -56,6 +59,9 @@ pub fn picture(scene: &Scene, view: View, size: Flat, font: &Font) -> Picture {
             frames(&mut canvas, figure);
         } else if figure.solution.is_none() {
             tool(&mut canvas, figure);
+        }
+        if let Some((axes, words)) = &scene.axes {
+            deciding(&mut canvas, axes, words);
         }
         let asked = scene.frames || scene.dimensions;
         if asked && !figure.skeleton.far.is_empty() {

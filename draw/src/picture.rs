@@ -38,6 +38,8 @@ pub enum Role {
     Measure,
     /// A region that the tool reaches.
     Region,
+    /// Axes that decide the inverse.
+    Deciding,
     /// A target, and by how much it is missed.
     Target,
     /// A solution, by its number from 0; colors repeat after eight.

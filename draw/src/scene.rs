@@ -4,6 +4,7 @@ use denhart::{JointKind, Pose};
 use denhart_dynamic::{DynamicArm, DynamicSolutions};
 
 use crate::DrawError;
+use crate::deciding::{DecidingLines, deciding_words};
 use crate::number::{rough, short};
 use crate::section::Section;
 use crate::skeleton::Skeleton;
@@ -49,12 +50,14 @@ pub struct Scene {
     pub length_unit: String,
     /// Second line: the posture in words.
     pub posture: String,
-    /// Postures of the arm; the first one has the frames and dimensions.
+    /// Postures of the arm; the first one has the frames, dimensions and axes.
     pub figures: Vec<Figure>,
     /// Frames of the table are drawn.
     pub frames: bool,
     /// Lengths of the table are drawn.
     pub dimensions: bool,
+    /// The axes that decide the inverse, with a sentence on them; `None` if they are not drawn.
+    pub axes: Option<(Vec<DecidingLines>, String)>,
     /// Pose of the target. One that lies too far away stands nearer, in its direction from the base.
     pub target: Option<Pose<f64>>,
     /// The point of a target that stands nearer.
@@ -77,6 +80,7 @@ impl Scene {
             figures: Vec::new(),
             frames: false,
             dimensions: false,
+            axes: None,
             target: None,
             far_target: None,
             miss: None,
@@ -158,6 +162,14 @@ impl Scene {
     #[must_use]
     pub fn with_dimensions(mut self) -> Self {
         self.dimensions = true;
+        self
+    }
+
+    /// Shows the axes that decide the inverse, in the posture of the first figure. Where no axis of the arm does, a note says so.
+    #[must_use]
+    pub fn with_axes(mut self, arm: &DynamicArm) -> Self {
+        let lines = self.figures.first().map(|figure| DecidingLines::of(arm, &figure.skeleton));
+        self.axes = lines.map(|lines| (lines, deciding_words(arm)));
         self
     }
 

@@ -42,6 +42,7 @@ pub fn colors(role: Role) -> [u32; 2] {
         Role::Y => [0x00805c, 0x1fc99a],
         Role::Z => [0x0064a0, 0x52adf0],
         Role::Measure => [0x7a3e8f, 0xcf9ae0],
+        Role::Deciding => [0xc4138f, 0xff7ad9],
         Role::Region => [0xd8ebf7, 0x1c3547],
         Role::Target => [0xb3123f, 0xff6b8f],
         Role::Solution(number) => COLORS.get(usize::from(number % SOLUTIONS)).copied().unwrap_or([0, 0xffffff]),
@@ -60,6 +61,7 @@ pub fn class(role: Role) -> String {
         Role::Y => "y".to_owned(),
         Role::Z => "z".to_owned(),
         Role::Measure => "len".to_owned(),
+        Role::Deciding => "axs".to_owned(),
         Role::Region => "reg".to_owned(),
         Role::Target => "tgt".to_owned(),
         Role::Solution(number) => format!("s{}", number % SOLUTIONS + 1),
@@ -118,7 +120,8 @@ mod tests {
     fn texts_stand_out_from_the_background() {
         let luminance = |color: u32| product([[0.2126, 0.7152, 0.0722], [0.0; 3], [0.0; 3]], linear(color))[0];
         for theme in [0, 1] {
-            for role in [Role::Ink, Role::Muted, Role::X, Role::Y, Role::Z, Role::Measure, Role::Target] {
+            for role in [Role::Ink, Role::Muted, Role::X, Role::Y, Role::Z, Role::Measure, Role::Deciding, Role::Target]
+            {
                 let mut pair = [colors(role)[theme], colors(Role::Background)[theme]].map(luminance);
                 pair.sort_by(f64::total_cmp);
                 let contrast = (pair[1] + 0.05) / (pair[0] + 0.05);

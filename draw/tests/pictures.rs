@@ -52,7 +52,8 @@ fn no_text_lies_on_another_one() {
                 ("plain", scene.clone()),
                 ("frames", scene.clone().with_frames()),
                 ("dimensions", scene.clone().with_dimensions()),
-                ("both", scene.clone().with_frames().with_dimensions()),
+                ("axes", scene.clone().with_axes(&arm)),
+                ("both", scene.clone().with_frames().with_dimensions().with_axes(&arm)),
             ] {
                 for view in VIEWS {
                     let of = format!("{name}, {}, {kind}", view.name());

@@ -47,6 +47,9 @@ pub struct Options {
     /// The lengths a and d of the table, with their values
     #[arg(long)]
     dimensions: bool,
+    /// The axes that decide the inverse: those that meet in a point or are parallel
+    #[arg(long)]
+    axes: bool,
     /// The section that the tool reaches within the limits, and its singular curves
     #[arg(long)]
     workspace: bool,
@@ -138,6 +141,9 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
     }
     if options.dimensions {
         scene = scene.with_dimensions();
+    }
+    if options.axes {
+        scene = scene.with_axes(&arm);
     }
     if options.workspace {
         scene = scene.with_section(section(&arm, &q, view)?);

@@ -1,14 +1,12 @@
 //! The plan as text.
 
+use super::deciding_axes::DecidingAxes;
 use super::plan::{Plan, PlanStep, Value};
 use crate::symbolic::{Label, Part, Symbol, Unknown};
 
 /// One line a step: which joint, by which kind of equation.
 pub fn describe(plan: &Plan) -> Vec<String> {
-    let label = |k: usize| plan.label(plan.triple.first + k);
-    let slides = plan.loop_joints.iter().skip(plan.triple.first).take(3).any(|slot| !slot.revolute);
-    let kind = plan.triple.kind.words(slides);
-    let mut lines = vec![format!("axes {}, {}, {} {kind}", label(0), label(1), label(2))];
+    let mut lines = vec![DecidingAxes::of_triple(plan).words];
     lines.extend(plan.missed.map(|by| format!("the axes miss this structure by {by:.0e}: every solution is verified")));
     lines.extend(plan.lacks_a_turn().then(|| "five joints have not every pose: every solution is verified".to_owned()));
     let steps = plan.steps.iter().filter_map(|step| match step {

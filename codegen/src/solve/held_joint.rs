@@ -12,6 +12,7 @@ use denhart_core::meet::{Meet, Structure};
 use denhart_core::slides::Slides;
 use denhart_core::{Chain as NumericChain, Transform as NumericTransform};
 
+use super::deciding_axes::{AxesRelation, DecidingAxes};
 use super::loop_chain::LoopChain;
 use super::plan::Plan;
 use super::rank::{self, ToolMotion};
@@ -314,9 +315,9 @@ impl HeldJointPlan {
         let held = |place: usize| joint(place).unwrap_or_else(|| "the virtual turn".to_owned());
         let structure = match &self.method {
             Method::Meet { structure, .. } => {
-                let [x1, _, x3, x4, u, v] = structure.joints;
-                let (met, parallel) = (self.axes([u, v]), self.axes([x3, x4]));
-                format!("{met} meet, {parallel} are parallel: one equation of degree 8 in {}", held(x1))
+                let [x1, ..] = structure.joints;
+                let axes: Vec<String> = self.deciding_axes().into_iter().map(|axes| axes.words).collect();
+                format!("{}: one equation of degree 8 in {}", axes.join(", "), held(x1))
             }
             Method::Slides { turning: [first, ..], prismatic: [a, b] } => {
                 let joints = [*a.min(b), *a.max(b)].map(|place| self.chain.solved.get(place).map_or(0, |q| q + 1));
@@ -353,6 +354,18 @@ impl HeldJointPlan {
             lines.push(format!("in closed form: `{}`", self.no_stages.instead.join("`, `")));
         }
         lines
+    }
+
+    /// The two axes that meet and the two that are parallel; none for the other methods.
+    pub fn deciding_axes(&self) -> Vec<DecidingAxes> {
+        let Method::Meet { structure, .. } = &self.method else { return Vec::new() };
+        let [_, _, x3, x4, u, v] = structure.joints;
+        let pairs = [([u, v], AxesRelation::Meet, "meet"), ([x3, x4], AxesRelation::Parallel, "are parallel")];
+        let axes = |(places, relation, words): ([usize; 2], AxesRelation, &str)| {
+            let joints = places.iter().filter_map(|place| self.chain.solved.get(*place)).copied().collect();
+            DecidingAxes { joints, relation, words: format!("{} {words}", self.axes(places)) }
+        };
+        pairs.map(axes).to_vec()
     }
 
     /// Two axes of the chain: `axes 4 and 5`, `axis 5 and the tool's axis z`.

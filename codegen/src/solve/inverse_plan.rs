@@ -1,5 +1,6 @@
 //! How the inverse of an arm is solved.
 
+use super::deciding_axes::DecidingAxes;
 use super::held_joint::HeldJointPlan;
 use super::plan::Plan;
 use super::task::Outline;
@@ -19,6 +20,15 @@ impl InversePlan {
         match self {
             InversePlan::Stages(plan) => plan.outline(),
             InversePlan::HeldJoint(plan) => plan.outline(),
+        }
+    }
+
+    /// The axes that decide the inverse: the triple of stages, or the pairs of a joint that is held. Empty where the plan
+    /// rests on no relation of axes. [`describe`](super::describe) and [`HeldJointPlan::describe`] have their words.
+    pub fn deciding_axes(&self) -> Vec<DecidingAxes> {
+        match self {
+            InversePlan::Stages(plan) => vec![DecidingAxes::of_triple(plan)],
+            InversePlan::HeldJoint(plan) => plan.deciding_axes(),
         }
     }
 

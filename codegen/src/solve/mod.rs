@@ -10,6 +10,7 @@
 
 mod chain_axes;
 mod commuted;
+mod deciding_axes;
 mod description;
 mod generic_samples;
 mod held_joint;
@@ -35,6 +36,7 @@ mod three_prismatic;
 mod triple;
 mod unsupported;
 
+pub use deciding_axes::{AxesRelation, DecidingAxes};
 pub use description::describe;
 pub use held_joint::{HeldJointPlan, Link, Method, SixJoints};
 pub use inverse_plan::InversePlan;

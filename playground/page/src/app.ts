@@ -54,7 +54,7 @@ export class App {
   marked: number | undefined;
   /** The ghost that is pointed at. */
   pointed: number | undefined;
-  shown = { ghosts: true, frames: false, dimensions: false, names: true };
+  shown = { ghosts: true, frames: false, dimensions: false, axes: false, names: true };
   /** Times of the handlers that move the arm, ms. */
   times: number[] = [];
   readonly history = new History<Snapshot>();

@@ -26,6 +26,8 @@ export interface Facts {
   given: GivenFacts[];
   maxSolutions: number | null;
   reach: number | null;
+  /** The axes that decide the inverse, in words. */
+  axes: string;
   planar: boolean;
   pulses: boolean;
 }
@@ -45,8 +47,18 @@ export interface Preset {
   joints: string | null;
 }
 
+/** Axes whose relation the inverse rests on: draw/src/deciding.rs. */
+export interface DecidingAxes {
+  joints: number[];
+  lines: [[number, number, number], [number, number, number]][];
+  /** Where they meet. */
+  point: [number, number, number] | null;
+  words: string;
+}
+
 export interface TableParts {
   frames: { name: string; pose: number[] }[];
   measures: { name: string; value: number; from: [number, number, number]; to: [number, number, number] }[];
+  axes: DecidingAxes[];
   far: string[];
 }

@@ -35,7 +35,7 @@ export class FlatView {
     try {
       this.picture.innerHTML = app.arm.svg(
         Float64Array.from(app.q), Float64Array.from(target), app.angle, Float64Array.from(app.given),
-        app.shown.frames, app.shown.dimensions, isDark(), width, height,
+        app.shown.frames, app.shown.dimensions, app.shown.axes, isDark(), width, height,
       );
     } catch (error) {
       this.picture.textContent = messageOf(error);

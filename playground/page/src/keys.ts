@@ -25,6 +25,7 @@ export function listenToKeys(app: App): void {
     else if (key === "r") byId("mode-rotate").click();
     else if (key === "f") byId("show-frames").click();
     else if (key === "d") byId("show-dimensions").click();
+    else if (key === "a") byId("show-axes").click();
     else if (key === "g") byId("show-ghosts").click();
     else if (key === "p") byId("presets").click();
     else if (key === "?") byId("help").click();

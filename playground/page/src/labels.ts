@@ -7,7 +7,7 @@ import type { Point } from "./numbers";
 export interface Label {
   point: Point;
   text: string;
-  kind: "ghost" | "joint" | "frame" | "measure" | "miss";
+  kind: "ghost" | "joint" | "frame" | "measure" | "axes" | "miss";
   color?: string;
   title?: string;
   isStrong?: boolean;
@@ -42,9 +42,11 @@ export class Labels {
       shown.style.setProperty("--color", label.color ?? "");
       shown.onclick = label.click ?? null;
       // Widths are guessed: asking for them would lay the page out once for each label.
-      const [w, h] = [label.text.length * 7 + 10, 18];
+      // Long words wrap at the width of the style sheet.
+      const [long, most] = [label.text.length * 7 + 10, label.kind === "axes" ? Math.min(340, width - 4) : Infinity];
+      const [w, h] = [Math.min(long, most), 18 * Math.max(Math.ceil(long / most), 1)];
       let [x, y] = [((at.x + 1) / 2) * width + 8, ((1 - at.y) / 2) * height - h - 4];
-      x = Math.min(Math.max(x, 2), width - w - 2);
+      x = Math.max(Math.min(x, width - w - 2), 2);
       y = Math.min(Math.max(y, 2), height - h - 2);
       for (let tries = 0; tries < 12; tries++) {
         const over = taken.find(([left, top, right, bottom]) => x < right && x + w > left && y < bottom && y + h > top);

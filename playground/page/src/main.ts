@@ -34,7 +34,7 @@ function picture(app: App): View | undefined {
 }
 
 function switches(app: App, view: View | undefined): void {
-  for (const key of ["ghosts", "frames", "dimensions", "names"] as const) {
+  for (const key of ["ghosts", "frames", "dimensions", "axes", "names"] as const) {
     const box = byId<HTMLInputElement>(`show-${key}`);
     box.checked = app.shown[key];
     box.addEventListener("change", () => {
@@ -42,6 +42,11 @@ function switches(app: App, view: View | undefined): void {
       app.emit("shown");
     });
   }
+  const tell = (): void => {
+    byId("axes-switch").title = `The axes that decide the inverse (A): ${app.facts?.axes ?? ""}`;
+  };
+  app.listen((change) => change === "arm" && tell());
+  tell();
   for (const mode of ["translate", "rotate"] as const) {
     byId(`mode-${mode}`).addEventListener("click", () => {
       view?.setMode(mode);

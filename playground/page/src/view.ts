@@ -5,6 +5,7 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { Aim3D } from "./aim3d";
 import { Annotations } from "./annotations";
 import type { App, Change } from "./app";
+import { Axes3D } from "./axes3d";
 import { color, css, onThemeChange, solutionColor } from "./colors";
 import { Figure3D } from "./figure3d";
 import { Labels, type Label } from "./labels";
@@ -23,6 +24,7 @@ export class View {
   private readonly orbit: OrbitControls;
   private readonly aim: Aim3D;
   private readonly annotations: Annotations;
+  private readonly axes: Axes3D;
   private readonly labels: Labels;
   private readonly ray = new THREE.Raycaster();
   private readonly ground = new THREE.Group();
@@ -43,6 +45,7 @@ export class View {
     this.aim.controls.addEventListener("change", () => this.draw());
     this.labels = new Labels(overlay);
     this.annotations = new Annotations(this.scene);
+    this.axes = new Axes3D(this.scene);
     this.scene.add(this.ground, new THREE.HemisphereLight(0xffffff, 0x8a94a0, 2.1));
     const sun = new THREE.DirectionalLight(0xffffff, 1.6);
     sun.position.set(2, -3, 5);
@@ -135,7 +138,7 @@ export class View {
     return ghost;
   }
 
-  /** Frames, lengths, names, and the reason of "no solution". */
+  /** Frames, lengths, axes, names, and the reason of "no solution". */
   private annotate(): void {
     const { app } = this;
     const { arm, figure, facts } = app;
@@ -146,9 +149,13 @@ export class View {
       labels.push({ point: pointOfTool(figure), text: words, kind: "miss", color: css(color("target")) });
     }
     const marked = app.marked === undefined ? undefined : app.marked + 1;
-    const wants = app.shown.frames || app.shown.dimensions || marked !== undefined;
+    const wants = app.shown.frames || app.shown.dimensions || app.shown.axes || marked !== undefined;
     const table = wants ? (JSON.parse(arm.table(Float64Array.from(app.q))) as import("./facts").TableParts) : undefined;
     labels.push(...this.annotations.show(table, { ...app.shown, marked, size: this.size, unit: facts.unit }));
+    const axes = this.axes.show((app.shown.axes && table?.axes) || [], this.unit);
+    // No axis of the arm decides: the picture says so.
+    if (app.shown.axes && axes.length === 0) axes.push({ point: [0, 0, 0], text: facts.axes, kind: "axes", color: css(color("deciding")) });
+    labels.push(...axes);
     this.annotations.missed(app.miss ? [pointOfTool(figure), pointOfTool({ tool: app.target })] : undefined);
     if (app.shown.names && !app.shown.frames) {
       figure.joints.forEach(({ point }, joint) => {
@@ -194,17 +201,19 @@ export class View {
     this.draw();
   }
 
-  /** Projected joint positions, ghosts and colors: for tests. */
-  read(): { joints: [number, number][]; ghosts: number; ghostColors: string[]; jointColors: string[] } {
-    const { width, height } = this.box.getBoundingClientRect();
+  /** Projected joint positions, axes that decide the inverse, ghosts and colors: for tests. */
+  read(): {
+    joints: [number, number][]; axes: [number, number][][]; meet: [number, number][];
+    ghosts: number; ghostColors: string[]; jointColors: string[];
+  } {
     this.camera.updateMatrixWorld();
-    const joints = (this.app.figure?.joints ?? []).map(({ point }): [number, number] => {
-      const at = new THREE.Vector3(...point).project(this.camera);
-      return [((at.x + 1) / 2) * width, ((1 - at.y) / 2) * height];
-    });
+    const joints = (this.app.figure?.joints ?? []).map(({ point }) => this.project(point));
+    const { lines, points } = this.axes.read();
     const shown = this.ghosts.filter((ghost) => ghost.group.visible);
     return {
       joints,
+      axes: lines.map((ends) => ends.map((end) => this.project(end))),
+      meet: points.map((point) => this.project(point)),
       ghosts: shown.length,
       ghostColors: shown.map((ghost) => css(ghost.jointColors()[0] ?? 0)),
       jointColors: (this.arm?.jointColors() ?? []).map(css),

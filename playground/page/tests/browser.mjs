@@ -183,6 +183,96 @@ const tests = {
     });
   },
 
+  async "the axes that decide the inverse are drawn, and move with the joints"(browser) {
+    const page = await open(browser);
+    const all = (q) => page.evaluate((q) => window.denhart.app.moveTo(q), q);
+    const space = () => page.evaluate(() => window.denhart.view.axes.read());
+    const off = ([x, y], [[ax, ay], [bx, by]]) => Math.abs((bx - ax) * (y - ay) - (by - ay) * (x - ax)) / Math.hypot(bx - ax, by - ay);
+    // Words are placed when the picture is drawn.
+    const told = (...words) => page.waitForFunction(
+      (words) => [...document.querySelectorAll("#labels .axes:not([hidden])")].map((one) => one.textContent).toSorted().join("; ") === words,
+      words.toSorted().join("; "),
+    );
+    assert.deepEqual((await state(page)).seen.axes, []);
+    // A UR5: three parallel axes, through joints 2, 3 and 4.
+    await page.locator("#view canvas").focus();
+    await page.keyboard.press("a");
+    assert.ok(await page.locator("#show-axes").isChecked());
+    assert.match(await page.locator("#axes-switch").getAttribute("title"), /axes 2, 3, 4 are parallel$/);
+    const directions = [];
+    for (const q of [[10, -60, 80, -30, 45, 20], [100, -20, 60, 70, -45, 0]]) {
+      await all(q.map((value) => (value * Math.PI) / 180));
+      const { seen } = await state(page);
+      assert.deepEqual([seen.axes.length, seen.meet.length], [3, 0]);
+      seen.axes.forEach((ends, index) => assert.ok(off(seen.joints[index + 1], ends) < 0.5, `joint ${index + 2} is off its axis`));
+      const [first, ...others] = (await space()).lines.map(([from, to]) => {
+        const way = to.map((value, axis) => value - from[axis]);
+        return way.map((value) => value / Math.hypot(...way));
+      });
+      for (const other of others) near(Math.abs(first.reduce((sum, value, axis) => sum + value * other[axis], 0)), 1, 1e-9, "parallel");
+      directions.push(first);
+    }
+    near(directions[0][0] * directions[1][0] + directions[0][1] * directions[1][1], 0, 1e-6, "the axes turn with joint 1");
+    await told("axes 2, 3, 4 are parallel");
+    await page.click("#frame");
+    await page.waitForTimeout(300);
+    await page.screenshot({ path: join(shots, "axes-parallel.png") });
+    // An IRB 2400: its wrist meets where joints 5 and 6 stand, and only the first three joints move that point.
+    await choose(page, "abb_irb2400");
+    const wrist = async (q) => {
+      await all(q);
+      const { seen } = await state(page);
+      assert.deepEqual([seen.axes.length, seen.meet.length], [3, 1]);
+      for (const joint of [4, 5]) near(Math.hypot(...seen.meet[0].map((value, at) => value - seen.joints[joint][at])), 0, 0.5, `joint ${joint + 1}`);
+      seen.axes.forEach((ends, index) => {
+        assert.ok(off(seen.joints[index + 3], ends) < 0.5, `joint ${index + 4} is off its axis`);
+        assert.ok(off(seen.meet[0], ends) < 0.5, `axis ${index + 4} goes past the point`);
+      });
+      return (await space()).points[0];
+    };
+    const [here, turned, away] = [await wrist([0.3, 0.2, 0.1, 0.4, 0.5, 0.6]), await wrist([0.3, 0.2, 0.1, -1, 0.9, 2]), await wrist([0.9, 0.2, 0.1, 0.4, 0.5, 0.6])];
+    const apart = (a, b) => Math.hypot(...a.map((value, axis) => value - b[axis]));
+    const size = Math.hypot(...here);
+    assert.ok(apart(here, turned) < 1e-5 * size && apart(here, away) > 0.1 * size);
+    await told("axes 4, 5, 6 meet in a point");
+    await page.screenshot({ path: join(shots, "axes-meet.png") });
+    // Two axes that meet and two that are parallel; virtual axes alone; none.
+    for (const [name, lines, points, words] of [
+      ["kinova_gen3_lite", 4, 1, ["axes 4 and 5 meet", "axes 2 and 3 are parallel"]],
+      ["scara_rrrp_325_275", 3, 0, ["axes 1, 2, 3 are parallel"]],
+      ["anthro3r", 0, 0, ["no axis of the arm decides this inverse: axes v1, v2, v3 meet in a point, all of them virtual"]],
+      ["singular_6r", 0, 0, ["no inverse that axes decide"]],
+    ]) {
+      await choose(page, name);
+      const { seen } = await state(page);
+      assert.deepEqual([seen.axes.length, seen.meet.length], [lines, points], name);
+      await told(...words);
+      await page.screenshot({ path: join(shots, `axes-${name}.png`) });
+    }
+    await page.locator("#show-axes").uncheck();
+    assert.deepEqual((await state(page)).seen.axes, []);
+    await told();
+    assert.deepEqual(page.failures, []);
+    // The words fit on a phone.
+    const phone = await open(browser, { width: 390, height: 800 });
+    await choose(phone, "anthro3r");
+    await phone.locator("#show-axes").check();
+    await phone.waitForSelector("#labels .axes:visible");
+    await phone.waitForTimeout(400);
+    const [box, label] = [await phone.locator("#view").boundingBox(), await phone.locator("#labels .axes").boundingBox()];
+    assert.ok(label.x >= box.x && label.x + label.width <= box.x + box.width, JSON.stringify([box, label]));
+    for (const other of await phone.locator("#labels .joint:visible").all()) {
+      const joint = await other.boundingBox();
+      const apart = joint.y >= label.y + label.height || joint.y + joint.height <= label.y || joint.x >= label.x + label.width || joint.x + joint.width <= label.x;
+      assert.ok(apart, `a name lies on the words: ${JSON.stringify([joint, label])}`);
+    }
+    await phone.screenshot({ path: join(shots, "phone-axes.png") });
+    await choose(phone, "abb_irb2400");
+    await phone.waitForTimeout(200);
+    await phone.screenshot({ path: join(shots, "phone-axes-meet.png") });
+    await phone.close();
+  },
+
   async "the arm follows a target within its rates"(browser) {
     const page = await open(browser);
     // A far target: from where the arm stands, joint 1 turned by 2 rad.
@@ -548,6 +638,9 @@ const tests = {
       assert.notEqual(await page.locator("#view .flat svg").innerHTML(), before);
       await page.locator(".solution").nth(3).click();
       await page.screenshot({ path: join(shots, "flat.png") });
+      await page.locator("#show-axes").check();
+      await page.waitForFunction(() => document.querySelector("#view .flat svg").textContent.includes("axes 2, 3, 4 are parallel"));
+      await page.screenshot({ path: join(shots, "flat-axes.png") });
     } finally {
       await browser.close();
     }

@@ -1,7 +1,7 @@
 //! An arm as the page has it: what moves while a slider or the target moves.
 
 use denhart_codegen::lower::Goal;
-use denhart_draw::{View, apart};
+use denhart_draw::{DecidingLines, View, apart};
 use denhart_dynamic::{DynamicArm, DynamicSolutions, DynamicTarget};
 use denhart_tools::closest::{Missed, closest, pose_of};
 use serde_json::json;
@@ -44,7 +44,7 @@ impl PageArm {
         figure(&self.arm, q).map_err(thrown)
     }
 
-    /// Frames and lengths of the table in one posture: JSON.
+    /// Frames and lengths of the table, and the axes that decide the inverse, in one posture: JSON.
     pub fn table(&self, q: &[f64]) -> Result<String, JsError> {
         let skeleton = denhart_draw::Skeleton::of(&self.arm, q).map_err(thrown)?;
         let frames: Vec<_> = skeleton
@@ -59,7 +59,11 @@ impl PageArm {
                 |measure| json!({"name": measure.name, "value": measure.value, "from": measure.from, "to": measure.to}),
             )
             .collect();
-        Ok(json!({"frames": frames, "measures": measures, "far": skeleton.far}).to_string())
+        let axes: Vec<_> = DecidingLines::of(&self.arm, &skeleton)
+            .iter()
+            .map(|one| json!({"joints": one.joints, "lines": one.lines, "point": one.point, "words": one.words}))
+            .collect();
+        Ok(json!({"frames": frames, "measures": measures, "axes": axes, "far": skeleton.far}).to_string())
     }
 
     /// The tool's pose, then the six rows of the Jacobian in the base frame.

@@ -52,6 +52,7 @@ pub fn facts(arm: &DynamicArm) -> Value {
         "given": given,
         "maxSolutions": arm.max_solutions().ok(),
         "reach": reach,
+        "axes": denhart_draw::deciding_words(arm),
         "planar": planar,
         "pulses": model.actuators.is_some(),
     })

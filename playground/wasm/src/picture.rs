@@ -24,6 +24,7 @@ impl PageArm {
         given: &[f64],
         frames: bool,
         dimensions: bool,
+        axes: bool,
         dark: bool,
         width: f64,
         height: f64,
@@ -40,6 +41,9 @@ impl PageArm {
         }
         if dimensions {
             scene = scene.with_dimensions();
+        }
+        if axes {
+            scene = scene.with_axes(&self.arm);
         }
         Ok(scene.svg(&Style::of(View::of(&self.arm)).with_theme(theme(dark)).with_size(width, height)))
     }
