@@ -22,58 +22,30 @@ const MOST: usize = 60;
 const EVALUATIONS: usize = 15;
 /// Round angles are multiples of this.
 const ROUND: f64 = core::f64::consts::FRAC_PI_4;
-/// An angle stays where it is if a number from -1 to 1 is no greater: two of three do.
-const NOT_BESIDE: f64 = 1.0 / 3.0;
-/// The others are so far beside a right angle at most, rad.
-const BESIDE: f64 = 2e-3;
-
-/// The poses at which the cuts are compared, beside those with round angles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Poses {
-    /// Random angles.
-    Anywhere,
-    /// Random angles, a third of them within a milliradian or two of a right angle. A measured arm is nearly singular there,
-    /// and has as many solutions as it can have; elsewhere its table gives them.
-    BesideRightAngles,
-}
 
 /// Deterministic numbers (xorshift), the same for every cut.
 struct Random {
     state: u64,
     is_round: bool,
-    poses: Poses,
 }
 
 impl Random {
-    fn of(pose: usize, poses: Poses) -> Self {
-        let mut random =
-            Self { state: 0x9E37_79B9_7F4A_7C15 ^ (pose as u64 + 1) << 17, is_round: pose % 2 == 1, poses };
+    fn of(pose: usize) -> Self {
+        let mut random = Self { state: 0x9E37_79B9_7F4A_7C15 ^ (pose as u64 + 1) << 17, is_round: pose % 2 == 1 };
         (0..8).for_each(|_| {
-            random.unit();
+            random.angle();
         });
         random
     }
 
-    /// A number from -1 to 1.
-    fn unit(&mut self) -> f64 {
+    /// An angle, rad.
+    fn angle(&mut self) -> f64 {
         self.state ^= self.state << 13;
         self.state ^= self.state >> 7;
         self.state ^= self.state << 17;
-        2.0 * ((self.state >> 11) as f64 / (1_u64 << 53) as f64) - 1.0
-    }
-
-    /// An angle, rad.
-    fn angle(&mut self) -> f64 {
-        let angle = self.unit() * core::f64::consts::PI;
-        let rounded = |to: f64| crate::Scalar::round_ties_even(angle / to) * to;
-        match self.poses {
-            _ if self.is_round => rounded(ROUND),
-            Poses::Anywhere => angle,
-            Poses::BesideRightAngles => {
-                let (is_beside, beside) = (self.unit() > NOT_BESIDE, self.unit() * BESIDE);
-                if is_beside { rounded(2.0 * ROUND) + beside } else { angle }
-            }
-        }
+        let unit = (self.state >> 11) as f64 / (1_u64 << 53) as f64;
+        let angle = (2.0 * unit - 1.0) * core::f64::consts::PI;
+        if self.is_round { crate::Scalar::round_ties_even(angle / ROUND) * ROUND } else { angle }
     }
 }
 
@@ -137,28 +109,28 @@ type Make<'a> = dyn Fn(&mut dyn FnMut() -> f64) -> Chain<f64> + 'a;
 /// better. Where none serves, the cuts are asked for solutions of chains beside the arm's own, as they are at special
 /// targets.
 pub fn choose(chain: &Chain<f64>) -> Option<Cuts> {
-    choose_given(&|_| *chain, Poses::Anywhere)
+    choose_given(&|_| *chain)
 }
 
 /// As [`choose`] for a chain with given joints: `chain` makes it of their values, and takes each as an angle in rad from
-/// its argument. Every other pose has round angles, the others have those of `poses`.
-pub fn choose_given(chain: &Make, poses: Poses) -> Option<Cuts> {
-    let own = chosen(chain, poses, 0.0);
+/// its argument. Every other pose has round angles.
+pub fn choose_given(chain: &Make) -> Option<Cuts> {
+    let own = chosen(chain, 0.0);
     // What a cut without others loses, nothing finds: cuts of chains beside the arm's own may lose less.
     match own {
         Some((cuts, 0)) => Some(cuts),
         Some((cuts, _)) if cuts.second.is_some() => Some(cuts),
-        own => own.into_iter().chain(chosen(chain, poses, MOVED)).min_by_key(|(_, lost)| *lost).map(|(cuts, _)| cuts),
+        own => own.into_iter().chain(chosen(chain, MOVED)).min_by_key(|(_, lost)| *lost).map(|(cuts, _)| cuts),
     }
 }
 
 /// The choice on the chain itself, or on chains beside it, and how many random poses its first cut loses.
-fn chosen(chain: &Make, at: Poses, moved: f64) -> Option<(Cuts, u32)> {
+fn chosen(chain: &Make, moved: f64) -> Option<(Cuts, u32)> {
     let none = [f64::INFINITY; POSES];
     let mut all = Cut::ALL.map(|cut| Judgment { cut, is_open: true, poses: 0, lost: 0, missed: 0, residuals: none });
     for (round, poses) in ROUNDS.into_iter().enumerate() {
         for judgment in all.iter_mut().filter(|judgment| judgment.is_open) {
-            judgment.is_open = judge(judgment, poses.clone(), chain, at, moved).is_some() && judgment.serves();
+            judgment.is_open = judge(judgment, poses.clone(), chain, moved).is_some() && judgment.serves();
         }
         if round > 0 {
             keep_the_best_of_each_joint(&mut all);
@@ -196,11 +168,11 @@ fn keep_the_best_of_each_joint(all: &mut [Judgment; 12]) {
 }
 
 /// Asks a cut for the joint vectors of some poses. None if it has no constants for a chain.
-fn judge(judgment: &mut Judgment, poses: Range<usize>, chain: &Make, at: Poses, moved: f64) -> Option<()> {
+fn judge(judgment: &mut Judgment, poses: Range<usize>, chain: &Make, moved: f64) -> Option<()> {
     // Each cut by itself.
     let part = Part { number: 0, has_families: true, moved };
     for pose in poses {
-        let mut random = Random::of(pose, at);
+        let mut random = Random::of(pose);
         let chain = chain(&mut || random.angle()).gathered();
         let elimination = Elimination::of(&chain, judgment.cut)?;
         let joints = chain

@@ -16,9 +16,9 @@ use crate::run::Run;
 use crate::solver::{Asked, Evaluator, Solve, entry, held};
 use crate::{DynamicSolution, DynamicSolutions, DynamicTarget};
 
-/// The solver of a plan.
+/// The solver of a plan. `STARTS`: that of a measured arm whose table gives starts, code that other sizes do without.
 #[derive(Debug)]
-pub struct HeldJointSolver<const N: usize, const M: usize> {
+pub struct HeldJointSolver<const N: usize, const M: usize, const STARTS: bool = false> {
     plan: HeldJointPlan,
     constants: ArmConstants<N>,
     both: Evaluator<N>,
@@ -31,7 +31,7 @@ pub struct HeldJointSolver<const N: usize, const M: usize> {
 /// The search of a measured arm that starts from its table.
 type MergedSearch<'a, const N: usize, const M: usize> = Search<'a, f64, N, M, MOST_DOUBTS, Levels<f64, M>>;
 
-impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
+impl<const N: usize, const M: usize, const STARTS: bool> HeldJointSolver<N, M, STARTS> {
     /// The solver of a program; `None` if its arm has another number of joints.
     pub fn boxed(plan: &HeldJointPlan, program: &Inverse, both: &Straight) -> Option<Box<dyn Solve>> {
         let constants = ArmConstants::of(&program.constants)?;
@@ -76,7 +76,7 @@ impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
         let Ok(near) = asked.near.map(<&[f64; N]>::try_from).transpose() else { return };
         let constants = self.constants.get();
         match &self.starts {
-            Some(nest) => {
+            Some(nest) if STARTS => {
                 let mut search = MergedSearch::<N, M>::new(&constants, &self.both, goal, near, solutions).in_doubt();
                 if search.begins(near) {
                     let mut run = Run::new(nest, &[], &|input| entry(pose, input), None);
@@ -86,7 +86,7 @@ impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
                     self.run(search, goal, pose, near, &constants);
                 }
             }
-            None => {
+            _ => {
                 let mut search = HeldJointSearch::<f64, N, M>::new(&constants, &self.both, goal, near, solutions);
                 if search.begins(near) {
                     self.run(search, goal, pose, near, &constants);
@@ -162,7 +162,7 @@ impl<const N: usize, const M: usize> HeldJointSolver<N, M> {
     }
 }
 
-impl<const N: usize, const M: usize> Solve for HeldJointSolver<N, M> {
+impl<const N: usize, const M: usize, const STARTS: bool> Solve for HeldJointSolver<N, M, STARTS> {
     fn solve(&self, asked: &Asked, solutions: &mut DynamicSolutions) {
         solutions.set(&self.solutions(asked));
     }

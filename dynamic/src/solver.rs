@@ -66,6 +66,7 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
             (5, 8) => HeldJointSolver::<5, 8>::boxed(plan, program, both),
             (5, 16) => HeldJointSolver::<5, 16>::boxed(plan, program, both),
             (6, 8) => HeldJointSolver::<6, 8>::boxed(plan, program, both),
+            (6, 16) if plan.off_table.is_some() => HeldJointSolver::<6, 16, true>::boxed(plan, program, both),
             (6, 16) => HeldJointSolver::<6, 16>::boxed(plan, program, both),
             (7, 8) => HeldJointSolver::<7, 8>::boxed(plan, program, both),
             (7, 16) => HeldJointSolver::<7, 16>::boxed(plan, program, both),

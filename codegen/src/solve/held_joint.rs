@@ -6,7 +6,7 @@
 
 use std::f64::consts::PI;
 
-use denhart_core::choice::{self, Poses};
+use denhart_core::choice;
 use denhart_core::general::{Cuts, General};
 use denhart_core::meet::{Meet, Structure};
 use denhart_core::slides::Slides;
@@ -116,11 +116,9 @@ pub fn plan(
     chain: &Chain,
     geometry: &Geometry,
     no_stages: Unsupported,
-    poses: Poses,
 ) -> Result<HeldJointPlan, Unsupported> {
     let asked = asked(model, chain, geometry);
-    let Some((task, six, method)) = asked.and_then(|(task, six)| Some((task, six.clone(), Method::of(&six, poses)?)))
-    else {
+    let Some((task, six, method)) = asked.and_then(|(task, six)| Some((task, six.clone(), Method::of(&six)?))) else {
         return Err(no_stages);
     };
     Ok(HeldJointPlan {
@@ -144,7 +142,7 @@ pub fn plan_of_table(
     no_stages: Unsupported,
 ) -> Option<HeldJointPlan> {
     let meets = holding(model, chain, geometry, &model.inverse.redundant)? == Holding::Meet;
-    if meets { plan(model, chain, geometry, no_stages, Poses::Anywhere).ok() } else { None }
+    if meets { plan(model, chain, geometry, no_stages).ok() } else { None }
 }
 
 /// The task of the file and its six joints; `None` if no joint of them can be held.
@@ -253,7 +251,7 @@ fn can_hold_a_joint(model: &Model, joints: &LoopChain) -> bool {
 
 impl Method {
     /// The solver of a chain; `None` if no joint can be held.
-    fn of(six: &SixJoints, poses: Poses) -> Option<Self> {
+    fn of(six: &SixJoints) -> Option<Self> {
         let chain = six.at(&[]);
         if six.is_prismatic.iter().filter(|slides| **slides).count() == 2 {
             let somewhere = six.at(&vec![GENERIC; six.given()]);
@@ -267,15 +265,12 @@ impl Method {
             return Some(Method::Meet { structure, constants });
         }
         let slides: Vec<bool> = six.given_joints().map(|joint| joint.is_prismatic).collect();
-        let cuts = choice::choose_given(
-            &|angle| {
-                // A given displacement is a part of the reach, as an angle is a part of half a turn.
-                let values: Vec<f64> =
-                    slides.iter().map(|slides| angle() * if *slides { 0.5 * chain.reach / PI } else { 1.0 }).collect();
-                six.at(&values)
-            },
-            poses,
-        )?;
+        let cuts = choice::choose_given(&|angle| {
+            // A given displacement is a part of the reach, as an angle is a part of half a turn.
+            let values: Vec<f64> =
+                slides.iter().map(|slides| angle() * if *slides { 0.5 * chain.reach / PI } else { 1.0 }).collect();
+            six.at(&values)
+        })?;
         let constants = if is_constant { Some(Box::new(General::of(&chain, &cuts)?)) } else { None };
         Some(Method::General { cuts, constants })
     }

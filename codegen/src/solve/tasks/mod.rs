@@ -16,8 +16,6 @@ pub use choices::{Choice, Way, choices};
 
 use attempt::attempt;
 
-use denhart_core::choice::Poses;
-
 use super::held_joint::{self, HeldJointPlan};
 use super::inverse_plan::InversePlan;
 use super::loop_chain::LoopChain;
@@ -41,8 +39,7 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Inverse
         Err(unsupported) => {
             let names = names_of_the_table(model);
             let off_table = off_table(model, geometry).filter(|off| names.is_some() && *off <= FEW_DIGITS);
-            let poses = if off_table.is_some() { Poses::BesideRightAngles } else { Poses::Anywhere };
-            let plan = held_joint::plan(model, chain, geometry, unsupported, poses)?;
+            let plan = held_joint::plan(model, chain, geometry, unsupported)?;
             Ok(InversePlan::HeldJoint(Box::new(HeldJointPlan { names, off_table, ..plan })))
         }
     }
