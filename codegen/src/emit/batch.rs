@@ -102,7 +102,7 @@ fn inverse(model: &Model, plan: &Plan, target: &Target) -> TokenStream {
     if !has_lanes(&program) {
         return TokenStream::new();
     }
-    let nest = Nest { plan, target, program: &program, bound: false, lanes: true };
+    let nest = Nest { plan, target, program: &program, bound: false, lanes: true, selects: false };
     let (krate, name, scalar) = (&target.krate, &target.type_name, target.scalar.tokens());
     let (n, most) = (integer(program.joints), integer(program.capacity));
     let input = |input: Input| bound(&input.name(), program.reads(input));

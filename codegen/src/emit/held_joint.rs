@@ -118,7 +118,7 @@ impl Starts {
     /// `capacity`: the most solutions of the arm that was measured.
     fn of(model: &Model, table: &Plan, capacity: usize, target: &Target) -> Self {
         let program = lower::stages(model, table);
-        let nest = Nest { plan: table, target, program: &program, bound: false, lanes: false };
+        let nest = Nest { plan: table, target, program: &program, bound: false, lanes: false, selects: false };
         let (levels, constants, measure) = (nest.levels(), nest.constants(), measure(model, target));
         let mut dimensions = Dimensions::default();
         dimensions.collect_from(&table.graph, &table.inputs());
@@ -142,7 +142,6 @@ impl Starts {
             dimensions: dimensions.items(model, target),
             follow: quote! {
                 #unpack
-                let wanted = ALL;
                 #doc
                 let nest = |search: &mut InverseSearch<'_>, start| {
                     #levels

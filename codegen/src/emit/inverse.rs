@@ -29,7 +29,8 @@ pub struct Inverse {
 /// Emits the plan. `dimensions` are constants of its equations alone.
 pub fn inverse(model: &Model, plan: &Plan, dimensions: &TokenStream, target: &Target) -> Inverse {
     let program = lower::stages(model, plan);
-    let nest = Nest { plan, target, program: &program, bound: !model.parameters.is_empty(), lanes: false };
+    let nest =
+        Nest { plan, target, program: &program, bound: !model.parameters.is_empty(), lanes: false, selects: true };
     let body = Body { dimensions, given_symbols: given_symbols(&program, target), levels: nest.levels() };
     let task = task(model, &program, target);
     let outline = &plan.outline();
@@ -90,8 +91,9 @@ impl Nest<'_> {
             .collect();
         calls.sort_by_key(|call| call.stage);
         let ranges = calls.into_iter().map(|call| kernel::range_item(self, call));
+        let all = self.selects.then(|| quote!(const ALL: #krate::solve::Every = #krate::solve::Every;));
         quote! {
-            const ALL: #krate::solve::Every = #krate::solve::Every;
+            #all
             #(#ranges)*
         }
     }
@@ -117,6 +119,7 @@ impl Nest<'_> {
             (ident(&format!("roots{number}")), ident(&format!("index{number}")), self.state(each.state));
         let pattern = self.pattern(&each.roots);
         let part = match each.branching {
+            _ if !self.selects => quote!(::core::option::Option::None),
             Branching::None => quote!(::core::option::Option::None),
             Branching::Shoulder => quote!(wanted.shoulder()),
             Branching::Elbow => quote!(wanted.elbow()),

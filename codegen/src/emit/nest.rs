@@ -19,6 +19,8 @@ pub struct Nest<'a> {
     pub bound: bool,
     /// True if the expressions are those of lanes.
     pub lanes: bool,
+    /// True if a call may ask for one branch.
+    pub selects: bool,
 }
 
 impl Nest<'_> {
