@@ -28,6 +28,11 @@ export interface Snapshot {
   given: number[];
 }
 
+/** A state of the page: the text as it is typed, and the last one without mistakes, whose arm is shown. */
+export interface Kept extends Snapshot {
+  arm: string;
+}
+
 /** The posture of the arm as a member of the target's solutions. */
 interface Here {
   flags: number;
@@ -57,9 +62,12 @@ export class App {
   shown = { ghosts: true, frames: false, dimensions: false, names: true };
   /** Times of the handlers that move the arm, ms. */
   times: number[] = [];
-  readonly history = new History<Snapshot>();
+  readonly history = new History<Kept>();
   /** Brings the arm to the target as time goes on; unset, it jumps to the solution next to it. */
   chase: (() => void) | undefined;
+
+  /** Takes over what the editor has not handed on yet. */
+  flush: (() => void) | undefined;
 
   private readonly listeners: ((change: Change) => void)[] = [];
   private asked = 0;
@@ -78,6 +86,7 @@ export class App {
 
   /** Shows an arm before the worker has said anything of it. */
   begin(text: string, posture?: Partial<Snapshot>): void {
+    this.text = text;
     try {
       this.take(text, posture);
     } catch {
@@ -85,8 +94,14 @@ export class App {
     }
   }
 
-  /** Takes a text: it is checked in the worker, and becomes the arm if it has no mistake. */
+  /** Takes a text that comes in place of the one that was typed: undo comes back to that. */
   async setText(text: string, posture?: Partial<Snapshot>): Promise<void> {
+    this.keepTyped();
+    await this.check(text, posture);
+  }
+
+  /** Takes a text as it is typed: it is checked in the worker, and becomes the arm if it has no mistake. */
+  async check(text: string, posture?: Partial<Snapshot>): Promise<void> {
     const asked = ++this.asked;
     this.text = text;
     this.emit("text");
@@ -312,33 +327,70 @@ export class App {
     return { text: armText, q: q.slice(), target: target.slice(), angle, given: given.slice() };
   }
 
-  /** A state that undo comes back to. */
-  remember(): void {
-    if (this.arm && !this.restoring) this.history.push(this.snapshot());
+  /** The state of the page. */
+  kept(): Kept {
+    return { ...this.snapshot(), text: this.text, arm: this.armText };
+  }
+
+  /** A state that undo comes back to. One of the same `series` as the last one, a moment later, takes its place. */
+  remember(series?: string): void {
+    if (this.arm && !this.restoring) this.history.push(this.kept(), series);
     this.emit("kept");
   }
 
+  /** Typed text becomes a state before another text takes its place: one with mistakes was none until now. */
+  private keepTyped(): void {
+    this.flush?.();
+    if (this.isTyped() && this.text.length <= LONGEST_TEXT) this.history.push(this.kept());
+  }
+
+  /** True where the text is not that of the last state. */
+  private isTyped(): boolean {
+    const last = this.history.present();
+    return this.arm !== undefined && last !== undefined && last.text !== this.text;
+  }
+
+  get canUndo(): boolean {
+    return this.history.has(-1) || this.isTyped();
+  }
+
+  get canRedo(): boolean {
+    return this.history.has(1) && !this.isTyped();
+  }
+
   undo(): void {
-    this.restore(this.history.back());
+    this.keepTyped();
+    // A text that is too long to keep goes away.
+    this.restore(this.isTyped() ? this.history.present() : this.history.go(-1));
   }
 
   redo(): void {
-    this.restore(this.history.forward());
+    this.keepTyped();
+    this.restore(this.history.go(1));
   }
 
-  private restore(state: Snapshot | undefined): void {
+  private restore(state: Kept | undefined): void {
     if (!state) return;
-    if (state.text !== this.text) {
-      this.restoring = true;
-      void this.setText(state.text, state).finally(() => (this.restoring = false));
-      return;
+    this.restoring = true;
+    try {
+      if (state.arm !== this.armText) this.take(state.arm, state);
+      else this.pose(state);
+    } catch (error) {
+      // It was an arm before.
+      this.show([{ severity: "error", message: messageOf(error) }]);
+    } finally {
+      this.restoring = false;
     }
+    if (state.text !== this.text) void this.check(state.text);
+    this.emit("kept");
+  }
+
+  private pose(state: Kept): void {
     this.moveTo(state.q);
-    if (this.facts?.task) {
-      this.given = state.given;
-      this.aim(state.target, state.angle ?? this.angle);
-      this.stand(state.q);
-      this.emit("posture");
-    }
+    if (!this.facts?.task) return;
+    this.given = state.given;
+    this.aim(state.target, state.angle ?? this.angle);
+    this.stand(state.q);
+    this.emit("posture");
   }
 }

@@ -62,7 +62,7 @@ export class Editor {
           EditorView.updateListener.of((update) => {
             if (!update.docChanged || update.transactions.some((one) => one.isUserEvent("load"))) return;
             clearTimeout(this.timer);
-            this.timer = window.setTimeout(() => void app.setText(this.view.state.doc.toString()), REST);
+            this.timer = window.setTimeout(() => this.send(), REST);
           }),
           EditorView.domEventHandlers({
             mousemove: (event) => {
@@ -74,6 +74,9 @@ export class Editor {
         ],
       }),
     });
+    app.flush = () => {
+      if (this.timer) this.send();
+    };
     app.listen((change) => {
       if (change === "text") this.load();
       if (change === "messages") this.showMessages();
@@ -81,11 +84,21 @@ export class Editor {
     });
   }
 
+  /** What is typed is checked now. */
+  private send(): void {
+    clearTimeout(this.timer);
+    this.timer = 0;
+    void this.app.check(this.view.state.doc.toString());
+  }
+
   /** Text that came from elsewhere. */
   private load(): void {
     const { app, view } = this;
     if (view.state.doc.toString() === app.text) return;
+    clearTimeout(this.timer);
+    this.timer = 0;
     view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: app.text }, userEvent: "load", selection: { anchor: 0 } });
+    view.scrollDOM.scrollLeft = 0;
   }
 
   private showMessages(): void {

@@ -33,8 +33,11 @@ export class Files {
       void this.take(file);
     }, true);
     byId("save-arm").addEventListener("click", () => {
-      const name = `${this.app.facts?.name ?? "arm"}.yaml`;
-      const link = element("a", { href: URL.createObjectURL(new Blob([this.app.text])), download: name });
+      const { text, armText, facts } = this.app;
+      // A text with mistakes is no arm yet: its own name, not that of the arm before.
+      const named = text === armText ? facts?.name : /^name\s*:\s*["']?([\w.-]+)/m.exec(text)?.[1];
+      const name = `${named ?? "arm"}.yaml`;
+      const link = element("a", { href: URL.createObjectURL(new Blob([text])), download: name });
       link.click();
       URL.revokeObjectURL(link.href);
     });
