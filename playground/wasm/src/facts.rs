@@ -7,6 +7,9 @@ use serde_json::{Value, json};
 
 use crate::arm::PageArm;
 
+/// The page has the inverse of arms of up to so many joints: code of each number of joints is downloaded.
+const MOST_JOINTS: usize = 9;
+
 /// Names, units, limits, task. Limits that a joint does not have are `null`.
 pub fn facts(arm: &DynamicArm) -> Value {
     let model = arm.model();
@@ -41,6 +44,14 @@ pub fn facts(arm: &DynamicArm) -> Value {
         .collect();
     let reach = arm.program().inverse.as_ref().ok().map(|inverse| inverse.constants.reach);
     let planar = denhart_draw::View::of(arm) == denhart_draw::View::Top;
+    let no_inverse =
+        arm.task().err().map(|error| match arm.joints() > MOST_JOINTS && error.to_string().contains("works") {
+            true => format!(
+                "{error}. Generated code has that inverse (`denhart expand`); this page has none of {} joints",
+                arm.joints()
+            ),
+            false => error.to_string(),
+        });
     json!({
         "name": model.name,
         "unit": model.length_unit.symbol(),
@@ -48,7 +59,7 @@ pub fn facts(arm: &DynamicArm) -> Value {
         "rows": rows,
         "task": arm.task().ok(),
         "column": PageArm::column(arm),
-        "noInverse": arm.task().err().map(|error| error.to_string()),
+        "noInverse": no_inverse,
         "given": given,
         "maxSolutions": arm.max_solutions().ok(),
         "reach": reach,
