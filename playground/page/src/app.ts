@@ -37,6 +37,8 @@ export interface Kept extends Snapshot {
 interface Here {
   flags: number;
   free: number;
+  /** The place of its branch among the solutions of the target, from 0; -1 for none. */
+  place: number;
 }
 
 export class App {
@@ -53,7 +55,7 @@ export class App {
   given: number[] = [];
   answer: Answer | undefined;
   branches: string[] = [];
-  here: Here = { flags: 0, free: 0 };
+  here: Here = { flags: 0, free: 0, place: -1 };
   miss: Miss | undefined;
   /** The row of the table that is marked, from 0. */
   marked: number | undefined;
@@ -160,7 +162,7 @@ export class App {
     this.answer = undefined;
     this.branches = [];
     this.miss = undefined;
-    this.here = { flags: 0, free: 0 };
+    this.here = { flags: 0, free: 0, place: -1 };
     this.emit("arm");
     this.moveTo(q);
     if (this.isOther(before)) this.emit("framed");
@@ -263,7 +265,7 @@ export class App {
     const { arm, facts } = this;
     if (!arm || !facts) return undefined;
     const found = arm.nearest(Float64Array.from(this.target), this.angle, Float64Array.from(reference));
-    return found.length === facts.joints.length + 2 ? Array.from(found.subarray(2)) : undefined;
+    return found.length === facts.joints.length + 3 ? Array.from(found.subarray(3)) : undefined;
   }
 
   /** The arm stands at joint values, and the target stays. */
@@ -277,14 +279,14 @@ export class App {
 
   private look(): void {
     const found = this.arm?.nearest(Float64Array.from(this.target), this.angle, Float64Array.from(this.q));
-    this.here = { flags: found?.[0] ?? 0, free: found?.[1] ?? 0 };
+    this.here = { flags: found?.[0] ?? 0, free: found?.[1] ?? 0, place: found?.[2] ?? -1 };
   }
 
   private solve(): void {
     const { arm, facts } = this;
     this.answer = undefined;
     this.branches = [];
-    this.here = { flags: 0, free: 0 };
+    this.here = { flags: 0, free: 0, place: -1 };
     this.miss = undefined;
     clearTimeout(this.missTimer);
     if (!arm || !facts?.task) return;

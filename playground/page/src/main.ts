@@ -16,7 +16,9 @@ import { Motors } from "./motors";
 import { Results } from "./results";
 import { follow, given } from "./served";
 import { offerLink, stateOf } from "./share";
+import { listenForRemarks } from "./remarks";
 import { Sliders } from "./sliders";
+import { listenToSplitter } from "./splitter";
 import { View } from "./view";
 import { openWasm, wasmBytes } from "./wasm";
 
@@ -103,6 +105,7 @@ async function start(): Promise<void> {
   new Sliders(app);
   new Answers(app);
   new Motors(app);
+  listenForRemarks(app);
   new Follower(app);
   byId("version").textContent = version();
   // For the tests in a browser, and for the curious.
@@ -126,6 +129,7 @@ async function start(): Promise<void> {
   keepDraft(app, here?.text);
   switches(app, view);
   listenToKeys(app);
+  listenToSplitter();
   await app.setText(text);
   addEventListener("hashchange", () => {
     void linked().then((next) => {
