@@ -217,6 +217,8 @@ pub struct Program {
     pub functions: Functions,
     /// The inverse, or why there is none.
     pub inverse: Result<Inverse, String>,
+    /// Without one: requests that have an inverse, as the file writes them: `inverse: {task: pose, redundant: q3}`.
+    pub instead: Vec<String>,
     /// The factors of the Jacobian's determinant, where the task has them.
     pub margins: Option<Margins>,
     /// Motor values, where motors move more than their own joint.
@@ -239,6 +241,7 @@ pub fn program(text: &str, file: &str) -> Result<Program, Errors> {
     Ok(Program {
         functions,
         margins: plan.ok().and_then(InversePlan::stages).and_then(lower::margins),
+        instead: plan.err().map(|unsupported| unsupported.instead.clone()).unwrap_or_default(),
         inverse: plan.map(|plan| lower::inverse(&model, plan)).map_err(|unsupported| unsupported.reason.clone()),
         linked: lower::linked(&model),
         warnings,

@@ -44,14 +44,14 @@ pub fn facts(arm: &DynamicArm) -> Value {
         .collect();
     let reach = arm.program().inverse.as_ref().ok().map(|inverse| inverse.constants.reach);
     let planar = denhart_draw::View::of(arm) == denhart_draw::View::Top;
-    let no_inverse =
-        arm.task().err().map(|error| match arm.joints() > MOST_JOINTS && error.to_string().contains("works") {
-            true => format!(
-                "{error}. Generated code has that inverse (`denhart expand`); this page has none of {} joints",
-                arm.joints()
-            ),
-            false => error.to_string(),
-        });
+    // A line to write, where the arm has an inverse for another request.
+    let instead = arm.program().instead.first().map(|line| match arm.joints() > MOST_JOINTS {
+        true => format!(
+            ". Write `{line}` for generated code (`denhart expand`): this page has no inverse of so many joints"
+        ),
+        false => format!(". Write `{line}`"),
+    });
+    let no_inverse = arm.task().err().map(|error| format!("{error}{}", instead.unwrap_or_default()));
     json!({
         "name": model.name,
         "unit": model.length_unit.symbol(),
