@@ -220,6 +220,8 @@ pub struct Program {
     /// The axes whose relation the inverse rests on, in the words of the report; empty where there is no inverse, or it rests on
     /// none.
     pub deciding_axes: Vec<DecidingAxes>,
+    /// Without one: requests that have an inverse, as the file writes them: `inverse: {task: pose, redundant: q3}`.
+    pub instead: Vec<String>,
     /// The factors of the Jacobian's determinant, where the task has them.
     pub margins: Option<Margins>,
     /// Motor values, where motors move more than their own joint.
@@ -243,6 +245,7 @@ pub fn program(text: &str, file: &str) -> Result<Program, Errors> {
         functions,
         deciding_axes: plan.map(InversePlan::deciding_axes).unwrap_or_default(),
         margins: plan.ok().and_then(InversePlan::stages).and_then(lower::margins),
+        instead: plan.err().map(|unsupported| unsupported.instead.clone()).unwrap_or_default(),
         inverse: plan.map(|plan| lower::inverse(&model, plan)).map_err(|unsupported| unsupported.reason.clone()),
         linked: lower::linked(&model),
         warnings,

@@ -7,11 +7,9 @@ use denhart_dynamic::DynamicArm;
 use crate::DrawError;
 use crate::vector::{Vector, distance, length, moved, nearest_on_line};
 
-/// Frames farther from the arm than this many sizes of the arm are not drawn: those of nearly parallel axes.
+/// Points of the table farther from the arm than this many sizes of the arm are not drawn, and no joint stands there: those of
+/// nearly parallel axes. Size is measured along the shortest way over all axes, which has no column of a SCARA arm.
 const FAR: f64 = 2.0;
-
-/// A point of the table is taken for a joint if it is within this many sizes of the arm.
-const NEAR: f64 = 0.6;
 
 /// Corners closer than this part of their distance from the origin are one.
 const SAME: f64 = 1e-12;
@@ -203,7 +201,7 @@ impl Walk {
         let axis = column(&self.pose, 2);
         let nearest = nearest_on_line(self.pose.translation, axis, self.before);
         let own = self.pose.translation;
-        let point = if distance(own, nearest) <= NEAR * self.size { own } else { nearest };
+        let point = if distance(own, nearest) <= FAR * self.size { own } else { nearest };
         self.link_to(point);
         let kind = match joint.kind {
             model::JointKind::Revolute => JointKind::Revolute,
@@ -295,6 +293,27 @@ mod tests {
         let skeleton = Skeleton::of(&arm(rows), &[0.0, 0.0]).unwrap();
         assert!(skeleton.size() < 1.0, "{skeleton:?}");
         assert_eq!(skeleton.far, ["frame 1", "d1", "d2"]);
+    }
+
+    #[test]
+    fn a_scara_arm_stands_on_its_column() {
+        let rows = |d1: f64, d4: f64| {
+            format!(
+                "  - {{a: 0.25, alpha: 0, d: {d1}, theta: 0}}\n  - {{a: 0.2, alpha: 180, d: 0, theta: 0}}\n  - {{type: \
+                 prismatic, a: 0, alpha: 0, d: 0, theta: 0}}\n  - {{a: 0, alpha: 0, d: {d4}, theta: 0}}\n"
+            )
+        };
+        // The second arm's quill reaches down to the floor: no tool tells how high its links are.
+        for (d1, d4) in [(0.3, 0.05), (0.6, 0.55)] {
+            let skeleton = Skeleton::of(&arm(&rows(d1, d4)), &[0.0, 0.0, 0.05, 0.0]).unwrap();
+            assert_eq!(skeleton.links[1], [[0.0; 3], [0.0, 0.0, d1], [0.25, 0.0, d1]]);
+            let heights: Vec<f64> = skeleton.joints.iter().map(|joint| joint.point[2]).collect();
+            for (height, expected) in heights.iter().zip([0.0, d1, d1, d1 - 0.05]) {
+                assert!((height - expected).abs() < 1e-12, "{heights:?}");
+            }
+            let tool = skeleton.links[4].last().unwrap();
+            assert!((tool[2] - (d1 - 0.05 - d4)).abs() < 1e-12, "{:?}", skeleton.links[4]);
+        }
     }
 
     #[test]

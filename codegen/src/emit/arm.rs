@@ -31,7 +31,8 @@ pub struct Arm<'a> {
 
 /// The struct item, for front ends that write a whole file.
 pub fn item(arm: &Arm, target: &Target) -> TokenStream {
-    let doc = format!("The arm `{}`: {} moving joints.\n", arm.model.name, arm.model.joints.len());
+    let (name, joints) = (&arm.model.name, arm.model.joints.len());
+    let doc = format!("The arm `{name}`: {joints} moving joint{}.\n", if joints == 1 { "" } else { "s" });
     parameters::item(arm.model, &docs::lines(&doc), target)
 }
 

@@ -46,6 +46,8 @@ const MOST_RADIANS: f64 = 4.0 * PI;
 const LOOKS_LIKE_RADIANS: f64 = 2e-3;
 /// How far, rad, from a multiple of pi/12 an angle may be to look like one that was rounded.
 const LOOKS_ROUNDED: f64 = 1e-4;
+/// So many digits of an angle in rad are no chance: 1.57, 0.785.
+const LEAST_DIGITS: usize = 3;
 
 impl Reader<'_> {
     /// An angle: a number in the file's unit, or text with its own. Without a unit (it was misspelt) numbers are not
@@ -156,18 +158,23 @@ fn looks_rounded(angle: WrittenAngle) -> Option<i64> {
         _ => (15.0 * twelfths, LOOKS_ROUNDED.to_degrees()),
     };
     let off = (value - exact).abs();
-    (value != exact && off <= near && off <= last_digit(value)).then_some(twelfths as i64)
+    let (last, digits) = last_digit(value);
+    // Of few digits only those of the angle itself, rounded or cut off: 1.57 and 1.571, but not 1.58.
+    let rounded = off <= 0.5 * last;
+    let cut = value.abs() < exact.abs() && off <= last;
+    let is_short = matches!(angle, WrittenAngle::Radians(_)) && digits >= LEAST_DIGITS && (rounded || cut);
+    (value != exact && (off <= near && off <= last || is_short)).then_some(twelfths as i64)
 }
 
 /// One in the last digit of the number as it is written: what rounding or cutting it off may have changed. A value that
-/// is further off was measured.
-fn last_digit(value: f64) -> f64 {
+/// is further off was measured. Then the number of digits from the first one that is not 0.
+fn last_digit(value: f64) -> (f64, usize) {
     let text = format!("{value:e}");
     let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
     let decimals = digits.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     let exponent = exponent.parse::<i32>().unwrap_or(0) - i32::try_from(decimals).unwrap_or(0);
     // Written in binary, the difference has rounding of its own.
-    10_f64.powi(exponent) * (1.0 + 1e-9) + 4.0 * f64::EPSILON * value.abs()
+    (10_f64.powi(exponent) * (1.0 + 1e-9) + 4.0 * f64::EPSILON * value.abs(), decimals + 1)
 }
 
 /// `k * pi / 12` in lowest terms.
@@ -211,7 +218,24 @@ mod tests {
         assert_eq!(looks_rounded(WrittenAngle::Radians(-1.570796)), Some(-6));
         assert_eq!(looks_rounded(WrittenAngle::Radians(std::f64::consts::FRAC_PI_2)), None);
         assert_eq!(looks_rounded(WrittenAngle::Radians(-std::f64::consts::PI)), None);
-        assert_eq!(looks_rounded(WrittenAngle::Radians(1.571)), None);
+        // Rounded or cut to the digits that are written.
+        for (radians, twelfths) in [
+            (1.57, 6),
+            (1.571, 6),
+            (-1.57, -6),
+            (0.785, 3),
+            (3.14, 12),
+            (3.142, 12),
+            (3.141, 12),
+            (0.524, 2),
+            (-2.09, -8),
+        ] {
+            assert_eq!(looks_rounded(WrittenAngle::Radians(radians)), Some(twelfths), "{radians}");
+        }
+        // Digits of their own, or too few.
+        for radians in [1.58, 1.572, 1.569, 1.5, 1.6, 3.1, 0.5, 1.5733, -1.5682, 0.79, 0.001, 3.15] {
+            assert_eq!(looks_rounded(WrittenAngle::Radians(radians)), None, "{radians}");
+        }
         assert_eq!(looks_rounded(WrittenAngle::Degrees(89.9999)), Some(6));
         assert_eq!(looks_rounded(WrittenAngle::Degrees(1e-9)), Some(0));
         // Measured: further off than rounding.

@@ -121,7 +121,11 @@ impl<'s> Reader<'s> {
                 let (word, rest) =
                     name.split_once(':').map_or((name.as_str(), None), |(word, rest)| (word, Some(rest)));
                 let meant = suggestions::synonym(word, known).or_else(|| nearest(word, known.iter().copied()));
-                let hint = if meant.is_none() { suggestions::foreign_key(name, known) } else { None };
+                let hint = if meant.is_none() {
+                    suggestions::inner_key(name, known, node).or_else(|| suggestions::foreign_key(name, known))
+                } else {
+                    None
+                };
                 if let Some(hint) = hint {
                     let mistake = self.source.mistake(&at_key, format!("unknown key `{name}` in {what}"));
                     self.mistakes.push(mistake.help(hint));

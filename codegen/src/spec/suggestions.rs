@@ -94,6 +94,26 @@ pub fn foreign_key(name: &str, known: &[&str]) -> Option<String> {
     Some(help.to_owned())
 }
 
+/// Suggestion for a key of an arm file that belongs to `inverse` or `units`: the whole line, with its value.
+pub fn inner_key(name: &str, known: &[&str], value: &Node) -> Option<String> {
+    let outer = match name {
+        "task" | "redundant" | "require" | "axis" | "tolerance" | "weights" => "inverse",
+        "length" | "angle" => "units",
+        _ => return None,
+    };
+    let one = |node: &Node| match node {
+        Node::Bool(value) => value.to_string(),
+        Node::Number(value) => value.to_string(),
+        Node::Text(text) => text.clone(),
+        _ => "..".to_owned(),
+    };
+    let value = match value {
+        Node::List(values) => format!("[{}]", values.iter().map(one).collect::<Vec<_>>().join(", ")),
+        value => one(value),
+    };
+    known.contains(&outer).then(|| format!("`{name}` belongs to `{outer}`: write `{outer}: {{{name}: {value}}}`"))
+}
+
 /// Suggestion for the place of a mapping with `known` keys: for a row of a table, a matrix, a number, a unit. The
 /// mapping belongs to `key`.
 pub fn mapping(key: &str, written: &str, node: &Node, known: &[&str]) -> Option<String> {

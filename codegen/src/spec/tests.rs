@@ -89,6 +89,9 @@ fn keys() {
     row_mistake("{a: 0}", "5:5", &["row 1 of `joints` has no `alpha`, `d`, `theta`", "write 0"]);
     more_mistake("colour: red\n", "6:1", &["unknown key `colour` in an arm file"]);
     more_mistake("name: again\n", "6:1", &["`name` occurs twice", "line 1"]);
+    more_mistake("redundant: q3\n", "6:1", &["unknown key `redundant`", "write `inverse: {redundant: q3}`"]);
+    more_mistake("redundant: [q1, q4]\n", "6:1", &["write `inverse: {redundant: [q1, q4]}`"]);
+    more_mistake("angle: rad\n", "6:1", &["write `units: {angle: rad}`"]);
     more_mistake("tool: {xzy: [0, 0, 0]}\n", "6:8", &["unknown key `xzy` in `tool`", "did you mean `xyz`?"]);
     more_mistake("inverse: {taks: pose}\n", "6:11", &["unknown key `taks`", "did you mean `task`?"]);
 }
@@ -356,6 +359,8 @@ fn angles_that_are_nearly_exact() {
     only(&warnings(&arm(&row("alpha: 89.9999, theta: 0"), "")), "5:25", &["nearly 90", "write 90"]);
     let radians = |alpha: &str| arm(&row(&format!("alpha: {alpha}, theta: 0")), "").replace("angle: deg", "angle: rad");
     only(&warnings(&radians("-1.5708")), "5:25", &["-1.5708 is nearly -pi/2", "write -pi/2", "used as written"]);
+    only(&warnings(&radians("1.57")), "5:25", &["1.57 is nearly pi/2", "write pi/2", "used as written"]);
+    only(&warnings(&radians("1.571")), "5:25", &["1.571 is nearly pi/2"]);
     for exact in ["pi/2", "90 deg", "1.5707963267948966", "1.58", "0"] {
         assert_eq!(warnings(&radians(exact)), [""; 0], "{exact}");
     }

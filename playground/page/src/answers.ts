@@ -3,6 +3,7 @@
 import type { App } from "./app";
 import { css, onThemeChange, solutionColor } from "./colors";
 import { byId, element } from "./dom";
+import { listenToField, roundStep } from "./fields";
 import { APPROXIMATE, bits, BOUNDARY, degrees, FREE, OUT_OF_LIMITS, pointOf, poseOf, radians, rpy, short, type Point } from "./numbers";
 import { missWords } from "./view";
 
@@ -19,7 +20,12 @@ export class Answers {
     this.angle = element("input", { type: "number", step: "any", "aria-label": "target angle" });
     const labels = this.fields.map((field, index) => element("label", {}, NAMES[index]!, field));
     byId("target").replaceChildren(...labels, element("label", {}, "angle", this.angle));
-    for (const field of [...this.fields, this.angle]) field.addEventListener("change", () => this.typed());
+    [...this.fields, this.angle].forEach((field, index) => listenToField(field, {
+      step: () => (index < 3 ? roundStep((app.facts?.reach ?? 1) / 100) : 1),
+      most: () => (index < 3 ? Infinity : 36_000),
+      take: (_, byKey) => this.typed(byKey),
+      restore: () => this.updateTarget(field),
+    }));
     app.listen((change) => {
       if (change === "arm" || change === "posture" || change === "marked") this.update();
     });
@@ -27,7 +33,7 @@ export class Answers {
   }
 
   /** The numbers as they were typed become the target. */
-  private typed(): void {
+  private typed(byKey: boolean): void {
     const values = this.fields.map((field) => (field.value.trim() === "" ? NaN : Number(field.value)));
     const angle = Number(this.angle.value);
     if (!values.every(Number.isFinite) || !Number.isFinite(angle)) {
@@ -36,7 +42,7 @@ export class Answers {
     }
     const [x, y, z, roll, pitch, yaw] = values as [number, number, number, number, number, number];
     this.app.timed(() => this.app.aim(poseOf([x, y, z], [roll, pitch, yaw].map(radians) as Point), radians(angle)));
-    this.app.remember();
+    this.app.remember(byKey ? "target" : undefined);
   }
 
   private update(): void {
@@ -54,12 +60,14 @@ export class Answers {
       return;
     }
     const count = answer.solutions.length;
+    const inside = answer.solutions.filter(({ flags }) => !(flags & OUT_OF_LIMITS)).length;
+    const counted = `${count} solution${count === 1 ? "" : "s"}`;
     byId("solutions-title").textContent =
-      answer.status === "no target" ? "No target" : count === 0 ? "No solution" : `${count} solution${count === 1 ? "" : "s"}`;
+      answer.status === "no target" ? "No target" : count === 0 ? "No solution" : inside < count ? `${counted}, ${inside} of ${count} within limits` : counted;
     const why = byId("why");
     why.hidden = !app.miss && answer.complete;
     why.textContent = app.miss
-      ? [missWords(app), app.miss.words].filter(Boolean).join("; ") || "The target is too far away to tell more."
+      ? [missWords(app), app.miss.words && `the first equation without a root is that of ${app.miss.words}${/distance of [\d.e-]+$/.test(app.miss.words) ? ` ${facts.unit}` : ""}`].filter(Boolean).join("; ") || "The target is too far away to tell more."
       : answer.complete ? "" : "There may be more solutions than these.";
     const same = this.same();
     while (this.buttons.length < count) this.buttons.push(this.button(this.buttons.length));
@@ -75,6 +83,12 @@ export class Answers {
         outside && "out of limits",
       ].filter(Boolean);
       const button = this.buttons[index]!;
+      button.title = [
+        solution.flags & FREE && "free: this joint may have any value here, with the others after it; the slider along the family changes it",
+        solution.flags & BOUNDARY && "boundary: two solutions meet here; a step farther there is none",
+        solution.flags & APPROXIMATE && "approximate: the nearest posture, not the target itself",
+        outside && "out of limits: a joint is outside the range of the file",
+      ].filter(Boolean).join("\n");
       button.className = ["solution", outside && "outside", app.pointed === index && "pointed"].filter(Boolean).join(" ");
       button.setAttribute("aria-pressed", String(index === same));
       button.style.setProperty("--color", css(solutionColor(index)));
@@ -99,14 +113,18 @@ export class Answers {
   /** The solution at which the arm stands. */
   private same(): number {
     const { app } = this;
-    return (app.answer?.solutions ?? []).findIndex((solution) =>
+    const solutions = app.answer?.solutions ?? [];
+    const found = solutions.findIndex((solution) =>
       solution.q.every((value, joint) => {
         const off = value - (app.q[joint] ?? NaN);
         return Math.abs(app.facts?.joints[joint]?.turns ? Math.sin(off / 2) : off) < 1e-6;
       }));
+    // Along a singular family the list has one member of it.
+    return found < 0 && app.here.free && !app.miss && !app.chase ? app.here.place : found;
   }
 
-  private updateTarget(): void {
+  /** Shows the target, but in a field that is typed into, unless that is to be `restored`. */
+  private updateTarget(restored?: HTMLInputElement): void {
     const { app } = this;
     const task = app.facts?.task;
     byId("target-part").hidden = !task;
@@ -115,9 +133,9 @@ export class Answers {
     const shown = [true, true, !task.startsWith("planar"), ...[task === "pose" || task === "position_axis", task === "pose" || task === "position_axis", task === "pose" || task === "position_axis" || task === "planar_pose"]];
     this.fields.forEach((field, index) => {
       field.parentElement!.hidden = !shown[index];
-      if (document.activeElement !== field) field.value = short(values[index] ?? 0, 5);
+      if (document.activeElement !== field || restored === field) field.value = short(values[index] ?? 0, 5);
     });
     this.angle.parentElement!.hidden = task !== "position_angle";
-    if (document.activeElement !== this.angle) this.angle.value = short(degrees(Number.isNaN(app.angle) ? 0 : app.angle), 3);
+    if (document.activeElement !== this.angle || restored === this.angle) this.angle.value = short(degrees(Number.isNaN(app.angle) ? 0 : app.angle), 3);
   }
 }

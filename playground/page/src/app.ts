@@ -28,10 +28,17 @@ export interface Snapshot {
   given: number[];
 }
 
+/** A state of the page: the text as it is typed, and the last one without mistakes, whose arm is shown. */
+export interface Kept extends Snapshot {
+  arm: string;
+}
+
 /** The posture of the arm as a member of the target's solutions. */
 interface Here {
   flags: number;
   free: number;
+  /** The place of its branch among the solutions of the target, from 0; -1 for none. */
+  place: number;
 }
 
 export class App {
@@ -48,7 +55,7 @@ export class App {
   given: number[] = [];
   answer: Answer | undefined;
   branches: string[] = [];
-  here: Here = { flags: 0, free: 0 };
+  here: Here = { flags: 0, free: 0, place: -1 };
   miss: Miss | undefined;
   /** The row of the table that is marked, from 0. */
   marked: number | undefined;
@@ -57,9 +64,12 @@ export class App {
   shown = { ghosts: true, frames: false, dimensions: false, axes: false, names: true };
   /** Times of the handlers that move the arm, ms. */
   times: number[] = [];
-  readonly history = new History<Snapshot>();
+  readonly history = new History<Kept>();
   /** Brings the arm to the target as time goes on; unset, it jumps to the solution next to it. */
   chase: (() => void) | undefined;
+
+  /** Takes over what the editor has not handed on yet. */
+  flush: (() => void) | undefined;
 
   private readonly listeners: ((change: Change) => void)[] = [];
   private asked = 0;
@@ -78,6 +88,7 @@ export class App {
 
   /** Shows an arm before the worker has said anything of it. */
   begin(text: string, posture?: Partial<Snapshot>): void {
+    this.text = text;
     try {
       this.take(text, posture);
     } catch {
@@ -85,8 +96,14 @@ export class App {
     }
   }
 
-  /** Takes a text: it is checked in the worker, and becomes the arm if it has no mistake. */
+  /** Takes a text that comes in place of the one that was typed: undo comes back to that. */
   async setText(text: string, posture?: Partial<Snapshot>): Promise<void> {
+    this.keepTyped();
+    await this.check(text, posture);
+  }
+
+  /** Takes a text as it is typed: it is checked in the worker, and becomes the arm if it has no mistake. */
+  async check(text: string, posture?: Partial<Snapshot>): Promise<void> {
     const asked = ++this.asked;
     this.text = text;
     this.emit("text");
@@ -145,7 +162,7 @@ export class App {
     this.answer = undefined;
     this.branches = [];
     this.miss = undefined;
-    this.here = { flags: 0, free: 0 };
+    this.here = { flags: 0, free: 0, place: -1 };
     this.emit("arm");
     this.moveTo(q);
     if (this.isOther(before)) this.emit("framed");
@@ -248,7 +265,7 @@ export class App {
     const { arm, facts } = this;
     if (!arm || !facts) return undefined;
     const found = arm.nearest(Float64Array.from(this.target), this.angle, Float64Array.from(reference));
-    return found.length === facts.joints.length + 2 ? Array.from(found.subarray(2)) : undefined;
+    return found.length === facts.joints.length + 3 ? Array.from(found.subarray(3)) : undefined;
   }
 
   /** The arm stands at joint values, and the target stays. */
@@ -262,14 +279,14 @@ export class App {
 
   private look(): void {
     const found = this.arm?.nearest(Float64Array.from(this.target), this.angle, Float64Array.from(this.q));
-    this.here = { flags: found?.[0] ?? 0, free: found?.[1] ?? 0 };
+    this.here = { flags: found?.[0] ?? 0, free: found?.[1] ?? 0, place: found?.[2] ?? -1 };
   }
 
   private solve(): void {
     const { arm, facts } = this;
     this.answer = undefined;
     this.branches = [];
-    this.here = { flags: 0, free: 0 };
+    this.here = { flags: 0, free: 0, place: -1 };
     this.miss = undefined;
     clearTimeout(this.missTimer);
     if (!arm || !facts?.task) return;
@@ -312,33 +329,70 @@ export class App {
     return { text: armText, q: q.slice(), target: target.slice(), angle, given: given.slice() };
   }
 
-  /** A state that undo comes back to. */
-  remember(): void {
-    if (this.arm && !this.restoring) this.history.push(this.snapshot());
+  /** The state of the page. */
+  kept(): Kept {
+    return { ...this.snapshot(), text: this.text, arm: this.armText };
+  }
+
+  /** A state that undo comes back to. One of the same `series` as the last one, a moment later, takes its place. */
+  remember(series?: string): void {
+    if (this.arm && !this.restoring) this.history.push(this.kept(), series);
     this.emit("kept");
   }
 
+  /** Typed text becomes a state before another text takes its place: one with mistakes was none until now. */
+  private keepTyped(): void {
+    this.flush?.();
+    if (this.isTyped() && this.text.length <= LONGEST_TEXT) this.history.push(this.kept());
+  }
+
+  /** True where the text is not that of the last state. */
+  private isTyped(): boolean {
+    const last = this.history.present();
+    return this.arm !== undefined && last !== undefined && last.text !== this.text;
+  }
+
+  get canUndo(): boolean {
+    return this.history.has(-1) || this.isTyped();
+  }
+
+  get canRedo(): boolean {
+    return this.history.has(1) && !this.isTyped();
+  }
+
   undo(): void {
-    this.restore(this.history.back());
+    this.keepTyped();
+    // A text that is too long to keep goes away.
+    this.restore(this.isTyped() ? this.history.present() : this.history.go(-1));
   }
 
   redo(): void {
-    this.restore(this.history.forward());
+    this.keepTyped();
+    this.restore(this.history.go(1));
   }
 
-  private restore(state: Snapshot | undefined): void {
+  private restore(state: Kept | undefined): void {
     if (!state) return;
-    if (state.text !== this.text) {
-      this.restoring = true;
-      void this.setText(state.text, state).finally(() => (this.restoring = false));
-      return;
+    this.restoring = true;
+    try {
+      if (state.arm !== this.armText) this.take(state.arm, state);
+      else this.pose(state);
+    } catch (error) {
+      // It was an arm before.
+      this.show([{ severity: "error", message: messageOf(error) }]);
+    } finally {
+      this.restoring = false;
     }
+    if (state.text !== this.text) void this.check(state.text);
+    this.emit("kept");
+  }
+
+  private pose(state: Kept): void {
     this.moveTo(state.q);
-    if (this.facts?.task) {
-      this.given = state.given;
-      this.aim(state.target, state.angle ?? this.angle);
-      this.stand(state.q);
-      this.emit("posture");
-    }
+    if (!this.facts?.task) return;
+    this.given = state.given;
+    this.aim(state.target, state.angle ?? this.angle);
+    this.stand(state.q);
+    this.emit("posture");
   }
 }

@@ -1,6 +1,7 @@
 // Completion of keys and words in the arm file, from the JSON schema.
 
 import type { Completion, CompletionContext, CompletionResult } from "@codemirror/autocomplete";
+import type { Text } from "@codemirror/state";
 
 interface Schema {
   $ref?: string;
@@ -72,6 +73,24 @@ function inside(schemas: Schema[], path: string[], root: Schema): Schema[] {
   );
 }
 
+const describe = (of: Schema, root: Schema): string => of.description ?? resolve(of, root)[0]?.description ?? "";
+
+/** The description of the key at a place of the text, and where the key stands. */
+export function describeFrom(root: Schema): (document: Text, position: number) => { from: number; to: number; words: string } | undefined {
+  return (document, position) => {
+    const line = document.lineAt(position);
+    for (const found of line.text.matchAll(/([A-Za-z_]\w*)(?=\s*:)/g)) {
+      const [from, to] = [line.from + found.index, line.from + found.index + found[0].length];
+      if (position < from || position > to || line.text.slice(0, found.index).includes("#")) continue;
+      const path = pathAt(document.toString().split("\n"), line.number - 1, found.index);
+      const of = inside([root], path, root).map((schema) => schema.properties?.[found[0]]).find(Boolean);
+      const words = of && describe(of, root);
+      return words ? { from, to, words } : undefined;
+    }
+    return undefined;
+  };
+}
+
 /** Completes what is typed before the cursor. */
 export function completeFrom(root: Schema): (context: CompletionContext) => CompletionResult | null {
   return (context) => {
@@ -92,7 +111,7 @@ export function completeFrom(root: Schema): (context: CompletionContext) => Comp
     } else {
       if (!word && !context.explicit) return null;
       options = schemas.flatMap((schema) =>
-        Object.entries(schema.properties ?? {}).map(([key, of]) => ({ label: key, type: "property", apply: `${key}: `, info: of.description ?? resolve(of, root)[0]?.description ?? "" })));
+        Object.entries(schema.properties ?? {}).map(([key, of]) => ({ label: key, type: "property", apply: `${key}: `, info: describe(of, root) })));
     }
     const seen = new Set<string>();
     options = options.filter((option) => !seen.has(option.label) && seen.add(option.label));

@@ -26,13 +26,17 @@ export function byId<T extends HTMLElement = HTMLElement>(id: string): T {
 /** A line that is shown for some seconds. */
 export function notice(text: string, isMistake = false): void {
   const box = byId("notices");
+  // A few lines, none of them twice: they lie over the page.
+  for (const old of [...box.children]) if (old.textContent === text) old.remove();
+  while (box.children.length > 1) box.firstChild!.remove();
   const line = element("div", { class: isMistake ? "notice mistake" : "notice", role: isMistake ? "alert" : "status" }, text);
+  line.addEventListener("click", () => line.remove());
   box.append(line);
   setTimeout(() => line.remove(), isMistake ? 9000 : 4000);
 }
 
 /** Copies text, and says so. */
-export async function copy(text: string, what: string): Promise<void> {
+export async function copy(text: string, what: string, remark = ""): Promise<void> {
   try {
     await navigator.clipboard.writeText(text);
   } catch {
@@ -44,7 +48,7 @@ export async function copy(text: string, what: string): Promise<void> {
     document.execCommand("copy");
     area.remove();
   }
-  notice(`${what} copied`);
+  notice(`${what} copied${remark}`, remark !== "");
 }
 
 /** The message of anything that was thrown. */

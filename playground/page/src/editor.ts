@@ -6,9 +6,9 @@ import { yaml } from "@codemirror/lang-yaml";
 import { bracketMatching, syntaxTree } from "@codemirror/language";
 import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic } from "@codemirror/lint";
 import { EditorState, StateEffect, StateField, type Text } from "@codemirror/state";
-import { Decoration, EditorView, highlightActiveLine, keymap, lineNumbers, type DecorationSet } from "@codemirror/view";
+import { Decoration, EditorView, highlightActiveLine, hoverTooltip, keymap, lineNumbers, type DecorationSet } from "@codemirror/view";
 import type { App } from "./app";
-import { completeFrom } from "./completion";
+import { completeFrom, describeFrom } from "./completion";
 import { byId, element } from "./dom";
 import type { Message } from "./facts";
 import { highlighting } from "./highlight";
@@ -42,7 +42,11 @@ export class Editor {
 
   constructor(private readonly app: App, schema: Promise<object>) {
     let complete: ReturnType<typeof completeFrom> | undefined;
-    void schema.then((root) => (complete = completeFrom(root)));
+    let describe: ReturnType<typeof describeFrom> | undefined;
+    void schema.then((root) => {
+      complete = completeFrom(root);
+      describe = describeFrom(root);
+    });
     this.view = new EditorView({
       parent: byId("editor"),
       state: EditorState.create({
@@ -57,12 +61,16 @@ export class Editor {
           highlighting,
           marked,
           autocompletion({ override: [(context) => complete?.(context) ?? null], icons: false }),
+          hoverTooltip((view, position) => {
+            const key = describe?.(view.state.doc, position);
+            return key ? { pos: key.from, end: key.to, create: () => ({ dom: element("div", { class: "key-words" }, key.words) }) } : null;
+          }),
           keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...historyKeymap, ...completionKeymap, ...lintKeymap, indentWithTab]),
           EditorView.contentAttributes.of({ "aria-label": "Arm file, YAML. Escape, then Tab, leaves the editor." }),
           EditorView.updateListener.of((update) => {
             if (!update.docChanged || update.transactions.some((one) => one.isUserEvent("load"))) return;
             clearTimeout(this.timer);
-            this.timer = window.setTimeout(() => void app.setText(this.view.state.doc.toString()), REST);
+            this.timer = window.setTimeout(() => this.send(), REST);
           }),
           EditorView.domEventHandlers({
             mousemove: (event) => {
@@ -74,6 +82,9 @@ export class Editor {
         ],
       }),
     });
+    app.flush = () => {
+      if (this.timer) this.send();
+    };
     app.listen((change) => {
       if (change === "text") this.load();
       if (change === "messages") this.showMessages();
@@ -81,11 +92,21 @@ export class Editor {
     });
   }
 
+  /** What is typed is checked now. */
+  private send(): void {
+    clearTimeout(this.timer);
+    this.timer = 0;
+    void this.app.check(this.view.state.doc.toString());
+  }
+
   /** Text that came from elsewhere. */
   private load(): void {
     const { app, view } = this;
     if (view.state.doc.toString() === app.text) return;
+    clearTimeout(this.timer);
+    this.timer = 0;
     view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: app.text }, userEvent: "load", selection: { anchor: 0 } });
+    view.scrollDOM.scrollLeft = 0;
   }
 
   private showMessages(): void {

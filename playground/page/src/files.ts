@@ -33,14 +33,17 @@ export class Files {
       void this.take(file);
     }, true);
     byId("save-arm").addEventListener("click", () => {
-      const name = `${this.app.facts?.name ?? "arm"}.yaml`;
-      const link = element("a", { href: URL.createObjectURL(new Blob([this.app.text])), download: name });
+      const { text, armText, facts } = this.app;
+      // A text with mistakes is no arm yet: its own name, not that of the arm before.
+      const named = text === armText ? facts?.name : /^name\s*:\s*["']?([\w.-]+)/m.exec(text)?.[1];
+      const name = `${named ?? "arm"}.yaml`;
+      const link = element("a", { href: URL.createObjectURL(new Blob([text])), download: name });
       link.click();
       URL.revokeObjectURL(link.href);
     });
   }
 
-  async take(file: File): Promise<void> {
+  async take(file: File, base = "", tool = ""): Promise<void> {
     if (file.size > LONGEST) {
       notice(`${file.name} has ${Math.round(file.size / 1e6)} MB: no arm is described by so much text`, true);
       return;
@@ -48,20 +51,56 @@ export class Files {
     const text = await file.text();
     const isImported = /<robot|delta_theta|opw_kinematics_geometric_parameters|^\s*kinematics\s*:/m.test(text);
     if (!isImported) {
-      if (text.includes("<")) notice(`${file.name} is no URDF: it has no element <robot>`, true);
+      const why = whyNone(text);
+      if (why) notice(`${file.name} is ${why}: neither an arm file, nor a URDF, a calibration of a UR arm or OPW parameters`, true);
       else await this.app.setText(text);
       return;
     }
+    const box = byId("remarks");
+    const ends = byId("ends");
+    ends.replaceChildren();
+    const dialog = byId<HTMLDialogElement>("imported");
     try {
       const made = await this.app.jobs.run<{ armFile: string; remarks: string[] }>({
-        kind: "import", text, from: file.name, editor: this.app.armText,
+        kind: "import", text, from: file.name, editor: this.app.armText, base, tool,
       });
       await this.app.setText(made.armFile);
-      const box = byId("remarks");
       box.replaceChildren(element("h3", {}, `${file.name}:`), ...made.remarks.map((remark) => element("p", {}, remark)));
-      byId<HTMLDialogElement>("imported").showModal();
+      dialog.showModal();
     } catch (error) {
-      notice(`${file.name}: ${messageOf(error)}`, true);
+      // Other ends of the chain, as options of the command: here a button takes each.
+      const options = endsOf(messageOf(error));
+      if (options.length === 0) {
+        notice(`${file.name}: ${messageOf(error)}`, true);
+        return;
+      }
+      box.replaceChildren(element("h3", {}, `${file.name}:`), element("p", {}, messageOf(error)));
+      ends.append(...options.map(([from, to]) => {
+        const words = ["Import", from && `from ${from}`, to && `up to ${to}`].filter(Boolean).join(" ");
+        const button = element("button", { type: "button" }, words);
+        button.addEventListener("click", () => {
+          dialog.close();
+          void this.take(file, from, to);
+        });
+        return button;
+      }));
+      dialog.showModal();
     }
   }
+}
+
+/** The ends of the chain that a message proposes: base and tool, empty for that of the file. */
+function endsOf(message: string): [string, string][] {
+  const help = message.split("\nhelp: ")[1] ?? "";
+  return [...help.matchAll(/(?:--base ([^\s:;,]+))?\s?(?:--tool ([^\s:;,]+))?/g)]
+    .map(([, from = "", to = ""]): [string, string] => [from, to])
+    .filter(([from, to]) => from !== "" || to !== "");
+}
+
+/** The kind of a text that cannot be an arm file; empty for one that may be, with mistakes or without. */
+function whyNone(text: string): string {
+  if (/[\0-\x08\x0e-\x1f\ufffd]/.test(text)) return "no text";
+  if (text.includes("<") && /^\s*</.test(text)) return "XML without an element <robot>";
+  // A table of a spreadsheet, a list of numbers, JSON of something else.
+  return /^\s*["']?(?:joints|convention|name|units)["']?\s*:/m.test(text) || /["']joints["']\s*:/.test(text) || text.trim() === "" ? "" : "a text without `joints`";
 }

@@ -65,7 +65,9 @@ export class Follower {
       app.comeTo(Array.from(numbers.subarray(4)));
       this.left = { q: app.q, arm };
       const far = tracking === 0 ? "" : `: ${short(distance)} ${app.facts.unit}, ${short((angle * 180) / Math.PI, 2)}°`;
-      this.says.textContent = (TRACKING[tracking] ?? "") + far;
+      // The target may have solutions of other branches.
+      const word = tracking === 3 && !app.miss ? "not on this branch" : (TRACKING[tracking] ?? "");
+      this.says.textContent = word + far;
       this.still = fastest < 1e-6 ? this.still + ticks : 0;
       return this.still < (tracking === 0 ? 1 : WAIT);
     } catch (error) {

@@ -11,7 +11,7 @@ function isTyping(target: EventTarget | null): boolean {
 export function listenToKeys(app: App): void {
   addEventListener("keydown", (event) => {
     if (isTyping(event.target)) return;
-    const isField = event.target instanceof HTMLInputElement && event.target.type !== "range";
+    const isField = event.target instanceof HTMLInputElement && !["range", "checkbox"].includes(event.target.type);
     const key = event.key.toLowerCase();
     if ((event.ctrlKey || event.metaKey) && (key === "z" || key === "y") && !isField) {
       event.preventDefault();

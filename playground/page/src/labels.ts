@@ -6,6 +6,8 @@ import type { Point } from "./numbers";
 
 export interface Label {
   point: Point;
+  /** Places to take where the first one is on the handles of the target. */
+  others?: Point[];
   text: string;
   kind: "ghost" | "joint" | "frame" | "measure" | "axes" | "miss";
   color?: string;
@@ -15,10 +17,15 @@ export interface Label {
 }
 
 const at = new THREE.Vector3();
+const aim = new THREE.Vector3();
+/** The handles of the target lie within so many px. */
+const HANDLES = 84;
 
 export class Labels {
   private labels: Label[] = [];
   private readonly elements: HTMLElement[] = [];
+  /** The target, whose handles stay free. */
+  target: Point | undefined;
 
   constructor(private readonly box: HTMLElement) {}
 
@@ -31,7 +38,16 @@ export class Labels {
     const taken: [number, number, number, number][] = [];
     this.labels.forEach((label, index) => {
       const shown = (this.elements[index] ??= this.box.appendChild(element("span")));
-      at.set(...label.point).project(camera);
+      const { target } = this;
+      const places = [label.point, ...(label.others ?? [])];
+      const isFree = (place: Point): boolean => {
+        if (!target) return true;
+        const [a, b] = [at.set(...place).project(camera), aim.set(...target).project(camera)];
+        return Math.hypot((a.x - b.x) * width, (a.y - b.y) * height) / 2 > HANDLES;
+      };
+      const isGhost = label.kind === "ghost";
+      const place = (isGhost && places.find(isFree)) || label.point;
+      at.set(...place).project(camera);
       const hidden = at.z > 1 || Math.abs(at.x) > 1.05 || Math.abs(at.y) > 1.05;
       shown.hidden = hidden;
       if (hidden) return;
@@ -52,6 +68,8 @@ export class Labels {
         const over = taken.find(([left, top, right, bottom]) => x < right && x + w > left && y < bottom && y + h > top);
         if (!over) break;
         y = over[3] + 1;
+        // Below the picture nothing is seen.
+        if (y > height - h - 2) [x, y] = [over[2] + 1, over[1]];
       }
       taken.push([x, y, x + w, y + h]);
       shown.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;

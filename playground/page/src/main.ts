@@ -4,6 +4,7 @@ import { presetFile, version } from "../pkg/denhart_page.js";
 import { Answers } from "./answers";
 import { App, type Snapshot } from "./app";
 import { byId, messageOf, notice } from "./dom";
+import { drafted, keepDraft } from "./draft";
 import { Editor } from "./editor";
 import { Files } from "./files";
 import { FlatView } from "./flat";
@@ -15,7 +16,9 @@ import { Motors } from "./motors";
 import { Results } from "./results";
 import { follow, given } from "./served";
 import { offerLink, stateOf } from "./share";
+import { listenForRemarks } from "./remarks";
 import { Sliders } from "./sliders";
+import { listenToSplitter } from "./splitter";
 import { View } from "./view";
 import { openWasm, wasmBytes } from "./wasm";
 
@@ -58,8 +61,14 @@ function switches(app: App, view: View | undefined): void {
     app.moveTo(app.q.map(() => 0));
     app.remember();
   });
-  byId("undo").addEventListener("click", () => app.undo());
-  byId("redo").addEventListener("click", () => app.redo());
+  const [undo, redo] = [byId<HTMLButtonElement>("undo"), byId<HTMLButtonElement>("redo")];
+  undo.addEventListener("click", () => app.undo());
+  redo.addEventListener("click", () => app.redo());
+  app.listen((change) => {
+    if (change !== "kept" && change !== "text") return;
+    undo.disabled = !app.canUndo;
+    redo.disabled = !app.canRedo;
+  });
   byId("help").addEventListener("click", () => byId<HTMLDialogElement>("helping").showModal());
   // On a phone one part is seen at a time.
   for (const part of ["table", "arm", "results"]) {
@@ -101,14 +110,17 @@ async function start(): Promise<void> {
   new Sliders(app);
   new Answers(app);
   new Motors(app);
+  listenForRemarks(app);
   new Follower(app);
   byId("version").textContent = version();
   // For the tests in a browser, and for the curious.
   Object.assign(window, { denhart: { app, view } });
 
-  const [here, state] = [given(), await linked()];
+  const here = given();
+  const draft = drafted(here?.text);
+  const state = draft ?? (await linked());
   const text = state?.text ?? here?.text ?? presetFile(FIRST);
-  app.begin(text, state);
+  app.begin(draft?.arm ?? text, state);
   document.body.classList.add("is-drawn");
   await drawn();
   performance.mark("first picture");
@@ -119,8 +131,10 @@ async function start(): Promise<void> {
   new Gallery(app);
   new Files(app);
   offerLink(app);
+  keepDraft(app, here?.text);
   switches(app, view);
   listenToKeys(app);
+  listenToSplitter();
   await app.setText(text);
   addEventListener("hashchange", () => {
     void linked().then((next) => {

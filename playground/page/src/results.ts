@@ -157,7 +157,7 @@ export class Results {
     const all = Array.from(arm.jacobian(Float64Array.from(app.q)));
     const pose = all.slice(0, 12);
     const joints = facts.joints.length;
-    const rows = ["vx", "vy", "vz", "wx", "wy", "wz"].map((name, row) => [name, ...all.slice(12 + row * joints, 12 + (row + 1) * joints).map((value) => short(value, 5))]);
+    const rows = ["vx", "vy", "vz", "wx", "wy", "wz"].map((name, row) => [name, ...all.slice(12 + row * joints, 12 + (row + 1) * joints).map((value) => short(value, 4))]);
     const rotation = [0, 1, 2].map((row) => [...pose.slice(3 * row, 3 * row + 3), pose[9 + row] ?? 0].map((value) => short(value, 6)));
     const { margins, manipulability } = JSON.parse(arm.margins(Float64Array.from(app.q))) as {
       margins: { name: string; value: number }[] | null;
@@ -177,7 +177,14 @@ export class Results {
   }
 
   private shownText(): string {
-    return this.tab === "pose" ? byId("panel-pose").innerText : (this.texts.get(this.tab) ?? "");
+    return this.tab === "pose" ? this.poseText() : (this.texts.get(this.tab) ?? "");
+  }
+
+  /** The numbers of the tab, without its buttons. */
+  private poseText(): string {
+    const lines = [...byId("panel-pose").querySelectorAll("h3, p, tr")].map((line) =>
+      line.tagName === "TR" ? [...line.children].map((cell) => cell.textContent).join("\t") : (line.tagName === "H3" ? "\n" : "") + (line.firstChild?.textContent ?? ""));
+    return `${lines.join("\n").trim()}\n`;
   }
 
   private save(): void {

@@ -52,8 +52,9 @@ export async function stateOf(fragment: string): Promise<Partial<Snapshot> | und
 export function offerLink(app: App): void {
   byId("share").addEventListener("click", () => {
     void fragmentOf(app.snapshot()).then((fragment) => {
-      history.replaceState(null, "", fragment);
-      return copy(location.href, "link");
+      history.replaceState(history.state, "", fragment);
+      const isOld = app.text !== app.armText;
+      return copy(location.href, "link", isOld ? ": it holds the last arm file without mistakes, not what is typed" : "");
     });
   });
 }

@@ -2,6 +2,7 @@
 
 import type { App } from "./app";
 import { byId, element } from "./dom";
+import { listenToField, roundStep } from "./fields";
 import { bits, degrees, radians, short } from "./numbers";
 
 interface Line {
@@ -37,7 +38,10 @@ export class Sliders {
       const [low, high] = [joint.low ?? -free, joint.high ?? free];
       const line = slider(joint.name, [low, high], joint.turns ? undefined : facts.unit, (value) => {
         app.timed(() => app.moveTo(app.q.map((old, at) => (at === index ? value : old))));
-      }, () => app.remember());
+      }, (byKey) => app.remember(byKey ? `joint ${index}` : undefined));
+      const track = line.range.parentElement!;
+      track.classList.toggle("has-low", joint.low !== null);
+      track.classList.toggle("has-high", joint.high !== null);
       const ends = (end: number | null): string =>
         end === null ? "no limit" : joint.turns ? `${short(degrees(end), 1)}°` : `${short(end)} ${facts.unit}`;
       line.row.title = `${joint.name}: ${joint.turns ? "turns" : "slides"}, from ${ends(joint.low)} to ${ends(joint.high)}`;
@@ -51,7 +55,7 @@ export class Sliders {
     this.given = facts.given.map((given, index) =>
       slider(given.name, given.range, given.slides ? facts.unit : undefined, (value) => {
         app.timed(() => app.give(app.given.map((old, at) => (at === index ? value : old))));
-      }, () => app.remember()));
+      }, (byKey) => app.remember(byKey ? `given ${index}` : undefined)));
     const box = byId("given");
     box.replaceChildren(...this.given.map((line) => line.row));
     box.parentElement!.hidden = this.given.length === 0;
@@ -87,7 +91,7 @@ export class Sliders {
         const free = turns ? Math.PI : (facts.reach ?? 1);
         return slider(name, [low ?? -free, high ?? free], turns ? undefined : facts.unit, (value) => {
           app.timed(() => app.slide(joint, value));
-        }, () => app.remember());
+        }, (byKey) => app.remember(byKey ? `family ${joint}` : undefined));
       });
       box.replaceChildren(...this.family.map((line) => line.row));
     }
@@ -106,26 +110,29 @@ export class Sliders {
   }
 }
 
-/** A slider with its number. Without a unit of length it is an angle, shown in degrees. */
+/** So many turns, or ranges of a slide, is a number that was meant otherwise. */
+const MOST = 20;
+
+/** A slider with its number. Without a unit of length it is an angle, shown in degrees. `done` is told of arrow keys. */
 export function slider(
   name: string,
   [low, high]: [number, number],
   unit: string | undefined,
   input: (value: number) => void,
-  done: () => void,
+  done: (byKey: boolean) => void,
 ): Line {
   const shown = unit === undefined ? degrees : (value: number) => value;
   const inner = unit === undefined ? radians : (value: number) => value;
-  const step = unit === undefined ? 0.1 : Math.max((high - low) / 1000, 1e-9);
+  const step = unit === undefined ? 0.1 : roundStep(Math.max((high - low) / 100, 1e-9));
   const range = element("input", { type: "range", min: shown(low), max: shown(high), step: "any", "aria-label": name });
-  const field = element("input", { type: "number", step, "aria-label": `${name}, ${unit ?? "degrees"}` });
-  const row = element("label", { class: "slider" }, element("span", { class: "name" }, name), range, field, element("span", { class: "unit" }, unit ?? "°"));
+  const field = element("input", { type: "number", step: "any", "aria-label": `${name}, ${unit ?? "degrees"}` });
+  const row = element("label", { class: "slider" }, element("span", { class: "name" }, name), element("span", { class: "track" }, range), field, element("span", { class: "unit" }, unit ?? "°"));
   const take = (text: string): void => {
     const value = Number(text);
     if (text.trim() !== "" && Number.isFinite(value)) input(inner(value));
   };
   range.addEventListener("input", () => take(range.value));
-  range.addEventListener("change", done);
+  range.addEventListener("change", () => done(false));
   // Steps of "any" leave the arrow keys without one.
   range.addEventListener("keydown", (event) => {
     const sign = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
@@ -135,13 +142,19 @@ export function slider(
     const [least, most] = [Number(range.min), Number(range.max)];
     const next = Math.min(Math.max(Number(range.value) + (sign * by * (most - least)) / 360, least), most);
     take(String(next));
-    done();
+    done(true);
   });
-  field.addEventListener("change", () => {
-    take(field.value);
-    done();
+  const line: Line = { range, field, row, inner, shown };
+  listenToField(field, {
+    step: () => step,
+    most: () => MOST * (unit === undefined ? 360 : high - low),
+    take: (value, byKey) => {
+      input(inner(value));
+      done(byKey);
+    },
+    restore: () => (field.value = short(Number(range.dataset.value), 4)),
   });
-  return { range, field, row, inner, shown };
+  return line;
 }
 
 /** Shows a value. A field that is being typed into keeps its text while that is the value. */
@@ -152,6 +165,7 @@ function set(line: Line, value: number): void {
     return;
   }
   line.range.value = String(shown);
+  line.range.dataset.value = String(shown);
   const isTyped = document.activeElement === line.field && Math.abs(Number(line.field.value) - shown) <= 1e-3;
   if (!isTyped) line.field.value = short(shown, 4);
 }

@@ -10,9 +10,7 @@ import { color, css, onThemeChange, solutionColor } from "./colors";
 import { Figure3D } from "./figure3d";
 import { Labels, type Label } from "./labels";
 import { bits, OUT_OF_LIMITS, short, type Figure, type Point } from "./numbers";
-
-/** A margin above this is no color of its own. */
-const NEAR_SINGULAR = 0.12;
+import { NEAR_SINGULAR } from "./remarks";
 
 export class View {
   readonly scene = new THREE.Scene();
@@ -30,6 +28,8 @@ export class View {
   private readonly ground = new THREE.Group();
   private size = 1;
   private dirty = true;
+  /** The user has chosen this view: it stays. */
+  private isChosen = false;
 
   constructor(private readonly app: App, private readonly box: HTMLElement, overlay: HTMLElement) {
     this.renderer = new THREE.WebGLRenderer({ antialias: true });
@@ -41,6 +41,7 @@ export class View {
     this.camera.up.set(0, 0, 1);
     this.orbit = new OrbitControls(this.camera, canvas);
     this.orbit.addEventListener("change", () => this.draw());
+    this.orbit.addEventListener("start", () => (this.isChosen = true));
     this.aim = new Aim3D(app, this.scene, this.camera, canvas, (dragging) => (this.orbit.enabled = !dragging));
     this.aim.controls.addEventListener("change", () => this.draw());
     this.labels = new Labels(overlay);
@@ -77,9 +78,17 @@ export class View {
       for (const ghost of this.ghosts.splice(0)) ghost.dispose();
       this.arm = undefined;
     }
+    if (change === "kept") this.bringBack();
     if (change === "text" || change === "messages" || change === "kept") return;
     this.update();
     if (change === "framed") this.frame();
+  }
+
+  /** A posture that has left the picture is brought back. */
+  private bringBack(): void {
+    const { width, height } = this.box.getBoundingClientRect();
+    const isOut = ([x, y]: [number, number]): boolean => x < 0 || y < 0 || x > width || y > height;
+    if (!this.isChosen && this.arm && this.read().joints.some(isOut)) this.frame();
   }
 
   /** Radius of a link. */
@@ -157,7 +166,7 @@ export class View {
     if (app.shown.axes && axes.length === 0) axes.push({ point: [0, 0, 0], text: facts.axes, kind: "axes", color: css(color("deciding")) });
     labels.push(...axes);
     this.annotations.missed(app.miss ? [pointOfTool(figure), pointOfTool({ tool: app.target })] : undefined);
-    if (app.shown.names && !app.shown.frames) {
+    if (app.shown.names) {
       figure.joints.forEach(({ point }, joint) => {
         labels.push({ point, text: facts.joints[joint]?.name ?? "", kind: "joint" });
       });
@@ -167,6 +176,7 @@ export class View {
         const name = app.branches[index] ?? "";
         labels.push({
           point: elbow(solution.figure),
+          others: [1, 2, -1].map((before) => elbow(solution.figure, before)),
           text: app.pointed === index && name !== "-" ? `${index + 1} ${name}` : String(index + 1),
           kind: "ghost",
           color: css(solutionColor(index)),
@@ -176,11 +186,17 @@ export class View {
         });
       });
     }
+    for (const [axis, name] of ["x", "y", "z"].entries()) {
+      const point = [0, 1, 2].map((at) => (at === axis ? 0.24 * this.size : 0)) as Point;
+      labels.push({ point, text: name, kind: "frame" });
+    }
+    this.labels.target = facts.task ? pointOfTool({ tool: app.target }) : undefined;
     this.labels.set(labels);
   }
 
   /** The camera looks at the whole arm. */
   frame(): void {
+    this.isChosen = false;
     const { figure, answer, facts } = this.app;
     if (!figure) return;
     const reach = this.size;
@@ -302,6 +318,7 @@ export class View {
     else if (event.key === "-") spherical.near = 1.1;
     else return;
     event.preventDefault();
+    this.isChosen = true;
     const side = new THREE.Vector3(0, 0, 1).cross(offset).normalize();
     offset.applyAxisAngle(new THREE.Vector3(0, 0, 1), spherical.turn).applyAxisAngle(side, -spherical.lift);
     this.camera.position.copy(this.orbit.target).addScaledVector(offset, spherical.near);
@@ -312,9 +329,10 @@ export class View {
 
 const pointOfTool = ({ tool }: { tool: number[] }): Point => [tool[9] ?? 0, tool[10] ?? 0, tool[11] ?? 0];
 
-/** The joint in the middle of an arm, at which its solutions are apart. */
-function elbow(figure: Figure): Point {
-  return figure.joints[Math.floor(figure.joints.length / 2)]?.point ?? [0, 0, 0];
+/** The joint in the middle of an arm, at which its solutions are apart; or one so many joints before it. */
+function elbow(figure: Figure, before = 0): Point {
+  const joints = figure.joints;
+  return joints[Math.min(Math.max(Math.floor(joints.length / 2) - before, 0), joints.length - 1)]?.point ?? [0, 0, 0];
 }
 
 /** The largest distance of a corner from the base. */
@@ -344,7 +362,7 @@ function linkOfRow(rows: { joint: number | null }[], row: number): number {
 export function missWords(app: App): string {
   const { miss, facts } = app;
   if (!miss) return "";
-  if (miss.distance !== null) return `out of reach by ${short(miss.distance)} ${facts?.unit ?? ""}`;
+  if (miss.distance !== null) return `out of reach: the workspace is ${short(miss.distance)} ${facts?.unit ?? ""} away`;
   if (miss.direction !== null) return `this direction is missed by ${short((miss.direction * 180) / Math.PI, 2)}°`;
   return "";
 }

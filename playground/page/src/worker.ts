@@ -5,7 +5,7 @@ import { messageOf } from "./dom";
 
 export type Request =
   | { kind: "messages" | "report" | "code" | "header"; text: string }
-  | { kind: "import"; text: string; from: string; editor: string }
+  | { kind: "import"; text: string; from: string; editor: string; base: string; tool: string }
   | { kind: "thumbnail"; name: string; dark: boolean }
   | { kind: "file"; name: string }
   | { kind: "presets" | "schema" };
@@ -23,7 +23,7 @@ function answer(request: Request): unknown {
     case "header":
       return denhart.header(request.text);
     case "import":
-      return JSON.parse(denhart.importText(request.text, request.from, request.editor));
+      return JSON.parse(denhart.importText(request.text, request.from, request.editor, request.base, request.tool));
     case "thumbnail":
       return denhart.thumbnail(denhart.presetFile(request.name), request.dark);
     case "file":

@@ -586,6 +586,213 @@ const tests = {
     await page.screenshot({ path: join(shots, "gallery.png") });
   },
 
+  async "undo comes back to every text, with mistakes or without"(browser) {
+    const page = await open(browser);
+    assert.equal(await page.locator("#undo").isDisabled(), true);
+    assert.equal(await page.locator("#redo").isDisabled(), true);
+    await choose(page, "puma560");
+    const puma = (await state(page)).text;
+    await page.locator("#editor .cm-content").click();
+    await page.keyboard.press("Control+A");
+    await page.keyboard.press("Delete");
+    await until(page, () => window.denhart.app.messages.some((one) => one.severity === "error"));
+    await page.click("#undo");
+    const back = await state(page);
+    assert.equal(back.name, "puma560");
+    assert.equal(back.text, puma);
+    assert.equal(await page.locator("#editor .cm-content").innerText().then((text) => text.includes("puma560")), true);
+    await page.click("#undo");
+    assert.equal((await state(page)).name, "ur5");
+    assert.equal(await page.locator("#undo").isDisabled(), true);
+    // Two arms, then a text that is none, typed so lately that nothing has looked at it.
+    const one = (name) => yaml(["a: 0.4, alpha: 0, d: 0, theta: 0", "a: 0.3, alpha: 0, d: 0, theta: 0"]).replace("typed", name);
+    for (const name of ["first", "second"]) {
+      await paste(page, one(name));
+      await until(page, (name) => window.denhart.app.facts?.name === name, name);
+    }
+    await paste(page, "garbage: [");
+    await page.evaluate(() => window.denhart.app.undo());
+    assert.equal((await state(page)).text, one("second"));
+    assert.equal((await state(page)).name, "second");
+    await page.click("#redo");
+    assert.equal((await state(page)).text, "garbage: [");
+    assert.equal(await page.locator("#redo").isDisabled(), true);
+    // A file in its place, then back: the text and the arm that stood beside it.
+    await drop(page, "ur5.yaml", readFileSync(join(root, "specs/ur5.yaml"), "utf8"));
+    await until(page, () => window.denhart.app.facts?.name === "ur5");
+    await page.click("#undo");
+    assert.equal((await state(page)).text, "garbage: [");
+    assert.equal((await state(page)).name, "second");
+    await until(page, () => window.denhart.app.messages.some((one) => one.severity === "error"));
+    assert.deepEqual(page.failures, []);
+  },
+
+  async "a reload shows what was there"(browser) {
+    const page = await open(browser);
+    await choose(page, "staubli_tx40");
+    await page.locator("#sliders input[type=range]").nth(1).fill("33");
+    const { q, text } = await state(page);
+    const broken = text.replace("joints:", "jionts:");
+    await paste(page, broken);
+    await until(page, () => window.denhart.app.messages.some((one) => one.severity === "error"));
+    await page.waitForTimeout(500);
+    await page.reload();
+    await page.waitForSelector("body.is-ready");
+    const after = await state(page);
+    assert.equal(after.text, broken);
+    assert.equal(after.name, "staubli_tx40");
+    after.q.forEach((value, joint) => near(value, q[joint], 1e-12, "joint"));
+    assert.ok(after.messages.some((one) => one.severity === "error"));
+    assert.deepEqual(page.failures, []);
+  },
+
+  async "a text with mistakes is not taken for the arm before"(browser) {
+    const page = await open(browser);
+    const { text } = await state(page);
+    await paste(page, text.replace("name: ur5", "name: mine").replace("alpha: 90", "alfa: 90"));
+    await until(page, () => document.body.classList.contains("has-mistakes"));
+    assert.match(await page.locator("#stale").innerText(), /mistakes: this is still ur5/);
+    const [saved] = await Promise.all([page.waitForEvent("download"), page.click("#save-arm")]);
+    assert.equal(saved.suggestedFilename(), "mine.yaml");
+    await page.click("#share");
+    await page.waitForSelector(".notice:has-text('the last arm file without mistakes')");
+    await page.setViewportSize({ width: 390, height: 800 });
+    await page.waitForTimeout(300);
+    await page.screenshot({ path: join(shots, "phone-stale.png") });
+    await page.click("#stale");
+    assert.equal(await page.locator("#table").isVisible(), true);
+    await paste(page, text);
+    await until(page, () => !document.body.classList.contains("has-mistakes"));
+    assert.equal(await page.locator("#stale").evaluate((one) => one.hidden), true);
+  },
+
+  async "messages have the line to write"(browser) {
+    const page = await open(browser);
+    const { text } = await state(page);
+    await paste(page, `${text}redundant: q3\n`);
+    await until(page, () => window.denhart.app.messages.some((one) => one.severity === "error"));
+    assert.match(await page.locator("#messages .message.error").innerText(), /write `inverse: \{redundant: q3\}`/);
+    const seven = readFileSync(join(root, "specs/kuka_iiwa7_r800.yaml"), "utf8");
+    await paste(page, seven.replace(/^inverse:.*\n/m, ""));
+    await until(page, () => window.denhart.app.facts?.joints.length === 7);
+    assert.match(await page.locator("#no-inverse").innerText(), / work;.*\. Write `inverse: \{task: pose, redundant: q1\}`$/);
+    // Ten joints: this page has no code for them.
+    await paste(page, yaml([267, 0, 293, 0, 342.5, 0, 97, 0, 50, 60].map((d, row) => `a: 0, alpha: ${row < 9 ? (row % 2 ? -90 : 90) : 0}, d: ${d / 1000}, theta: 0`)));
+    await until(page, () => window.denhart.app.facts?.joints.length === 10);
+    assert.match(await page.locator("#no-inverse").innerText(), /Write `inverse: .*this page has no inverse of so many joints/);
+    // Angles cut early.
+    await paste(page, text.replace("angle: deg", "angle: rad").replace(/alpha: -?90/g, "alpha: 1.57"));
+    await until(page, () => window.denhart.app.messages.some((one) => one.message.includes("nearly pi/2")));
+  },
+
+  async "files that are no arms leave the text, and a URDF's chain can be cut"(browser) {
+    const page = await open(browser);
+    const { text } = await state(page);
+    for (const [name, bad, told] of [["bin.dat", "\u0000\u0001PNG", /is no text/], ["table.csv", "1,2,3\n4,5,6\n", /without `joints`/], ["other.json", '{"a": [1, 2]}', /without `joints`/], ["page.svg", "<svg></svg>", /XML without/]]) {
+      await drop(page, name, bad);
+      await page.waitForSelector(`.notice:has-text('${name}')`);
+      assert.match(await page.locator(`.notice:has-text('${name}')`).innerText(), told);
+      assert.equal((await state(page)).text, text, name);
+    }
+    assert.ok((await page.locator(".notice").count()) <= 2);
+    const joint = (name, type, parent, child) => `<joint name="${name}" type="${type}"><parent link="${parent}"/><child link="${child}"/><origin xyz="0.2 0 0.1"/><axis xyz="0 0 1"/></joint>`;
+    const links = ["l0", "l1", "l2", "l3"].map((link) => `<link name="${link}"/>`).join("");
+    await drop(page, "cut.urdf", `<robot name="cut">${links}${joint("j1", "continuous", "l0", "l1")}${joint("j2", "continuous", "l1", "l2")}${joint("j3", "floating", "l2", "l3")}</robot>`);
+    await page.waitForSelector("#imported[open]");
+    await page.locator("#ends button", { hasText: "up to l2" }).click();
+    await until(page, () => window.denhart.app.facts?.joints.length === 2);
+    assert.deepEqual(page.failures, []);
+  },
+
+  async "number fields step finely, and keep their value where no number is typed"(browser) {
+    const page = await open(browser);
+    const x = page.getByLabel("target x");
+    const before = (await state(page)).target[9];
+    await x.focus();
+    await page.keyboard.press("ArrowUp");
+    const moved = Math.abs((await state(page)).target[9] - before);
+    assert.ok(moved > 1e-4 && moved < 0.03, `x moves by ${moved} m`);
+    const field = page.locator("#sliders input[type=number]").first();
+    const shown = await field.inputValue();
+    const { q } = await state(page);
+    for (const typed of ["", "-", "1e9"]) {
+      await field.fill("");
+      await field.pressSequentially(typed);
+      await page.keyboard.press("Enter");
+      await page.waitForSelector(".notice.mistake");
+      assert.equal(await field.inputValue(), shown, `after "${typed}"`);
+      assert.deepEqual((await state(page)).q, q);
+    }
+    // A slider that is moved by keys for a while is one step of undo.
+    await page.locator("#sliders input[type=range]").first().focus();
+    for (let step = 0; step < 5; step++) await page.keyboard.press("ArrowRight");
+    near((await state(page)).q[0] - q[0], (5 * Math.PI) / 180, 1e-9, "five arrows");
+    await page.keyboard.press("Control+Z");
+    near((await state(page)).q[0], q[0], 1e-9, "one undo");
+    // Letters work where a checkbox has the focus.
+    await page.locator("#show-names").focus();
+    await page.keyboard.press("d");
+    assert.equal(await page.locator("#show-dimensions").isChecked(), true);
+  },
+
+  async "the page says how an arm stands"(browser) {
+    const page = await open(browser);
+    await choose(page, "puma560");
+    await page.evaluate(() => window.denhart.app.moveTo([0.3, -0.5, 0.4, 0.2, 0, 0.1]));
+    assert.match(await page.locator("#near").innerText(), /at a singularity: \w+/);
+    await page.locator("#family input[type=range]").fill("50");
+    assert.equal(await page.locator(".solution[aria-pressed=true]").count(), 1);
+    assert.match(await page.locator(".solution[aria-pressed=true]").getAttribute("title"), /free: /);
+    await page.locator("#family input[type=range]").blur();
+    await page.evaluate(() => window.denhart.app.moveTo([0.3, -0.5, 0.4, 0.2, 0.9, 0.1]));
+    assert.equal(await page.locator("#near").isVisible(), false);
+    // The numbers of the solutions keep off the handles.
+    await page.waitForTimeout(300);
+    const onHandles = await page.evaluate(() => {
+      const { app, view } = window.denhart;
+      const [x, y] = view.project(app.target.slice(9, 12));
+      const box = document.getElementById("view").getBoundingClientRect();
+      return [...document.querySelectorAll("#labels .ghost:not([hidden])")].filter((one) => {
+        const { left, right, top, bottom } = one.getBoundingClientRect();
+        return Math.hypot((left + right) / 2 - box.x - x, (top + bottom) / 2 - box.y - y) < 45;
+      }).length;
+    });
+    assert.equal(onHandles, 0);
+    // Limits.
+    await paste(page, yaml(["a: 0.4, alpha: 0, d: 0, theta: 0, limits: [-30, 30]", "a: 0.3, alpha: 0, d: 0, theta: 0, limits: [0, 170]"]));
+    await until(page, () => window.denhart.app.facts?.name === "typed");
+    await page.evaluate(() => window.denhart.app.moveTo([0.2, 0.7]));
+    assert.equal(await page.locator("#solutions-title").innerText(), "2 solutions, 1 of 2 within limits");
+    assert.equal(await page.locator("#sliders .has-low.has-high").count(), 2);
+    await page.getByLabel("target x").fill("3");
+    await page.keyboard.press("Enter");
+    await page.waitForFunction(() => /workspace is [\d.]+ m away; the first equation .* distance of [\d.]+ m$/.test(document.getElementById("why").textContent));
+    // The text of the numbers has no words of buttons.
+    await page.click("#tab-pose");
+    const [saved] = await Promise.all([page.waitForEvent("download"), page.click("#save")]);
+    const text = readFileSync(await saved.path(), "utf8");
+    assert.ok(text.includes("Jacobian") && text.includes("q2") && !/copy/.test(text), text);
+  },
+
+  async "the editor is as wide as it is made"(browser) {
+    const page = await open(browser);
+    const width = () => page.locator("#table").evaluate((one) => one.getBoundingClientRect().width);
+    const before = await width();
+    const bar = await page.locator("#splitter").boundingBox();
+    await drag(page, [bar.x + 4, bar.y + 300], [120, 0]);
+    near((await width()) - before, 120, 5, "dragged");
+    await page.waitForTimeout(300);
+    assert.ok(await page.evaluate(() => document.querySelector("#view canvas").getBoundingClientRect().width === document.querySelector("#view").getBoundingClientRect().width));
+    await page.locator("#editor .cm-scroller").evaluate((one) => (one.scrollLeft = 200));
+    await choose(page, "puma560");
+    assert.equal(await page.locator("#editor .cm-scroller").evaluate((one) => one.scrollLeft), 0);
+    // A key of the table says what it is.
+    await page.getByText("convention", { exact: true }).first().hover();
+    await page.waitForSelector(".key-words");
+    await page.click("#tab-pose");
+    assert.ok(await page.evaluate(() => [...document.querySelectorAll("#panel-pose .numbers")].every((one) => one.scrollWidth <= one.clientWidth)));
+  },
+
   async "the keyboard alone is enough"(browser) {
     const page = await open(browser);
     const before = await state(page);

@@ -101,13 +101,16 @@ impl PageArm {
         numbers::solutions(&self.arm, &self.solutions).map_err(thrown)
     }
 
-    /// The solution next to a joint vector: flags, free joints, joint values; empty without one.
+    /// The solution next to a joint vector: flags, free joints, the place of the first solution of its branch in the last answer
+    /// (-1 if none is), joint values; empty without one.
     pub fn nearest(&self, pose: &[f64], angle: f64, q: &[f64]) -> Vec<f64> {
         let nearest = || {
             let target = target(&self.arm, pose, angle).ok()?;
             let solutions = self.arm.inverse_near(&target, q).ok()?;
             let solution = solutions.first()?;
-            let head = [numbers::of_flags(solution.flags), numbers::of_mask(solution.free)];
+            let same = |other: &denhart_dynamic::DynamicSolution| other.branch == solution.branch;
+            let place = self.solutions.iter().position(same).map_or(-1.0, numbers::count);
+            let head = [numbers::of_flags(solution.flags), numbers::of_mask(solution.free), place];
             Some(head.into_iter().chain(solution.q.iter().copied()).collect())
         };
         nearest().unwrap_or_default()

@@ -7,6 +7,9 @@ use serde_json::{Value, json};
 
 use crate::arm::PageArm;
 
+/// The page has the inverse of arms of up to so many joints: code of each number of joints is downloaded.
+const MOST_JOINTS: usize = 9;
+
 /// Names, units, limits, task. Limits that a joint does not have are `null`.
 pub fn facts(arm: &DynamicArm) -> Value {
     let model = arm.model();
@@ -41,6 +44,14 @@ pub fn facts(arm: &DynamicArm) -> Value {
         .collect();
     let reach = arm.program().inverse.as_ref().ok().map(|inverse| inverse.constants.reach);
     let planar = denhart_draw::View::of(arm) == denhart_draw::View::Top;
+    // A line to write, where the arm has an inverse for another request.
+    let instead = arm.program().instead.first().map(|line| match arm.joints() > MOST_JOINTS {
+        true => format!(
+            ". Write `{line}` for generated code (`denhart expand`): this page has no inverse of so many joints"
+        ),
+        false => format!(". Write `{line}`"),
+    });
+    let no_inverse = arm.task().err().map(|error| format!("{error}{}", instead.unwrap_or_default()));
     json!({
         "name": model.name,
         "unit": model.length_unit.symbol(),
@@ -48,7 +59,7 @@ pub fn facts(arm: &DynamicArm) -> Value {
         "rows": rows,
         "task": arm.task().ok(),
         "column": PageArm::column(arm),
-        "noInverse": arm.task().err().map(|error| error.to_string()),
+        "noInverse": no_inverse,
         "given": given,
         "maxSolutions": arm.max_solutions().ok(),
         "reach": reach,

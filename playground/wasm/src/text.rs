@@ -61,14 +61,16 @@ pub fn header(text: &str) -> Result<String, JsError> {
 }
 
 /// The arm file of a URDF, of a calibration of a UR arm, or of OPW parameters: JSON with the arm file and remarks. A controller's
-/// `calibration.conf` is added to the arm file of the editor.
+/// `calibration.conf` is added to the arm file of the editor. `base` and `tool` are the ends of the chain of a URDF; empty for
+/// those that the file tells.
 #[wasm_bindgen(js_name = importText)]
-pub fn import_text(text: &str, from: &str, editor: &str) -> Result<String, JsError> {
+pub fn import_text(text: &str, from: &str, editor: &str, base: &str, tool: &str) -> Result<String, JsError> {
     if text.contains("delta_theta") {
         let arm_file = import::calibrated(text, editor, FILE).map_err(thrown)?;
         return Ok(json!({"armFile": arm_file, "remarks": Vec::<String>::new()}).to_string());
     }
-    let options = Options { from: from.to_owned(), ..Options::default() };
+    let link = |name: &str| Some(name.to_owned()).filter(|name| !name.is_empty());
+    let options = Options { from: from.to_owned(), base: link(base), tool: link(tool), ..Options::default() };
     let imported = match text {
         text if text.contains("opw_kinematics_geometric_parameters") => import::opw(text, &options),
         text if text.contains("<robot") => import::urdf(text, &options),
