@@ -41,54 +41,8 @@ holding_a_joint! {
     SawyerQ3 "../specs/rethink_sawyer.yaml";
     Xarm7Q3 "../specs/ufactory_xarm7.yaml";
     BaxterLeft "../specs/baxter_left.yaml";
-}
-
-/// A UR5 with the deltas of a calibration, and of one that is a hundred times better.
-macro_rules! measured {
-    ($($Type:ident $yaml:literal;)*) => {$(
-        #[derive(Arm)]
-        #[arm(yaml = $yaml)]
-        struct $Type;
-    )*};
-}
-
-measured! {
-    MeasuredUr5 "
-name: measured_ur5
-convention: standard
-units: {length: m, angle: deg}
-joints:
-  - {a: 0, alpha: 90, d: 0.089159, theta: 0}
-  - {a: -0.425, alpha: 0, d: 0, theta: 0}
-  - {a: -0.39225, alpha: 0, d: 0, theta: 0}
-  - {a: 0, alpha: 90, d: 0.10915, theta: 0}
-  - {a: 0, alpha: -90, d: 0.09465, theta: 0}
-  - {a: 0, alpha: 0, d: 0.0823, theta: 0}
-calibration:
-  q1: {a: 8e-5, alpha: -6e-4 rad, d: 3e-4, theta: 5e-4 rad}
-  q2: {a: -5e-4, alpha: 9e-4 rad, d: 2e-4, theta: -4e-4 rad}
-  q3: {a: 7e-4, alpha: -3e-4 rad, d: -6e-4, theta: 8e-4 rad}
-  q4: {a: -2e-4, alpha: 4e-4 rad, d: 9e-4, theta: -7e-4 rad}
-  q5: {a: 6e-5, alpha: 5e-4 rad, d: -8e-4, theta: 1e-4 rad}
-";
-    CloselyMeasuredUr5 "
-name: closely_measured_ur5
-convention: standard
-units: {length: m, angle: deg}
-joints:
-  - {a: 0, alpha: 90, d: 0.089159, theta: 0}
-  - {a: -0.425, alpha: 0, d: 0, theta: 0}
-  - {a: -0.39225, alpha: 0, d: 0, theta: 0}
-  - {a: 0, alpha: 90, d: 0.10915, theta: 0}
-  - {a: 0, alpha: -90, d: 0.09465, theta: 0}
-  - {a: 0, alpha: 0, d: 0.0823, theta: 0}
-calibration:
-  q1: {a: 8e-7, alpha: -6e-6 rad, d: 3e-6, theta: 5e-6 rad}
-  q2: {a: -5e-6, alpha: 9e-6 rad, d: 2e-6, theta: -4e-6 rad}
-  q3: {a: 7e-6, alpha: -3e-6 rad, d: -6e-6, theta: 8e-6 rad}
-  q4: {a: -2e-6, alpha: 4e-6 rad, d: 9e-6, theta: -7e-6 rad}
-  q5: {a: 6e-7, alpha: 5e-6 rad, d: -8e-6, theta: 1e-6 rad}
-";
+    MeasuredUr5 "arms/measured/real.yaml";
+    CloselyMeasuredUr5 "arms/measured/close.yaml";
 }
 
 /// Beside a straight wrist, rad.

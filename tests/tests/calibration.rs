@@ -164,100 +164,23 @@ fn the_nearest_solution_leads_through_singularities() {
 }
 
 macro_rules! measured {
-    ($Type:ident $Single:ident $text:ident $yaml:literal) => {
+    ($Type:ident $Single:ident $text:ident $file:literal) => {
         #[derive(Default, Arm)]
-        #[arm(yaml = $yaml)]
+        #[arm(spec = $file)]
         struct $Type;
 
         #[derive(Default, Arm)]
-        #[arm(yaml = $yaml, scalar = "f32")]
+        #[arm(spec = $file, scalar = "f32")]
         struct $Single;
 
-        const $text: &str = $yaml;
+        const $text: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/", $file));
     };
 }
 
-// A UR5 so near its table that the branches of the table are the starts.
-measured! { Measured Single MEASURED "
-name: measured
-convention: standard
-units: {length: m, angle: deg}
-inverse: {task: pose}
-joints:
-  - {a: 0, alpha: 90, d: 0.089159, theta: 0}
-  - {a: -0.425, alpha: 0, d: 0, theta: 0}
-  - {a: -0.39225, alpha: 0, d: 0, theta: 0}
-  - {a: 0, alpha: 90, d: 0.10915, theta: 0}
-  - {a: 0, alpha: -90, d: 0.09465, theta: 0}
-  - {a: 0, alpha: 0, d: 0.0823, theta: 0}
-calibration:
-  q1: {a: 8e-8, alpha: -6e-8 rad, d: 3e-8, theta: 5e-8 rad}
-  q2: {a: -5e-8, alpha: 9e-8 rad, d: 2e-8, theta: -4e-8 rad}
-  q3: {a: 7e-8, alpha: -3e-8 rad, d: -6e-8, theta: 8e-8 rad}
-  q4: {a: -2e-8, alpha: 4e-8 rad, d: 9e-8, theta: -7e-8 rad}
-  q5: {a: 6e-8, alpha: 5e-8 rad, d: -8e-8, theta: 1e-8 rad}
-" }
-
-// The same as calibrations find it: solved as it was measured, in single precision by the branches of the table.
-measured! { Real RealSingle REAL "
-name: real
-convention: standard
-units: {length: m, angle: deg}
-inverse: {task: pose}
-joints:
-  - {a: 0, alpha: 90, d: 0.089159, theta: 0}
-  - {a: -0.425, alpha: 0, d: 0, theta: 0}
-  - {a: -0.39225, alpha: 0, d: 0, theta: 0}
-  - {a: 0, alpha: 90, d: 0.10915, theta: 0}
-  - {a: 0, alpha: -90, d: 0.09465, theta: 0}
-  - {a: 0, alpha: 0, d: 0.0823, theta: 0}
-calibration:
-  q1: {a: 8e-5, alpha: -6e-4 rad, d: 3e-4, theta: 5e-4 rad}
-  q2: {a: -5e-4, alpha: 9e-4 rad, d: 2e-4, theta: -4e-4 rad}
-  q3: {a: 7e-4, alpha: -3e-4 rad, d: -6e-4, theta: 8e-4 rad}
-  q4: {a: -2e-4, alpha: 4e-4 rad, d: 9e-4, theta: -7e-4 rad}
-  q5: {a: 6e-5, alpha: 5e-4 rad, d: -8e-4, theta: 1e-4 rad}
-" }
-
-// A hundred times nearer its table: the branches of the table are starts, too.
-measured! { Close CloseSingle CLOSE "
-name: close
-convention: standard
-units: {length: m, angle: deg}
-inverse: {task: pose}
-joints:
-  - {a: 0, alpha: 90, d: 0.089159, theta: 0}
-  - {a: -0.425, alpha: 0, d: 0, theta: 0}
-  - {a: -0.39225, alpha: 0, d: 0, theta: 0}
-  - {a: 0, alpha: 90, d: 0.10915, theta: 0}
-  - {a: 0, alpha: -90, d: 0.09465, theta: 0}
-  - {a: 0, alpha: 0, d: 0.0823, theta: 0}
-calibration:
-  q1: {a: 8e-7, alpha: -6e-6 rad, d: 3e-6, theta: 5e-6 rad}
-  q2: {a: -5e-6, alpha: 9e-6 rad, d: 2e-6, theta: -4e-6 rad}
-  q3: {a: 7e-6, alpha: -3e-6 rad, d: -6e-6, theta: 8e-6 rad}
-  q4: {a: -2e-6, alpha: 4e-6 rad, d: 9e-6, theta: -7e-6 rad}
-  q5: {a: 6e-7, alpha: 5e-6 rad, d: -8e-6, theta: 1e-6 rad}
-" }
-
-// A Jaco whose table has two axes that meet and two that are parallel: a joint of it is held.
-measured! { Bent BentSingle BENT "
-name: bent
-convention: standard
-units: {length: m, angle: deg}
-inverse: {task: pose}
-joints:
-  - {type: revolute, a: 0, alpha: 90, d: 0.2755, theta: 0}
-  - {type: revolute, a: 0.41, alpha: 180, d: 0, theta: -90}
-  - {type: revolute, a: 0, alpha: 90, d: -0.0098, theta: 90}
-  - {type: revolute, a: 0, alpha: 60, d: -0.2501971250007892, theta: 0}
-  - {type: revolute, a: 0, alpha: 60, d: -0.08579425000157839, theta: -180}
-  - {type: revolute, a: 0, alpha: 180, d: -0.2115971250007892, theta: 100}
-calibration:
-  q1: {a: 8e-8, alpha: -6e-8 rad, d: 3e-8, theta: 5e-8 rad}
-  q3: {a: 7e-8, alpha: -3e-8 rad, d: -6e-8, theta: 8e-8 rad}
-  q5: {a: 6e-8, alpha: 5e-8 rad, d: -8e-8, theta: 1e-8 rad}
-" }
+measured! { Measured Single MEASURED "arms/measured/measured.yaml" }
+measured! { Real RealSingle REAL "arms/measured/real.yaml" }
+measured! { Close CloseSingle CLOSE "arms/measured/close.yaml" }
+measured! { Bent BentSingle BENT "arms/measured/bent.yaml" }
 
 #[test]
 fn generated_code_gives_what_is_evaluated() {
