@@ -29,7 +29,7 @@ pub struct HeldJointSolver<const N: usize, const M: usize, const STARTS: bool = 
 }
 
 /// The search of a measured arm that starts from its table.
-type MergedSearch<'a, const N: usize, const M: usize> = Search<'a, f64, N, M, MOST_DOUBTS, Levels<f64, M>>;
+type SearchFromTable<'a, const N: usize, const M: usize> = Search<'a, f64, N, M, MOST_DOUBTS, Levels<f64, M>>;
 
 impl<const N: usize, const M: usize, const STARTS: bool> HeldJointSolver<N, M, STARTS> {
     /// The solver of a program; `None` if its arm has another number of joints.
@@ -77,7 +77,7 @@ impl<const N: usize, const M: usize, const STARTS: bool> HeldJointSolver<N, M, S
         let constants = self.constants.get();
         match &self.starts {
             Some(nest) if STARTS => {
-                let mut search = MergedSearch::<N, M>::new(&constants, &self.both, goal, near, solutions).in_doubt();
+                let mut search = SearchFromTable::<N, M>::new(&constants, &self.both, goal, near, solutions).in_doubt();
                 if search.begins(near) {
                     let mut run = Run::new(nest, &[], &|input| entry(pose, input), None);
                     search.start_from_table(nest.program.off_table.unwrap_or(0.0), |search, start| {

@@ -2,7 +2,7 @@
 
 use super::constants::Dimensions;
 use super::inverse::{Inverse, measure};
-use super::inverse_frame::{Solver, Sought, inverse_trait, items, methods, solutions, sought};
+use super::inverse_frame::{Solver, Sought, inverse_trait, items, methods, search_type, solutions, sought};
 use super::margins::table_branch;
 use super::nest::Nest;
 use super::solver_constants::{chain_constants, cuts, general, meet, structure};
@@ -11,7 +11,7 @@ use super::tokens::{array, ident, integer, number};
 use super::{Target, docs, given};
 use crate::lower;
 use crate::model::Model;
-use crate::solve::{Goal, HeldJointPlan, Link, Method, Plan};
+use crate::solve::{Goal, HeldJointPlan, Link, Method, Outline, Plan};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -35,7 +35,9 @@ pub fn held_joint(model: &Model, plan: &HeldJointPlan, target: &Target) -> Inver
         branch: branches.method,
     };
     let (constants, item) = (solver_constants(plan, target), branches.item);
-    let starts = plan.stages_of_table().map(|table| Starts::of(model, &table, outline.capacity, target));
+    let table = plan.stages_of_table();
+    let table = table.as_ref().zip(program.of_table.as_deref());
+    let starts = table.map(|table| Starts::of(model, table, outline, target));
     let own = starts.as_ref().map(|starts| &starts.items);
     Inverse {
         items: items(model, &program.constants, target, [TokenStream::new(), quote!(#own #constants #item)]),
@@ -107,7 +109,7 @@ struct Starts {
     /// Constants beside the functions.
     items: TokenStream,
     /// The type of the search, before the function.
-    search: TokenStream,
+    search_type: TokenStream,
     /// Constants of the equations, in the function.
     dimensions: TokenStream,
     /// The statements that follow the stages.
@@ -115,16 +117,13 @@ struct Starts {
 }
 
 impl Starts {
-    /// `capacity`: the most solutions of the arm that was measured.
-    fn of(model: &Model, table: &Plan, capacity: usize, target: &Target) -> Self {
-        let program = lower::stages(model, table);
-        let nest = Nest { plan: table, target, program: &program, bound: false, lanes: false, selects: false };
-        let (levels, constants, measure) = (nest.levels(), nest.constants(), measure(model, target));
+    /// `table`: the plan of the table, and that as a program; `outline`: that of the arm that was measured.
+    fn of(model: &Model, (table, program): (&Plan, &lower::Inverse), outline: &Outline, target: &Target) -> Self {
+        let nest = Nest { plan: table, target, program, bound: false, lanes: false, selects: false };
+        let (levels, ranges, measure) = (nest.levels(), nest.constants(), measure(model, target));
         let mut dimensions = Dimensions::default();
         dimensions.collect_from(&table.graph, &table.inputs());
-        let unpack = task(model, &program, target).unpack;
-        let (krate, scalar, n, m) = (&target.krate, target.scalar.tokens(), integer(table.joints()), integer(capacity));
-        let doubts = integer(program.most_doubts());
+        let unpack = task(model, program, target).unpack;
         let off = program.off_table.unwrap_or(0.0);
         let doc = docs::lines(&format!(
             "Follows every branch of the table, stage by stage. The arm that was measured is up to {off:.0e} off it: every branch \
@@ -132,13 +131,8 @@ impl Starts {
         ));
         let off = number(off);
         Self {
-            items: quote!(#measure #constants),
-            search: quote! {
-                /// The search; it remembers the branches that are missed with a free joint at its default value. Its numbers:
-                /// joints, solutions, stages that may be in doubt.
-                type InverseSearch<'a> =
-                    #krate::solve::Search<'a, #scalar, #n, #m, #doubts, #krate::solve::Levels<#scalar, #m>>;
-            },
+            items: quote!(#measure #ranges),
+            search_type: search_type(target, outline, program.most_doubts(), false),
             dimensions: dimensions.items(model, target),
             follow: quote! {
                 #unpack
@@ -217,15 +211,19 @@ fn function(plan: &HeldJointPlan, target: &Target, task: &TaskCode, starts: Opti
     } else {
         quote!(run_held_joint(&CONSTANTS, near, |[#(#six),* #unread]| [#(#all),*], |visit| #search))
     };
-    let search_type = quote!(#krate::held_joint::HeldJointSearch::<'_, #scalar, #n, #m>);
-    let (kind, dimensions, search_type, in_doubt, follow) = match starts {
-        Some(Starts { search, dimensions, follow, .. }) => {
-            (search, dimensions, quote!(InverseSearch), quote!(.in_doubt()), follow)
-        }
-        None => (TokenStream::new(), TokenStream::new(), search_type, TokenStream::new(), TokenStream::new()),
+    let starts = starts.as_ref();
+    let search_of = match starts {
+        Some(_) => quote!(InverseSearch),
+        None => quote!(#krate::held_joint::HeldJointSearch::<'_, #scalar, #n, #m>),
     };
+    let in_doubt = starts.map(|_| quote!(.in_doubt()));
+    let [search_type, dimensions, follow] = [
+        starts.map(|starts| &starts.search_type),
+        starts.map(|starts| &starts.dimensions),
+        starts.map(|starts| &starts.follow),
+    ];
     quote! {
-        #kind
+        #search_type
 
         #doc
         fn solve(
@@ -237,7 +235,7 @@ fn function(plan: &HeldJointPlan, target: &Target, task: &TaskCode, starts: Opti
         ) {
             #dimensions
             #bind
-            let mut search = #search_type::new(&CONSTANTS, arm, #sought, near, solutions) #in_doubt;
+            let mut search = #search_of::new(&CONSTANTS, arm, #sought, near, solutions) #in_doubt;
             if search.begins(near) {
                 #follow
                 #bind_frame

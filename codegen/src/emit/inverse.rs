@@ -119,12 +119,15 @@ impl Nest<'_> {
             (ident(&format!("roots{number}")), ident(&format!("index{number}")), self.state(each.state));
         let pattern = self.pattern(&each.roots);
         let part = match each.branching {
-            _ if !self.selects => quote!(::core::option::Option::None),
-            Branching::None => quote!(::core::option::Option::None),
-            Branching::Shoulder => quote!(wanted.shoulder()),
-            Branching::Elbow => quote!(wanted.elbow()),
-            Branching::Wrist => quote!(wanted.wrist()),
-            Branching::Root => quote!(wanted.root()),
+            Branching::None => None,
+            Branching::Shoulder => Some("shoulder"),
+            Branching::Elbow => Some("elbow"),
+            Branching::Wrist => Some("wrist"),
+            Branching::Root => Some("root"),
+        };
+        let part = match part.filter(|_| self.selects).map(ident) {
+            Some(part) => quote!(wanted.#part()),
+            None => quote!(::core::option::Option::None),
         };
         let each = ident(if each.flips { "each_flip" } else { "each" });
         quote!(for (#index, &#pattern) in #roots.#each(&#state, #part))

@@ -117,7 +117,7 @@ pub(super) fn function(
 ) -> TokenStream {
     let Body { dimensions, given_symbols, levels } = body;
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
-    let (n, m) = (integer(plan.joints()), integer(plan.max_solutions()));
+    let n = integer(plan.joints());
     let outline = &plan.outline();
     let solutions = solutions(outline, target);
     let type_name = &target.type_name;
@@ -131,19 +131,14 @@ pub(super) fn function(
     } else {
         (quote!(&constants), parameters::sizes(model, target))
     };
-    let (nest_doc, missed, search_doc) = if program.decoupled {
-        let nest_doc = "Follows every branch, stage by stage. The search repeats it with two free joints at other places, where \
-                        two families of solutions cross.";
-        let search = "The search of an arm on which no later stage sees where a free joint is.";
-        (nest_doc, quote!(#krate::solve::Decoupled), search)
+    let search_type = search_type(target, outline, program.most_doubts(), program.decoupled);
+    let nest_doc = if program.decoupled {
+        "Follows every branch, stage by stage. The search repeats it with two free joints at other places, where two families of \
+         solutions cross."
     } else {
-        let nest_doc = "Follows every branch, stage by stage. The search repeats it with a free joint at another place, where a \
-                        later stage has no root with that joint at its default.";
-        let search = "The search; it remembers the branches that are missed with a free joint at its default value.";
-        (nest_doc, quote!(#krate::solve::Levels<#scalar, #m>), search)
+        "Follows every branch, stage by stage. The search repeats it with a free joint at another place, where a later stage has no \
+         root with that joint at its default."
     };
-    let search_doc = docs::lines(&format!("{search_doc} Its numbers: joints, solutions, stages that may be in doubt."));
-    let doubts = integer(program.most_doubts());
     let nest_doc = docs::lines(nest_doc);
     let miss = plan.missed.map(|by| match plan.off_table {
         Some(_) => format!(
@@ -167,8 +162,7 @@ pub(super) fn function(
     // Without a choice between roots there is nothing to select.
     let wanted = ident(if program.capacity > 1 { "wanted" } else { "_wanted" });
     quote! {
-        #search_doc
-        type InverseSearch<'a> = #krate::solve::Search<'a, #scalar, #n, #m, #doubts, #missed>;
+        #search_type
 
         #doc
         fn branches(
@@ -194,6 +188,23 @@ pub(super) fn function(
                 search.#run;
             }
         }
+    }
+}
+
+/// The type of a search that follows stages, `doubts` of which may be in doubt.
+pub(super) fn search_type(target: &Target, outline: &Outline, doubts: usize, decoupled: bool) -> TokenStream {
+    let (krate, scalar) = (&target.krate, target.scalar.tokens());
+    let [n, m, doubts] = [outline.joints, outline.capacity, doubts].map(integer);
+    let (missed, doc) = if decoupled {
+        (quote!(#krate::solve::Decoupled), "The search of an arm on which no later stage sees where a free joint is.")
+    } else {
+        let doc = "The search; it remembers the branches that are missed with a free joint at its default value.";
+        (quote!(#krate::solve::Levels<#scalar, #m>), doc)
+    };
+    let doc = docs::lines(&format!("{doc} Its numbers: joints, solutions, stages that may be in doubt."));
+    quote! {
+        #doc
+        type InverseSearch<'a> = #krate::solve::Search<'a, #scalar, #n, #m, #doubts, #missed>;
     }
 }
 

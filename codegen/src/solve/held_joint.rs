@@ -6,11 +6,10 @@
 
 use std::f64::consts::PI;
 
-use denhart_core::choice;
 use denhart_core::general::{Cuts, General};
 use denhart_core::meet::{Meet, Structure};
 use denhart_core::slides::Slides;
-use denhart_core::{Chain as NumericChain, Transform as NumericTransform};
+use denhart_core::{Chain as NumericChain, Transform as NumericTransform, choice};
 
 use super::deciding_axes::{AxesRelation, DecidingAxes};
 use super::loop_chain::LoopChain;
@@ -41,8 +40,8 @@ pub struct HeldJointPlan {
     pub no_stages: Unsupported,
     /// The plan of a measured arm's table, where the signs of its margins name the branches.
     pub names: Option<Box<Plan>>,
-    /// Where the stages of that plan give starts to solutions, before the arm's own equation: how far the links are off the
-    /// table, relative to reach and in rad.
+    /// Where the stages of that plan give starts to solutions, before [`Method::General`]: how far the links are off the table,
+    /// relative to reach and in rad.
     pub off_table: Option<f64>,
 }
 

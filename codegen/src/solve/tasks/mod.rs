@@ -16,7 +16,7 @@ pub use choices::{Choice, Way, choices};
 
 use attempt::attempt;
 
-use super::held_joint::{self, HeldJointPlan};
+use super::held_joint::{self, HeldJointPlan, Method};
 use super::inverse_plan::InversePlan;
 use super::loop_chain::LoopChain;
 use super::margins::{Factor, margins};
@@ -37,9 +37,10 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Inverse
     match in_stages(model, chain, geometry) {
         Ok(plan) => Ok(InversePlan::Stages(Box::new(plan))),
         Err(unsupported) => {
-            let names = names_of_the_table(model);
-            let off_table = off_table(model, geometry).filter(|off| names.is_some() && *off <= FEW_DIGITS);
             let plan = held_joint::plan(model, chain, geometry, unsupported)?;
+            let names = names_of_the_table(model);
+            let starts = names.is_some() && matches!(plan.method, Method::General { .. });
+            let off_table = off_table(model, geometry).filter(|off| starts && *off <= FEW_DIGITS);
             Ok(InversePlan::HeldJoint(Box::new(HeldJointPlan { names, off_table, ..plan })))
         }
     }
@@ -49,7 +50,8 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Inverse
 /// of a measured arm. The arm's own equation of degree 8 has too few digits there.
 const NEAR_TABLE: f64 = 3e-7;
 
-/// Up to this distance the table's equations give starts, too: the arm's own equation loses single roots.
+/// Up to this distance the table's equations give starts, too: the arm's own equation of degree 8 loses single roots, since
+/// axes of it are nearly parallel.
 const FEW_DIGITS: f64 = 1e-4;
 
 /// The plan of a measured arm near its table.
