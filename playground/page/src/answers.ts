@@ -67,7 +67,7 @@ export class Answers {
     const why = byId("why");
     why.hidden = !app.miss && answer.complete;
     why.textContent = app.miss
-      ? [missWords(app), app.miss.words && `the first equation without a root is that of ${app.miss.words}${/distance of [\d.e-]+$/.test(app.miss.words) ? ` ${facts.unit}` : ""}`].filter(Boolean).join("; ") || "The target is too far away to tell more."
+      ? [missWords(app), app.miss.words && `the first equation without a root is that of ${app.miss.words}`].filter(Boolean).join("; ") || "The target is too far away to tell more."
       : answer.complete ? "" : "There may be more solutions than these.";
     const same = this.same();
     while (this.buttons.length < count) this.buttons.push(this.button(this.buttons.length));

@@ -125,7 +125,9 @@ impl PageArm {
     /// Why a target has no solution; empty where that is not known.
     pub fn why(&self, pose: &[f64], angle: f64, given: &[f64]) -> String {
         let miss = target(&self.arm, pose, angle).and_then(|target| self.arm.why(&target, given));
-        miss.ok().flatten().map(|miss| miss.to_string()).unwrap_or_default()
+        let Some(miss) = miss.ok().flatten() else { return String::new() };
+        let unit = self.arm.model().length_unit.symbol();
+        if miss.gap.is_some() && !miss.is_direction { format!("{miss} {unit}") } else { miss.to_string() }
     }
 
     /// The closest approach to a target out of reach from a joint vector: JSON, `null` where there is none.
