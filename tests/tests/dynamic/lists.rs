@@ -4,13 +4,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Lists of the suites that compare every arm of theirs; `main.rs` those that no other suite has.
-const LISTS: [&str; 8] = [
+const LISTS: [&str; 9] = [
     "tests/tasks",
     "tests/given",
     "tests/held_joint",
     "tests/parameters/arms.rs",
     "tests/parameters/kernel_arms.rs",
     "tests/found.rs",
+    "tests/calibration.rs",
     "tests/dynamic/main.rs",
     "src/arms/made_up.rs",
 ];
