@@ -79,7 +79,7 @@ impl Straight {
         roots: &[Slot],
         pairs: impl Fn(&mut Compiler) -> Vec<Pair>,
     ) -> Self {
-        let mut compiler = Compiler::new(graph);
+        let mut compiler = Compiler::new(graph, roots);
         let joints = values.iter().map(|slot| compiler.leaf(*slot)).collect();
         let pairs = pairs(&mut compiler);
         compiler.work_out(roots);

@@ -11,6 +11,9 @@ use crate::tape::{Places, Registers};
 /// The most doubts on one branch of any inverse: at most seven stages, and the state of an arm angle.
 pub const MOST_DOUBTS: usize = 8;
 
+/// The most roots of a stage.
+pub const MOST_ROOTS: usize = 4;
+
 /// The roots of a stage: so many joints, at most so many roots.
 #[derive(Debug, Clone, Copy)]
 pub enum AnyRoots {
@@ -91,12 +94,12 @@ pub fn measure(unit: Unit, reach: f64) -> Measure<f64> {
     }
 }
 
-/// Solves a stage.
-pub fn solve(call: &Call, defaults: [DefaultValue<f64>; 2], known: &Known, reach: f64, values: Values) -> AnyRoots {
+/// Solves a stage. The roots are written where they stay: a copy of them costs as much as a small kernel.
+pub fn solve(call: &Call, defaults: [DefaultValue<f64>; 2], known: &mut Known, reach: f64, values: Values) {
     let measure = measure(call.unit, reach);
     let [default, outer] = defaults;
     let v = |slot: &Slot| values.of(*slot);
-    match &call.kernel {
+    known.roots = Some(match &call.kernel {
         Kernel::Offset(Offset { a, b, d }) => AnyRoots::TwoOfOne(solve::offset(default, measure, v(a), v(b), v(d))),
         Kernel::OffsetOfTwo(OffsetOfTwo { length, direction }) => {
             let (length, direction) = (values.all(length), values.all(direction));
@@ -143,7 +146,7 @@ pub fn solve(call: &Call, defaults: [DefaultValue<f64>; 2], known: &Known, reach
         Kernel::Quadratic(Quadratic { coefficients }) => {
             AnyRoots::TwoOfOne(solve::quadratic(measure, values.all(coefficients)))
         }
-    }
+    });
 }
 
 /// The roots with the angle counted from where it is.

@@ -28,7 +28,7 @@ pub struct Factors {
 impl Factors {
     /// Margin factors of a program, with lengths relative to `reach`.
     pub fn new(program: &Margins, reach: f64) -> Self {
-        let mut compiler = Compiler::new(&program.straight.graph);
+        let mut compiler = Compiler::new(&program.straight.graph, &program.straight.roots);
         let leaf = |slot: Option<_>, compiler: &mut Compiler| slot.map_or(Register::MAX, |slot| compiler.leaf(slot));
         let variables = program.variables.iter();
         let pairs = variables

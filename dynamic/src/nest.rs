@@ -28,7 +28,8 @@ pub struct Body {
 impl Nest {
     /// That of a program.
     pub fn new(program: &Inverse) -> Self {
-        let mut compiler = Compiler::new(&program.graph);
+        let statements = || program.levels.iter().flat_map(|level| &level.body);
+        let mut compiler = Compiler::new(&program.graph, &statements().flat_map(Statement::reads).collect::<Vec<_>>());
         for (slot, _) in &program.inputs {
             compiler.leaf(*slot);
         }

@@ -7,7 +7,7 @@ use denhart_codegen::lower::{self, Branching, Call, Each, Given, Input, Root, Sl
 use denhart_codegen::model::MOST_JOINTS;
 
 use crate::branches::Branches;
-use crate::kernel::{Known, Values, measure, solve, with_roots};
+use crate::kernel::{AnyRoots, Known, MOST_ROOTS, Values, measure, solve, with_roots};
 use crate::nest::{Nest, part};
 use crate::tape::Registers;
 
@@ -70,15 +70,22 @@ impl<'a> Run<'a> {
             self.statement(statement, branch, search);
         }
         let Some(each) = nest.levels.get(depth + 1).and_then(|next| next.each.as_ref()) else { return };
-        let Some(roots) = self.known.get(each.stage).and_then(|known| known.roots) else { return };
         let (Some(state), wanted) = (self.state(each.state), self.root_wanted(each.branching)) else { return };
         let wanted = if each.flips { state.flips(wanted) } else { wanted };
-        with_roots!(&roots, stage => {
-            for (index, root) in stage.each(&state, wanted) {
-                self.take(&each.roots, root);
-                self.level(depth + 1, named(branch, each, index), search);
-            }
-        });
+        for number in 0..MOST_ROOTS {
+            let Some(index) = self.take_root(each, &state, wanted, number) else { return };
+            self.level(depth + 1, named(branch, each, index), search);
+        }
+    }
+
+    /// Sets the registers of a loop's root to those of the next root; its index, or none after the last.
+    fn take_root(&mut self, each: &Each, state: &BranchState, wanted: Option<usize>, number: usize) -> Option<usize> {
+        let Run { nest, registers, known, .. } = self;
+        with_roots!(known.get(each.stage)?.roots.as_ref()?, stage => {
+            let (index, root) = stage.each(state, wanted).nth(number)?;
+            take(registers, nest, &each.roots, root);
+            Some(index)
+        })
     }
 
     fn statement(&mut self, statement: &Statement, branch: Branch, search: &mut dyn Branches) {
@@ -109,9 +116,9 @@ impl<'a> Run<'a> {
                 self.set_state(lower::BranchState::Stage(*stage), after);
             }
             Statement::Only { stage, roots } => {
-                let Some(solved) = self.known.get(*stage).and_then(|known| known.roots) else { return };
-                if let crate::kernel::AnyRoots::OneOfOne(solved) = &solved {
-                    self.take(roots, &solved.only());
+                let Run { nest, registers, known, .. } = self;
+                if let Some(AnyRoots::OneOfOne(solved)) = known.get(*stage).and_then(|known| known.roots.as_ref()) {
+                    take(registers, nest, roots, &solved.only());
                 }
             }
             Statement::Angle { symbol, y, x, .. } => {
@@ -166,9 +173,9 @@ impl<'a> Run<'a> {
     fn solve(&mut self, call: &Call, search: &dyn Branches) {
         let defaults = call.defaults.map(|default| self.default(default, search));
         let reach = self.nest.program.constants.reach;
-        let Some(known) = self.known.get(call.stage) else { return };
-        let roots = solve(call, defaults, known, reach, self.values());
-        self.prepare(call.stage, |known| known.roots = Some(roots));
+        let Run { nest, registers, known, .. } = self;
+        let Some(known) = known.get_mut(call.stage) else { return };
+        solve(call, defaults, known, reach, Values { places: &nest.places, registers });
     }
 
     fn default(&self, default: lower::DefaultValue, search: &dyn Branches) -> DefaultValue<f64> {
@@ -197,14 +204,6 @@ impl<'a> Run<'a> {
         }
     }
 
-    fn take<const K: usize>(&mut self, roots: &[Root], turns: &[Turn<f64>; K]) {
-        for (Root(parts), turn) in roots.iter().zip(turns) {
-            for (which, symbol) in parts {
-                self.set(*symbol, part(turn, *which));
-            }
-        }
-    }
-
     fn state(&self, state: lower::BranchState) -> Option<BranchState> {
         self.states.get(self.nest.state(state)).copied()
     }
@@ -224,6 +223,15 @@ impl<'a> Run<'a> {
             Branching::Elbow => Select::elbow(wanted),
             Branching::Wrist => Select::wrist(wanted),
             Branching::Root => Select::root(wanted),
+        }
+    }
+}
+
+/// Sets the registers of a root.
+fn take<const K: usize>(registers: &mut Registers, nest: &Nest, roots: &[Root], turns: &[Turn<f64>; K]) {
+    for (Root(parts), turn) in roots.iter().zip(turns) {
+        for (which, symbol) in parts {
+            registers.set(nest.places.of(*symbol), part(turn, *which));
         }
     }
 }

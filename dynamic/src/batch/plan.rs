@@ -22,7 +22,7 @@ pub type RootRegisters = [[Register; 3]; 3];
 pub const NONE: Register = Register::MAX;
 
 /// The most roots of a stage that lanes follow.
-pub const MOST_ROOTS: usize = 2;
+pub const LANE_ROOTS: usize = 2;
 
 /// The nest for lanes.
 #[derive(Debug)]
@@ -58,7 +58,7 @@ pub struct Each {
     pub stage: usize,
     pub state: usize,
     /// Copies that make each root the one to go on with.
-    pub roots: [Vec<(Register, Register)>; MOST_ROOTS],
+    pub roots: [Vec<(Register, Register)>; LANE_ROOTS],
 }
 
 /// A statement, after the operations that it needs.
@@ -74,7 +74,7 @@ pub struct Step {
 #[derive(Debug)]
 pub enum Action {
     Nothing,
-    Solve { stage: usize, equation: Equation, counted: Count, to: [RootRegisters; MOST_ROOTS], gap: Register },
+    Solve { stage: usize, equation: Equation, counted: Count, to: [RootRegisters; LANE_ROOTS], gap: Register },
     Phase { y: Register, x: Register, to: [Register; 3] },
     Elbow { inputs: [Register; 3], line: Option<Register>, to: [Register; 3] },
     Cone { inputs: [Register; 4], to: [Register; 4] },
@@ -114,7 +114,7 @@ struct Prepared {
     cone: [Register; 4],
     phase: [Register; 3],
     gap: Register,
-    roots: [RootRegisters; MOST_ROOTS],
+    roots: [RootRegisters; LANE_ROOTS],
 }
 
 impl Plan {
@@ -143,7 +143,7 @@ impl Builder {
             let cone = [a, b, c, d].map(|value| this.fresh(value));
             let phase = [0.0, 0.0, 1.0].map(|value| this.fresh(value));
             let gap = this.fresh(0.0);
-            this.prepared.push(Prepared { elbow, cone, phase, gap, roots: [[[NONE; 3]; 3]; MOST_ROOTS] });
+            this.prepared.push(Prepared { elbow, cone, phase, gap, roots: [[[NONE; 3]; 3]; LANE_ROOTS] });
         }
         this
     }
@@ -240,7 +240,7 @@ impl Builder {
     fn each(&mut self, each: &lower::Each, first_in_place: bool) -> Option<Each> {
         let read = self.registers(&each.roots)?;
         let mut roots = [Vec::new(), Vec::new()];
-        let mut registers = [read; MOST_ROOTS];
+        let mut registers = [read; LANE_ROOTS];
         for (number, (copies, registers)) in roots.iter_mut().zip(&mut registers).enumerate() {
             if number == 0 && first_in_place {
                 continue;

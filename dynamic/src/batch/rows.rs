@@ -73,27 +73,31 @@ impl Rows {
     /// Does some operations, in order.
     #[inline(always)]
     pub fn run<L: Lanes>(&mut self, set: L::Set, operations: &[Operation]) {
-        for Operation { code, to, a, b } in operations {
+        for Operation { code, to, of } in operations {
             let Some((before, after)) = self.0.split_at_mut_checked(*to as usize) else { continue };
-            let Some(((a, b), to)) = before.get(*a as usize).zip(before.get(*b as usize)).zip(after.first_mut()) else {
-                continue;
-            };
+            let [Some(a), Some(b), Some(c), Some(d)] = of.map(|at| before.get(at as usize)) else { continue };
+            let Some(to) = after.first_mut() else { continue };
             match code {
-                Code::Add => of_two::<L>(set, a, b, to, |a, b| a + b),
-                Code::Subtract => of_two::<L>(set, a, b, to, |a, b| a - b),
-                Code::Multiply => of_two::<L>(set, a, b, to, |a, b| a * b),
-                Code::Negate => of_two::<L>(set, a, a, to, |a, _| -a),
-                Code::SquareRoot => of_two::<L>(set, a, a, to, |a, _| a.sqrt()),
-                Code::Absolute => of_two::<L>(set, a, a, to, |a, _| a.abs()),
+                Code::Add => each::<L, 2>(set, [a, b], to, |[a, b]| a + b),
+                Code::Subtract => each::<L, 2>(set, [a, b], to, |[a, b]| a - b),
+                Code::Multiply => each::<L, 2>(set, [a, b], to, |[a, b]| a * b),
+                Code::Negate => each::<L, 1>(set, [a], to, |[a]| -a),
+                Code::SquareRoot => each::<L, 1>(set, [a], to, |[a]| a.sqrt()),
+                Code::Absolute => each::<L, 1>(set, [a], to, |[a]| a.abs()),
+                Code::AddProduct => each::<L, 3>(set, [a, b, c], to, |[a, b, c]| a + b * c),
+                Code::SubtractProduct => each::<L, 3>(set, [a, b, c], to, |[a, b, c]| a - b * c),
+                Code::ProductLess => each::<L, 3>(set, [a, b, c], to, |[a, b, c]| a * b - c),
+                Code::AddProducts => each::<L, 4>(set, [a, b, c, d], to, |[a, b, c, d]| a * b + c * d),
+                Code::SubtractProducts => each::<L, 4>(set, [a, b, c, d], to, |[a, b, c, d]| a * b - c * d),
             }
         }
     }
 }
 
 #[inline(always)]
-fn of_two<L: Lanes>(set: L::Set, a: &Row, b: &Row, to: &mut Row, f: impl Fn(L, L) -> L) {
+fn each<L: Lanes, const K: usize>(set: L::Set, of: [&Row; K], to: &mut Row, f: impl Fn([L; K]) -> L) {
     for at in 0..BLOCK / L::WIDTH {
-        f(L::load(set, a, at), L::load(set, b, at)).store(to, at);
+        f(of.map(|row| L::load(set, row, at))).store(to, at);
     }
 }
 

@@ -5,7 +5,7 @@ use denhart::batch::{self, BLOCK, LaneRoots, Lanes, Row, math};
 use denhart::solve::{Cone, Elbow, Turn};
 use denhart_codegen::lower::Input;
 
-use super::plan::{Action, Count, Equation, MOST_ROOTS, Plan, RootRegisters, Step};
+use super::plan::{Action, Count, Equation, LANE_ROOTS, Plan, RootRegisters, Step};
 use super::rows::{Rows, lanes_of};
 use super::straight::signed;
 use crate::tape::Register;
@@ -40,13 +40,13 @@ pub struct Run<'a> {
 struct Stage {
     ended: u32,
     doubt: u32,
-    present: [u32; MOST_ROOTS],
+    present: [u32; LANE_ROOTS],
 }
 
 impl<'a> Run<'a> {
     /// Memory for blocks.
     pub fn new(plan: &'a Plan) -> Self {
-        let stage = Stage { ended: 0, doubt: 0, present: [0; MOST_ROOTS] };
+        let stage = Stage { ended: 0, doubt: 0, present: [0; LANE_ROOTS] };
         Run {
             plan,
             rows: Rows::new(&plan.start),
@@ -255,10 +255,10 @@ impl<'a> Run<'a> {
         set: L::Set,
         equation: &Equation,
         counted: Count,
-        to: &[RootRegisters; MOST_ROOTS],
+        to: &[RootRegisters; LANE_ROOTS],
         gap: Register,
     ) -> Stage {
-        let mut stage = Stage { ended: 0, doubt: 0, present: [0; MOST_ROOTS] };
+        let mut stage = Stage { ended: 0, doubt: 0, present: [0; LANE_ROOTS] };
         macro_rules! each_vector {
             ($at:ident => $roots:expr) => {
                 for $at in 0..BLOCK / L::WIDTH {
@@ -340,7 +340,7 @@ fn put<L: Lanes, const K: usize, const R: usize>(
     rows: &mut Rows,
     at: usize,
     roots: &LaneRoots<L, K, R>,
-    to: &[RootRegisters; MOST_ROOTS],
+    to: &[RootRegisters; LANE_ROOTS],
     gap: Register,
     stage: &mut Stage,
 ) {
