@@ -1,6 +1,7 @@
 //! `denhart view`: an arm in the browser, with the generator itself in the page.
 
 mod browser;
+mod http;
 mod page;
 mod server;
 
@@ -36,7 +37,7 @@ pub struct Options {
 /// Serves the page until the command is ended, or writes it.
 ///
 /// # Errors
-/// A file that cannot be read or written; no free port.
+/// A file that cannot be read or written; no free port, no connection.
 pub fn run(options: &Options, out: &mut dyn Write) -> Result<(), Failure> {
     let (text, name) = crate::arm::text(&options.file).map_err(Failure::Other)?;
     if let Some(path) = &options.export {
@@ -50,12 +51,11 @@ pub fn run(options: &Options, out: &mut dyn Write) -> Result<(), Failure> {
         return Err(Failure::Usage("--write needs a file to write\nhelp: name the arm file instead of `-`".to_owned()));
     }
     let served = Served::new(file.map(|file| Path::new(file).to_path_buf()), text, name, options.write);
-    let (server, address) = server::open(&served).map_err(Failure::Other)?;
+    let (listener, address) = server::open(&served).map_err(Failure::Other)?;
     writeln!(out, "{address}\nEnd with Ctrl+C.")?;
     out.flush()?;
     if !options.no_open {
         browser::open(&address);
     }
-    server::serve(&server, &served);
-    Ok(())
+    server::serve(&listener, &served).map_err(Failure::Other)
 }

@@ -5,15 +5,12 @@
 
 use std::fs;
 use std::hash::{BuildHasher, Hasher, RandomState};
-use std::io::Read;
-use std::path::PathBuf;
+use std::net::TcpListener;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
-use tiny_http::{Header, Method, Request, Response, Server};
-
+use super::http::{self, Answer, Asked, Body, LONGEST_BODY};
 use super::page::{Given, page};
-
-/// An arm file is a page or two. Longer texts are not written.
-const LONGEST: u64 = 1_000_000;
 
 /// The file behind a page.
 pub struct Served {
@@ -24,39 +21,15 @@ pub struct Served {
     name: String,
     write: bool,
     token: String,
-}
-
-/// The parts of a request that count.
-pub struct Asked<'a> {
-    pub method: Method,
-    /// Path and query.
-    pub url: &'a str,
-    pub host: Option<&'a str>,
-    pub origin: Option<&'a str>,
-}
-
-/// The answer to a request.
-#[derive(Debug, PartialEq, Eq)]
-pub struct Answer {
-    pub status: u16,
-    pub kind: &'static str,
-    pub body: String,
-}
-
-impl Answer {
-    fn new(status: u16, kind: &'static str, body: impl Into<String>) -> Self {
-        Self { status, kind, body: body.into() }
-    }
-
-    fn refused(status: u16, why: &str) -> Self {
-        Self::new(status, "text/plain; charset=utf-8", why)
-    }
+    tags: RandomState,
+    /// One write after the other.
+    writing: Mutex<()>,
 }
 
 impl Served {
     /// The file, or a text without one.
     pub fn new(file: Option<PathBuf>, text: String, name: String, write: bool) -> Self {
-        Self { file, text, name, write, token: token() }
+        Self { file, text, name, write, token: token(), tags: RandomState::new(), writing: Mutex::new(()) }
     }
 
     /// The address of the page at a port.
@@ -65,34 +38,35 @@ impl Served {
     }
 
     /// The answer to a request at a port. `body` is read only where a file is written.
-    pub fn answer(&self, asked: &Asked, port: u16, body: &mut dyn FnMut() -> Result<String, String>) -> Answer {
+    pub fn answer(&self, asked: &Asked, port: u16, body: Body) -> Answer {
         let hosts = [format!("127.0.0.1:{port}"), format!("localhost:{port}")];
-        if !asked.host.is_some_and(|host| hosts.iter().any(|own| own == host)) {
+        if !asked.host.as_ref().is_some_and(|host| hosts.contains(host)) {
             return Answer::refused(403, "another host");
         }
-        if asked.origin.is_some_and(|origin| !hosts.iter().any(|own| format!("http://{own}") == origin)) {
+        if asked.origin.as_ref().is_some_and(|origin| !hosts.iter().any(|own| format!("http://{own}") == *origin)) {
             return Answer::refused(403, "another origin");
         }
-        let (path, query) = asked.url.split_once('?').unwrap_or((asked.url, ""));
+        let (path, query) = asked.url.split_once('?').unwrap_or((&asked.url, ""));
         let token = query.split('&').find_map(|part| part.strip_prefix("token="));
         if !token.is_some_and(|token| same(token, &self.token)) {
             return Answer::refused(403, "the address has another token: take it as the command prints it");
         }
-        match (&asked.method, path) {
-            (Method::Get, "/") => {
+        match (asked.method.as_str(), path) {
+            ("GET", "/") => {
                 let text = self.now().unwrap_or_else(|_| self.text.clone());
                 let given = Given { text: &text, name: &self.name, follow: self.file.is_some(), write: self.write };
                 Answer::new(200, "text/html; charset=utf-8", page(&given))
             }
-            (Method::Get, "/arm") => match self.now() {
-                Ok(text) => Answer::new(200, "text/plain; charset=utf-8", text),
-                Err(why) => Answer::refused(500, &why),
+            ("GET", "/arm") => match self.now() {
+                Ok(text) => {
+                    Answer { tag: Some(self.tag(&text)), ..Answer::new(200, "text/plain; charset=utf-8", text) }
+                }
+                Err(why) => Answer::refused(500, why),
             },
-            (Method::Put, "/arm") if self.write => match body().and_then(|text| self.put(&text)) {
-                Ok(()) => Answer::new(200, "text/plain; charset=utf-8", ""),
-                Err(why) => Answer::refused(400, &why),
-            },
-            (Method::Put, "/arm") => Answer::refused(403, "`denhart view` without --write writes nothing"),
+            ("PUT", "/arm") if self.write => {
+                self.put(asked.if_match.as_deref(), body).unwrap_or_else(|refused| refused)
+            }
+            ("PUT", "/arm") => Answer::refused(403, "`denhart view` without --write writes nothing"),
             (_, "/" | "/arm") => Answer::refused(405, "no such method"),
             _ => Answer::refused(404, "no such page"),
         }
@@ -100,16 +74,57 @@ impl Served {
 
     /// The text of the file as it is now.
     fn now(&self) -> Result<String, String> {
-        match &self.file {
-            Some(file) => crate::arm::text(file).map(|(text, _)| text),
-            None => Ok(self.text.clone()),
+        let Some(file) = &self.file else { return Ok(self.text.clone()) };
+        // Anything may stand in the file's place by now: a pipe would never end.
+        let is_text = fs::metadata(file).is_ok_and(|facts| facts.is_file() && facts.len() <= LONGEST_BODY as u64);
+        if !is_text && file.exists() {
+            return Err(format!("`{}` is no file of up to a megabyte", file.display()));
         }
+        crate::arm::text(file).map(|(text, _)| text)
     }
 
-    fn put(&self, text: &str) -> Result<(), String> {
-        let file = self.file.as_ref().ok_or("there is no file")?;
-        fs::write(file, text).map_err(|error| format!("cannot write `{}`: {error}", file.display()))
+    /// The tag of a text: equal for equal texts, while the command runs.
+    fn tag(&self, text: &str) -> String {
+        format!("{:016x}", self.tags.hash_one(text))
     }
+
+    /// Writes the file, if it still has the text that the page has seen.
+    fn put(&self, seen: Option<&str>, body: Body) -> Result<Answer, Answer> {
+        let file = self.file.as_ref().ok_or_else(|| Answer::refused(400, "there is no file"))?;
+        let seen = seen.ok_or_else(|| Answer::refused(428, "the request does not say which text it replaces"))?;
+        let text = body()?;
+        let _one = self.writing.lock().unwrap_or_else(PoisonError::into_inner);
+        // A file that is gone has no text to lose.
+        if file.exists() {
+            let now = self.now().map_err(|why| Answer::refused(412, why))?;
+            if seen != format!("\"{}\"", self.tag(&now)) {
+                return Err(Answer::refused(412, "the file has changed since the page read it"));
+            }
+        }
+        replace(file, &text)
+            .map_err(|error| Answer::refused(400, format!("cannot write `{}`: {error}", file.display())))?;
+        Ok(Answer { tag: Some(self.tag(&text)), ..Answer::refused(200, "") })
+    }
+}
+
+/// Replaces a file at once: another program sees the old text or the new one, whatever happens in between.
+fn replace(file: &Path, text: &str) -> std::io::Result<()> {
+    // A link stays a link.
+    let file = fs::canonicalize(file).unwrap_or_else(|_| file.to_path_buf());
+    let permissions = fs::metadata(&file).map(|facts| facts.permissions()).ok();
+    if permissions.as_ref().is_some_and(fs::Permissions::readonly) {
+        return Err(std::io::ErrorKind::PermissionDenied.into());
+    }
+    let mut name = file.file_name().unwrap_or_default().to_owned();
+    name.push(format!(".{}", std::process::id()));
+    let beside = file.with_file_name(name);
+    let written = fs::write(&beside, text)
+        .and_then(|()| permissions.map_or(Ok(()), |permissions| fs::set_permissions(&beside, permissions)))
+        .and_then(|()| fs::rename(&beside, &file));
+    if written.is_err() {
+        let _ = fs::remove_file(&beside);
+    }
+    written
 }
 
 /// Letters that nobody guesses: the keys of the standard library's hash are random bits of the system.
@@ -131,55 +146,20 @@ fn same(one: &str, other: &str) -> bool {
 ///
 /// # Errors
 /// The message: no port.
-pub fn open(served: &Served) -> Result<(Server, String), String> {
-    let server = Server::http("127.0.0.1:0").map_err(|error| format!("cannot listen at 127.0.0.1: {error}"))?;
-    let port = port(&server).ok_or("cannot listen at 127.0.0.1")?;
-    Ok((server, served.address(port)))
-}
-
-fn port(server: &Server) -> Option<u16> {
-    server.server_addr().to_ip().map(|address| address.port())
+pub fn open(served: &Served) -> Result<(TcpListener, String), String> {
+    let cannot = |error| format!("cannot listen at 127.0.0.1: {error}");
+    let listener = TcpListener::bind(("127.0.0.1", 0)).map_err(cannot)?;
+    let port = listener.local_addr().map_err(cannot)?.port();
+    Ok((listener, served.address(port)))
 }
 
 /// Answers requests until the command is ended.
-pub fn serve(server: &Server, served: &Served) {
-    let Some(port) = port(server) else { return };
-    for request in server.incoming_requests() {
-        // A page that is closed takes no answer.
-        let _ = reply(request, served, port);
-    }
-}
-
-fn reply(mut request: Request, served: &Served, port: u16) -> std::io::Result<()> {
-    let header = |name: &'static str| {
-        let found = request.headers().iter().find(|header| header.field.equiv(name));
-        found.map(|header| header.value.as_str().to_owned())
-    };
-    let (host, origin) = (header("Host"), header("Origin"));
-    let (method, url) = (request.method().clone(), request.url().to_owned());
-    let mut body = || read(&mut request);
-    let asked = Asked { method, url: &url, host: host.as_deref(), origin: origin.as_deref() };
-    let Answer { status, kind, body } = served.answer(&asked, port, &mut body);
-    let fields = [
-        ("Content-Type", kind),
-        ("Cache-Control", "no-store"),
-        ("X-Content-Type-Options", "nosniff"),
-        ("X-Frame-Options", "DENY"),
-        ("Referrer-Policy", "no-referrer"),
-    ];
-    let mut response = Response::from_string(body).with_status_code(status);
-    for header in fields.iter().filter_map(|(name, value)| Header::from_bytes(*name, *value).ok()) {
-        response.add_header(header);
-    }
-    request.respond(response)
-}
-
-/// The text of a request.
-fn read(request: &mut Request) -> Result<String, String> {
-    let mut text = String::new();
-    let read = request.as_reader().take(LONGEST + 1).read_to_string(&mut text);
-    read.map_err(|error| format!("no text: {error}"))?;
-    if text.len() as u64 > LONGEST { Err("too long for an arm file".to_owned()) } else { Ok(text) }
+///
+/// # Errors
+/// The message: no connection can be taken any more.
+pub fn serve(listener: &TcpListener, served: &Served) -> Result<(), String> {
+    let port = listener.local_addr().map_err(|error| error.to_string())?.port();
+    http::serve(listener, &|asked, body| served.answer(asked, port, body))
 }
 
 #[cfg(test)]
@@ -194,8 +174,9 @@ mod tests {
         Served::new(None, "name: a\n".to_owned(), "a.yaml".to_owned(), write)
     }
 
-    fn status(served: &Served, method: Method, url: &str, host: Option<&str>, origin: Option<&str>) -> u16 {
-        let asked = Asked { method, url, host, origin };
+    fn status(served: &Served, method: &str, url: &str, host: Option<&str>, origin: Option<&str>) -> u16 {
+        let [host, origin] = [host, origin].map(|name| name.map(str::to_owned));
+        let asked = Asked { method: method.to_owned(), url: url.to_owned(), host, origin, ..Asked::default() };
         served.answer(&asked, 8000, &mut || Ok("name: b\n".to_owned())).status
     }
 
@@ -203,7 +184,7 @@ mod tests {
     fn only_this_host_and_this_page_are_answered() {
         let served = served(false);
         let url = format!("/arm?token={}", served.token);
-        let get = |host, origin| status(&served, Method::Get, &url, host, origin);
+        let get = |host, origin| status(&served, "GET", &url, host, origin);
         assert_eq!(get(Some(HERE), None), 200);
         assert_eq!(get(Some("localhost:8000"), Some("http://127.0.0.1:8000")), 200);
         for host in [None, Some(""), Some("127.0.0.1"), Some("127.0.0.1:8001"), Some("evil.example:8000")] {
@@ -227,8 +208,8 @@ mod tests {
             format!("/?token={half}"),
             format!("/?t={token}"),
         ] {
-            assert_eq!(status(&served, Method::Get, &url, Some(HERE), None), 403, "{url}");
-            assert_eq!(status(&served, Method::Put, &url, Some(HERE), None), 403, "{url}");
+            assert_eq!(status(&served, "GET", &url, Some(HERE), None), 403, "{url}");
+            assert_eq!(status(&served, "PUT", &url, Some(HERE), None), 403, "{url}");
         }
         assert_ne!(token, Served::new(None, String::new(), String::new(), false).token);
     }
@@ -249,7 +230,7 @@ mod tests {
         ];
         for path in paths {
             let url = format!("{path}?token={}", served.token);
-            assert_eq!(status(&served, Method::Get, &url, Some(HERE), None), 404, "{path}");
+            assert_eq!(status(&served, "GET", &url, Some(HERE), None), 404, "{path}");
         }
     }
 
@@ -257,10 +238,10 @@ mod tests {
     fn a_file_is_written_only_where_that_was_allowed() {
         let url = |served: &Served| format!("/arm?token={}", served.token);
         let closed = served(false);
-        assert_eq!(status(&closed, Method::Put, &url(&closed), Some(HERE), None), 403);
+        assert_eq!(status(&closed, "PUT", &url(&closed), Some(HERE), None), 403);
         // A text from the standard input has no file.
         let open = served(true);
-        assert_eq!(status(&open, Method::Put, &url(&open), Some(HERE), None), 400);
-        assert_eq!(status(&open, Method::Delete, &url(&open), Some(HERE), None), 405);
+        assert_eq!(status(&open, "PUT", &url(&open), Some(HERE), None), 400);
+        assert_eq!(status(&open, "DELETE", &url(&open), Some(HERE), None), 405);
     }
 }

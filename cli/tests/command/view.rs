@@ -2,9 +2,10 @@
 
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
-use std::net::TcpStream;
+use std::net::{Shutdown, TcpStream};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Stdio};
+use std::time::Duration;
 
 use crate::{arm_file, command, denhart, text};
 
@@ -38,23 +39,35 @@ impl Running {
         Running { child, host, token }
     }
 
-    /// Status and text of the answer to bytes as they are.
-    fn raw(&self, request: &str) -> (u16, String) {
-        let mut stream = TcpStream::connect(&self.host).unwrap();
+    fn connect(&self) -> TcpStream {
+        TcpStream::connect(&self.host).unwrap()
+    }
+
+    /// Status, head and text of the answer to bytes as they are, after which nothing more is sent.
+    fn raw(&self, request: &str) -> (u16, String, String) {
+        let mut stream = self.connect();
         stream.write_all(request.as_bytes()).unwrap();
+        stream.shutdown(Shutdown::Write).unwrap();
         let mut answer = Vec::new();
         stream.read_to_end(&mut answer).unwrap();
         let answer = String::from_utf8_lossy(&answer).into_owned();
         let (head, body) = answer.split_once("\r\n\r\n").unwrap();
-        (head.split(' ').nth(1).unwrap().parse().unwrap(), body.to_owned())
+        (head.split(' ').nth(1).unwrap().parse().unwrap(), head.to_owned(), body.to_owned())
+    }
+
+    /// The tag of the file's text as it is now, with its quotation marks.
+    fn tag(&self) -> String {
+        let (_, head, _) = self.raw(&format!("GET {} HTTP/1.1\r\nHost: {}\r\n\r\n", self.arm(), self.host));
+        head.lines().find_map(|line| line.strip_prefix("ETag: ")).unwrap().to_owned()
     }
 
     fn ask(&self, method: &str, path: &str, headers: &str, body: &str) -> (u16, String) {
         let (host, length) = (&self.host, body.len());
         let headers = if headers.contains("Host:") { headers.to_owned() } else { format!("Host: {host}\r\n{headers}") };
-        self.raw(&format!(
+        let (status, _, body) = self.raw(&format!(
             "{method} {path} HTTP/1.1\r\n{headers}Connection: close\r\nContent-Length: {length}\r\n\r\n{body}"
-        ))
+        ));
+        (status, body)
     }
 
     fn arm(&self) -> String {
@@ -120,13 +133,86 @@ fn the_page_writes_only_with_its_option() {
     assert_eq!(closed.ask("PUT", &closed.arm(), "", &changed).0, 403);
     assert_eq!(fs::read_to_string(&path).unwrap(), ARM);
     let open = Running::start(&[&shown, "--write"]);
+    let seen = format!("If-Match: {}\r\n", open.tag());
     let long = "#".repeat(1_000_001);
-    assert_eq!(open.ask("PUT", &open.arm(), "", &long).0, 400);
+    assert_eq!(open.ask("PUT", &open.arm(), &seen, &long).0, 413);
+    assert_eq!(open.ask("PUT", &open.arm(), "", &changed).0, 428);
+    // A text that ends early, one without a length, one in pieces.
+    let put = format!("PUT {} HTTP/1.1\r\nHost: {}\r\n{seen}", open.arm(), open.host);
+    assert_eq!(open.raw(&format!("{put}Content-Length: 5000\r\n\r\nname: a\n")).0, 400);
+    assert_eq!(open.raw(&format!("{put}\r\nname: a\n")).0, 411);
+    assert_eq!(open.raw(&format!("{put}Transfer-Encoding: chunked\r\n\r\n1\r\na\r\n0\r\n\r\n")).0, 501);
     assert_eq!(fs::read_to_string(&path).unwrap(), ARM);
-    assert_eq!(open.ask("PUT", &open.arm(), "", &changed).0, 200);
+    assert_eq!(open.ask("PUT", &open.arm(), &seen, &changed).0, 200);
     assert_eq!(fs::read_to_string(&path).unwrap(), changed);
+    // The page has not seen what another program has written since.
+    let foreign = ARM.replace("first", "foreign");
+    fs::write(&path, &foreign).unwrap();
+    assert_eq!(open.ask("PUT", &open.arm(), &seen, &changed).0, 412);
+    assert_eq!(fs::read_to_string(&path).unwrap(), foreign);
+    let beside: Vec<_> =
+        fs::read_dir(path.parent().unwrap()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    let name = path.file_name().unwrap().to_str().unwrap();
+    assert!(!beside.iter().any(|other| other.to_str().unwrap().starts_with(&format!("{name}."))), "{beside:?}");
     let refused = denhart(&["view", "-", "--write", "--no-open"]);
     assert_eq!(refused.status.code(), Some(2));
+}
+
+#[test]
+fn a_connection_that_asks_for_too_much_harms_no_other() {
+    let (_, shown) = file("view_greedy.yaml");
+    let running = Running::start(&[&shown, "--write"]);
+    let host = &running.host;
+    // Lengths that nobody has memory for, of requests that are refused and of one that is not.
+    for length in ["1000000000000", "18446744073709551615", "99999999999999999999999", "-1"] {
+        let (status, ..) = running.raw(&format!("POST / HTTP/1.1\r\nHost: evil\r\nContent-Length: {length}\r\n\r\nx"));
+        assert_eq!(status, 403, "{length}");
+        let put = format!("PUT {} HTTP/1.1\r\nHost: {host}\r\nIf-Match: {}\r\n", running.arm(), running.tag());
+        let (status, ..) = running.raw(&format!("{put}Content-Length: {length}\r\n\r\nx"));
+        assert!(status == 413 || status == 400, "{length}: {status}");
+    }
+    // Connections that wait: without a request, in its head, in its body.
+    let starts = ["", "GET / HTTP/1.1\r\n", "POST / HTTP/1.1\r\nHost: evil\r\nContent-Length: 1000000\r\n\r\n"];
+    let waiting: Vec<TcpStream> = (0..30)
+        .map(|number| {
+            let mut stream = running.connect();
+            stream.write_all(starts[number % 3].as_bytes()).unwrap();
+            stream
+        })
+        .collect();
+    assert_eq!(running.ask("GET", &running.arm(), "", ""), (200, ARM.to_owned()));
+    drop(waiting);
+    // A head without an end, one with too many fields, names that stand there twice, and no HTTP.
+    let get = format!("GET {} HTTP/1.1\r\nHost: {host}\r\n", running.arm());
+    assert_eq!(running.raw(&format!("{get}X: {}\r\n\r\n", "x".repeat(20_000))).0, 431);
+    assert_eq!(running.raw(&format!("{get}{}\r\n", "X: x\r\n".repeat(200))).0, 431);
+    assert_eq!(running.raw(&format!("{get}Host: evil.example\r\n\r\n")).0, 400);
+    assert_eq!(running.raw(&format!("{get}Origin: http://{host}\r\nOrigin: http://evil.example\r\n\r\n")).0, 400);
+    assert_eq!(running.raw("\0\x01\x02 nothing\r\n\r\n").0, 400);
+    assert_eq!(running.ask("GET", &running.arm(), "", ""), (200, ARM.to_owned()));
+}
+
+#[test]
+fn more_connections_than_are_taken_end() {
+    let (_, shown) = file("view_many.yaml");
+    let running = Running::start(&[&shown]);
+    let mut waiting: Vec<TcpStream> = (0..100).map(|_| running.connect()).collect();
+    let mut last = waiting.pop().unwrap();
+    last.set_read_timeout(Some(Duration::from_secs(5))).unwrap();
+    assert_eq!(last.read(&mut [0]).unwrap_or(0), 0);
+    drop(waiting);
+    drop(last);
+    // The others have ended by the next question, or soon.
+    let answered = (0..50).any(|_| {
+        std::thread::sleep(Duration::from_millis(100));
+        let mut stream = running.connect();
+        let request = format!("GET {} HTTP/1.1\r\nHost: {}\r\n\r\n", running.arm(), running.host);
+        let mut answer = String::new();
+        stream.write_all(request.as_bytes()).is_ok()
+            && stream.read_to_string(&mut answer).is_ok()
+            && answer.contains(ARM)
+    });
+    assert!(answered);
 }
 
 #[test]
