@@ -1,7 +1,7 @@
 // The list of solutions, the target in numbers, and the reason where there is none.
 
 import type { App } from "./app";
-import { css, onThemeChange, solutionColor } from "./colors";
+import { css, inkOn, onThemeChange, solutionColor } from "./colors";
 import { byId, element } from "./dom";
 import { listenToField, roundStep } from "./fields";
 import { APPROXIMATE, bits, BOUNDARY, degrees, FREE, OUT_OF_LIMITS, pointOf, poseOf, radians, rpy, short, type Point } from "./numbers";
@@ -14,6 +14,10 @@ export class Answers {
   private readonly fields: HTMLInputElement[];
   private readonly angle: HTMLInputElement;
   private readonly buttons: HTMLButtonElement[] = [];
+  /** The field whose number is being taken. */
+  private taken: HTMLInputElement | undefined;
+  /** The value that each field stands for. */
+  private readonly values = new Map<HTMLInputElement, number>();
 
   constructor(private readonly app: App) {
     this.fields = NAMES.map((name) => element("input", { type: "number", step: "any", "aria-label": `target ${name}` }));
@@ -23,26 +27,27 @@ export class Answers {
     [...this.fields, this.angle].forEach((field, index) => listenToField(field, {
       step: () => (index < 3 ? roundStep((app.facts?.reach ?? 1) / 100) : 1),
       most: () => (index < 3 ? Infinity : 36_000),
-      take: (_, byKey) => this.typed(byKey),
+      take: (value, byKey) => this.typed(field, index, value, byKey),
       restore: () => this.updateTarget(field),
     }));
     app.listen((change) => {
+      if (change === "arm") this.values.clear();
       if (change === "arm" || change === "posture" || change === "marked") this.update();
     });
     onThemeChange(() => this.update());
   }
 
-  /** The numbers as they were typed become the target. */
-  private typed(byKey: boolean): void {
-    const values = this.fields.map((field) => (field.value.trim() === "" ? NaN : Number(field.value)));
-    const angle = Number(this.angle.value);
-    if (!values.every(Number.isFinite) || !Number.isFinite(angle)) {
-      this.update();
-      return;
-    }
-    const [x, y, z, roll, pitch, yaw] = values as [number, number, number, number, number, number];
-    this.app.timed(() => this.app.aim(poseOf([x, y, z], [roll, pitch, yaw].map(radians) as Point), radians(angle)));
-    this.app.remember(byKey ? "target" : undefined);
+  /** A number that was typed takes its place in the target. What the other fields show is rounded, and counts for nothing. */
+  private typed(field: HTMLInputElement, index: number, value: number, byKey: boolean): void {
+    const { app } = this;
+    let { target, angle } = app;
+    if (field === this.angle) angle = radians(value);
+    else if (index < 3) target = target.with(9 + index, value);
+    else target = poseOf(pointOf(target), rpy(target).with(index - 3, radians(value)) as Point);
+    this.taken = field;
+    app.timed(() => app.aim(target, angle));
+    this.taken = undefined;
+    app.remember(byKey ? "target" : undefined);
   }
 
   private update(): void {
@@ -62,13 +67,17 @@ export class Answers {
     const count = answer.solutions.length;
     const inside = answer.solutions.filter(({ flags }) => !(flags & OUT_OF_LIMITS)).length;
     const counted = `${count} solution${count === 1 ? "" : "s"}`;
-    byId("solutions-title").textContent =
-      answer.status === "no target" ? "No target" : count === 0 ? "No solution" : inside < count ? `${counted}, ${inside} of ${count} within limits` : counted;
+    const title = answer.status === "no target" ? "No target" : count === 0 ? "No solution" : inside < count ? `${counted}, ${inside} of ${count} within limits` : counted;
+    say(byId("solutions-title"), title);
     const why = byId("why");
-    why.hidden = !app.miss && answer.complete;
-    why.textContent = app.miss
+    const isTarget = answer.status !== "no target";
+    why.hidden = isTarget && !app.miss && answer.complete;
+    const words = !isTarget
+      ? "These numbers are no pose: one is not finite, or the directions of the tool are not at right angles."
+      : app.miss
       ? [missWords(app), app.miss.words && `the first equation without a root is that of ${app.miss.words}`].filter(Boolean).join("; ") || "The target is too far away to tell more."
       : answer.complete ? "" : "There may be more solutions than these.";
+    say(why, words);
     const same = this.same();
     while (this.buttons.length < count) this.buttons.push(this.button(this.buttons.length));
     if (list.children.length !== count) list.replaceChildren(...this.buttons.slice(0, count));
@@ -92,6 +101,7 @@ export class Answers {
       button.className = ["solution", outside && "outside", app.pointed === index && "pointed"].filter(Boolean).join(" ");
       button.setAttribute("aria-pressed", String(index === same));
       button.style.setProperty("--color", css(solutionColor(index)));
+      button.style.setProperty("--on-color", inkOn(solutionColor(index)));
       const [, branch, numbers] = button.children;
       branch!.textContent = [name, ...marks].filter(Boolean).join(", ");
       numbers!.textContent = values.join("  ");
@@ -123,7 +133,7 @@ export class Answers {
     return found < 0 && app.here.free && !app.miss && !app.chase ? app.here.place : found;
   }
 
-  /** Shows the target, but in a field that is typed into, unless that is to be `restored`. */
+  /** Shows the target. A field that is typed into keeps its text while its value is the same, unless it is to be `restored`. */
   private updateTarget(restored?: HTMLInputElement): void {
     const { app } = this;
     const task = app.facts?.task;
@@ -131,11 +141,21 @@ export class Answers {
     if (!task || app.target.length !== 12) return;
     const values = [...pointOf(app.target), ...rpy(app.target).map(degrees)];
     const shown = [true, true, !task.startsWith("planar"), ...[task === "pose" || task === "position_axis", task === "pose" || task === "position_axis", task === "pose" || task === "position_axis" || task === "planar_pose"]];
+    const show = (field: HTMLInputElement, value: number, digits: number): void => {
+      const isTyped = document.activeElement === field && restored !== field;
+      if (!isTyped || (this.taken !== field && this.values.get(field) !== value)) field.value = short(value, digits);
+      this.values.set(field, value);
+    };
     this.fields.forEach((field, index) => {
       field.parentElement!.hidden = !shown[index];
-      if (document.activeElement !== field || restored === field) field.value = short(values[index] ?? 0, 5);
+      show(field, values[index] ?? 0, 5);
     });
     this.angle.parentElement!.hidden = task !== "position_angle";
-    if (document.activeElement !== this.angle || restored === this.angle) this.angle.value = short(degrees(Number.isNaN(app.angle) ? 0 : app.angle), 3);
+    show(this.angle, degrees(Number.isNaN(app.angle) ? 0 : app.angle), 3);
   }
+}
+
+/** Puts words into a live region, which would be read aloud again if they were the same. */
+function say(of: HTMLElement, words: string): void {
+  if (of.textContent !== words) of.textContent = words;
 }

@@ -5,12 +5,13 @@ import { messageOf } from "./dom";
 import type { Facts, Message } from "./facts";
 import { History } from "./history";
 import { Jobs, Superseded } from "./jobs";
+import { DEEPEST, isTooDeep } from "./nesting";
 import { answerOf, APPROXIMATE, EXACT, figureOf, type Answer, type Figure, type Pose } from "./numbers";
 
 /** An arm file is a page or two. Longer texts are something else. */
 export const LONGEST_TEXT = 100_000;
 
-export type Change = "text" | "messages" | "arm" | "posture" | "marked" | "shown" | "kept" | "framed";
+export type Change = "text" | "messages" | "arm" | "posture" | "marked" | "shown" | "kept" | "framed" | "file";
 
 /** Why there is no solution. */
 export interface Miss {
@@ -65,6 +66,8 @@ export class App {
   /** Times of the handlers that move the arm, ms. */
   times: number[] = [];
   readonly history = new History<Kept>();
+  /** The text of the command's file as the page saw it last; none where the page has no file. */
+  file: string | undefined;
   /** Brings the arm to the target as time goes on; unset, it jumps to the solution next to it. */
   chase: (() => void) | undefined;
 
@@ -73,6 +76,8 @@ export class App {
 
   private readonly listeners: ((change: Change) => void)[] = [];
   private asked = 0;
+  private chosen = 0;
+  private checking: Promise<void> = Promise.resolve();
   private missTimer = 0;
   private restoring = false;
 
@@ -83,10 +88,35 @@ export class App {
   }
 
   emit(change: Change): void {
-    for (const listener of this.listeners) listener(change);
+    for (const listener of this.listeners) {
+      try {
+        listener(change);
+      } catch (error) {
+        // The others are told all the same.
+        reportError(error);
+      }
+    }
   }
 
-  /** Shows an arm before the worker has said anything of it. */
+  /** A text is about to come, a file that is read say: its number, for `isLatest`. */
+  announce(): number {
+    this.flush?.();
+    return ++this.chosen;
+  }
+
+  /** True while nothing was chosen or typed after the text of this number. */
+  isLatest(number: number): boolean {
+    this.flush?.();
+    return number === this.chosen;
+  }
+
+  /** Waits until what is typed is checked. */
+  async settle(): Promise<void> {
+    this.flush?.();
+    await this.checking;
+  }
+
+  /** Shows an arm before the worker has said anything of it: one that was an arm before, for it blocks the page. */
   begin(text: string, posture?: Partial<Snapshot>): void {
     this.text = text;
     try {
@@ -103,13 +133,19 @@ export class App {
   }
 
   /** Takes a text as it is typed: it is checked in the worker, and becomes the arm if it has no mistake. */
-  async check(text: string, posture?: Partial<Snapshot>): Promise<void> {
+  check(text: string, posture?: Partial<Snapshot>): Promise<void> {
+    this.checking = this.checked(text, posture);
+    return this.checking;
+  }
+
+  private async checked(text: string, posture?: Partial<Snapshot>): Promise<void> {
     const asked = ++this.asked;
+    this.chosen++;
     this.text = text;
     this.emit("text");
-    if (text.length > LONGEST_TEXT) {
-      const length = Math.round(text.length / 1000);
-      this.show([{ severity: "error", message: `this text has ${length} kB: no arm file is longer than ${LONGEST_TEXT / 1000} kB` }]);
+    const refused = refusal(text);
+    if (refused) {
+      this.show([{ severity: "error", message: refused }]);
       return;
     }
     let messages: Message[];
@@ -294,6 +330,7 @@ export class App {
     this.answer = answerOf(numbers, facts.joints.length);
     this.branches = arm.branches().split("\n");
     this.look();
+    if (this.answer.status === "no target") return;
     const reached = this.answer.solutions.some((solution) => solution.flags & (EXACT | APPROXIMATE));
     if (!reached) {
       this.miss = { words: arm.why(Float64Array.from(this.target), this.angle, Float64Array.from(this.given)), distance: null, direction: null };
@@ -373,6 +410,7 @@ export class App {
 
   private restore(state: Kept | undefined): void {
     if (!state) return;
+    this.chosen++;
     this.restoring = true;
     try {
       if (state.arm !== this.armText) this.take(state.arm, state);
@@ -395,4 +433,10 @@ export class App {
     this.stand(state.q);
     this.emit("posture");
   }
+}
+
+/** Why a text is no arm file, as far as that is seen without reading it; empty where it may be one. */
+function refusal(text: string): string {
+  if (text.length > LONGEST_TEXT) return `this text has ${Math.round(text.length / 1000)} kB: no arm file is longer than ${LONGEST_TEXT / 1000} kB`;
+  return isTooDeep(text) ? `this text nests more than ${DEEPEST} brackets or lists: no arm file does` : "";
 }

@@ -36,3 +36,13 @@ export function solutionColor(index: number): number {
 }
 
 export const css = (value: number): string => `#${value.toString(16).padStart(6, "0")}`;
+
+/** Black or white, whichever is read better on a color: their contrast by relative luminance (WCAG 2.2) is at least 4.5. */
+export function inkOn(hex: number): string {
+  const [red = 0, green = 0, blue = 0] = [16, 8, 0].map((shift) => {
+    const part = ((hex >> shift) & 255) / 255;
+    return part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4;
+  });
+  const luminance = 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+  return 1.05 / (luminance + 0.05) > (luminance + 0.05) / 0.05 ? "#ffffff" : "#000000";
+}

@@ -6,25 +6,26 @@ import type { App, Kept } from "./app";
 const REST = 250;
 
 interface Draft {
-  /** The file that the page was given by the command: another one comes before the draft. */
-  given: string | null;
+  /** The text of the command's file as the page saw it last. */
+  file: string | null;
   kept: Kept;
 }
 
-/** The state that the page had, unless the command has another file by now. */
-export function drafted(given: string | undefined): Kept | undefined {
+/** The state that the page had; `isOld` where the command has another file by now. A text that was that of the file is none. */
+export function drafted(file: string | undefined): { kept: Kept; isOld: boolean } | undefined {
   const draft = (history.state as { draft?: Draft } | null)?.draft;
-  const isWhole = draft && draft.given === (given ?? null) && typeof draft.kept.text === "string" && typeof draft.kept.arm === "string";
-  return isWhole ? draft.kept : undefined;
+  if (!draft || typeof draft.kept.text !== "string" || typeof draft.kept.arm !== "string") return undefined;
+  const isOld = draft.file !== (file ?? null);
+  return isOld && draft.kept.text === draft.file ? undefined : { kept: draft.kept, isOld };
 }
 
 /** Writes the state down while it changes. */
-export function keepDraft(app: App, given: string | undefined): void {
+export function keepDraft(app: App): void {
   let timer = 0;
   const write = (): void => {
     clearTimeout(timer);
     timer = 0;
-    const draft: Draft = { given: given ?? null, kept: app.kept() };
+    const draft: Draft = { file: app.file ?? null, kept: app.kept() };
     try {
       history.replaceState({ draft }, "");
     } catch {
@@ -32,7 +33,7 @@ export function keepDraft(app: App, given: string | undefined): void {
     }
   };
   app.listen((change) => {
-    if (change === "text" || change === "kept") timer ||= window.setTimeout(write, REST);
+    if (change === "text" || change === "kept" || change === "file") timer ||= window.setTimeout(write, REST);
   });
   addEventListener("pagehide", () => {
     app.flush?.();

@@ -5,13 +5,14 @@ import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirro
 import { yaml } from "@codemirror/lang-yaml";
 import { bracketMatching, syntaxTree } from "@codemirror/language";
 import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic } from "@codemirror/lint";
-import { EditorState, StateEffect, StateField, type Text } from "@codemirror/state";
+import { Compartment, EditorState, StateEffect, StateField, type Extension, type Text } from "@codemirror/state";
 import { Decoration, EditorView, highlightActiveLine, hoverTooltip, keymap, lineNumbers, type DecorationSet } from "@codemirror/view";
 import type { App } from "./app";
 import { completeFrom, describeFrom } from "./completion";
 import { byId, element } from "./dom";
 import type { Message } from "./facts";
 import { highlighting } from "./highlight";
+import { isTooDeep } from "./nesting";
 
 const markLines = StateEffect.define<{ from: number; to: number } | undefined>();
 
@@ -33,12 +34,23 @@ const marked = StateField.define<DecorationSet>({
   provide: (field) => EditorView.decorations.from(field),
 });
 
+const language = new Compartment();
+
+/** A text that nests too deep has no language: its tree would be walked by recursion. */
+const fitLanguage = EditorState.transactionExtender.of(({ docChanged, newDoc, startState }) => {
+  if (!docChanged) return null;
+  const isPlain = isTooDeep(newDoc.toString());
+  const wasPlain = Array.isArray(language.get(startState));
+  return isPlain === wasPlain ? null : { effects: language.reconfigure(isPlain ? [] : yaml()) };
+});
+
 /** Typing rests so long before the text is checked, ms. */
 const REST = 120;
 
 export class Editor {
   readonly view: EditorView;
   private timer = 0;
+  private readonly extensions: Extension[];
 
   constructor(private readonly app: App, schema: Promise<object>) {
     let complete: ReturnType<typeof completeFrom> | undefined;
@@ -47,41 +59,37 @@ export class Editor {
       complete = completeFrom(root);
       describe = describeFrom(root);
     });
-    this.view = new EditorView({
-      parent: byId("editor"),
-      state: EditorState.create({
-        extensions: [
-          lineNumbers(),
-          history(),
-          lintGutter(),
-          bracketMatching(),
-          closeBrackets(),
-          highlightActiveLine(),
-          yaml(),
-          highlighting,
-          marked,
-          autocompletion({ override: [(context) => complete?.(context) ?? null], icons: false }),
-          hoverTooltip((view, position) => {
-            const key = describe?.(view.state.doc, position);
-            return key ? { pos: key.from, end: key.to, create: () => ({ dom: element("div", { class: "key-words" }, key.words) }) } : null;
-          }),
-          keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...historyKeymap, ...completionKeymap, ...lintKeymap, indentWithTab]),
-          EditorView.contentAttributes.of({ "aria-label": "Arm file, YAML. Escape, then Tab, leaves the editor." }),
-          EditorView.updateListener.of((update) => {
-            if (!update.docChanged || update.transactions.some((one) => one.isUserEvent("load"))) return;
-            clearTimeout(this.timer);
-            this.timer = window.setTimeout(() => this.send(), REST);
-          }),
-          EditorView.domEventHandlers({
-            mousemove: (event) => {
-              const at = this.view.posAtCoords({ x: event.clientX, y: event.clientY });
-              app.mark(at === null ? undefined : this.rowAt(at));
-            },
-            mouseleave: () => app.mark(undefined),
-          }),
-        ],
+    this.extensions = [
+      lineNumbers(),
+      history(),
+      lintGutter(),
+      bracketMatching(),
+      closeBrackets(),
+      highlightActiveLine(),
+      fitLanguage,
+      highlighting,
+      marked,
+      autocompletion({ override: [(context) => complete?.(context) ?? null], icons: false }),
+      hoverTooltip((view, position) => {
+        const key = describe?.(view.state.doc, position);
+        return key ? { pos: key.from, end: key.to, create: () => ({ dom: element("div", { class: "key-words" }, key.words) }) } : null;
       }),
-    });
+      keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...historyKeymap, ...completionKeymap, ...lintKeymap, indentWithTab]),
+      EditorView.contentAttributes.of({ "aria-label": "Arm file, YAML. Escape, then Tab, leaves the editor." }),
+      EditorView.updateListener.of((update) => {
+        if (!update.docChanged || update.transactions.some((one) => one.isUserEvent("load"))) return;
+        clearTimeout(this.timer);
+        this.timer = window.setTimeout(() => this.send(), REST);
+      }),
+      EditorView.domEventHandlers({
+        mousemove: (event) => {
+          const at = this.view.posAtCoords({ x: event.clientX, y: event.clientY });
+          app.mark(at === null ? undefined : this.rowAt(at));
+        },
+        mouseleave: () => app.mark(undefined),
+      }),
+    ];
+    this.view = new EditorView({ parent: byId("editor"), state: EditorState.create({ extensions: [...this.extensions, language.of(yaml())] }) });
     app.flush = () => {
       if (this.timer) this.send();
     };
@@ -105,7 +113,13 @@ export class Editor {
     if (view.state.doc.toString() === app.text) return;
     clearTimeout(this.timer);
     this.timer = 0;
-    view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: app.text }, userEvent: "load", selection: { anchor: 0 } });
+    try {
+      view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: app.text }, userEvent: "load", selection: { anchor: 0 } });
+    } catch (error) {
+      // The text counts, not the language or the history of the editor.
+      reportError(error);
+      view.setState(EditorState.create({ doc: app.text, extensions: [...this.extensions, language.of([])] }));
+    }
     view.scrollDOM.scrollLeft = 0;
   }
 

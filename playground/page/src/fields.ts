@@ -27,6 +27,12 @@ export function listenToField(field: HTMLInputElement, { step, most, take, resto
     notice(`${name}: ${why}; it stays at ${field.value}`, true);
   };
   field.addEventListener("change", typed);
+  // A browser may leave out a comma that is typed, and take 3,5 for 35.
+  field.addEventListener("beforeinput", (event) => {
+    if (!event.data?.includes(",")) return;
+    event.preventDefault();
+    notice(`${field.getAttribute("aria-label") ?? ""}: a number has a point, not a comma: 3.5`, true);
+  });
   field.addEventListener("keydown", (event) => {
     const sign = { ArrowUp: 1, ArrowDown: -1 }[event.key];
     if (sign) {

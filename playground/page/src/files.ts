@@ -33,6 +33,7 @@ export class Files {
       void this.take(file);
     }, true);
     byId("save-arm").addEventListener("click", () => {
+      app.flush?.();
       const { text, armText, facts } = this.app;
       // A text with mistakes is no arm yet: its own name, not that of the arm before.
       const named = text === armText ? facts?.name : /^name\s*:\s*["']?([\w.-]+)/m.exec(text)?.[1];
@@ -48,12 +49,19 @@ export class Files {
       notice(`${file.name} has ${Math.round(file.size / 1e6)} MB: no arm is described by so much text`, true);
       return;
     }
+    const { app } = this;
+    const number = app.announce();
+    const isLate = (): boolean => {
+      if (!app.isLatest(number)) notice(`${file.name} is not taken: something else was chosen or typed since`, true);
+      return !app.isLatest(number);
+    };
     const text = await file.text();
-    const isImported = /<robot|delta_theta|opw_kinematics_geometric_parameters|^\s*kinematics\s*:/m.test(text);
+    if (isLate()) return;
+    const isImported = isOther(text);
     if (!isImported) {
       const why = whyNone(text);
       if (why) notice(`${file.name} is ${why}: neither an arm file, nor a URDF, a calibration of a UR arm or OPW parameters`, true);
-      else await this.app.setText(text);
+      else await app.setText(text);
       return;
     }
     const box = byId("remarks");
@@ -61,20 +69,22 @@ export class Files {
     ends.replaceChildren();
     const dialog = byId<HTMLDialogElement>("imported");
     try {
-      const made = await this.app.jobs.run<{ armFile: string; remarks: string[] }>({
-        kind: "import", text, from: file.name, editor: this.app.armText, base, tool,
+      const made = await app.jobs.run<{ armFile: string; remarks: string[] }>({
+        kind: "import", text, from: file.name, editor: app.armText, base, tool,
       });
-      await this.app.setText(made.armFile);
-      box.replaceChildren(element("h3", {}, `${file.name}:`), ...made.remarks.map((remark) => element("p", {}, remark)));
+      if (isLate()) return;
+      await app.setText(made.armFile);
+      box.replaceChildren(element("h3", {}, `${file.name}:`), ...made.remarks.map((remark) => element("p", {}, ofPage(remark))));
       dialog.showModal();
     } catch (error) {
+      if (isLate()) return;
       // Other ends of the chain, as options of the command: here a button takes each.
       const options = endsOf(messageOf(error));
       if (options.length === 0) {
-        notice(`${file.name}: ${messageOf(error)}`, true);
+        notice(`${file.name}: ${ofPage(messageOf(error))}`, true);
         return;
       }
-      box.replaceChildren(element("h3", {}, `${file.name}:`), element("p", {}, messageOf(error)));
+      box.replaceChildren(element("h3", {}, `${file.name}:`), element("p", {}, ofPage(messageOf(error))));
       ends.append(...options.map(([from, to]) => {
         const words = ["Import", from && `from ${from}`, to && `up to ${to}`].filter(Boolean).join(" ");
         const button = element("button", { type: "button" }, words);
@@ -87,6 +97,22 @@ export class Files {
       dialog.showModal();
     }
   }
+}
+
+/** True for a description of another kind than an arm file. Words in comments say nothing. */
+function isOther(text: string): boolean {
+  if (/^\s*</.test(text)) return text.includes("<robot");
+  return /^[^#\n]*(?:delta_theta|opw_kinematics_geometric_parameters)|^\s*kinematics\s*:/m.test(text);
+}
+
+/** A message in the words of the page, which has no options of the command. */
+function ofPage(message: string): string {
+  return message
+    .replaceAll("the arm of `--nominal`", "the arm in the editor")
+    .replaceAll("`--exact-within", "`denhart import --exact-within")
+    .replace(/ with --(?:base|tool)(?: and --(?:base|tool))?(?=[:;,]|$)/gm, "")
+    .replace(/--base (\S+)/g, "from $1")
+    .replace(/--tool (\S+)/g, "up to $1");
 }
 
 /** The ends of the chain that a message proposes: base and tool, empty for that of the file. */

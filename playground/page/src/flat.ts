@@ -12,7 +12,7 @@ export class FlatView {
     box.prepend(this.picture);
     document.body.classList.add("is-flat");
     app.listen((change) => {
-      if (change !== "text" && change !== "messages" && change !== "marked" && change !== "kept") this.draw();
+      if (change !== "text" && change !== "messages" && change !== "marked" && change !== "kept" && change !== "file") this.draw();
     });
     onThemeChange(() => this.draw());
     new ResizeObserver(() => this.draw()).observe(box);

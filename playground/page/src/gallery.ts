@@ -51,12 +51,22 @@ export class Gallery {
   }
 
   private async choose(name: string): Promise<void> {
+    const { app } = this;
     this.dialog.close();
+    const number = app.announce();
     try {
-      await this.app.setText(await this.app.jobs.run<string>({ kind: "file", name }));
+      const text = await app.jobs.run<string>({ kind: "file", name });
+      if (app.isLatest(number)) {
+        await app.setText(text);
+        return;
+      }
     } catch (error) {
-      notice(messageOf(error), true);
+      if (app.isLatest(number)) {
+        notice(messageOf(error), true);
+        return;
+      }
     }
+    notice(`${name} is not taken: something else was chosen or typed since`, true);
   }
 
   private filter(): void {

@@ -11,6 +11,8 @@ export interface Label {
   text: string;
   kind: "ghost" | "joint" | "frame" | "measure" | "axes" | "miss";
   color?: string;
+  /** Of words on that color. */
+  ink?: string;
   title?: string;
   isStrong?: boolean;
   click?: () => void;
@@ -56,6 +58,7 @@ export class Labels {
       if (shown.className !== kind) shown.className = kind;
       shown.title = label.title ?? "";
       shown.style.setProperty("--color", label.color ?? "");
+      shown.style.setProperty("--on-color", label.ink ?? "");
       shown.onclick = label.click ?? null;
       // Widths are guessed: asking for them would lay the page out once for each label.
       // Long words wrap at the width of the style sheet.

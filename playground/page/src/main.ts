@@ -14,7 +14,7 @@ import { Jobs } from "./jobs";
 import { listenToKeys } from "./keys";
 import { Motors } from "./motors";
 import { Results } from "./results";
-import { follow, given } from "./served";
+import { follow, given, isServed } from "./served";
 import { offerLink, stateOf } from "./share";
 import { listenForRemarks } from "./remarks";
 import { Sliders } from "./sliders";
@@ -81,6 +81,12 @@ function switches(app: App, view: View | undefined): void {
 
 /** The state of the link, unless it holds none. */
 async function linked(): Promise<Partial<Snapshot> | undefined> {
+  if (isServed()) {
+    if (!location.hash) return undefined;
+    history.replaceState(history.state, "", location.pathname + location.search);
+    notice("This page shows the file of the command: the arm of the link is left out. Any other page of denhart opens it.", true);
+    return undefined;
+  }
   try {
     return await stateOf(location.hash);
   } catch (error) {
@@ -117,10 +123,13 @@ async function start(): Promise<void> {
   Object.assign(window, { denhart: { app, view } });
 
   const here = given();
+  app.file = here?.text;
   const draft = drafted(here?.text);
-  const state = draft ?? (await linked());
-  const text = state?.text ?? here?.text ?? presetFile(FIRST);
-  app.begin(draft?.arm ?? text, state);
+  const link = draft && !isServed() ? undefined : await linked();
+  const text = draft?.kept.text ?? link?.text ?? here?.text ?? presetFile(FIRST);
+  // Arms that were shown before are shown at once; any other text is read by the worker first, which may take its time.
+  if (draft) app.begin(draft.kept.arm, draft.kept);
+  else if (!link && !here) app.begin(text);
   document.body.classList.add("is-drawn");
   await drawn();
   performance.mark("first picture");
@@ -131,11 +140,15 @@ async function start(): Promise<void> {
   new Gallery(app);
   new Files(app);
   offerLink(app);
-  keepDraft(app, here?.text);
+  keepDraft(app);
   switches(app, view);
   listenToKeys(app);
   listenToSplitter();
-  await app.setText(text);
+  await app.setText(text, link);
+  if (draft?.isOld && here) {
+    await app.setText(here.text);
+    notice(`${here.name} has changed: Undo comes back to what was typed before`, true);
+  }
   addEventListener("hashchange", () => {
     void linked().then((next) => {
       if (next?.text !== undefined) void app.setText(next.text, next);

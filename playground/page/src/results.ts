@@ -10,6 +10,9 @@ import { highlighting } from "./highlight";
 import { Superseded } from "./jobs";
 import { bits, degrees, pointOf, rpy, short } from "./numbers";
 
+/** Directions of the tool, and of the base. */
+const AXES = ["x", "y", "z"];
+
 const TABS = ["rust", "report", "pose", "c", "json"] as const;
 type Tab = (typeof TABS)[number];
 
@@ -91,14 +94,13 @@ export class Results {
   private make(): void {
     const { app, tab } = this;
     const text = app.armText;
+    this.showWaiting();
     if (!text || tab === "pose" || this.made.get(tab) === text) return;
     const kind = tab === "rust" ? "code" : tab === "c" ? "header" : "report";
     const start = performance.now();
-    byId("results").classList.add("waiting");
     app.jobs
       .run<string | string[]>({ kind, text })
       .then((made) => {
-        byId("results").classList.remove("waiting");
         if (Array.isArray(made)) {
           this.put("report", text, made[0] ?? "");
           this.put("json", text, made[1] ?? "");
@@ -109,14 +111,21 @@ export class Results {
       })
       .catch((error: unknown) => {
         if (error instanceof Superseded) return;
-        byId("results").classList.remove("waiting");
         this.put(tab, text, messageOf(error));
       });
+  }
+
+  /** While the tab still has the text of another arm nobody takes that along. */
+  private showWaiting(): void {
+    const isWaiting = this.tab !== "pose" && this.made.get(this.tab) !== this.app.armText;
+    byId("results").classList.toggle("waiting", isWaiting);
+    for (const id of ["copy", "save"]) byId<HTMLButtonElement>(id).disabled = isWaiting;
   }
 
   private put(tab: Tab, source: string, text: string): void {
     this.made.set(tab, source);
     this.texts.set(tab, text);
+    this.showWaiting();
     if (tab === "rust") {
       this.code.dispatch({ changes: { from: 0, to: this.code.state.doc.length, insert: text } });
       this.findConstants(text);
@@ -158,19 +167,20 @@ export class Results {
     const pose = all.slice(0, 12);
     const joints = facts.joints.length;
     const rows = ["vx", "vy", "vz", "wx", "wy", "wz"].map((name, row) => [name, ...all.slice(12 + row * joints, 12 + (row + 1) * joints).map((value) => short(value, 4))]);
-    const rotation = [0, 1, 2].map((row) => [...pose.slice(3 * row, 3 * row + 3), pose[9 + row] ?? 0].map((value) => short(value, 6)));
+    const rotation = [0, 1, 2].map((row) => [AXES[row]!, ...[...pose.slice(3 * row, 3 * row + 3), pose[9 + row] ?? 0].map((value) => short(value, 6))]);
     const { margins, manipulability } = JSON.parse(arm.margins(Float64Array.from(app.q))) as {
       margins: { name: string; value: number }[] | null;
       manipulability: number;
     };
-    const q = app.q.map((value, joint) => (facts.joints[joint]?.turns ? short(degrees(value), 4) : short(value, 6)));
+    const q = app.q.map((value, joint) => (facts.joints[joint]?.turns ? degrees(value) : value));
+    const shown = q.map((value, joint) => short(value, facts.joints[joint]?.turns ? 4 : 6));
     const free = bits(app.here.free, joints).map((joint) => facts.joints[joint]?.name);
     byId("panel-pose").replaceChildren(
-      part("Joint values", q.join(", "), q.join(", "), "degrees, or the length unit"),
+      part("Joint values", shown.join(", "), q.join(", "), "degrees, or the length unit"),
       part(`Tool: position, ${facts.unit}`, pointOf(pose).map((value) => short(value, 6)).join(", "), pointOf(pose).join(", ")),
       part("Roll, pitch, yaw, degrees", rpy(pose).map((value) => short(degrees(value), 4)).join(", "), rpy(pose).map(degrees).join(", ")),
-      part("Pose as a matrix", table(rotation), matrixText(pose)),
-      part("Jacobian, base frame", table([["", ...facts.joints.map((joint) => joint.name)], ...rows]), JSON.stringify([0, 1, 2, 3, 4, 5].map((row) => all.slice(12 + row * joints, 12 + (row + 1) * joints)))),
+      part("Pose as a matrix", table(rotation, ["", ...AXES, "point"]), matrixText(pose)),
+      part("Jacobian, base frame", table(rows, ["", ...facts.joints.map((joint) => joint.name)]), JSON.stringify([0, 1, 2, 3, 4, 5].map((row) => all.slice(12 + row * joints, 12 + (row + 1) * joints)))),
       part("Singularities", table([...(margins ?? []).map(({ name, value }) => [name, short(value, 4)]), ["manipulability", short(manipulability, 6)]]), JSON.stringify({ margins, manipulability }), margins ? "each factor is 0 at its singularity" : "the task has no margins"),
       ...(free.length ? [element("p", {}, `Singular here: ${free.join(", ")} may have any value of the family.`)] : []),
     );
@@ -205,8 +215,11 @@ function part(title: string, shown: string | HTMLElement, copied: string, remark
   return box;
 }
 
-function table(rows: string[][]): HTMLElement {
-  return element("table", { class: "mono" }, ...rows.map((row) => element("tr", {}, ...row.map((cell) => element("td", {}, cell)))));
+/** A table whose rows begin with their names, and whose columns have names or none. */
+function table(rows: string[][], columns?: string[]): HTMLElement {
+  const head = (scope: string) => (name: string): HTMLElement => (name ? element("th", { scope }, name) : element("td"));
+  const lines = rows.map(([name = "", ...cells]) => element("tr", {}, head("row")(name), ...cells.map((cell) => element("td", {}, cell))));
+  return element("table", { class: "mono" }, ...(columns ? [element("tr", {}, ...columns.map(head("col")))] : []), ...lines);
 }
 
 function matrixText(pose: number[]): string {

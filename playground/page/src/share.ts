@@ -2,6 +2,7 @@
 
 import type { App, Snapshot } from "./app";
 import { byId, copy } from "./dom";
+import { isServed } from "./served";
 
 const HEAD = "#v1.";
 /** A fragment that unpacks to more is none of this page's. */
@@ -32,14 +33,24 @@ export async function fragmentOf(state: Snapshot): Promise<string> {
   return HEAD + toText(packed);
 }
 
-/** The state of a fragment; none if it is not one of this page's. */
+/** What a link holds. Throws where it was cut off on its way. */
+async function unpacked(packed: string): Promise<Record<string, unknown>> {
+  try {
+    const text = new TextDecoder().decode(await through(toBytes(packed), new DecompressionStream("deflate-raw")));
+    return Object(JSON.parse(text)) as Record<string, unknown>;
+  } catch {
+    throw new Error("it is damaged, or not whole");
+  }
+}
+
+/** The state of a fragment; none if it is not one of this page's. Throws for a link that holds no arm. */
 export async function stateOf(fragment: string): Promise<Partial<Snapshot> | undefined> {
-  if (!fragment.startsWith(HEAD)) return undefined;
-  const text = new TextDecoder().decode(await through(toBytes(fragment.slice(HEAD.length)), new DecompressionStream("deflate-raw")));
-  const state = JSON.parse(text) as Record<string, unknown>;
+  if (!/^#v\d+\./.test(fragment)) return undefined;
+  if (!fragment.startsWith(HEAD)) throw new Error("another version of this page has made it");
+  const state = await unpacked(fragment.slice(HEAD.length));
   const numbers = (value: unknown): number[] | undefined =>
     Array.isArray(value) && value.every((one) => typeof one === "number") ? (value as number[]) : undefined;
-  if (typeof state.text !== "string") return undefined;
+  if (typeof state.text !== "string") throw new Error("it holds no arm file");
   const made: Partial<Snapshot> = { text: state.text };
   const [q, target, given] = [numbers(state.q), numbers(state.target), numbers(state.given)];
   if (q) made.q = q;
@@ -50,11 +61,20 @@ export async function stateOf(fragment: string): Promise<Partial<Snapshot> | und
 }
 
 export function offerLink(app: App): void {
-  byId("share").addEventListener("click", () => {
-    void fragmentOf(app.snapshot()).then((fragment) => {
-      history.replaceState(history.state, "", fragment);
-      const isOld = app.text !== app.armText;
-      return copy(location.href, "link", isOld ? ": it holds the last arm file without mistakes, not what is typed" : "");
-    });
-  });
+  const offer = async (): Promise<void> => {
+    await app.settle();
+    const fragment = await fragmentOf(app.snapshot());
+    const old = app.text === app.armText ? "" : ": it holds the last arm file without mistakes, not what is typed";
+    if (isServed()) {
+      // The address has the token of the command, which is for nobody else.
+      const where = "\nThe command serves this page to this computer alone. `denhart view --export FILE.html` makes a page for others: put what was copied behind its address.";
+      await copy(fragment, "end of a link", old + where);
+      return;
+    }
+    history.replaceState(history.state, "", fragment);
+    const link = new URL(location.href);
+    link.search = "";
+    await copy(link.href, "link", old);
+  };
+  byId("share").addEventListener("click", () => void offer());
 }

@@ -2,6 +2,7 @@
 
 import type { App } from "./app";
 import { byId, element } from "./dom";
+import type { JointFacts } from "./facts";
 import { listenToField, roundStep } from "./fields";
 import { bits, degrees, radians, short } from "./numbers";
 
@@ -32,11 +33,8 @@ export class Sliders {
     const { app } = this;
     const { facts } = app;
     if (!facts) return;
-    const size = facts.reach ?? 1;
     this.lines = facts.joints.map((joint, index) => {
-      const free = joint.turns ? Math.PI : size;
-      const [low, high] = [joint.low ?? -free, joint.high ?? free];
-      const line = slider(joint.name, [low, high], joint.turns ? undefined : facts.unit, (value) => {
+      const line = slider(joint.name, rangeOf(joint, facts.reach), joint.turns ? undefined : facts.unit, (value) => {
         app.timed(() => app.moveTo(app.q.map((old, at) => (at === index ? value : old))));
       }, (byKey) => app.remember(byKey ? `joint ${index}` : undefined));
       const track = line.range.parentElement!;
@@ -87,9 +85,8 @@ export class Sliders {
     if (key !== this.familyJoints && !box.contains(document.activeElement)) {
       this.familyJoints = key;
       this.family = joints.map((joint) => {
-        const { name, turns, low, high } = facts.joints[joint]!;
-        const free = turns ? Math.PI : (facts.reach ?? 1);
-        return slider(name, [low ?? -free, high ?? free], turns ? undefined : facts.unit, (value) => {
+        const { name, turns } = facts.joints[joint]!;
+        return slider(name, rangeOf(facts.joints[joint]!, facts.reach), turns ? undefined : facts.unit, (value) => {
           app.timed(() => app.slide(joint, value));
         }, (byKey) => app.remember(byKey ? `family ${joint}` : undefined));
       });
@@ -108,6 +105,13 @@ export class Sliders {
       line.row.classList.toggle("marked", this.app.marked !== undefined && this.app.facts?.joints[joint]?.row === this.app.marked);
     });
   }
+}
+
+/** The ends of a joint's slider: its limits; where it has none a whole turn, or the reach to both sides. */
+function rangeOf({ turns, low, high }: JointFacts, reach: number | null): [number, number] {
+  const free = turns ? Math.PI : (reach ?? 1);
+  // One limit may lie beyond the other end.
+  return [low ?? Math.min(-free, (high ?? free) - 2 * free), high ?? Math.max(free, (low ?? -free) + 2 * free)];
 }
 
 /** So many turns, or ranges of a slide, is a number that was meant otherwise. */

@@ -6,7 +6,8 @@ import { Aim3D } from "./aim3d";
 import { Annotations } from "./annotations";
 import type { App, Change } from "./app";
 import { Axes3D } from "./axes3d";
-import { color, css, onThemeChange, solutionColor } from "./colors";
+import { color, css, inkOn, onThemeChange, solutionColor } from "./colors";
+import { notice } from "./dom";
 import { Figure3D } from "./figure3d";
 import { Labels, type Label } from "./labels";
 import { bits, OUT_OF_LIMITS, short, type Figure, type Point } from "./numbers";
@@ -53,6 +54,8 @@ export class View {
     this.scene.add(sun);
     this.listenToPointer(canvas);
     canvas.addEventListener("keydown", (event) => this.key(event));
+    canvas.addEventListener("webglcontextlost", () => notice("The browser has taken the picture's memory: it comes back when there is some again.", true));
+    canvas.addEventListener("webglcontextrestored", () => this.draw());
     new ResizeObserver(() => this.resize()).observe(box);
     onThemeChange(() => this.restyle());
     app.listen((change) => this.change(change));
@@ -79,7 +82,7 @@ export class View {
       this.arm = undefined;
     }
     if (change === "kept") this.bringBack();
-    if (change === "text" || change === "messages" || change === "kept") return;
+    if (change === "text" || change === "messages" || change === "kept" || change === "file") return;
     this.update();
     if (change === "framed") this.frame();
   }
@@ -180,6 +183,7 @@ export class View {
           text: app.pointed === index && name !== "-" ? `${index + 1} ${name}` : String(index + 1),
           kind: "ghost",
           color: css(solutionColor(index)),
+          ink: inkOn(solutionColor(index)),
           title: name,
           isStrong: app.pointed === index,
           click: () => app.choose(index),

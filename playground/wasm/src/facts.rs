@@ -1,6 +1,7 @@
 //! Facts that the page tells of an arm beside its picture.
 
 use denhart::JointKind;
+use denhart_codegen::lower::Given;
 use denhart_codegen::model::RowKind;
 use denhart_dynamic::DynamicArm;
 use serde_json::{Value, json};
@@ -35,9 +36,15 @@ pub fn facts(arm: &DynamicArm) -> Value {
         })
         .collect();
     let ranges = arm.given_ranges().unwrap_or_default();
-    let (names, slides) = (arm.given().unwrap_or_default(), arm.given_slides().unwrap_or_default());
-    let given: Vec<Value> = names
+    let slides = arm.given_slides().unwrap_or_default();
+    let values = arm.program().inverse.as_ref().map(|inverse| inverse.given.values.as_slice()).unwrap_or_default();
+    let name = |given: &Given| match given {
+        Given::Joint { joint, .. } => arm.joint_names().nth(*joint).unwrap_or_default(),
+        Given::ArmAngle => "the arm angle",
+    };
+    let given: Vec<Value> = values
         .iter()
+        .map(name)
         .zip(slides)
         .zip(ranges)
         .map(|((name, slides), range)| json!({"name": name, "slides": slides, "range": range}))

@@ -42,6 +42,10 @@ impl PageArm {
     /// An arm at rest at joint values begins to follow. Throws where that cannot be: an arm without inverse, joints outside
     /// their limits.
     pub fn begin(&mut self, q: &[f64]) -> Result<(), JsError> {
+        if self.arm.joints() > MOST {
+            let words = format!("arms of up to {MOST} joints follow here, and this one has {}", self.arm.joints());
+            return Err(JsError::new(&words));
+        }
         let view = self.arm.padded_view::<MOST>().map_err(thrown)?;
         let settings = FollowSettings::new(PERIOD, rates(&self.arm)).crossing(Crossing::Any);
         let mut start = [0.0; MOST];

@@ -1,5 +1,6 @@
 //! Pictures as SVG: for the gallery, and in place of the view in space where the browser has no WebGL.
 
+use denhart::Flags;
 use denhart_draw::{Scene, Style, Theme, View, apart};
 use denhart_dynamic::DynamicArm;
 use wasm_bindgen::JsError;
@@ -10,6 +11,11 @@ use crate::numbers::{self, target, thrown};
 
 fn theme(dark: bool) -> Theme {
     if dark { Theme::Dark } else { Theme::Light }
+}
+
+/// True for a solution that reaches its target, exactly or as near as the inverse promises.
+fn reaches(flags: Flags) -> bool {
+    flags.contains(Flags::EXACT) || flags.contains(Flags::APPROXIMATE)
 }
 
 #[wasm_bindgen]
@@ -31,10 +37,14 @@ impl PageArm {
     ) -> Result<String, JsError> {
         let mut scene = Scene::of(&self.arm, q).map_err(thrown)?;
         if let (Some(at), Ok(target)) = (numbers::pose(pose), target(&self.arm, pose, angle)) {
-            if let Ok(solutions) = self.arm.inverse(&target, given) {
-                scene = scene.with_solutions(&self.arm, &solutions).map_err(thrown)?;
+            let solutions = self.arm.inverse(&target, given);
+            if let Ok(solutions) = &solutions {
+                scene = scene.with_solutions(&self.arm, solutions).map_err(thrown)?;
             }
             scene = scene.with_target(at);
+            if solutions.is_ok_and(|solutions| solutions.iter().all(|solution| !reaches(solution.flags))) {
+                scene = scene.with_miss();
+            }
         }
         if frames {
             scene = scene.with_frames();

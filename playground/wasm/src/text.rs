@@ -73,7 +73,7 @@ pub fn import_text(text: &str, from: &str, editor: &str, base: &str, tool: &str)
     let options = Options { from: from.to_owned(), base: link(base), tool: link(tool), ..Options::default() };
     let imported = match text {
         text if text.contains("opw_kinematics_geometric_parameters") => import::opw(text, &options),
-        text if text.contains("<robot") => import::urdf(text, &options),
+        text if text.trim_start().starts_with('<') => import::urdf(text, &options),
         text => import::ur_calibration(text, &options),
     };
     let imported = imported.map_err(thrown)?;
