@@ -287,7 +287,8 @@ impl Step {
         self.crossed.as_deref()
     }
 
-    /// Joints that stand at the end of their range, from 0, where `tracking` is "limits".
+    /// Joints that keep the arm from the target, from 0: where `tracking` is "rates" those that cannot be there in this tick,
+    /// where it is "limits" those that stand at the end of their range.
     #[getter]
     fn held<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
         PyTuple::new(py, &self.held)

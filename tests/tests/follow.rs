@@ -268,6 +268,26 @@ fn a_redundant_joint_is_given_or_held() {
     }
 }
 
+/// A tick that is short of its target names the joints that need more time, and no others.
+#[test]
+fn a_tick_names_the_joints_that_are_too_slow() {
+    let q = [10.0, -80.0, 100.0, 20.0, 50.0, 30.0].map(f64::to_radians);
+    let rates = KR210.rates();
+    let settings = FollowSettings::new(PERIOD, rates);
+    for slow in [vec![0], vec![4], vec![1, 5]] {
+        let mut goal = q;
+        slow.iter().for_each(|joint: &usize| goal[*joint] += 0.05);
+        let mut watch = Watch::new(&Kr210, PERIOD, rates, settings, &q);
+        let first = watch.tick(&Kr210.forward(&goal));
+        assert_eq!((first.tracking, first.held.iter().collect::<Vec<_>>()), (Tracking::Rates, slow));
+        let mut last = first;
+        for _ in 0..500 {
+            last = watch.tick(&Kr210.forward(&goal));
+        }
+        assert!(last.tracking.is_exact() && last.held.is_empty(), "{last:?}");
+    }
+}
+
 /// A far branch is reached only by request, and the crossing is told.
 #[test]
 fn an_arm_goes_to_the_branch_that_it_is_sent_to() {

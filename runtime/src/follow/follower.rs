@@ -114,6 +114,10 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             return self.arrive(&interval, &q, &place);
         }
         let aim = self.choose(arm, target, found.as_ref());
+        let held = match &aim.goal {
+            Some(goal) if aim.tracking == Tracking::Rates => slow(goal, &self.way(goal), &interval),
+            _ => aim.held,
+        };
         let step = self.deviate(arm, target, &aim, &interval);
         let step = self.bounds.within_sums(arm, &self.q, &self.step, &interval, step);
         self.advance(step);
@@ -121,7 +125,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         let crossed = self.note_crossing(arm, Some(target), found);
         let twist = self.deviation(arm, target).twist;
         self.left = Some(twist);
-        Step { held: aim.held, remaining: aim.ticks * self.settings.period, ..self.state(aim.tracking, twist, crossed) }
+        Step { held, remaining: aim.ticks * self.settings.period, ..self.state(aim.tracking, twist, crossed) }
     }
 
     /// A step without a target: every joint brakes.
@@ -200,12 +204,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
 
     /// Returns true if the way to a solution is a step that the limits allow, up to rounding.
     fn fits<A: InverseKinematics<T, N>>(&self, arm: &A, q: &[T; N], way: &[T; N], interval: &Interval<T, N>) -> bool {
-        let ends = interval.low.iter().zip(&interval.high);
-        let inside = way.iter().zip(q).zip(ends).all(|((way, q), (low, high))| {
-            let rounding = rounding(*q);
-            *way >= *low - rounding && *way <= *high + rounding
-        });
-        inside && self.bounds.sums_hold(arm, &self.q, way)
+        slow(q, way, interval).is_empty() && self.bounds.sums_hold(arm, &self.q, way)
     }
 
     /// Returns true if the arm is so near to the goal of the last tick that it can go on with the goal's own rate.
@@ -410,6 +409,19 @@ pub(super) fn name<T: Copy, const N: usize>(solutions: &impl AsRef<[Solution<T, 
     let solutions = solutions.as_ref();
     let nearest = solutions.iter().find(|solution| solution.is_exact()).or(solutions.first());
     nearest.map_or(Branch::NONE, |solution| solution.branch.with_root(0))
+}
+
+/// The motors whose way to joint values is no step that their rates, accelerations and ranges allow, up to rounding.
+fn slow<T: Scalar, const N: usize>(q: &[T; N], way: &[T; N], interval: &Interval<T, N>) -> JointMask {
+    let mut slow = JointMask::NONE;
+    let ends = interval.low.iter().zip(&interval.high);
+    for (joint, ((way, q), (low, high))) in way.iter().zip(q).zip(ends).enumerate() {
+        let rounding = rounding(*q);
+        if !(*way >= *low - rounding && *way <= *high + rounding) {
+            slow.insert(JointMask::single(joint));
+        }
+    }
+    slow
 }
 
 /// How far a joint value of this size may be off by rounding.

@@ -60,7 +60,8 @@ pub struct Step<T, const N: usize> {
     pub branch: Branch,
     /// The branch that was left, in the tick in which a factor of the arm's `margins` changes its sign.
     pub crossed: Option<Branch>,
-    /// With [`Tracking::Limits`] the joints whose range the target asks to leave; else none.
+    /// With [`Tracking::Rates`] the joints that cannot be at the goal in this tick; with linked joints the motors of these
+    /// numbers. With [`Tracking::Limits`] the joints whose range the target asks to leave. Else none.
     pub held: JointMask,
     /// The least time to the goal at full rates, s: 0 in exact ticks, infinite where no goal is known.
     pub remaining: T,
