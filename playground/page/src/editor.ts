@@ -36,13 +36,11 @@ const marked = StateField.define<DecorationSet>({
 
 const language = new Compartment();
 
+const isPlain = (state: EditorState): boolean => Array.isArray(language.get(state));
+
 /** A text that nests too deep has no language: its tree would be walked by recursion. */
-const fitLanguage = EditorState.transactionExtender.of(({ docChanged, newDoc, startState }) => {
-  if (!docChanged) return null;
-  const isPlain = isTooDeep(newDoc.toString());
-  const wasPlain = Array.isArray(language.get(startState));
-  return isPlain === wasPlain ? null : { effects: language.reconfigure(isPlain ? [] : yaml()) };
-});
+const loseLanguage = EditorState.transactionExtender.of(({ docChanged, newDoc, startState }) =>
+  docChanged && !isPlain(startState) && isTooDeep(newDoc.toString()) ? { effects: language.reconfigure([]) } : null);
 
 /** Typing rests so long before the text is checked, ms. */
 const REST = 120;
@@ -66,7 +64,7 @@ export class Editor {
       bracketMatching(),
       closeBrackets(),
       highlightActiveLine(),
-      fitLanguage,
+      loseLanguage,
       highlighting,
       marked,
       autocompletion({ override: [(context) => complete?.(context) ?? null], icons: false }),
@@ -125,6 +123,8 @@ export class Editor {
 
   private showMessages(): void {
     const { app, view } = this;
+    // In a transaction of its own: together with a new text the language would read the old one first.
+    if (isPlain(view.state) && !isTooDeep(view.state.doc.toString())) view.dispatch({ effects: language.reconfigure(yaml()) });
     view.dispatch(setDiagnostics(view.state, app.messages.map((message) => diagnostic(message, view.state.doc))));
     const list = byId("messages");
     list.replaceChildren(

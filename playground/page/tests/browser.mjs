@@ -7,7 +7,7 @@ import { execFileSync, spawn } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { request } from "node:http";
 import { tmpdir } from "node:os";
-import { join, resolve } from "node:path";
+import { dirname, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 
@@ -87,6 +87,18 @@ async function drag(page, [x, y], [dx, dy]) {
 }
 
 const yaml = (rows, more = "") => `name: typed\nconvention: standard\nunits: {length: m, angle: deg}\n${more}joints:\n${rows.map((row) => `  - {${row}}\n`).join("")}`;
+
+/** The command serves a file, which it may write: the file, the command, the address. */
+async function serve(text) {
+  const file = join(mkdtempSync(join(tmpdir(), "denhart-view-")), "arm.yaml");
+  writeFileSync(file, text);
+  const server = spawn(command, ["view", file, "--no-open", "--write"], { stdio: ["ignore", "pipe", "inherit"] });
+  const url = await new Promise((done, failed) => {
+    server.stdout.once("data", (data) => done(String(data).split("\n")[0]));
+    server.once("exit", () => failed(new Error("the server ended")));
+  });
+  return [file, server, url];
+}
 
 const tests = {
   async "loads and asks no other host"(browser) {
@@ -853,17 +865,262 @@ const tests = {
     }
   },
 
-  async "denhart view serves, follows and writes"(browser) {
-    const folder = mkdtempSync(join(tmpdir(), "denhart-view-"));
-    const file = join(folder, "arm.yaml");
-    const text = readFileSync(join(root, "specs/ur5.yaml"), "utf8");
-    writeFileSync(file, text);
-    const server = spawn(command, ["view", file, "--no-open", "--write"], { stdio: ["ignore", "pipe", "inherit"] });
-    try {
-      const url = await new Promise((done, failed) => {
-        server.stdout.once("data", (data) => done(String(data).split("\n")[0]));
-        server.once("exit", () => failed(new Error("the server ended")));
+  async "texts that nest too deep are refused at once, and the editor goes on"(browser) {
+    const deep = `name: ${"[".repeat(99_000)}`;
+    const page = await open(browser);
+    const good = (await state(page)).text;
+    for (const bad of [deep, `- ${"- ".repeat(30_000)}`, `{a: ${"{a: ".repeat(20_000)}`]) {
+      const start = performance.now();
+      await paste(page, bad);
+      await until(page, () => window.denhart.app.messages.some((one) => /nests more than 64/.test(one.message)));
+      assert.ok(performance.now() - start < 5000, `${Math.round(performance.now() - start)} ms for ${bad.slice(0, 12)}`);
+      await paste(page, good);
+      await until(page, () => window.denhart.app.messages.length === 0);
+      // The language of the editor is back.
+      await page.evaluate(() => window.denhart.app.mark(0));
+      assert.equal(await page.locator("#editor .marked-row").count(), 1);
+    }
+    // Brackets of words are none: the text is that of an arm.
+    await paste(page, `# ${"[".repeat(200)}\n${good.replace("name: ur5", `name: "${"{[".repeat(100)}"`)}`);
+    await page.evaluate(() => window.denhart.app.settle());
+    assert.ok((await state(page)).text.startsWith("# [["));
+    assert.ok((await state(page)).messages.every((one) => !/nests/.test(one.message)));
+    // A link that holds such a text, with an arm beside it.
+    const fragment = await page.evaluate(async (text) => {
+      const packed = new Blob([JSON.stringify({ text })]).stream().pipeThrough(new CompressionStream("deflate-raw"));
+      const bytes = new Uint8Array(await new Response(packed).arrayBuffer());
+      return `#v1.${btoa(String.fromCharCode(...bytes)).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`;
+    }, deep);
+    const start = performance.now();
+    const linked = await open(browser, { url: address + fragment });
+    assert.ok(performance.now() - start < 10_000, "the page starts");
+    assert.match((await state(linked)).messages[0].message, /nests more than 64/);
+    await choose(linked, "puma560");
+    assert.match(await linked.locator("#editor .cm-content").innerText(), /puma560/);
+    await linked.waitForTimeout(500);
+    await linked.reload();
+    await linked.waitForSelector("body.is-ready");
+    assert.equal((await state(linked)).name, "puma560");
+    assert.deepEqual([...page.failures, ...linked.failures], []);
+  },
+
+  async "links that hold no arm say why"(browser) {
+    for (const [bad, told] of [["#v1.", /damaged/], ["#v1.AAAA", /damaged/], ["#v1.%%%", /damaged/], ["#v2.abc", /another version/], ["#v1.q1YqVLIyAAA", /damaged|no arm file/], ["#v1.q64FAA", /damaged|no arm file/]]) {
+      const page = await open(browser, { url: address + bad });
+      assert.match(await page.locator(".notice.mistake").innerText(), told, bad);
+      await page.close();
+    }
+    // A target that is no pose.
+    const page = await open(browser);
+    await page.evaluate(() => window.denhart.app.aim([1, 1, 0, 0, 1, 0, 0, 0, 1, 0.3, 0.3, 0.3]));
+    assert.equal(await page.locator("#solutions-title").innerText(), "No target");
+    assert.match(await page.locator("#why").innerText(), /no pose/);
+  },
+
+  async "a number of the target changes no other"(browser) {
+    const page = await open(browser);
+    await page.evaluate(() => window.denhart.app.moveTo([0.123456789, -1.1, 1.2, 0.3, 0.7, 0.2]));
+    const before = (await state(page)).target;
+    await page.getByLabel("target x").fill("0.3");
+    await page.keyboard.press("Enter");
+    const moved = (await state(page)).target;
+    assert.deepEqual(moved, before.with(9, 0.3));
+    // The angles in degrees, from the target itself.
+    const angles = (pose) => [Math.atan2(pose[7], pose[8]), Math.atan2(-pose[6], Math.hypot(pose[0], pose[3])), Math.atan2(pose[3], pose[0])];
+    await page.getByLabel("target roll").fill("80");
+    await page.keyboard.press("Enter");
+    const turned = (await state(page)).target;
+    assert.deepEqual(turned.slice(9), moved.slice(9));
+    near(angles(turned)[0], (80 * Math.PI) / 180, 1e-12, "roll");
+    for (const at of [1, 2]) near(angles(turned)[at], angles(moved)[at], 1e-12, ["", "pitch", "yaw"][at]);
+    // A comma is told, and is no other number.
+    await page.getByLabel("target x").fill("");
+    await page.getByLabel("target x").pressSequentially("3,5");
+    await page.waitForSelector(".notice:has-text('not a comma')");
+    assert.notEqual(await page.getByLabel("target x").inputValue(), "3");
+  },
+
+  async "a field of the target with the focus shows the arm as it is"(browser) {
+    const page = await open(browser);
+    const x = page.getByLabel("target x");
+    await x.focus();
+    const shown = async () => near(Number(await x.inputValue()), (await state(page)).target[9], 1e-5, "x");
+    await page.evaluate((text) => window.denhart.app.setText(text), readFileSync(join(root, "specs/puma560.yaml"), "utf8"));
+    await shown();
+    await page.evaluate(() => window.denhart.app.moveTo(window.denhart.app.q.map((value) => value + 0.1)));
+    await shown();
+    assert.ok(await x.evaluate((one) => one === document.activeElement));
+    // What is typed stays while something else goes on.
+    await x.fill("0.31");
+    await page.evaluate(() => window.denhart.app.emit("posture"));
+    assert.equal(await x.inputValue(), "0.31");
+  },
+
+  async "one limit makes a slider whose ends are in order"(browser) {
+    const page = await open(browser);
+    const row = (limits) => `a: 0.4, alpha: 0, d: 0, theta: 0, limits: ${limits}`;
+    await paste(page, yaml([row("[200, null]"), row("[null, -200]"), row("[-10, null]")]));
+    await until(page, () => window.denhart.app.facts?.name === "typed");
+    const ends = await page.locator("#sliders input[type=range]").evaluateAll((all) => all.map((one) => [Number(one.min), Number(one.max)]));
+    for (const [index, expected] of [[200, 560], [-560, -200], [-10, 350]].entries()) {
+      expected.forEach((end, at) => near(ends[index][at], end, 1e-6, `end ${at} of slider ${index + 1}`));
+    }
+  },
+
+  async "an import that ends late takes nothing's place, and no stale text is copied"(browser) {
+    const page = await open(browser);
+    const puma = readFileSync(join(root, "specs/puma560.yaml"), "utf8");
+    await drop(page, "late.urdf", readFileSync(join(root, "cli/tests/urdf/kuka_kr6_r700.urdf"), "utf8"));
+    const waiting = await page.evaluate(async (text) => {
+      await window.denhart.app.setText(text);
+      return [document.getElementById("copy").disabled, document.getElementById("save").disabled];
+    }, puma);
+    assert.deepEqual(waiting, [true, true]);
+    await page.waitForSelector(".notice:has-text('late.urdf is not taken')");
+    assert.equal((await state(page)).name, "puma560");
+    await page.waitForFunction(() => !document.getElementById("copy").disabled && document.querySelector("#panel-rust").innerText.includes("Puma560"));
+    // A word in a comment makes no URDF of an arm file.
+    await drop(page, "arm.yaml", `# made from <robot name="x">, without delta_theta\n${puma.replace("name: puma560", "name: mine")}`);
+    await until(page, () => window.denhart.app.facts?.name === "mine");
+  },
+
+  async "a phone on its side holds every part"(browser) {
+    for (const [width, height] of [[911, 512], [844, 390], [721, 480]]) {
+      const page = await open(browser, { width, height });
+      const over = await page.evaluate(() => {
+        const last = [...document.querySelectorAll("#sliders input[type=range]")].at(-1);
+        last.scrollIntoView({ block: "nearest" });
+        const { left, top, width, height } = last.getBoundingClientRect();
+        return document.elementFromPoint(left + width / 2, top + height / 2) === last ? "" : "covered";
       });
+      assert.equal(over, "", `${width} by ${height}`);
+      assert.equal(await page.locator("#results").isVisible(), false);
+      assert.ok((await page.locator("#view").boundingBox()).height > 180);
+      await page.screenshot({ path: join(shots, `phone-side-${width}.png`) });
+      await page.click("#go-results");
+      assert.equal(await page.locator("#results").isVisible(), true);
+      await page.close();
+    }
+  },
+
+  async "the joints have their own names, and a missed target its line"(browser) {
+    const page = await open(browser);
+    const rows = ["0, alpha: 90, d: 0.0892", "-0.425, alpha: 0, d: 0", "-0.39225, alpha: 0, d: 0", "0, alpha: 90, d: 0.10915", "0, alpha: -90, d: 0.09465", "0, alpha: 0, d: 0.0823"];
+    await paste(page, yaml(["name: rail, type: prismatic, a: 0, alpha: 90, d: 0, theta: 0", ...rows.map((row) => `a: ${row}, theta: 0`)], "inverse: {task: pose, redundant: rail}\n"));
+    await until(page, () => window.denhart.app.facts?.name === "typed");
+    assert.equal(await page.locator("#given .name").innerText(), "rail");
+    const browser2 = await launch(["--disable-3d-apis"]);
+    try {
+      const flat = await open(browser2);
+      await flat.waitForSelector("#view .flat svg");
+      await flat.getByLabel("target x").fill("3");
+      await flat.keyboard.press("Enter");
+      await flat.waitForFunction(() => / short/.test(document.querySelector("#view .flat svg").textContent));
+    } finally {
+      await browser2.close();
+    }
+  },
+
+  async "a served page keeps its token, its file and what is typed"(browser) {
+    const text = readFileSync(join(root, "specs/ur5.yaml"), "utf8");
+    const [file, server, url] = await serve(text);
+    const disk = () => readFileSync(file, "utf8");
+    try {
+      const context = await browser.newContext({ permissions: ["clipboard-read", "clipboard-write"] });
+      const page = await open(context, { url });
+      const end = async (words) => {
+        await page.locator("#editor .cm-content").click();
+        await page.keyboard.press("Control+End");
+        await page.keyboard.insertText(words);
+      };
+      const told = (words) => page.waitForSelector(`.notice:has-text('${words}')`);
+      const quiet = () => page.evaluate(() => document.getElementById("notices").replaceChildren());
+      const typed = () => page.evaluate(() => window.denhart.app.text);
+      // The link has no token, and the address stays.
+      await page.click("#share");
+      await told("end of a link copied");
+      assert.match(await page.evaluate(() => navigator.clipboard.readText()), /^#v1\.[\w-]+$/);
+      assert.equal(page.url(), url);
+      // A file that has changed since is not overwritten: the write is refused, and the page asks.
+      await page.route("**/arm?*", (route) => (route.request().method() === "GET" ? route.abort() : route.continue()));
+      await told("the command has ended, or cannot be reached");
+      await end("# mine\n");
+      writeFileSync(file, `${text}# theirs\n`);
+      await page.evaluate(() => document.getElementById("write").click());
+      await told("is not written: the file has changed");
+      assert.equal(disk(), `${text}# theirs\n`);
+      await page.unroute("**/arm?*");
+      await page.waitForSelector("#changed:not([hidden])");
+      assert.match(await typed(), /# mine\n$/);
+      await page.screenshot({ path: join(shots, "changed.png") });
+      // What is typed stays, and is written now; at once, before the editor has handed it on.
+      await page.click("#keep-mine");
+      await end("# fast\n");
+      await page.evaluate(() => document.getElementById("write").click());
+      await told("arm.yaml written");
+      assert.equal(disk(), `${text}# mine\n# fast\n`);
+      assert.equal(await page.locator("#changed").isVisible(), false);
+      // Or the file's text comes, and undo brings back what was typed.
+      await end("# more\n");
+      writeFileSync(file, `${text}# theirs again\n`);
+      await page.click("#take-file");
+      await until(page, () => window.denhart.app.text.endsWith("# theirs again\n"));
+      await page.click("#undo");
+      assert.match(await typed(), /# more\n$/);
+      await page.click("#redo");
+      // Unsaved edits outlive a reload after a write.
+      await end("# once\n");
+      await quiet();
+      await page.click("#write");
+      await told("arm.yaml written");
+      await end("# unsaved\n");
+      await page.waitForTimeout(600);
+      const again = async (to) => {
+        await (to ? page.goto(to) : page.reload());
+        await page.waitForSelector("body.is-ready");
+      };
+      await again();
+      assert.match(await typed(), /# once\n# unsaved\n$/);
+      assert.match(disk(), /# once\n$/);
+      // A file that changed meanwhile comes first, and undo comes back to them.
+      await page.goto("about:blank");
+      writeFileSync(file, text.replace("name: ur5", "name: newer"));
+      await page.goBack();
+      await until(page, () => window.denhart?.app.facts?.name === "newer");
+      await page.waitForSelector("body.is-ready");
+      await page.click("#undo");
+      assert.match(await typed(), /# unsaved\n$/);
+      await page.click("#redo");
+      // The file comes before a fragment.
+      const fragment = await page.evaluate(() => navigator.clipboard.readText());
+      await page.goto("about:blank");
+      await again(url + fragment);
+      await told("the arm of the link is left out");
+      assert.equal((await state(page)).name, "newer");
+      assert.equal(page.url(), url);
+      // Line ends stay those of the file.
+      writeFileSync(file, text.replaceAll("\n", "\r\n"));
+      await until(page, () => window.denhart.app.facts?.name === "ur5");
+      await end("# end\n");
+      await quiet();
+      await page.click("#write");
+      await told("arm.yaml written");
+      assert.equal(disk(), `${text}# end\n`.replaceAll("\n", "\r\n"));
+      // A command that has ended is told.
+      server.kill();
+      await told("cannot be read: the command has ended, or cannot be reached");
+      await page.click("#write");
+      await told("is not written: the command has ended, or cannot be reached");
+      await context.close();
+    } finally {
+      server.kill();
+    }
+  },
+
+  async "denhart view serves, follows and writes"(browser) {
+    const text = readFileSync(join(root, "specs/ur5.yaml"), "utf8");
+    const [file, server, url] = await serve(text);
+    try {
       const page = await open(browser, { url });
       assert.equal((await state(page)).name, "ur5");
       writeFileSync(file, text.replace("name: ur5", "name: changed"));
@@ -886,7 +1143,7 @@ const tests = {
       assert.equal(await status(`/arm${own}`, { origin: "http://evil.example" }), 403);
       assert.equal(await status(`/../../etc/passwd${own}`, {}), 404);
       // One file that works by itself.
-      const out = join(folder, "page.html");
+      const out = join(dirname(file), "page.html");
       denhart("view", file, "--export", out);
       const exported = await open(browser, { url: pathToFileURL(out).href });
       assert.equal((await state(exported)).name, "written");
