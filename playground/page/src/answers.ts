@@ -4,7 +4,7 @@ import type { App } from "./app";
 import { css, inkOn, onThemeChange, solutionColor } from "./colors";
 import { byId, element } from "./dom";
 import { listenToField, roundStep } from "./fields";
-import { APPROXIMATE, bits, BOUNDARY, degrees, FREE, OUT_OF_LIMITS, pointOf, poseOf, radians, rpy, short, type Point } from "./numbers";
+import { APPROXIMATE, bits, BOUNDARY, degrees, FREE, OUT_OF_LIMITS, pointOf, poseOf, radians, rpy, short, type Answer, type Point } from "./numbers";
 import { missWords } from "./view";
 
 /** The names of the target's numbers. */
@@ -70,13 +70,8 @@ export class Answers {
     const title = answer.status === "no target" ? "No target" : count === 0 ? "No solution" : inside < count ? `${counted}, ${inside} of ${count} within limits` : counted;
     say(byId("solutions-title"), title);
     const why = byId("why");
-    const isTarget = answer.status !== "no target";
-    why.hidden = isTarget && !app.miss && answer.complete;
-    const words = !isTarget
-      ? "These numbers are no pose: one is not finite, or the directions of the tool are not at right angles."
-      : app.miss
-      ? [missWords(app), app.miss.words && `the first equation without a root is that of ${app.miss.words}`].filter(Boolean).join("; ") || "The target is too far away to tell more."
-      : answer.complete ? "" : "There may be more solutions than these.";
+    const words = whyWords(app, answer);
+    why.hidden = words === "";
     say(why, words);
     const same = this.same();
     while (this.buttons.length < count) this.buttons.push(this.button(this.buttons.length));
@@ -153,6 +148,15 @@ export class Answers {
     this.angle.parentElement!.hidden = task !== "position_angle";
     show(this.angle, degrees(Number.isNaN(app.angle) ? 0 : app.angle), 3);
   }
+}
+
+/** Why there is no solution, or not each of them; empty where there is no more to say. */
+function whyWords(app: App, answer: Answer): string {
+  const { miss } = app;
+  if (answer.status === "no target") return "These numbers are no pose: one is not finite, or the directions of the tool are not at right angles.";
+  if (!miss) return answer.complete ? "" : "There may be more solutions than these.";
+  const words = [missWords(app), miss.words && `the first equation without a root is that of ${miss.words}`].filter(Boolean);
+  return words.join("; ") || "The target is too far away to tell more.";
 }
 
 /** Puts words into a live region, which would be read aloud again if they were the same. */

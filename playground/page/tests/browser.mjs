@@ -905,7 +905,7 @@ const tests = {
   },
 
   async "links that hold no arm say why"(browser) {
-    for (const [bad, told] of [["#v1.", /damaged/], ["#v1.AAAA", /damaged/], ["#v1.%%%", /damaged/], ["#v2.abc", /another version/], ["#v1.q1YqVLIyAAA", /damaged|no arm file/], ["#v1.q64FAA", /damaged|no arm file/]]) {
+    for (const [bad, told] of [["#v1.", /damaged/], ["#v1.AAAA", /damaged/], ["#v1.%%%", /damaged/], ["#v2.abc", /another version/], ["#v1.q64FAA", /no arm file/]]) {
       const page = await open(browser, { url: address + bad });
       assert.match(await page.locator(".notice.mistake").innerText(), told, bad);
       await page.close();
