@@ -16,16 +16,43 @@ pub(crate) fn next_to<T: Scalar>(value: T, reference: T, limits: [T; 2]) -> T {
     if inside(near, limits) || far_beyond(reference, limits) { near } else { at_limit(value, near, limits) }
 }
 
-/// `next_to` over lanes, and where the angle is one for a value beyond a limit, or the reference is wound: in doubt.
+/// `next_to` of values in (-pi, pi] over lanes, and where the angle is beyond a limit by no more than a solution near a
+/// singularity may be off, or the reference is wound: in doubt.
 #[cfg(feature = "batch")]
 #[inline(always)]
-pub fn next_to_lanes<L: Lanes>(value: L, reference: L, [low, high]: [f64; 2]) -> (L, L::Mask) {
+pub fn next_to_lanes<L: Lanes>(value: L, reference: L, limits: [f64; 2]) -> (L, L::Mask) {
     let (turned, wound) = crate::math::lanes::wrap(value - reference);
     let near = reference + turned;
-    let inside = L::both(value.of(low).at_most(near), near.at_most(value.of(high)));
+    let [low, high] = limits.map(|limit| value.of(limit));
     let margin = 0.05 * crate::math::sqrt(f64::EPSILON);
-    let far = L::either(reference.less(value.of(low - margin)), value.of(high + margin).less(reference));
-    (near, L::either(wound, L::not(L::either(inside, far))))
+    let [below, above] = [value.of(limits[0] - margin), value.of(limits[1] + margin)];
+    let inside = |angle: L| L::both(low.at_most(angle), angle.at_most(high));
+    let far = L::either(reference.less(below), above.less(reference));
+    let stays = L::either(inside(near), far);
+    let (is_below, is_above) = (near.less(below), above.less(near));
+    let beyond = L::either(is_below, is_above);
+    let ((down, odd_down), (up, odd_up)) = (inward_lanes(value, limits[1], 1.0), inward_lanes(value, limits[0], -1.0));
+    let inward = down.where_or(is_above, up);
+    let odd = L::either(L::both(is_above, odd_down), L::both(is_below, odd_up));
+    let moves = L::both(L::both(beyond, inside(inward)), L::not(stays));
+    let unsure = L::both(L::not(stays), L::either(L::not(beyond), odd));
+    (inward.where_or(moves, near), L::either(wound, unsure))
+}
+
+/// The turn of `inward` that is nearest to a limit, the upper one or, with the sign -1, the lower one.
+///
+/// The whole number of turns takes two values, of which the greater is that of -pi (or pi); where rounding gives a third
+/// one the lane is in doubt.
+#[cfg(feature = "batch")]
+#[inline(always)]
+fn inward_lanes<L: Lanes>(value: L, limit: f64, sign: f64) -> (L, L::Mask) {
+    use core::f64::consts::{PI, TAU};
+    let turns = (value.of(limit) - value) * value.of(sign) / value.of(TAU);
+    let most = whole_below((sign * limit + PI) / TAU);
+    let less = turns.less(value.of(most));
+    let by = value.of(sign * ((most - 1.0) * TAU)).where_or(less, value.of(sign * (most * TAU)));
+    let odd = L::either(turns.less(value.of(most - 1.0)), L::not(turns.less(value.of(most + 1.0))));
+    (value + by, odd)
 }
 
 /// The angle for a value beyond a limit. Beyond by rounding, the angle is the limit. Beyond by as little as a solution

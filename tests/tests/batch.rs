@@ -438,8 +438,9 @@ fn check_generated<A: BatchArm<N> + BatchInverse<N, S>, const N: usize, const S:
         assert!(all_same(pose, &expected) && rows.into_iter().all(|(a, b)| same(*a, *b)), "{file}, {q:?}");
     }
     for kind in KINDS {
-        let targets: Vec<Pose<f64>> = Batch::new(&dynamic, kind, TARGETS, &mut random)
-            .targets
+        let Batch { targets, references, .. } = Batch::new(&dynamic, kind, TARGETS, &mut random);
+        let references: &[[f64; N]] = references.as_chunks().0;
+        let targets: Vec<Pose<f64>> = targets
             .iter()
             .map(|target| match target {
                 DynamicTarget::Pose(pose) => *pose,
@@ -459,6 +460,21 @@ fn check_generated<A: BatchArm<N> + BatchInverse<N, S>, const N: usize, const S:
             }
             assert_eq!(summary, counted, "{file}, {kind:?}, {set}");
             assert!(kind != Kind::Random || 4 * summary.scalar < TARGETS, "{file}, {set}: {summary:?}");
+            let mut q = vec![[UNTOUCHED; N]; TARGETS];
+            let summary = batch::inverse_near_with(set, arm, &targets, references, &mut q, &mut found).unwrap();
+            let mut counted = Summary::default();
+            for (number, ((target, reference), (q, found))) in
+                targets.iter().zip(references).zip(q.iter().zip(&found)).enumerate()
+            {
+                let expected = arm.inverse_near(target, reference);
+                let nearest = expected.iter().find(|solution| solution.is_within_limits());
+                let listed: Vec<_> = nearest.iter().map(|solution| (&solution.q[..], solution.flags)).collect();
+                let case = format!("near, {file}, {kind:?}, {set}, target {number}: {target:?} {reference:?}");
+                compare(&case, found, q, (expected.status(), expected.deviation()), &listed);
+                counted.add(found);
+            }
+            assert_eq!(summary, counted, "near, {file}, {kind:?}, {set}");
+            assert!(kind != Kind::Random || 2 * summary.scalar < TARGETS, "near, {file}, {set}: {summary:?}");
         }
     }
     let (mut q, mut found) = (vec![[[UNTOUCHED; N]; S]; 2], [Found::NOTHING; 2]);
@@ -467,4 +483,13 @@ fn check_generated<A: BatchArm<N> + BatchInverse<N, S>, const N: usize, const S:
     assert!(q.as_flattened().iter().flatten().all(|number| *number == UNTOUCHED));
     assert_eq!(unlike.unwrap_err().to_string(), "3 are given, and places for 2");
     assert_eq!(batch::inverse(arm, &[], &mut [], &mut []), Ok(Summary::default()));
+    let mut nearest = [[UNTOUCHED; N]; 2];
+    for (references, places) in [(3, 2), (1, 2), (2, 1)] {
+        let places = nearest.get_mut(..places).unwrap();
+        let unlike = batch::inverse_near(arm, &[Pose::identity(); 2], &vec![[0.0; N]; references], places, &mut found);
+        let written = if references == 2 { 1 } else { references };
+        assert_eq!(unlike, Err(Lengths { read: 2, written }));
+    }
+    assert_eq!(nearest, [[UNTOUCHED; N]; 2]);
+    assert_eq!(batch::inverse_near(arm, &[], &[], &mut [], &mut []), Ok(Summary::default()));
 }

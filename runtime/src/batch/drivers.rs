@@ -30,7 +30,7 @@ impl fmt::Display for Lengths {
 impl core::error::Error for Lengths {}
 
 impl Lengths {
-    fn check(read: usize, written: usize) -> Result<(), Self> {
+    pub(super) fn check(read: usize, written: usize) -> Result<(), Self> {
         if read == written { Ok(()) } else { Err(Self { read, written }) }
     }
 }
@@ -208,14 +208,12 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Inverse<'_,
         let mut summary = Summary::default();
         let mut branches = Branches::<L, N, S>::new(set);
         let mut last = Last::new();
-        let (mut left_out, mut next) = (0, 1);
+        let mut left_out = LeftOut::new();
         let outputs = self.q.chunks_mut(L::WIDTH).zip(self.found.chunks_mut(L::WIDTH));
         for (targets, (q, found)) in self.targets.chunks(L::WIDTH).zip(outputs) {
             let all = (1 << targets.len()) - 1;
             let mut doubt = all;
-            if left_out > 0 {
-                left_out -= 1;
-            } else {
+            if left_out.is_lanes() {
                 let slices = (targets.get(..L::WIDTH), q.get_mut(..L::WIDTH), found.get_mut(..L::WIDTH));
                 let (group, q_of_lanes, found_of_lanes) = match slices {
                     (Some(targets), Some(q), Some(found)) => (targets, q, found),
@@ -274,12 +272,7 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Inverse<'_,
                 if targets.len() < L::WIDTH {
                     last.hand_out(q, found);
                 }
-                if doubt == all {
-                    left_out = next;
-                    next = (next * 2).min(MOST_LEFT_OUT);
-                } else {
-                    next = 1;
-                }
+                left_out.note(doubt == all);
             }
             for (lane, (target, (q, found))) in targets.iter().zip(q.iter_mut().zip(found)).enumerate() {
                 if doubt >> lane & 1 != 0 {
@@ -289,6 +282,37 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Inverse<'_,
             }
         }
         summary
+    }
+}
+
+/// Groups that are left to single calls after one whose lanes were all in doubt: 1, 2, 4 and so on.
+pub(super) struct LeftOut {
+    groups: usize,
+    next: usize,
+}
+
+impl LeftOut {
+    pub(super) const fn new() -> Self {
+        Self { groups: 0, next: 1 }
+    }
+
+    /// Returns true if the next group takes lanes, and counts it if it does not.
+    #[inline(always)]
+    pub(super) fn is_lanes(&mut self) -> bool {
+        let is_lanes = self.groups == 0;
+        self.groups = self.groups.saturating_sub(1);
+        is_lanes
+    }
+
+    /// Notes a group that has taken lanes.
+    #[inline(always)]
+    pub(super) fn note(&mut self, all_in_doubt: bool) {
+        if all_in_doubt {
+            self.groups = self.next;
+            self.next = (self.next * 2).min(MOST_LEFT_OUT);
+        } else {
+            self.next = 1;
+        }
     }
 }
 
@@ -344,7 +368,7 @@ fn inside<A: BatchInverse<N, S>, L: Lanes, const N: usize, const S: usize>(set: 
 
 /// The status of an ordinary target, as the search sets it.
 #[inline(always)]
-fn status(reached: bool, least: f64, reach: f64) -> Status<f64> {
+pub(super) fn status(reached: bool, least: f64, reach: f64) -> Status<f64> {
     if reached {
         return Status::Reachable;
     }

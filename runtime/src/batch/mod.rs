@@ -10,6 +10,7 @@ mod arm;
 mod branches;
 mod drivers;
 mod found;
+mod nearest;
 mod ordinary;
 mod rows;
 
@@ -28,4 +29,5 @@ pub use drivers::{
     Lengths, forward, forward_and_jacobian, forward_and_jacobian_with, forward_with, inverse, inverse_with,
 };
 pub use found::{Found, MOST_SOLUTIONS, Summary};
+pub use nearest::{inverse_near, inverse_near_with};
 pub use ordinary::{FAR, ordinary};
