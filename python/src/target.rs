@@ -267,7 +267,10 @@ fn found(object: &Bound<'_, PyAny>) -> PyResult<String> {
 pub fn read(arm: &DynamicArm, object: &Bound<'_, PyAny>) -> PyResult<DynamicTarget> {
     let py = object.py();
     if let Ok(target) = object.cast::<Target>() {
-        return Ok(target.get().0);
+        return match target.get().0 {
+            DynamicTarget::Pose(pose) => of_pose(arm, py, &pose),
+            other => Ok(other),
+        };
     }
     // The case of most calls.
     if let Ok(numbers) = Numbers::read("target", object)
@@ -278,17 +281,18 @@ pub fn read(arm: &DynamicArm, object: &Bound<'_, PyAny>) -> PyResult<DynamicTarg
     }
     let task = arm.task().map_err(|error| error::dynamic(py, &error))?;
     if task != "pose" {
+        let parts = if let Ok(parts) = object.cast::<PyTuple>() {
+            // A point, and beside it an axis or an angle. A tuple with a part that is no number may be a pose.
+            let parts: PyResult<Vec<_>> = parts.iter().map(|part| Numbers::read("target", &part)).collect();
+            parts.unwrap_or_default()
+        } else if object.hasattr(pyo3::intern!(py, "as_matrix"))? {
+            Vec::new()
+        } else {
+            vec![Numbers::read("target", object)?]
+        };
         let mut all = Vec::new();
-        if let Ok(parts) = object.cast::<PyTuple>() {
-            // A point, and beside it an axis or an angle.
-            for part in parts.iter() {
-                match Numbers::read("target", &part) {
-                    Ok(numbers) => all.extend_from_slice(numbers.values()?),
-                    Err(_) => all.clear(),
-                }
-            }
-        } else if !object.hasattr(pyo3::intern!(py, "as_matrix"))? {
-            all.extend_from_slice(Numbers::read("target", object)?.values()?);
+        for part in parts.iter().filter(|_| parts.iter().all(|part| part.shape().len() <= 1)) {
+            all.extend_from_slice(part.values()?);
         }
         if let Some(target) = of_numbers(task, &all) {
             return Ok(target);

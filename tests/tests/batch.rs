@@ -316,6 +316,53 @@ fn made_up_arms() {
     assert!(inverses > 200 && lanes > inverses / 4, "{lanes} of {inverses}");
 }
 
+/// Five joints whose last equation but one has a second root at some poses only: a lane without it lists no solution of it,
+/// whatever its neighbors have.
+#[test]
+fn a_lane_without_a_second_root_has_none() {
+    let mut random = Random::named("second roots");
+    let mut compared = 0;
+    for case in 0..20 {
+        let mut length = |zero: u32| if random.below(4) < zero as usize { 0.0 } else { random.uniform(0.05, 0.4) };
+        let [d1, d2, d5] = [length(0), length(1), length(1)];
+        let [a1, a2, a3, a4] = [length(2), length(0), length(0), length(1)];
+        let mut arm = DynamicArm::from_yaml(&format!(
+            "name: five\nconvention: standard\nunits: {{length: m, angle: deg}}\ninverse: {{task: pose}}\njoints:\n\
+             \x20 - {{a: {a1}, alpha: 90, d: {d1}, theta: 0}}\n  - {{a: {a2}, alpha: 0, d: {d2}, theta: 0}}\n\
+             \x20 - {{a: {a3}, alpha: 0, d: 0, theta: 0}}\n  - {{a: {a4}, alpha: 90, d: 0, theta: 0}}\n\
+             \x20 - {{a: 0, alpha: 0, d: {d5}, theta: 0}}\n"
+        ))
+        .unwrap();
+        if !arm.inverse_has_lanes().unwrap() {
+            continue;
+        }
+        compared += 1;
+        let rows: Vec<[f64; 12]> = (0..4 * BLOCK)
+            .map(|target| {
+                let q: [f64; 5] = std::array::from_fn(|_| random.uniform(-3.0, 3.0));
+                let q = q.map(|value| if target % 3 == 0 && random.below(2) == 0 { 0.0 } else { value });
+                numbers(&arm.target_at(&q).unwrap()).try_into().unwrap()
+            })
+            .collect();
+        let expected: Vec<_> = rows
+            .iter()
+            .map(|row| arm.inverse(&target(&DynamicTarget::Pose(Pose::identity()), row), &[]).unwrap())
+            .collect();
+        for set in InstructionSet::available().into_iter().flatten() {
+            arm.set_instruction_set(set);
+            let width = 5 * arm.max_solutions().unwrap();
+            let (mut q, mut found) = (vec![UNTOUCHED; width * rows.len()], vec![Found::NOTHING; rows.len()]);
+            arm.inverse_batch(rows.as_flattened(), &[], &mut q, &mut found).unwrap();
+            for (number, (found, expected)) in found.iter().zip(&expected).enumerate() {
+                let listed: Vec<_> = expected.iter().map(|solution| (&*solution.q, solution.flags)).collect();
+                let case = format!("arm {case}, {set}, target {number}");
+                compare(&case, found, &q[number * width..][..width], outcome(expected), &listed);
+            }
+        }
+    }
+    assert!(compared >= 10, "{compared}");
+}
+
 fn ur5() -> DynamicArm {
     DynamicArm::from_file(Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs/ur5.yaml")).unwrap()
 }

@@ -13,6 +13,7 @@ mod frame;
 mod inverse;
 mod length;
 mod nearest;
+mod nesting;
 mod parameter;
 mod place;
 mod range;

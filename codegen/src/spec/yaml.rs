@@ -5,6 +5,7 @@
 //! The text is read again up to that node, where the reader fails on purpose: the error has the place.
 
 use super::angle::{decimal, without_leading_zeros};
+use super::nesting::too_deep;
 use super::place::{Place, Step};
 use serde::Deserialize;
 use serde::de::{self, Deserializer, EnumAccess, IgnoredAny, MapAccess, SeqAccess, VariantAccess, Visitor};
@@ -45,6 +46,9 @@ pub struct Broken {
 
 /// Reads a text of one YAML document.
 pub fn parse(text: &str) -> Result<Node, Broken> {
+    if let Some(at) = too_deep(text) {
+        return Err(Broken { message: "brackets nest more than 1000 deep".to_owned(), at: Some(at) });
+    }
     serde_yaml::from_str::<Node>(text).map_err(|error| {
         // The library's only mistake without a place.
         if position(&error).is_none()

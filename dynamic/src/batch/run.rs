@@ -152,7 +152,8 @@ impl<'a> Run<'a> {
                 }
             }
             Action::Follow { stage, before, after, gap } => {
-                let before = self.states.get(*before).copied().unwrap_or(0);
+                // A lane without the root that is followed has the state, too.
+                let before = self.states.get(*before).copied().unwrap_or(0) & alive;
                 let Some(Stage { ended, doubt, .. }) = self.stages.get(*stage).copied() else { return 0 };
                 self.doubt |= doubt & before;
                 for lane in lanes_of(ended & before & !self.doubt) {
@@ -216,7 +217,7 @@ impl<'a> Run<'a> {
                         agreed &= !(L::bits(misses) << (at * L::WIDTH));
                     }
                 }
-                let before = self.states.get(*before).copied().unwrap_or(0);
+                let before = self.states.get(*before).copied().unwrap_or(0) & alive;
                 self.doubt |= before & !agreed;
                 if let Some(state) = self.states.get_mut(*after) {
                     *state = before & agreed;
