@@ -10,9 +10,8 @@ use denhart_draw::{Scene, Style, View};
 use denhart_dynamic::{DynamicArm, DynamicSolution, DynamicTarget};
 use denhart_tools::export::{self, COptions};
 use denhart_tools::{chain, import, presets};
-use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList, PyTuple, PyType};
+use pyo3::types::{PyBytes, PyDict, PyList, PyTuple, PyType};
 
 use crate::follow::{Motion, Path as Followed};
 use crate::follower::{Beginning, Follower};
@@ -58,24 +57,41 @@ impl Arm {
     }
 }
 
-/// The argument `n` of `sweep`.
-#[derive(FromPyObject)]
-enum Steps {
-    Of(usize),
-    Each(Vec<usize>),
+/// The argument `n` of `sweep`: a number of steps, or one for each value.
+struct Steps {
+    counts: Vec<usize>,
+    is_list: bool,
 }
+
+/// Values that `sweep` may take in all.
+const MOST_SWEPT: usize = 1_000_000;
+
+impl Steps {
+    fn read(n: &Bound<'_, PyAny>) -> PyResult<Self> {
+        if let Ok(count) = n.extract() {
+            return Ok(Self { counts: vec![count], is_list: false });
+        }
+        match n.extract() {
+            Ok(counts) => Ok(Self { counts, is_list: true }),
+            Err(_) => Err(error::kind(format!(
+                "sweep: n: expected a whole number of steps from 0 on, or one for each value, found {}",
+                n.repr()?
+            ))),
+        }
+    }
+}
+
+/// Iterations that `numeric` may take in all: no signal is seen meanwhile.
+const MOST_ITERATIONS: usize = 1_000_000;
 
 /// The text of a file, and its name.
 fn read(py: Python<'_>, path: &Path) -> PyResult<(String, String)> {
     let name = path.display().to_string();
-    let bytes = py.detach(|| std::fs::read(path)).map_err(|reason| match reason.raw_os_error() {
-        // Of these Python makes the class for the number, such as FileNotFoundError.
-        Some(number) => {
-            let words = reason.to_string().replace(&format!(" (os error {number})"), "");
-            PyOSError::new_err((number, words, name.clone()))
-        }
-        None => PyErr::from(reason),
-    })?;
+    // By Python's own file, which Ctrl+C ends where a pipe has nothing to read.
+    let file = py.import("builtins")?.call_method1("open", (path, "rb"))?;
+    let bytes = file.call_method0("read");
+    file.call_method0("close")?;
+    let bytes = bytes?.cast::<PyBytes>()?.as_bytes().to_vec();
     let text = denhart_codegen::decode(bytes, &name).map_err(|message| error::arm(py, message))?;
     Ok((text, name))
 }
@@ -509,12 +525,12 @@ impl Arm {
     /// of pairs of the value and its `Solutions`.
     ///
     /// An arm that takes several values beside the target gets a tuple of as many counts: the pairs have a tuple of values.
-    /// The steps are those of `denhart inverse --sweep`.
+    /// The steps are those of `denhart inverse --sweep`; a million values in all are the most.
     #[pyo3(signature = (target, n, limits="mark"))]
     fn sweep<'py>(
         slf: &Bound<'py, Self>,
         target: &Bound<'py, PyAny>,
-        n: Steps,
+        n: &Bound<'py, PyAny>,
         limits: &str,
     ) -> PyResult<Bound<'py, PyList>> {
         let py = slf.py();
@@ -522,10 +538,7 @@ impl Arm {
         let target = target::read(arm, target)?;
         let drop = drop(limits)?;
         let names = arm.given().map_err(|error| error::dynamic(py, &error))?;
-        let counts = match &n {
-            Steps::Of(n) => std::slice::from_ref(n),
-            Steps::Each(counts) => counts.as_slice(),
-        };
+        let Steps { counts, is_list } = Steps::read(n)?;
         match names.as_slice() {
             [] => return Err(error::value("sweep: this arm's inverse takes no value beside the target")),
             names if names.len() != counts.len() => {
@@ -538,12 +551,17 @@ impl Arm {
             }
             _ => {}
         }
-        let found = arm.sample_redundancy(&target, counts).map_err(|error| error::dynamic(py, &error))?;
+        let all = counts.iter().fold(1, |all: usize, count| all.saturating_mul(*count));
+        if all > MOST_SWEPT {
+            return Err(error::value(format!("sweep: n: expected up to {MOST_SWEPT} values in all, found {all}")));
+        }
+        let found = py.detach(|| arm.sample_redundancy(&target, &counts));
+        let found = found.map_err(|error| error::dynamic(py, &error))?;
         let list = PyList::empty(py);
         for (given, all) in found {
             py.check_signals()?;
-            let value = match (&n, given.as_slice()) {
-                (Steps::Of(_), [value]) => value.into_pyobject(py)?.into_any(),
+            let value = match (is_list, given.as_slice()) {
+                (false, [value]) => value.into_pyobject(py)?.into_any(),
                 (_, values) => PyTuple::new(py, values)?.into_any(),
             };
             let asked = Asked { target, near: None, given, branch: None, drop };
@@ -629,7 +647,8 @@ impl Arm {
     }
 
     /// A joint vector by iteration from `start` (n,): for arms without a closed form, and for the closest approach to a
-    /// target out of reach. Without an inverse the target is a pose. `limits` keeps joints within their limits.
+    /// target out of reach. Without an inverse the target is a pose. `limits` keeps joints within their limits. A million
+    /// iterations in all, `(restarts + 1) * max_iterations`, are the most.
     #[pyo3(signature = (target, start, *, limits=true, restarts=10, max_iterations=300))]
     fn numeric(
         &self,
@@ -640,6 +659,12 @@ impl Arm {
         max_iterations: usize,
     ) -> PyResult<NumericSolution> {
         let py = target.py();
+        let all = restarts.saturating_add(1).saturating_mul(max_iterations);
+        if all > MOST_ITERATIONS {
+            return Err(error::value(format!(
+                "numeric: expected up to {MOST_ITERATIONS} iterations in all, (restarts + 1) * max_iterations, found {all}"
+            )));
+        }
         let start = self.joints("start", start)?;
         let target = match self.arm.task() {
             Ok(_) => target::read(&self.arm, target)?,

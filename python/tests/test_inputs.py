@@ -147,6 +147,13 @@ def test_options_in_words(ur5):
     panda = denhart.Arm.preset("franka_panda")
     with pytest.raises(ValueError, match="sweep: n has 2 of steps, and this arm's inverse takes the values q7: expected 1"):
         panda.sweep(panda.forward(np.zeros(7)), (5, 5))
+    for n in [2.5, -1, "5", None]:
+        with pytest.raises(TypeError, match="sweep: n: expected a whole number of steps"):
+            panda.sweep(panda.forward(np.zeros(7)), n)
+    with pytest.raises(ValueError, match="expected up to 1000000 values in all, found 4611686018427387904"):
+        panda.sweep(panda.forward(np.zeros(7)), 2**62)
+    with pytest.raises(ValueError, match="numeric: expected up to 1000000 iterations in all"):
+        panda.numeric(panda.forward(np.zeros(7)), np.zeros(7), max_iterations=10**7, restarts=10**5)
     with pytest.raises(TypeError):
         ur5.inverse()
 
@@ -167,6 +174,10 @@ def test_mistakes_in_a_file_have_a_place(tmp_path):
         denhart.Arm.from_file(path)
     with pytest.raises(FileNotFoundError, match="No such file or directory: .*none.yaml"):
         denhart.Arm.from_file(tmp_path / "none.yaml")
+    with pytest.raises(IsADirectoryError):
+        denhart.Arm.from_file(tmp_path)
+    with pytest.raises(denhart.ArmError, match="brackets nest more than 1000 deep"):
+        denhart.Arm.from_yaml("name: " + "[" * 100_000)
     with pytest.raises(denhart.ArmError, match="no arm `ur 5`") as caught:
         denhart.Arm.preset("ur 5")
     assert "help: did you mean `ur5`? Arm.presets() lists them" in str(caught.value)

@@ -103,6 +103,35 @@ def test_out_of_reach_and_bad_targets(ur5):
     assert ur5.inverse(ur5.forward(np.full(6, 0.3)), near=near).status == Status.BAD_TARGET
 
 
+@pytest.mark.parametrize("name, q", [("planar3r", [0.3, 0.8, -0.6]), ("planar2r", [0.3, 0.8]), ("anthro3r", [0.3, 0.8, -0.6])])
+def test_a_pose_of_any_form_is_a_target_of_other_tasks(name, q):
+    arm = denhart.Arm.preset(name)
+    pose = arm.forward(q)
+    expected = arm.inverse(pose)
+    rotation, point = pose[:3, :3], pose[:3, 3]
+    for target in [Target.pose(pose), (Rotation.from_matrix(rotation), point), (rotation, point)]:
+        found = arm.inverse(target)
+        assert found.target == expected.target
+        np.testing.assert_array_equal(found.q, expected.q)
+    for target in [(None, point), ("x", point), (point, None)]:
+        with pytest.raises((ValueError, TypeError)):
+            arm.inverse(target)
+    # Columns of an array would be read in another order.
+    with pytest.raises(ValueError, match="target: the task of this arm is"):
+        arm.inverse(point.reshape(3, 1))
+
+
+def test_batches_of_five_joints_are_those_of_single_calls():
+    arm = denhart.Arm.from_dh(a=[0, 0.2, 0.3, 0.2, 0], alpha=[np.pi / 2, 0, 0, np.pi / 2, 0], d=[0.3, 0.1, 0, 0, 0.2])
+    rng = np.random.default_rng(0)
+    joints = rng.uniform(-3, 3, (64, 5)) * (rng.uniform(0, 1, (64, 5)) < 0.7)
+    joints[::8] = 0.0
+    poses = arm.forward_batch(joints)
+    batch = arm.inverse_batch(poses)
+    for pose, q, count in zip(poses, batch.q, batch.count):
+        np.testing.assert_array_equal(q[:count], arm.inverse(pose).q)
+
+
 class RigidTransform:
     """What SciPy's class of this name has, which versions before 1.16 do not have."""
 
