@@ -26,10 +26,23 @@ impl<T: Scalar, const N: usize> Interval<T, N> {
         step
     }
 
+    /// Returns true if a motor's way to the joint value `q` is a step of its interval, up to rounding.
+    #[inline]
+    pub(super) fn allows(&self, motor: usize, q: T, way: T) -> bool {
+        let rounding = rounding(q);
+        let ends = self.low.get(motor).zip(self.high.get(motor));
+        ends.is_some_and(|(low, high)| way >= *low - rounding && way <= *high + rounding)
+    }
+
     /// The step that is nearest to rest.
     pub(super) fn rest(&self) -> [T; N] {
         self.cut([T::ZERO; N])
     }
+}
+
+/// How far a joint value of this size may be off by rounding.
+pub(super) fn rounding<T: Scalar>(q: T) -> T {
+    T::from_f64(4.0) * T::EPSILON * (T::ONE + q.abs())
 }
 
 /// The limits of an arm for a tick.

@@ -1,6 +1,6 @@
 //! The follower that keeps the time.
 
-use super::bounds::{Bounds, Interval};
+use super::bounds::{Bounds, Interval, rounding};
 use super::choice::{Candidate, Choice, Place};
 use super::deviate::{Aim, TURN, Weights};
 use super::settings::{FollowError, FollowSettings};
@@ -114,10 +114,14 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             return self.arrive(&interval, &q, &place);
         }
         let aim = self.choose(arm, target, found.as_ref());
-        let held = match &aim.goal {
-            Some(goal) if aim.tracking == Tracking::Rates => slow(goal, &self.way(goal), &interval),
-            _ => aim.held,
-        };
+        let mut held = aim.held;
+        if let (Tracking::Rates, Some(goal)) = (aim.tracking, &aim.goal) {
+            for (joint, (q, way)) in goal.iter().zip(&self.way(goal)).enumerate() {
+                if !interval.allows(joint, *q, *way) {
+                    held.insert(JointMask::single(joint));
+                }
+            }
+        }
         let step = self.deviate(arm, target, &aim, &interval);
         let step = self.bounds.within_sums(arm, &self.q, &self.step, &interval, step);
         self.advance(step);
@@ -204,7 +208,8 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
 
     /// Returns true if the way to a solution is a step that the limits allow, up to rounding.
     fn fits<A: InverseKinematics<T, N>>(&self, arm: &A, q: &[T; N], way: &[T; N], interval: &Interval<T, N>) -> bool {
-        slow(q, way, interval).is_empty() && self.bounds.sums_hold(arm, &self.q, way)
+        let mut joints = q.iter().zip(way).enumerate();
+        joints.all(|(joint, (q, way))| interval.allows(joint, *q, *way)) && self.bounds.sums_hold(arm, &self.q, way)
     }
 
     /// Returns true if the arm is so near to the goal of the last tick that it can go on with the goal's own rate.
@@ -409,22 +414,4 @@ pub(super) fn name<T: Copy, const N: usize>(solutions: &impl AsRef<[Solution<T, 
     let solutions = solutions.as_ref();
     let nearest = solutions.iter().find(|solution| solution.is_exact()).or(solutions.first());
     nearest.map_or(Branch::NONE, |solution| solution.branch.with_root(0))
-}
-
-/// The motors whose way to joint values is no step that their rates, accelerations and ranges allow, up to rounding.
-fn slow<T: Scalar, const N: usize>(q: &[T; N], way: &[T; N], interval: &Interval<T, N>) -> JointMask {
-    let mut slow = JointMask::NONE;
-    let ends = interval.low.iter().zip(&interval.high);
-    for (joint, ((way, q), (low, high))) in way.iter().zip(q).zip(ends).enumerate() {
-        let rounding = rounding(*q);
-        if !(*way >= *low - rounding && *way <= *high + rounding) {
-            slow.insert(JointMask::single(joint));
-        }
-    }
-    slow
-}
-
-/// How far a joint value of this size may be off by rounding.
-fn rounding<T: Scalar>(q: T) -> T {
-    T::from_f64(4.0) * T::EPSILON * (T::ONE + q.abs())
 }
