@@ -16,11 +16,32 @@ pub(crate) fn next_to<T: Scalar>(value: T, reference: T, limits: [T; 2]) -> T {
     if inside(near, limits) || far_beyond(reference, limits) { near } else { at_limit(value, near, limits) }
 }
 
+/// The joint value next to a reference over lanes, the step to it as the search measures steps, and the lanes in doubt.
+///
+/// `reach`: of a prismatic joint, which has no turns; its step is relative to reach.
+#[cfg(feature = "batch")]
+#[inline(always)]
+pub fn step_lanes<L: Lanes>(
+    set: L::Set,
+    value: L,
+    reference: L,
+    limits: [f64; 2],
+    reach: Option<f64>,
+) -> (L, L, L::Mask) {
+    match reach {
+        Some(reach) => (value, (value - reference) / value.of(reach), L::mask(set, false)),
+        None => {
+            let (value, unsure) = next_to_lanes(value, reference, limits);
+            (value, value - reference, unsure)
+        }
+    }
+}
+
 /// `next_to` of values in (-pi, pi] over lanes, and where the angle is beyond a limit by no more than a solution near a
 /// singularity may be off, or the reference is wound: in doubt.
 #[cfg(feature = "batch")]
 #[inline(always)]
-pub fn next_to_lanes<L: Lanes>(value: L, reference: L, limits: [f64; 2]) -> (L, L::Mask) {
+fn next_to_lanes<L: Lanes>(value: L, reference: L, limits: [f64; 2]) -> (L, L::Mask) {
     let (turned, wound) = crate::math::lanes::wrap(value - reference);
     let near = reference + turned;
     let [low, high] = limits.map(|limit| value.of(limit));
@@ -30,11 +51,14 @@ pub fn next_to_lanes<L: Lanes>(value: L, reference: L, limits: [f64; 2]) -> (L, 
     let far = L::either(reference.less(below), above.less(reference));
     let stays = L::either(inside(near), far);
     let (is_below, is_above) = (near.less(below), above.less(near));
-    let beyond = L::either(is_below, is_above);
+    let beyond = L::both(L::either(is_below, is_above), L::not(stays));
+    if L::bits(beyond) == 0 {
+        return (near, L::either(wound, L::not(stays)));
+    }
     let ((down, odd_down), (up, odd_up)) = (inward_lanes(value, limits[1], 1.0), inward_lanes(value, limits[0], -1.0));
     let inward = down.where_or(is_above, up);
     let odd = L::either(L::both(is_above, odd_down), L::both(is_below, odd_up));
-    let moves = L::both(L::both(beyond, inside(inward)), L::not(stays));
+    let moves = L::both(beyond, inside(inward));
     let unsure = L::both(L::not(stays), L::either(L::not(beyond), odd));
     (inward.where_or(moves, near), L::either(wound, unsure))
 }

@@ -1,6 +1,6 @@
 //! The inverse of many targets: blocks in lanes, targets in doubt by single calls.
 
-use denhart::batch::{BLOCK, Found, Lanes, Row, Summary, Work};
+use denhart::batch::{BLOCK, Found, Lanes, LeftOut, Row, Summary, Work};
 use denhart::{Flags, Status, math};
 use denhart_codegen::lower::{Given, Inverse};
 use denhart_codegen::model::MOST_JOINTS;
@@ -61,7 +61,7 @@ impl<const NEAR: bool> Work for Targets<'_, NEAR> {
         let beside = self.program.given.values.len();
         let mut run = Run::new(plan);
         let mut nearest = Reference::new(self.program);
-        let (mut left_out, mut next) = (0, 1);
+        let mut left_out = LeftOut::up_to(MOST_LEFT_OUT);
         let mut given = self.given.chunks((beside * BLOCK).max(1));
         let mut references = self.references.chunks((joints * BLOCK).max(1));
         let blocks = self.targets.chunks((self.width * BLOCK).max(1));
@@ -69,8 +69,7 @@ impl<const NEAR: bool> Work for Targets<'_, NEAR> {
             let (given, references) = (given.next().unwrap_or(&[]), references.next().unwrap_or(&[]));
             let block = Block { targets, references, given, q: &mut *q, found: &mut *found };
             let all = first(block.found.len());
-            if left_out > 0 {
-                left_out -= 1;
+            if !left_out.takes_lanes() {
                 single.lanes(block, all, &mut summary, self.row, false);
                 continue;
             }
@@ -124,12 +123,7 @@ impl<const NEAR: bool> Work for Targets<'_, NEAR> {
                     }
                 }
             }
-            if doubt == all {
-                left_out = next;
-                next = (next * 2).min(MOST_LEFT_OUT);
-            } else {
-                next = 1;
-            }
+            left_out.note(doubt == all);
             if doubt != 0 {
                 single.lanes(block, doubt, &mut summary, self.row, false);
             }

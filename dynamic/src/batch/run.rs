@@ -152,7 +152,7 @@ impl<'a> Run<'a> {
                 }
             }
             Action::Follow { stage, before, after, gap } => {
-                // A lane without the root that is followed has the state, too.
+                // The state is that before the loop over roots: lanes without the root that is followed have it, too.
                 let before = self.states.get(*before).copied().unwrap_or(0) & alive;
                 let Some(Stage { ended, doubt, .. }) = self.stages.get(*stage).copied() else { return 0 };
                 self.doubt |= doubt & before;

@@ -1,7 +1,7 @@
 //! Solutions of a block as rows.
 
 use denhart::Flags;
-use denhart::batch::{BLOCK, Found, Lanes, Row, next_to_lanes, within_lanes};
+use denhart::batch::{BLOCK, Found, Lanes, Row, step_lanes, within_lanes};
 use denhart_codegen::model::MOST_JOINTS;
 
 use super::plan::Plan;
@@ -68,7 +68,7 @@ impl All<'_> {
 pub struct Nearest<'a> {
     /// References, by joint.
     pub references: &'a [Row],
-    /// Of each joint its weight; and what a step is divided by, of a prismatic one.
+    /// Of each joint its weight, and of a prismatic one the reach, to which its steps are relative.
     pub weights: &'a [(f64, Option<f64>)],
     pub limits: &'a [[f64; 2]],
     /// The best so far, by joint, and how far it is.
@@ -88,20 +88,11 @@ impl Sink for Nearest<'_> {
         for at in 0..BLOCK / L::WIDTH {
             let mut sum = L::all(set, 0.0);
             let joints = q.iter().zip(self.references).zip(self.weights.iter().zip(self.limits)).zip(&mut turned);
-            for (((register, reference), ((weight, divisor), limits)), place) in joints {
+            for (((register, reference), ((weight, reach), limits)), place) in joints {
                 let (value, reference): (L, L) = (rows.load(set, *register, at), L::load(set, reference, at));
-                let step = match divisor {
-                    Some(reach) => {
-                        value.store(place, at);
-                        (value - reference) / sum.of(*reach)
-                    }
-                    None => {
-                        let (value, unsure) = next_to_lanes(value, reference, *limits);
-                        value.store(place, at);
-                        doubt |= L::bits(unsure) << (at * L::WIDTH);
-                        value - reference
-                    }
-                };
+                let (value, step, unsure) = step_lanes(set, value, reference, *limits, *reach);
+                value.store(place, at);
+                doubt |= L::bits(unsure) << (at * L::WIDTH);
                 sum = sum + sum.of(*weight) * step * step;
             }
             sum.store(&mut distance, at);

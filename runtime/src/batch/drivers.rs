@@ -5,12 +5,12 @@ use core::fmt;
 use denhart_core::lanes::{InstructionSet, Lanes, MOST_LANES, Work};
 
 use super::rows::{columns, in_fours, poses, put, write_jacobians, write_poses};
-use super::{BatchArm, BatchInverse, Branches, Found, Summary};
+use super::{BatchArm, BatchInverse, Branches, Found, LeftOut, Summary};
 use crate::limits::within_lanes;
 use crate::{Flags, Jacobian, Pose, Status};
 
 /// Groups of lanes left out at most before lanes are tried again.
-const MOST_LEFT_OUT: usize = 2048;
+pub(super) const MOST_LEFT_OUT: usize = 2048;
 
 /// Two slices of unlike lengths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -208,12 +208,12 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Inverse<'_,
         let mut summary = Summary::default();
         let mut branches = Branches::<L, N, S>::new(set);
         let mut last = Last::new();
-        let mut left_out = LeftOut::new();
+        let mut left_out = LeftOut::up_to(MOST_LEFT_OUT);
         let outputs = self.q.chunks_mut(L::WIDTH).zip(self.found.chunks_mut(L::WIDTH));
         for (targets, (q, found)) in self.targets.chunks(L::WIDTH).zip(outputs) {
             let all = (1 << targets.len()) - 1;
             let mut doubt = all;
-            if left_out.is_lanes() {
+            if left_out.takes_lanes() {
                 let slices = (targets.get(..L::WIDTH), q.get_mut(..L::WIDTH), found.get_mut(..L::WIDTH));
                 let (group, q_of_lanes, found_of_lanes) = match slices {
                     (Some(targets), Some(q), Some(found)) => (targets, q, found),
@@ -282,37 +282,6 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Inverse<'_,
             }
         }
         summary
-    }
-}
-
-/// Groups that are left to single calls after one whose lanes were all in doubt: 1, 2, 4 and so on.
-pub(super) struct LeftOut {
-    groups: usize,
-    next: usize,
-}
-
-impl LeftOut {
-    pub(super) const fn new() -> Self {
-        Self { groups: 0, next: 1 }
-    }
-
-    /// Returns true if the next group takes lanes, and counts it if it does not.
-    #[inline(always)]
-    pub(super) fn is_lanes(&mut self) -> bool {
-        let is_lanes = self.groups == 0;
-        self.groups = self.groups.saturating_sub(1);
-        is_lanes
-    }
-
-    /// Notes a group that has taken lanes.
-    #[inline(always)]
-    pub(super) fn note(&mut self, all_in_doubt: bool) {
-        if all_in_doubt {
-            self.groups = self.next;
-            self.next = (self.next * 2).min(MOST_LEFT_OUT);
-        } else {
-            self.next = 1;
-        }
     }
 }
 

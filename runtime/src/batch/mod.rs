@@ -10,6 +10,7 @@ mod arm;
 mod branches;
 mod drivers;
 mod found;
+mod left_out;
 mod nearest;
 mod ordinary;
 mod rows;
@@ -22,12 +23,13 @@ pub use crate::solve::{
     LaneMeasure, LaneRoots, align_lanes, cone_lanes, distance_lanes, flip_lanes, offset_lanes, offset_of_two_lanes,
     slide_lanes, slide_to_lanes, wrist_lanes,
 };
-pub use crate::windings::next_to_lanes;
+pub use crate::windings::step_lanes;
 pub use arm::{BatchArm, BatchInverse};
 pub use branches::Branches;
 pub use drivers::{
     Lengths, forward, forward_and_jacobian, forward_and_jacobian_with, forward_with, inverse, inverse_with,
 };
 pub use found::{Found, MOST_SOLUTIONS, Summary};
+pub use left_out::LeftOut;
 pub use nearest::{inverse_near, inverse_near_with};
 pub use ordinary::{FAR, ordinary};

@@ -2,12 +2,12 @@
 
 use denhart_core::lanes::{InstructionSet, Lanes, MOST_LANES, Work};
 
-use super::drivers::{LeftOut, Lengths, status};
+use super::drivers::{Lengths, MOST_LEFT_OUT, status};
 use super::rows::{columns, poses};
-use super::{BatchInverse, Branches, Found, Summary};
+use super::{BatchInverse, Branches, Found, LeftOut, Summary};
 use crate::limits::within_lanes;
 use crate::solve::Tolerances;
-use crate::windings::next_to_lanes;
+use crate::windings::step_lanes;
 use crate::{Flags, Pose};
 
 /// The first solution within the limits of [`InverseKinematics::inverse_near`](crate::InverseKinematics::inverse_near), for
@@ -63,14 +63,14 @@ impl<A: BatchInverse<N, S>, const N: usize, const S: usize> Work for Near<'_, A,
         let Near { arm, targets, q_ref, q, found } = self;
         let mut summary = Summary::default();
         let mut branches = Branches::<L, N, S>::new(set);
-        let mut left_out = LeftOut::new();
+        let mut left_out = LeftOut::up_to(MOST_LEFT_OUT);
         let outputs = q.chunks_mut(L::WIDTH).zip(found.chunks_mut(L::WIDTH));
         let inputs = targets.chunks(L::WIDTH).zip(q_ref.chunks(L::WIDTH));
         for ((targets, q_ref), (q, found)) in inputs.zip(outputs) {
             let all = (1 << targets.len()) - 1;
             let mut doubt = all;
             // What is left over at the end takes single calls.
-            if left_out.is_lanes() && targets.len() == L::WIDTH {
+            if left_out.takes_lanes() && targets.len() == L::WIDTH {
                 arm.inverse_lanes(set, &poses::<L>(set, targets), &mut branches);
                 let nearest = Nearest::of::<A, L, S>(set, &branches, columns(set, q_ref));
                 doubt = (branches.doubt() | nearest.doubt) & all;
@@ -142,13 +142,9 @@ impl<const N: usize> Nearest<N> {
             for (joint, ((value, q_ref), ((weight, limits), turned))) in
                 values.iter().zip(&q_ref).zip(weights).enumerate()
             {
-                let (value, step) = if constants.prismatic.contains(joint) {
-                    (*value, (*value - *q_ref) / sum.of(constants.reach))
-                } else {
-                    let (value, wound) = next_to_lanes(*value, *q_ref, *limits);
-                    unsure = L::either(unsure, wound);
-                    (value, value - *q_ref)
-                };
+                let reach = constants.prismatic.contains(joint).then_some(constants.reach);
+                let (value, step, wound) = step_lanes(set, *value, *q_ref, *limits, reach);
+                unsure = L::either(unsure, wound);
                 value.write(turned);
                 sum = sum + sum.of(*weight) * step * step;
                 // A joint on another turn may be outside limits that its angle in (-pi, pi] is within.
