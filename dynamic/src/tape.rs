@@ -156,8 +156,6 @@ impl<'a> Compiler<'a> {
                 Node::Add(a, b) | Node::Sub(a, b) | Node::Mul(a, b) => [a, b].into_iter().for_each(&mut need),
             }
         }
-        // A root is looked up, so it has a register.
-        roots.iter().for_each(|root| (0..2).for_each(|_| need(*root)));
         let mut parts = vec![false; graph.size()];
         for slot in graph.reachable(roots) {
             let (Node::Add(a, b) | Node::Sub(a, b)) = graph.node(slot) else { continue };
@@ -166,6 +164,12 @@ impl<'a> Compiler<'a> {
                 if let (Some(part), Some(1)) = (parts.get_mut(operand.at()), needs.get(operand.at())) {
                     *part = product;
                 }
+            }
+        }
+        // A root is looked up, so it has a register.
+        for root in roots {
+            if let Some(part) = parts.get_mut(root.at()) {
+                *part = false;
             }
         }
         Compiler {
