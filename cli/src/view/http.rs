@@ -42,6 +42,8 @@ pub struct Asked {
     pub transfer_encoding: Option<String>,
 }
 
+const PLAIN: &str = "text/plain; charset=utf-8";
+
 /// The answer to a request.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Answer {
@@ -53,14 +55,19 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// A page or a text.
-    pub fn new(status: u16, kind: &'static str, body: impl Into<String>) -> Self {
-        Self { status, kind, tag: None, body: body.into() }
+    /// A page.
+    pub fn page(html: String) -> Self {
+        Self { status: 200, kind: "text/html; charset=utf-8", tag: None, body: html }
+    }
+
+    /// A text with its tag.
+    pub fn text(tag: String, text: String) -> Self {
+        Self { status: 200, kind: PLAIN, tag: Some(tag), body: text }
     }
 
     /// The reason why there is no other answer.
     pub fn refused(status: u16, why: impl Into<String>) -> Self {
-        Self::new(status, "text/plain; charset=utf-8", why)
+        Self { status, kind: PLAIN, tag: None, body: why.into() }
     }
 }
 

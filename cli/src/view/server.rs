@@ -55,12 +55,10 @@ impl Served {
             ("GET", "/") => {
                 let text = self.now().unwrap_or_else(|_| self.text.clone());
                 let given = Given { text: &text, name: &self.name, follow: self.file.is_some(), write: self.write };
-                Answer::new(200, "text/html; charset=utf-8", page(&given))
+                Answer::page(page(&given))
             }
             ("GET", "/arm") => match self.now() {
-                Ok(text) => {
-                    Answer { tag: Some(self.tag(&text)), ..Answer::new(200, "text/plain; charset=utf-8", text) }
-                }
+                Ok(text) => Answer::text(self.tag(&text), text),
                 Err(why) => Answer::refused(500, why),
             },
             ("PUT", "/arm") if self.write => {
@@ -103,7 +101,7 @@ impl Served {
         }
         replace(file, &text)
             .map_err(|error| Answer::refused(400, format!("cannot write `{}`: {error}", file.display())))?;
-        Ok(Answer { tag: Some(self.tag(&text)), ..Answer::refused(200, "") })
+        Ok(Answer::text(self.tag(&text), String::new()))
     }
 }
 
