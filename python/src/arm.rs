@@ -15,11 +15,11 @@ use pyo3::types::{PyBytes, PyDict, PyList, PyTuple, PyType};
 
 use crate::follow::{Motion, Path as Followed};
 use crate::follower::{Beginning, Follower};
-use crate::inverse::{Asked, Batch, InverseBatch, branch, drop};
+use crate::inverse::{Asked, Batch, InverseBatch, branch};
 use crate::picture::{Picture, theme, view};
 use crate::solutions::{NumericSolution, Solutions, joints};
 use crate::target::{self, Target};
-use crate::{beyond, error, table};
+use crate::{beyond, error, sweep, table};
 
 /// A robot arm: its kinematics from a Denavit-Hartenberg table.
 ///
@@ -54,30 +54,6 @@ impl Arm {
             text += &format!("  {}", solution.branch);
         }
         text
-    }
-}
-
-/// The argument `n` of `sweep`: a number of steps, or one for each value.
-struct Steps {
-    counts: Vec<usize>,
-    is_list: bool,
-}
-
-/// Values that `sweep` may take in all.
-const MOST_SWEPT: usize = 1_000_000;
-
-impl Steps {
-    fn read(n: &Bound<'_, PyAny>) -> PyResult<Self> {
-        if let Ok(count) = n.extract() {
-            return Ok(Self { counts: vec![count], is_list: false });
-        }
-        match n.extract() {
-            Ok(counts) => Ok(Self { counts, is_list: true }),
-            Err(_) => Err(error::kind(format!(
-                "sweep: n: expected a whole number of steps from 0 on, or one for each value, found {}",
-                n.repr()?
-            ))),
-        }
     }
 }
 
@@ -533,41 +509,7 @@ impl Arm {
         n: &Bound<'py, PyAny>,
         limits: &str,
     ) -> PyResult<Bound<'py, PyList>> {
-        let py = slf.py();
-        let arm = &slf.get().arm;
-        let target = target::read(arm, target)?;
-        let drop = drop(limits)?;
-        let names = arm.given().map_err(|error| error::dynamic(py, &error))?;
-        let Steps { counts, is_list } = Steps::read(n)?;
-        match names.as_slice() {
-            [] => return Err(error::value("sweep: this arm's inverse takes no value beside the target")),
-            names if names.len() != counts.len() => {
-                return Err(error::value(format!(
-                    "sweep: n has {} of steps, and this arm's inverse takes the values {}: expected {} counts",
-                    counts.len(),
-                    names.join(", "),
-                    names.len()
-                )));
-            }
-            _ => {}
-        }
-        let all = counts.iter().fold(1, |all: usize, count| all.saturating_mul(*count));
-        if all > MOST_SWEPT {
-            return Err(error::value(format!("sweep: n: expected up to {MOST_SWEPT} values in all, found {all}")));
-        }
-        let found = py.detach(|| arm.sample_redundancy(&target, &counts));
-        let found = found.map_err(|error| error::dynamic(py, &error))?;
-        let list = PyList::empty(py);
-        for (given, all) in found {
-            py.check_signals()?;
-            let value = match (is_list, given.as_slice()) {
-                (false, [value]) => value.into_pyobject(py)?.into_any(),
-                (_, values) => PyTuple::new(py, values)?.into_any(),
-            };
-            let asked = Asked { target, near: None, given, branch: None, drop };
-            list.append((value, asked.answered(slf.clone().unbind(), all)))?;
-        }
-        Ok(list)
+        sweep::sweep(slf, target, n, limits)
     }
 
     /// Solutions of many targets, with `threads` threads, by default one a processor.

@@ -14,6 +14,7 @@ mod inverse;
 mod picture;
 mod share;
 mod solutions;
+mod sweep;
 mod table;
 mod target;
 mod vectors;

@@ -291,8 +291,10 @@ pub fn read(arm: &DynamicArm, object: &Bound<'_, PyAny>) -> PyResult<DynamicTarg
             vec![Numbers::read("target", object)?]
         };
         let mut all = Vec::new();
-        for part in parts.iter().filter(|_| parts.iter().all(|part| part.shape().len() <= 1)) {
-            all.extend_from_slice(part.values()?);
+        if parts.iter().all(|part| part.shape().len() <= 1) {
+            for part in &parts {
+                all.extend_from_slice(part.values()?);
+            }
         }
         if let Some(target) = of_numbers(task, &all) {
             return Ok(target);
