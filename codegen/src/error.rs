@@ -20,6 +20,31 @@ pub struct Location {
     pub width: usize,
 }
 
+/// Characters of the longest line that an excerpt shows whole.
+const LONGEST_LINE: usize = 240;
+
+/// Characters before the place in the excerpt of a longer line.
+const BEFORE: usize = 60;
+
+impl Location {
+    /// The line, or the part of a long one about the place; the place in it, from 0, and the number of carets.
+    fn excerpt(&self) -> (String, usize, usize) {
+        // A tab counts as one character in `column`, so it must also be one wide in the excerpt.
+        let line = self.source_line.replace('\t', " ");
+        let (column, width) = (self.column.saturating_sub(1), self.width.max(1));
+        if line.chars().nth(LONGEST_LINE).is_none() {
+            return (line, column, width);
+        }
+        let first = column.saturating_sub(BEFORE);
+        let part: String = line.chars().skip(first).take(LONGEST_LINE).collect();
+        let (before, after) = (
+            if first > 0 { "..." } else { "" },
+            if line.chars().nth(first + LONGEST_LINE).is_some() { "..." } else { "" },
+        );
+        (format!("{before}{part}{after}"), before.len() + column - first, width.min(LONGEST_LINE - BEFORE))
+    }
+}
+
 impl fmt::Display for Location {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}:{}", self.file, self.line, self.column)
@@ -89,10 +114,8 @@ impl fmt::Display for Diagnostic {
         let number = self.at.as_ref().map(|at| at.line.to_string()).unwrap_or_default();
         let gutter = " ".repeat(number.len());
         if let Some(at) = &self.at {
-            // A tab counts as one character in `column`, so it must also be one wide in the excerpt.
-            let line = at.source_line.replace('\t', " ");
-            let indent = " ".repeat(at.column.saturating_sub(1));
-            let caret = "^".repeat(at.width.max(1));
+            let (line, column, width) = at.excerpt();
+            let (indent, caret) = (" ".repeat(column), "^".repeat(width));
             write!(f, "\n {gutter} |\n {number} | {}\n {gutter} | {indent}{caret}", line.trim_end())?;
             if !self.label.is_empty() {
                 write!(f, " {}", self.label)?;
@@ -175,6 +198,18 @@ specs/bad.yaml:7:28: unknown key `alfa` in a joint row
    = help: did you mean `alpha`?
            second line";
         assert_eq!(shown, expected);
+    }
+
+    #[test]
+    fn a_long_line_is_shown_about_the_place() {
+        let line = format!("{}bad: [{}]", "x: 1, ".repeat(1000), "0, ".repeat(1000));
+        let at = |column, width| Location { column, width, source_line: line.clone(), ..place(1, 1) };
+        let shown = Diagnostic::error("wrong").at(at(6001, 3)).to_string();
+        let [_, _, excerpt, caret] = &shown.lines().collect::<Vec<_>>()[..] else { panic!("{shown}") };
+        assert!(excerpt.len() < 260 && excerpt.ends_with("..."), "{excerpt}");
+        assert_eq!(excerpt.find("bad"), caret.find('^'), "{shown}");
+        let whole = Diagnostic::error("wrong").at(at(1, 9000)).to_string();
+        assert!(whole.lines().all(|line| line.len() < 260) && whole.contains("| x: 1, x"), "{whole}");
     }
 
     #[test]

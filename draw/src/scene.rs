@@ -1,7 +1,7 @@
 //! Things to draw, in space.
 
 use denhart::{JointKind, Pose};
-use denhart_dynamic::{DynamicArm, DynamicSolutions};
+use denhart_dynamic::{DynamicArm, DynamicSolution};
 
 use crate::DrawError;
 use crate::deciding::{DecidingLines, deciding_words};
@@ -113,7 +113,7 @@ impl Scene {
     ///
     /// # Errors
     /// A solution that has no finite points.
-    pub fn of_solutions(arm: &DynamicArm, target: Pose<f64>, solutions: &DynamicSolutions) -> Result<Self, DrawError> {
+    pub fn of_solutions(arm: &DynamicArm, target: Pose<f64>, solutions: &[DynamicSolution]) -> Result<Self, DrawError> {
         let scene = Scene::empty(arm);
         scene.with_solutions(arm, solutions).map(|scene| scene.with_target(target))
     }
@@ -122,7 +122,7 @@ impl Scene {
     ///
     /// # Errors
     /// As of [`of_solutions`](Self::of_solutions).
-    pub fn with_solutions(mut self, arm: &DynamicArm, solutions: &DynamicSolutions) -> Result<Self, DrawError> {
+    pub fn with_solutions(mut self, arm: &DynamicArm, solutions: &[DynamicSolution]) -> Result<Self, DrawError> {
         for (number, solution) in (1..).zip(solutions.iter()) {
             let branch = solution.branch.to_string();
             self.figures.push(Figure {

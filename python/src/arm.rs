@@ -121,7 +121,7 @@ impl Arm {
         theta: Option<&Bound<'_, PyAny>>,
         convention: &str,
         kinds: Option<&Bound<'_, PyAny>>,
-        limits: Option<Vec<Option<[f64; 2]>>>,
+        limits: Option<&Bound<'_, PyAny>>,
         angle: &str,
         length_unit: &str,
         name: &str,
@@ -238,13 +238,12 @@ impl Arm {
                         arm.arm.model().name
                     )));
                 }
-                let all =
-                    solutions.found.again(&self.arm, &solutions.asked).map_err(|error| error::dynamic(py, &error))?;
+                let listed = solutions.found.list();
                 match beyond::task(&self.arm, &solutions.asked.target) {
-                    Some((pose, _)) => Scene::of_solutions(&self.arm, pose, &all).map_err(failed)?,
+                    Some((pose, _)) => Scene::of_solutions(&self.arm, pose, listed).map_err(failed)?,
                     None => {
-                        Scene::of(&self.arm, all.first().map_or(&vec![0.0; self.arm.joints()][..], |first| &first.q))
-                            .and_then(|scene| scene.with_solutions(&self.arm, &all))
+                        Scene::of(&self.arm, listed.first().map_or(&vec![0.0; self.arm.joints()][..], |first| &first.q))
+                            .and_then(|scene| scene.with_solutions(&self.arm, listed))
                             .map_err(failed)?
                     }
                 }
@@ -542,8 +541,8 @@ impl Arm {
     /// the rates do not allow both. `start` (n,): joint values at the first target, by default the best of all solutions.
     /// `given`: values for all targets, or for each, (N,) or (N, k), by default those of `start`. `tolerance`: in the arm's
     /// length unit, by default 1e-5 of the reach; a turn counts as the way of a point at the reach. `max_velocity` and
-    /// `max_acceleration` (n,): rad or the length unit per s and s^2, by default those of the arm file; np.inf is no limit of
-    /// an acceleration.
+    /// `max_acceleration` (n,), or one number for all joints: rad or the length unit per s and s^2, by default those of the
+    /// arm file; np.inf is no limit of an acceleration.
     ///
     /// No lock of Python is held, and Ctrl-C ends the call. The steps are those of `denhart follow`.
     #[pyo3(signature = (targets, dt=0.001, *, times=None, keep="path", start=None, given=None, tolerance=None, max_velocity=None, max_acceleration=None))]
@@ -567,8 +566,8 @@ impl Arm {
     /// A follower of a target that moves, at rest at `start` (n,): each `step(target)` is a tick of `dt` s, within the rates and
     /// the ranges of the joints, and on the target wherever these allow. For a path known before, `follow` is better.
     ///
-    /// `max_velocity` and `max_acceleration` (n,): rad or the length unit per s and s^2, by default those of the arm file;
-    /// np.inf is no limit of an acceleration. `given`: values of the redundant joints that `arm.given` names, for targets
+    /// `max_velocity` and `max_acceleration` (n,), or one number for all joints: rad or the length unit per s and s^2, by
+    /// default those of the arm file; np.inf is no limit of an acceleration. `given`: values of the redundant joints that `arm.given` names, for targets
     /// without, by default those of `start`. `length`, in the arm's length unit, weighs as much as 1 rad where the tool has to
     /// deviate: a small one keeps the position; by default about a tenth of the reach. `crossing`: singularities through which
     /// a deviation may lead, "exact" (none), "wrist" or "any".

@@ -3,7 +3,9 @@
 //! Results are allocated by calls of `numpy.empty`: where memory is short it raises `MemoryError`, and the constructors
 //! of the crate `numpy` panic.
 
-use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArrayMethods};
+use numpy::{
+    PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArray, PyUntypedArrayMethods,
+};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -29,6 +31,9 @@ pub struct Numbers<'py>(PyReadonlyArrayDyn<'py, f64>);
 impl<'py> Numbers<'py> {
     /// Reads an argument, which messages call `name`. An array of float64 in C order is not copied.
     pub fn read(name: &str, object: &Bound<'py, PyAny>) -> PyResult<Self> {
+        if !object.is_exact_instance_of::<PyUntypedArray>() {
+            refuse_masked(name, object)?;
+        }
         if let Ok(array) = object.cast::<PyArrayDyn<f64>>()
             && array.is_c_contiguous()
             && array.is_aligned()
@@ -101,6 +106,7 @@ impl<'py> Results<'py> {
         };
         let wrong = |what: &str| error::value(format!("out: expected {expected}, found {what}"));
         let Ok(array) = out.cast::<PyArrayDyn<f64>>() else { return Err(wrong(&found())) };
+        refuse_masked("out", out)?;
         if array.shape() != shape {
             return Err(wrong(&found()));
         }
@@ -134,6 +140,16 @@ impl Writable<'_> {
     pub fn values(&mut self) -> PyResult<&mut [f64]> {
         self.0.as_slice_mut().map_err(|error| error::value(error.to_string()))
     }
+}
+
+/// Refuses a masked array, whose mask would be lost.
+fn refuse_masked(name: &str, object: &Bound<'_, PyAny>) -> PyResult<()> {
+    if object.cast::<PyUntypedArray>().is_ok() && object.hasattr("mask")? {
+        return Err(error::kind(format!(
+            "{name}: expected an array without a mask, found a masked one: give its .filled(..) or .data"
+        )));
+    }
+    Ok(())
 }
 
 /// A new array of this shape, of float64 without another type.

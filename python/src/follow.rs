@@ -182,7 +182,7 @@ impl Path<'_, '_> {
         let numbers = Numbers::read("targets", self.targets)?;
         let targets = Targets::read("targets", task, &numbers)?;
         let rows = targets.len();
-        let start = self.start.map(|start| arm.joints("start", start)).transpose()?;
+        let start = self.start.map(|start| arm.start(start)).transpose()?;
         let held = match (&start, self.given) {
             (Some(start), None) => Some(solver.held(start).map_err(|error| error::dynamic(py, &error))?),
             _ => None,
@@ -253,7 +253,11 @@ impl Path<'_, '_> {
 /// Greatest rates of the joints.
 pub fn rates(arm: &Arm, name: &str, rates: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Vec<f64>>> {
     let Some(rates) = rates else { return Ok(None) };
-    let rates = arm.joints(name, rates)?;
+    let numbers = Numbers::read(name, rates)?;
+    let rates = match numbers.values()? {
+        [one] if numbers.shape().is_empty() => vec![*one; arm.arm.joints()],
+        _ => arm.joints(name, rates)?,
+    };
     match arm.arm.joint_names().zip(&rates).find(|(_, rate)| rate.is_nan() || **rate <= 0.0) {
         Some((joint, rate)) => {
             Err(error::value(format!("{name}: expected a rate above 0 for each joint, found {rate} of {joint}")))

@@ -58,7 +58,7 @@ impl Beginning<'_, '_> {
         let ours = arm.get();
         let solver = &ours.arm;
         let view = view(py, ours)?;
-        let start = ours.joints("start", self.start)?;
+        let start = ours.start(self.start)?;
         let given = match self.given {
             Some(given) => given_values(solver, Some(given))?,
             None => solver.held(&start).map_err(|error| error::dynamic(py, &error))?.to_vec(),

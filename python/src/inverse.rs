@@ -205,6 +205,8 @@ pub struct InverseBatch {
     flags: Py<PyAny>,
     /// Outcome of each target, (N,) uint8: numbers of `denhart.Status`, 0 where a solution is exact.
     status: Py<PyAny>,
+    /// How far the 3 x 3 matrix of each target is from a rotation, (N,) float64, as `Solutions.deviation` says.
+    deviation: Py<PyAny>,
 }
 
 #[pymethods]
@@ -221,18 +223,18 @@ impl InverseBatch {
             Ok(status) => status.as_slice().unwrap_or(&[]).iter().filter(|status| **status == 0).count(),
             Err(_) => 0,
         };
-        Ok(format!("<InverseBatch: q {shape}, {reached} of {targets} targets reached; count, flags, status>"))
+        Ok(format!("<InverseBatch: q {shape}, {reached} of {targets} targets reached; count, flags, status, deviation>"))
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let parts = [&self.q, &self.count, &self.flags, &self.status].map(|part| part.clone_ref(py));
+        let parts = [&self.q, &self.count, &self.flags, &self.status, &self.deviation].map(|part| part.clone_ref(py));
         Ok((py.get_type::<Self>().getattr("_of")?, PyTuple::new(py, parts)?))
     }
 
     /// The batch of these arrays, for pickles.
     #[staticmethod]
-    fn _of(q: Py<PyAny>, count: Py<PyAny>, flags: Py<PyAny>, status: Py<PyAny>) -> Self {
-        Self { q, count, flags, status }
+    fn _of(q: Py<PyAny>, count: Py<PyAny>, flags: Py<PyAny>, status: Py<PyAny>, deviation: Py<PyAny>) -> Self {
+        Self { q, count, flags, status, deviation }
     }
 }
 
@@ -367,6 +369,7 @@ struct Job<'a> {
     count: &'a mut [i64],
     flags: &'a mut [u8],
     status: &'a mut [u8],
+    deviation: &'a mut [f64],
 }
 
 /// Arguments of `inverse_batch`.
@@ -417,11 +420,13 @@ impl Batch<'_, '_> {
         let counts = empty(py, &[rows], Some("int64"))?;
         let flags = empty(py, &[rows, capacity], Some("uint8"))?;
         let status = empty(py, &[rows], Some("uint8"))?;
+        let deviation = Results::new(py, &[rows])?;
         {
             let mut q = results.writable()?;
             let mut counts = counts.cast::<PyArrayDyn<i64>>()?.readwrite();
             let mut flags = flags.cast::<PyArrayDyn<u8>>()?.readwrite();
             let mut status = status.cast::<PyArrayDyn<u8>>()?.readwrite();
+            let mut deviation = deviation.writable()?;
             let unexpected = |error: numpy::AsSliceError| error::value(error.to_string());
             let jobs = targets
                 .numbers
@@ -430,14 +435,16 @@ impl Batch<'_, '_> {
                 .zip(counts.as_slice_mut().map_err(unexpected)?.chunks_mut(each))
                 .zip(flags.as_slice_mut().map_err(unexpected)?.chunks_mut(each * capacity))
                 .zip(status.as_slice_mut().map_err(unexpected)?.chunks_mut(each))
+                .zip(deviation.values()?.chunks_mut(each))
                 .enumerate()
-                .map(|(block, ((((targets, q), count), flags), status))| Job {
+                .map(|(block, (((((targets, q), count), flags), status), deviation))| Job {
                     first: block * each,
                     targets,
                     q,
                     count,
                     flags,
                     status,
+                    deviation,
                 });
             let failed = Mutex::new(None);
             let work = |memory: &mut Memory, job: Job<'_>| {
@@ -461,6 +468,7 @@ impl Batch<'_, '_> {
             count: counts.unbind(),
             flags: flags.unbind(),
             status: status.unbind(),
+            deviation: deviation.into_any().unbind(),
         })
     }
 }
@@ -483,7 +491,7 @@ impl Memory {
         drop: bool,
         job: Job<'_>,
     ) -> Result<(), DynamicError> {
-        let Job { first, targets: numbers, q, count, flags, status } = job;
+        let Job { first, targets: numbers, q, count, flags, status, deviation } = job;
         let width = arm.target_width()?;
         self.targets.clear();
         for numbers in numbers.chunks_exact(targets.width) {
@@ -498,7 +506,8 @@ impl Memory {
         let joints = arm.joints().max(1);
         let row = q.len() / count.len().max(1);
         let places = q.chunks_exact_mut(row.max(1)).zip(flags.chunks_exact_mut((row / joints).max(1)));
-        for ((found, (q, flags)), (count, status)) in self.found.iter().zip(places).zip(count.iter_mut().zip(status)) {
+        let outcomes = count.iter_mut().zip(status).zip(deviation);
+        for ((found, (q, flags)), ((count, status), deviation)) in self.found.iter().zip(places).zip(outcomes) {
             let mut listed = 0;
             for (number, facts) in found.flags().iter().enumerate() {
                 if drop && facts.contains(Flags::OUT_OF_LIMITS) {
@@ -516,6 +525,7 @@ impl Memory {
             flags.iter_mut().skip(listed).for_each(|place| *place = 0);
             *count = i64::try_from(listed).unwrap_or(i64::MAX);
             *status = number(&found.status);
+            *deviation = found.deviation;
         }
         Ok(())
     }
@@ -546,14 +556,17 @@ fn rows_of(
     let capacity = row / joints.max(1);
     let places = job.q.chunks_exact_mut(row.max(1)).zip(job.count).zip(job.flags.chunks_exact_mut(capacity.max(1)));
     let targets_of_job = job.targets.chunks_exact(targets.width);
-    for (index, ((numbers, ((q, count), flags)), status)) in targets_of_job.zip(places).zip(job.status).enumerate() {
+    let outcomes = job.status.iter_mut().zip(job.deviation);
+    for (index, ((numbers, ((q, count), flags)), (status, deviation))) in
+        targets_of_job.zip(places).zip(outcomes).enumerate()
+    {
         let index = job.first + index;
         let mut listed = 0;
-        let mut outcome = Status::BadTarget;
+        (*status, *deviation) = (number(&Status::BadTarget), f64::NAN);
         let (mut q, mut flags) = (q.chunks_exact_mut(joints.max(1)), flags.iter_mut());
         if let Some(target) = targets.of(arm, numbers) {
             let all = answer(arm, &target, near.map(|near| near.of(index)), given.of(index))?;
-            outcome = all.status();
+            (*status, *deviation) = (number(&all.status()), all.deviation());
             let kept = all.iter().filter(|solution| !drop || solution.is_within_limits());
             for ((solution, place), flag) in kept.zip(q.by_ref()).zip(flags.by_ref()) {
                 place.copy_from_slice(&solution.q);
@@ -564,7 +577,6 @@ fn rows_of(
         q.for_each(|row| row.fill(f64::NAN));
         flags.for_each(|flag| *flag = 0);
         *count = listed;
-        *status = number(&outcome);
     }
     Ok(())
 }

@@ -1,7 +1,9 @@
 //! Solutions of one target.
 
+use std::hash::{DefaultHasher, Hash, Hasher};
+
 use denhart::{Flags, JointKind, Status};
-use denhart_dynamic::{DynamicArm, DynamicError, DynamicSolution, DynamicSolutions};
+use denhart_dynamic::{DynamicSolution, DynamicSolutions};
 use denhart_tools::closest::{Missed, closest, pose_of};
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
@@ -10,7 +12,8 @@ use pyo3::types::{PyIterator, PyList, PySlice, PyTuple, PyType};
 
 use crate::arm::Arm;
 use crate::array::{Results, filled};
-use crate::inverse::{Asked, answer};
+use crate::error;
+use crate::inverse::Asked;
 use crate::target::Target;
 
 static FLAGS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
@@ -58,15 +61,8 @@ pub struct Summary {
 }
 
 impl Found {
-    /// All solutions of the target, whatever is listed.
-    pub fn again(&self, arm: &DynamicArm, asked: &Asked) -> Result<DynamicSolutions, DynamicError> {
-        match self {
-            Found::All(all) => Ok(all.clone()),
-            Found::Some(..) => answer(arm, &asked.target, asked.near.as_deref(), &asked.given),
-        }
-    }
-
-    fn list(&self) -> &[DynamicSolution] {
+    /// The solutions that are listed.
+    pub fn list(&self) -> &[DynamicSolution] {
         match self {
             Found::All(solutions) => solutions,
             Found::Some(solutions, _) => solutions,
@@ -229,6 +225,42 @@ impl Solutions {
             .try_iter()
     }
 
+    fn __eq__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> bool {
+        let Ok(other) = other.cast::<Self>() else { return false };
+        let (a, b) = (slf.get(), other.get());
+        let (mine, others) = (a.found.list(), b.found.list());
+        slf.is(other)
+            || a.found.summary().status == b.found.summary().status
+                && mine.len() == others.len()
+                && mine.iter().zip(others).all(|(a, b)| is_same(a, b))
+    }
+
+    fn __hash__(&self) -> u64 {
+        hash(self.found.list())
+    }
+
+    /// The place of a solution. ValueError: it is not here.
+    #[pyo3(signature = (value, start=0, stop=None))]
+    fn index(&self, value: &Bound<'_, PyAny>, start: isize, stop: Option<isize>) -> PyResult<usize> {
+        let list = self.found.list();
+        let place = |place: isize| match place {
+            0.. => place.unsigned_abs().min(list.len()),
+            _ => list.len().saturating_sub(place.unsigned_abs()),
+        };
+        let ends = place(start)..stop.map_or(list.len(), place);
+        let found = ends.into_iter().find(|at| list.get(*at).is_some_and(|solution| is_equal(solution, value)));
+        found.ok_or_else(|| error::value("index: this solution is not in the list"))
+    }
+
+    /// How often a solution is here.
+    fn count(&self, value: &Bound<'_, PyAny>) -> usize {
+        self.found.list().iter().filter(|solution| is_equal(solution, value)).count()
+    }
+
+    fn __contains__(&self, value: &Bound<'_, PyAny>) -> bool {
+        self.count(value) > 0
+    }
+
     fn __repr__(&self) -> String {
         let arm = self.arm.get();
         let name = &arm.arm.model().name;
@@ -248,6 +280,25 @@ impl Solutions {
         let Solutions { arm, asked, .. } = slf.get();
         Ok((slf.get_type().getattr("_again")?.into_any(), asked.arguments(py, arm)?))
     }
+}
+
+/// Returns true for solutions with the same joint values, branch and facts.
+fn is_same(a: &DynamicSolution, b: &DynamicSolution) -> bool {
+    a.q == b.q && a.branch == b.branch && a.flags == b.flags && a.free == b.free
+}
+
+/// Returns true if an object of Python is a solution with the same values.
+fn is_equal(solution: &DynamicSolution, object: &Bound<'_, PyAny>) -> bool {
+    object.cast::<Solution>().is_ok_and(|object| object.get().get().is_ok_and(|other| is_same(solution, other)))
+}
+
+/// A hash of joint values. Zeros of both signs are equal.
+fn hash(list: &[DynamicSolution]) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    for value in list.iter().flat_map(|solution| solution.q.iter()) {
+        (value + 0.0).to_bits().hash(&mut hasher);
+    }
+    hasher.finish()
 }
 
 /// `1 solution`, `8 solutions`.
@@ -319,6 +370,14 @@ impl Solution {
         Ok(self.get()?.is_within_limits())
     }
 
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> PyResult<bool> {
+        Ok(is_equal(self.get()?, other))
+    }
+
+    fn __hash__(&self) -> PyResult<u64> {
+        Ok(hash(std::slice::from_ref(self.get()?)))
+    }
+
     fn __repr__(&self) -> PyResult<String> {
         Ok(format!("<Solution {}>", self.of.get().arm.get().text(self.get()?)))
     }
@@ -359,6 +418,28 @@ impl NumericSolution {
 
     fn __repr__(&self) -> String {
         format!("<NumericSolution {}  {}>", joints(&self.values, &self.kinds), self.text)
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let slides: Vec<bool> = self.kinds.iter().map(|kind| *kind == JointKind::Prismatic).collect();
+        let counts = (self.converged, self.iterations, self.restarts);
+        let parts = (self.values.clone(), slides, counts, self.residual, &self.text).into_pyobject(py)?;
+        Ok((py.get_type::<Self>().getattr("_of")?, parts))
+    }
+
+    /// The solution of these parts, for pickles.
+    #[staticmethod]
+    #[allow(clippy::needless_pass_by_value)]
+    fn _of(
+        values: Vec<f64>,
+        slides: Vec<bool>,
+        counts: (bool, usize, usize),
+        residual: (f64, f64),
+        text: String,
+    ) -> Self {
+        let kind = |slides| if slides { JointKind::Prismatic } else { JointKind::Revolute };
+        let (converged, iterations, restarts) = counts;
+        Self { values, kinds: slides.into_iter().map(kind).collect(), converged, iterations, restarts, residual, text }
     }
 }
 

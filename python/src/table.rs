@@ -16,7 +16,7 @@ pub struct Table<'a, 'py> {
     pub theta: Option<&'a Bound<'py, PyAny>>,
     pub convention: &'a str,
     pub kinds: Option<Vec<String>>,
-    pub limits: Option<Vec<Option<[f64; 2]>>>,
+    pub limits: Option<&'a Bound<'py, PyAny>>,
     pub angle: &'a str,
     pub length_unit: &'a str,
     pub name: &'a str,
@@ -62,7 +62,8 @@ impl Table<'_, '_> {
         if let Some(kinds) = &self.kinds {
             counted("kinds", kinds.len())?;
         }
-        if let Some(limits) = &self.limits {
+        let limits = self.limits.map(pairs).transpose()?;
+        if let Some(limits) = &limits {
             counted("limits", limits.len())?;
         }
         let mut text = format!(
@@ -98,7 +99,7 @@ impl Table<'_, '_> {
                 angle(*alpha),
                 angle(*theta)
             );
-            if let Some(Some([low, high])) = self.limits.as_ref().and_then(|limits| limits.get(joint)) {
+            if let Some(Some([low, high])) = limits.as_ref().and_then(|limits| limits.get(joint)) {
                 if low.is_nan() || high.is_nan() {
                     return Err(error::value(format!("limits[{joint}]: expected two numbers, found ({low}, {high})")));
                 }
@@ -119,6 +120,16 @@ impl Table<'_, '_> {
         }
         Ok(text)
     }
+}
+
+/// The limits of each row.
+fn pairs(limits: &Bound<'_, PyAny>) -> PyResult<Vec<Option<[f64; 2]>>> {
+    limits.extract().map_err(|_| {
+        let found = limits.repr().map_or_else(|_| "another object".to_owned(), |text| text.to_string());
+        error::kind(format!(
+            "limits: expected a pair (low, high) or None for each row, such as [(-3, 3), None], found {found}"
+        ))
+    })
 }
 
 /// The numbers of a column.
@@ -153,5 +164,5 @@ fn angle(value: f64, turn: f64) -> String {
 
 /// A name as YAML has it whatever its characters are.
 fn quoted(name: &str) -> String {
-    format!("\"{}\"", name.replace('\\', "\\\\").replace('"', "\\\""))
+    format!("\"{}\"", name.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', "\\n"))
 }

@@ -3,7 +3,7 @@
 use denhart::{PlanarPose, PointAngle, PointAxis, Pose};
 use denhart_dynamic::{DynamicArm, DynamicTarget};
 use pyo3::prelude::*;
-use pyo3::types::{PyTuple, PyType};
+use pyo3::types::{PyList, PyTuple, PyType};
 
 use crate::array::{self, Numbers, shown};
 use crate::error;
@@ -234,9 +234,20 @@ fn pose_of(object: &Bound<'_, PyAny>) -> PyResult<Option<Pose<f64>>> {
 /// # Errors
 /// An object that is none.
 pub fn pose(object: &Bound<'_, PyAny>) -> PyResult<Pose<f64>> {
+    let object = &pair(object);
     match pose_of(object)? {
         Some(pose) => Ok(pose),
         None => Err(not_a_pose("pose", object)?),
+    }
+}
+
+/// A list of two parts that are no numbers as a tuple, which a pair of a rotation and a point is; else the object itself.
+fn pair<'py>(object: &Bound<'py, PyAny>) -> Bound<'py, PyAny> {
+    match object.cast::<PyList>() {
+        Ok(list) if list.len() == 2 && list.iter().all(|part| part.extract::<f64>().is_err()) => {
+            list.to_tuple().into_any()
+        }
+        _ => object.clone(),
     }
 }
 
@@ -279,6 +290,7 @@ pub fn read(arm: &DynamicArm, object: &Bound<'_, PyAny>) -> PyResult<DynamicTarg
         let pose = of_matrix(numbers.values()?).map_err(|message| error::value(format!("target: {message}")))?;
         return of_pose(arm, py, &pose);
     }
+    let object = &pair(object);
     let task = arm.task().map_err(|error| error::dynamic(py, &error))?;
     if task != "pose" {
         let parts = if let Ok(parts) = object.cast::<PyTuple>() {

@@ -24,6 +24,15 @@ impl Arm {
         Ok(numbers.values()?.to_vec())
     }
 
+    /// Joint values to begin with, which are finite.
+    pub fn start(&self, object: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
+        let start = self.joints("start", object)?;
+        match start.iter().find(|value| !value.is_finite()) {
+            Some(value) => Err(error::value(format!("start: expected finite joint values, found {value}"))),
+            None => Ok(start),
+        }
+    }
+
     /// A vector of as many numbers from one.
     pub fn linked<'py>(
         &self,

@@ -193,6 +193,8 @@ def test_pictures(ur5, tmp_path):
     assert (tmp_path / "ur5.svg").read_text() == picture.svg
     solutions = ur5.inverse(ur5.forward(np.full(6, 0.3)))
     assert ur5.draw(solutions=solutions).svg != picture.svg
+    one = ur5.inverse_branch(solutions.target, solutions[2].branch)
+    assert ur5.draw(solutions=solutions).svg.count("elbow") == 8 and ur5.draw(solutions=one).svg.count("elbow") == 1
     for name in ["planar2r", "kuka_youbot", "cobra600_rrpr", "anthro3r", "al5d"]:
         arm = denhart.Arm.preset(name)
         q = joint_vectors(arm, 1)[0]

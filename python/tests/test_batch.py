@@ -24,6 +24,7 @@ def same_as_single_calls(arm, targets, batch, **options):
         count = batch.count[index]
         assert count == len(solutions) and batch.status[index] == solutions.status
         np.testing.assert_array_equal(batch.q[index, :count], solutions.q)
+        np.testing.assert_array_equal(batch.deviation[index], solutions.deviation)
         assert np.isnan(batch.q[index, count:]).all() and (batch.flags[index, count:] == 0).all()
         assert batch.flags[index, :count].tolist() == [int(solution.flags) for solution in solutions]
 
@@ -37,6 +38,7 @@ def test_a_batch_is_its_targets_one_by_one(ur5, threads):
     poses[5, 0, 3] += 9.0
     poses[6, 1, 1] = np.nan
     poses[7] = np.nan
+    poses[8, :3, :3] *= 1.0 + 1e-5
     batch = ur5.inverse_batch(poses, threads=threads)
     assert batch.q.shape == (333, 8, 6) and batch.q.dtype == np.float64 and len(batch) == 333
     assert (batch.count.dtype, batch.flags.dtype, batch.status.dtype) == (np.int64, np.uint8, np.uint8)
@@ -44,7 +46,8 @@ def test_a_batch_is_its_targets_one_by_one(ur5, threads):
     same_as_single_calls(ur5, poses, batch)
     same_as_single_calls(ur5, poses, ur5.inverse_batch(poses, near=q[0], threads=threads), near=q[0])
     same_as_single_calls(ur5, poses, ur5.inverse_batch(poses, near=q, threads=threads), near=q)
-    assert repr(batch) == "<InverseBatch: q (333, 8, 6), 330 of 333 targets reached; count, flags, status>"
+    assert 1e-5 < batch.deviation[8] < 2e-5 and batch.deviation[9] < 1e-12
+    assert repr(batch) == "<InverseBatch: q (333, 8, 6), 330 of 333 targets reached; count, flags, status, deviation>"
 
 
 @pytest.mark.parametrize("name", ["anthro3r", "planar2r", "planar3r", "kuka_youbot", "al5d", "scorbot_er5", "kinova_jaco"])

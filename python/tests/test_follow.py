@@ -140,6 +140,12 @@ def test_rates_of_the_arm_file(ur5):
     assert (np.abs(np.diff(motion.q, axis=0)) <= 0.01 * np.pi / 2 * 1.001).all() and motion.obstacle is None
 
 
+def test_one_number_is_the_rate_of_every_joint(ur5):
+    one = ur5.follow(line(), max_velocity=2.0, max_acceleration=np.inf)
+    each = ur5.follow(line(), max_velocity=np.full(6, 2.0), max_acceleration=np.full(6, np.inf))
+    np.testing.assert_array_equal(one.q, each.q)
+
+
 def edited(poses, index, value):
     poses = poses.copy()
     poses[index] = value
@@ -167,7 +173,7 @@ BAD = [
     ({"times": edited(TIMES, 5, np.nan)}, r"times\[5\]: expected finite times that rise, found NaN"),
     ({"start": np.zeros(5)}, r"start: expected shape \(6,\), found \(5,\)"),
     ({"start": np.zeros(6)}, "start: these joint values are not at the first target; the nearest solution there is"),
-    ({"start": np.full(6, np.nan)}, "start: "),
+    ({"start": np.full(6, np.nan)}, "start: expected finite joint values, found NaN"),
     ({"given": 0.3}, "given: this arm's inverse takes no value beside the target"),
     ({"tolerance": 0.0}, "tolerance: expected a length above 0 in m, found 0"),
     ({"tolerance": np.nan}, "tolerance: expected a length above 0"),
@@ -175,7 +181,8 @@ BAD = [
     ({"max_velocity": np.zeros(6)}, "max_velocity: expected a rate above 0 for each joint, found 0 of q1"),
     ({"max_velocity": edited(VELOCITY, 3, np.nan)}, "max_velocity: expected a rate above 0 .* found NaN of q4"),
     ({"max_velocity": edited(VELOCITY, 3, np.inf)}, "max_velocity: the arm file has no velocity of q4"),
-    ({"max_velocity": 3.0}, r"max_velocity: expected shape \(6,\), found \(\)"),
+    ({"max_velocity": [3.0]}, r"max_velocity: expected shape \(6,\), found \(1,\)"),
+    ({"max_velocity": -3.0}, "max_velocity: expected a rate above 0 for each joint, found -3 of q1"),
     ({"max_acceleration": -ACCELERATION}, "max_acceleration: expected a rate above 0 for each joint, found -"),
 ]
 

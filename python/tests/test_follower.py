@@ -156,7 +156,7 @@ def test_the_rates_of_the_arm_file_count():
 
 BAD = [
     ({"start": np.zeros(5)}, r"start: expected shape \(6,\), found \(5,\)"),
-    ({"start": np.full(6, np.nan)}, "start: the start is outside the range of joint 1"),
+    ({"start": np.full(6, np.nan)}, "start: expected finite joint values, found NaN"),
     ({"start": np.full(6, 9.0)}, "start: the start is outside the range of joint 1"),
     ({"dt": 0.0}, "dt: expected a finite time above 0 in s, found 0"),
     ({"dt": -1e-3}, "dt: expected a finite time above 0"),
@@ -166,7 +166,7 @@ BAD = [
     ({"max_velocity": np.zeros(6)}, "max_velocity: expected a rate above 0 for each joint, found 0 of q1"),
     ({"max_velocity": np.full(6, np.nan)}, "max_velocity: expected a rate above 0 .* found NaN of q1"),
     ({"max_velocity": np.full(6, np.inf)}, "max_velocity: the arm file has no velocity of q1"),
-    ({"max_velocity": 3.0}, r"max_velocity: expected shape \(6,\), found \(\)"),
+    ({"max_velocity": [3.0]}, r"max_velocity: expected shape \(6,\), found \(1,\)"),
     ({"max_velocity": np.full(6, 1e-320), "dt": 1e-6}, "max_velocity: "),
     ({"max_acceleration": np.zeros(6)}, "max_acceleration: expected a rate above 0"),
     ({"max_acceleration": np.full(7, 1.0)}, r"max_acceleration: expected shape \(6,\), found \(7,\)"),

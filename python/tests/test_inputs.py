@@ -85,6 +85,8 @@ def test_what_are_no_joint_values(ur5, given, error, message):
         (np.eye(4)[None], ValueError, r"found an array of shape \(1, 4, 4\)"),
         ([0.1, 0.2, 0.3], ValueError, r"found an array of shape \(3,\)"),
         ((np.eye(3), [1, 2]), ValueError, "found a tuple of 2"),
+        ([np.eye(3), [1, 2]], ValueError, "found a tuple of 2"),
+        (np.ma.masked_array(np.eye(4), np.eye(4)), TypeError, "target: expected an array without a mask, found a masked one"),
         ("pose", TypeError, "target: expected real numbers, found dtype <U4"),
         (None, TypeError, "target: expected an array of numbers"),
         (denhart.Target.position([1, 2, 3]), denhart.ArmError, "the task of the arm's inverse is `pose`, not `position`"),
@@ -178,6 +180,12 @@ def test_mistakes_in_a_file_have_a_place(tmp_path):
         denhart.Arm.from_file(tmp_path)
     with pytest.raises(denhart.ArmError, match="brackets nest more than 1000 deep"):
         denhart.Arm.from_yaml("name: " + "[" * 100_000)
+    mistakes = "".join(f"x{key}: 1\n" for key in range(5000))
+    with pytest.raises(denhart.ArmError, match="the first 50 mistakes are shown") as caught:
+        denhart.Arm.from_yaml(mistakes)
+    assert str(caught.value).count("unknown key") == 50
+    with pytest.raises(denhart.ArmError, match="the arm's name in one line"):
+        denhart.Arm.from_dh(a=[1.0], alpha=[0.0], d=[0.0], name="two\nlines")
     with pytest.raises(denhart.ArmError, match="no arm `ur 5`") as caught:
         denhart.Arm.preset("ur 5")
     assert "help: did you mean `ur5`? Arm.presets() lists them" in str(caught.value)
@@ -196,6 +204,7 @@ def test_mistakes_in_a_file_have_a_place(tmp_path):
         ({"kinds": "RX"}, ValueError, r'kinds\[1\]: expected "revolute", "prismatic" or "fixed", found "X"'),
         ({"kinds": 7}, TypeError, "kinds: expected a list"),
         ({"limits": [None]}, ValueError, "limits: expected 2 entries as in a, found 1"),
+        ({"limits": (-3, 3)}, TypeError, r"limits: expected a pair .low, high. or None for each row, .* found \(-3, 3\)"),
         ({"limits": [None, (np.nan, 1)]}, ValueError, r"limits\[1\]: expected two numbers"),
         ({"limits": [None, (1, -1)]}, denhart.ArmError, "arm.yaml:6"),
         ({"task": "pos"}, denhart.ArmError, "arm.yaml:4"),

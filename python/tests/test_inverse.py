@@ -1,5 +1,6 @@
 """The inverse: solutions, targets, branches, redundant joints, iteration."""
 
+import pickle
 import threading
 
 import numpy as np
@@ -56,6 +57,22 @@ def test_solutions_are_a_sequence(ur5):
         solutions[-9]
     with pytest.raises(AttributeError):
         first.branch = "other"
+
+
+def test_solutions_are_found_in_their_sequence(ur5):
+    q = np.array([0.3, -1.2, 1.4, 0.2, 0.9, -0.4])
+    solutions, again = ur5.inverse(ur5.forward(q)), ur5.inverse(ur5.forward(q))
+    assert solutions == again and hash(solutions) == hash(again) and solutions != ur5.inverse(ur5.forward(q + 0.1))
+    assert solutions != list(solutions)
+    for place, solution in enumerate(again):
+        assert solution == solutions[place] and hash(solution) == hash(solutions[place])
+        assert solution in solutions and solutions.index(solution) == place and solutions.count(solution) == 1
+    assert len(set(solutions) | set(again)) == 8
+    assert 1.0 not in solutions and solutions[0] != "x" and solutions.count(None) == 0
+    for arguments in [(solutions[3], 4), (solutions[3], 0, 3), (solutions[3], -4), ("x",)]:
+        with pytest.raises(ValueError, match="not in the list"):
+            solutions.index(*arguments)
+    assert solutions.index(solutions[3], -8, -4) == 3
 
 
 def test_near_sorts_and_unwinds(ur5):
@@ -163,6 +180,13 @@ def test_every_way_to_write_a_pose(ur5):
     np.testing.assert_allclose(ur5.inverse(Real.from_matrix(pose)).q, expected, atol=1e-12)
 
 
+def test_a_list_of_a_rotation_and_a_point_is_a_pose(ur5):
+    pose = ur5.forward([0.3, -1.2, 1.4, 0.2, 0.9, -0.4])
+    pair = [Rotation.from_matrix(pose[:3, :3]), pose[:3, 3]]
+    np.testing.assert_array_equal(ur5.inverse(pair).q, ur5.inverse(tuple(pair)).q)
+    assert len(ur5.inverse(pair)) == 8 and len(ur5.inverse([pose[:3, :3], pose[:3, 3].tolist()])) == 8
+
+
 def test_targets_of_the_other_tasks():
     def same(name, q, *targets):
         arm = denhart.Arm.preset(name)
@@ -257,6 +281,15 @@ def test_iteration(ur5):
             continue
         found = arm.numeric(arm.target_at(q), start=q + 0.05, limits=False)
         assert found.converged, f"{name}: {found}"
+
+
+def test_an_iteration_is_pickled(ur5):
+    q = np.array([0.3, -1.2, 1.4, 0.2, 0.9, -0.4])
+    found = ur5.numeric(ur5.forward(q), q + 0.1)
+    again = pickle.loads(pickle.dumps(found))
+    assert repr(again) == repr(found) and again.converged and again.iterations == found.iterations
+    assert again.residual == found.residual and again.restarts == found.restarts
+    np.testing.assert_array_equal(again.q, found.q)
 
 
 def test_an_arm_without_inverse_says_so():

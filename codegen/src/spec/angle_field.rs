@@ -103,6 +103,9 @@ impl Reader<'_> {
             AngleUnit::Degree if eighths.is_some() => role == AngleRole::Twist,
             _ => return false,
         };
+        if !certain && !self.may_warn() {
+            return false;
+        }
         let (key, written) = (&field.key, self.source.written(&field.place));
         let written = written.trim_matches(['"', '\'', ' ']);
         let (message, help) = match eighths {
@@ -125,7 +128,7 @@ impl Reader<'_> {
 
     /// Warns of an angle that is a multiple of pi/12 but for its rounding.
     fn advise_exact(&mut self, field: &Field<'_>, angle: WrittenAngle, unit: AngleUnit) {
-        let Some(twelfths) = looks_rounded(angle) else { return };
+        let Some(twelfths) = looks_rounded(angle).filter(|_| self.may_warn()) else { return };
         let exact = match unit {
             AngleUnit::Degree => format!("{}", 15 * twelfths),
             AngleUnit::Radian => fraction_text(twelfths),

@@ -115,7 +115,7 @@ joints:
 /// Reads an arm file; `file` is its name for messages. Also returns the warnings.
 ///
 /// # Errors
-/// Text that is not YAML or no mapping. Smaller mistakes are in [`Spec::mistakes`], which `model::check` reports.
+/// Text that is not YAML or no mapping, or one with some fifty mistakes. Fewer mistakes are in [`Spec::mistakes`], which `model::check` reports.
 pub fn read(text: &str, file: &str) -> Result<(Spec, Vec<Diagnostic>), Errors> {
     let source = Source::new(file, text);
     let root = root(&source)?;
@@ -140,6 +140,9 @@ pub fn read(text: &str, file: &str) -> Result<(Spec, Vec<Diagnostic>), Errors> {
     let inverse = reader.inverse(&fields, units.angle);
     let coupling = reader.coupling(&fields, units.angle);
     let combined_limits = reader.combined_limits(&fields, units.angle);
+    if reader.is_full() {
+        return Err(reader.into_most());
+    }
     let Reader { mistakes, warnings, lengths, .. } = reader;
     let name = name.unwrap_or_else(|| source.stem());
     let spec = Spec {

@@ -112,6 +112,9 @@ impl Reader<'_> {
     pub fn unused_parameters<'l>(&mut self, parameters: &[ParameterSpec], lengths: impl Iterator<Item = &'l Length>) {
         let used: Vec<&str> = lengths.filter_map(Length::parameter).collect();
         for parameter in parameters.iter().filter(|parameter| !used.contains(&parameter.name.as_str())) {
+            if !self.may_warn() {
+                break;
+            }
             let message = format!("the parameter `{}` is not used", parameter.name);
             let warning = self.source.warning(&parameter.place, message);
             self.warnings.push(warning.help("write its name for an `a`, a `d` or an entry of `xyz`, or remove it"));

@@ -6,7 +6,8 @@ use super::range::{self, Range};
 use super::source::Source;
 use super::suggestions;
 use super::yaml::Node;
-use crate::error::Diagnostic;
+use crate::error::{Diagnostic, Errors};
+use std::borrow::Cow;
 
 /// For a length or an angle without a value.
 pub const NOTHING: &str = "write 0 where there is none";
@@ -31,6 +32,12 @@ pub struct Reader<'s> {
 
 /// The longest list of keys in a message.
 const LONGEST_LIST: usize = 72;
+
+/// Mistakes of form that are shown, and warnings. The text is read again for the place of each.
+const MOST_MISTAKES: usize = 50;
+
+/// Characters of a text that a message quotes.
+const LONGEST_QUOTE: usize = 80;
 
 impl<'n> Field<'n> {
     /// The entries of its list `nodes`, each with the key of the list.
@@ -64,8 +71,30 @@ impl<'s> Reader<'s> {
         Self { source, mistakes: Vec::new(), warnings: Vec::new(), lengths: Vec::new() }
     }
 
+    /// Returns true if no more mistakes are looked for.
+    pub fn is_full(&self) -> bool {
+        self.mistakes.len() >= MOST_MISTAKES
+    }
+
+    /// Returns true if a warning more is shown.
+    pub fn may_warn(&self) -> bool {
+        self.warnings.len() < MOST_MISTAKES
+    }
+
+    /// The mistakes of a reader that is full, and the remark that there may be more.
+    pub fn into_most(self) -> Errors {
+        let more = format!("the first {MOST_MISTAKES} mistakes are shown: what follows them was not read");
+        let mut mistakes = self.mistakes;
+        mistakes.truncate(MOST_MISTAKES);
+        mistakes.push(Diagnostic::error(more));
+        Errors::new(mistakes)
+    }
+
     /// Records that `field` is not what was expected.
     pub fn unexpected(&mut self, field: &Field<'_>, expected: &str, help: Option<String>) {
+        if self.is_full() {
+            return;
+        }
         let found = describe(field.node, &self.source.written(&field.place));
         let message = format!("`{}`: expected {expected}, found {found}", field.key);
         let mistake = self.source.mistake(&field.place, message);
@@ -74,6 +103,9 @@ impl<'s> Reader<'s> {
 
     /// A mapping whose keys are all among `known`. `what` names it in messages ("a joint row").
     pub fn mapping<'n>(&mut self, field: &Field<'n>, what: &str, known: &[&'static str]) -> Option<Fields<'n>> {
+        if self.is_full() {
+            return None;
+        }
         let Node::Mapping(entries) = field.node else {
             let help = suggestions::mapping(&field.key, &self.source.written(&field.place), field.node, known);
             // A list that is no line any more is left to the example of the help.
@@ -85,6 +117,9 @@ impl<'s> Reader<'s> {
         };
         let mut fields = Fields { entries: Vec::new(), meant: Vec::new(), place: field.place.clone() };
         for (index, (key, node)) in entries.iter().enumerate() {
+            if self.is_full() {
+                break;
+            }
             let at_key = field.place.to(Step::Key(index));
             let Node::Text(name) = key else {
                 let found = describe(key, &self.source.written(&at_key));
@@ -113,7 +148,8 @@ impl<'s> Reader<'s> {
             let entry = Field { node, place, key: name.clone() };
             if let Some(first) = entries.iter().take(index).position(|(earlier, _)| earlier == key) {
                 let line = self.source.location(&field.place.to(Step::Key(first))).line;
-                let mistake = self.source.mistake(&at_key, format!("the key `{name}` occurs twice in {what}"));
+                let mistake =
+                    self.source.mistake(&at_key, format!("the key `{}` occurs twice in {what}", quoted(name)));
                 self.mistakes.push(mistake.help(format!("the first one is in line {line}: remove one of them")));
             } else if known.contains(&name.as_str()) {
                 fields.entries.push(entry);
@@ -127,7 +163,7 @@ impl<'s> Reader<'s> {
                     None
                 };
                 if let Some(hint) = hint {
-                    let mistake = self.source.mistake(&at_key, format!("unknown key `{name}` in {what}"));
+                    let mistake = self.source.mistake(&at_key, format!("unknown key `{}` in {what}", quoted(name)));
                     self.mistakes.push(mistake.help(hint));
                     continue;
                 }
@@ -137,7 +173,7 @@ impl<'s> Reader<'s> {
                     (Some(word), Some(rest)) => format!("write `{word}: {rest}`, with a space after the colon; "),
                     (None, _) => String::new(),
                 };
-                let mistake = self.source.mistake(&at_key, format!("unknown key `{name}` in {what}"));
+                let mistake = self.source.mistake(&at_key, format!("unknown key `{}` in {what}", quoted(name)));
                 self.mistakes.push(mistake.help(format!("{advice}{what} has {}", known.join(", "))));
                 fields.meant.extend(known.iter().copied().filter(|word| Some(*word) == meant));
             }
@@ -148,6 +184,10 @@ impl<'s> Reader<'s> {
     /// Text, trimmed and not empty.
     pub fn text(&mut self, field: &Field<'_>, expected: &str, help: &str) -> Option<String> {
         match field.node {
+            Node::Text(text) if text.trim().contains(char::is_control) => {
+                self.unexpected(field, &format!("{expected} in one line"), Some(help.to_owned()));
+                None
+            }
             Node::Text(text) if !text.trim().is_empty() => Some(text.trim().to_owned()),
             Node::Number(_) | Node::Bool(_) => {
                 let written = self.source.written(&field.place);
@@ -265,14 +305,23 @@ impl<'s> Reader<'s> {
     }
 }
 
+/// A text as a message quotes it.
+fn quoted(text: &str) -> Cow<'_, str> {
+    match text.char_indices().nth(LONGEST_QUOTE) {
+        Some((end, _)) => Cow::Owned(format!("{}...", text.get(..end).unwrap_or_default())),
+        None => Cow::Borrowed(text),
+    }
+}
+
 /// Description of a node, in the words of a message.
 fn describe(node: &Node, written: &str) -> String {
     match node {
         Node::Null => "nothing".to_owned(),
         Node::Bool(value) => format!("`{value}`"),
-        Node::Number(_) => format!("the number {written}"),
+        Node::Number(_) => format!("the number {}", quoted(written)),
         Node::Text(text) if text.trim().is_empty() => "an empty text".to_owned(),
-        Node::Text(text) => format!("`{text}`"),
+        // A line break, a bell or a tab as it may be written.
+        Node::Text(text) => format!("`{}`", quoted(&text.replace(char::is_control, " "))),
         Node::List(_) => "a list".to_owned(),
         Node::Mapping(_) => "a mapping".to_owned(),
         Node::Tagged(tag) => format!("the tag `{tag}`, and tags mean nothing here"),

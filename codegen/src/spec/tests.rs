@@ -403,3 +403,31 @@ fn rates_are_positive_and_stand_on_rows_that_move() {
     row_mistake(&rate("prismatic", "fast"), "5:69", &["expected a number"]);
     row_mistake(&rate("fixed", "90"), "5:65", &["`max_velocity` on a fixed row", "remove `max_velocity`"]);
 }
+
+#[test]
+fn a_name_is_one_line_of_characters_that_are_shown() {
+    only(
+        &mistakes(&arm(ROW, "").replace("name: arm", "name: \"a\\nb\"")),
+        "1:7",
+        &["the arm's name in one line, found `a b`"],
+    );
+    row_mistake("{name: \"q\\a\", a: 1, alpha: 0, d: 0, theta: 0}", "5:12", &["a name in one line"]);
+}
+
+#[test]
+fn of_many_warnings_the_first_are_shown() {
+    let row = "  - {type: fixed, a: 1, alpha: 29.9999999, d: 0, theta: 0}\n";
+    assert_eq!(warnings(&arm(ROW, &row.repeat(200))).len(), 50);
+}
+
+#[test]
+fn of_many_mistakes_the_first_are_shown() {
+    let keys: String = (0..2000).map(|i| format!("x{i}: {}\n", "y".repeat(100))).collect();
+    let rows = "  - {type: revolute, b: 1, a: z}\n".repeat(2000);
+    for text in [format!("name: x\n{keys}joints:\n{rows}"), format!("name: x\njoints:\n{rows}{keys}")] {
+        let mistakes = read(&text, "x").unwrap_err();
+        assert_eq!(mistakes.iter().count(), 51);
+        let first = mistakes.iter().next().unwrap();
+        assert!(first.at.is_none() && first.message.contains("the first 50 mistakes"), "{first}");
+    }
+}

@@ -78,11 +78,13 @@ pub fn read(text: &str) -> Result<Robot, String> {
         ));
     }
     let mut joints = Vec::new();
-    let mut lines = HashMap::new();
+    let mut named = HashMap::new();
     for node in elements(&root, "joint") {
         let joint = joint(&node)?;
-        if let Some(first) = lines.insert(joint.name.clone(), line(&node)) {
-            return Err(format!("line {}: a second joint `{}`, the first is in line {first}", line(&node), joint.name));
+        // A line number is counted from the start of the text, so for a mistake alone.
+        if let Some(first) = named.insert(joint.name.clone(), node) {
+            let (first, second) = (line(&first), line(&node));
+            return Err(format!("line {second}: a second joint `{}`, the first is in line {first}", joint.name));
         }
         joints.push(joint);
     }
