@@ -157,6 +157,7 @@ class Arm:
         tolerance: float | None = None,
         max_velocity: ArrayLike | None = None,
         max_acceleration: ArrayLike | None = None,
+        motor_rates: bool = False,
     ) -> Motion: ...
     def follower(
         self,
@@ -168,6 +169,7 @@ class Arm:
         given: ArrayLike | None = None,
         length: float | None = None,
         crossing: Literal["exact", "wrist", "any"] = "wrist",
+        motor_rates: bool = False,
     ) -> Follower: ...
     def numeric(
         self,
@@ -370,4 +372,5 @@ class Target:
     @property
     def values(self) -> NDArray[np.float64]: ...
     def __eq__(self, other: object, /) -> bool: ...
+    def __hash__(self) -> int: ...
     def __reduce__(self) -> tuple[Any, ...]: ...

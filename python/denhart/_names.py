@@ -17,6 +17,8 @@ class Status(enum.IntEnum):
 
     __module__ = "denhart"
 
+    __str__ = enum.Enum.__str__
+
     #: At least one solution is exact.
     REACHABLE = 0
     #: No solution is exact; those within the arm's tolerance are listed.
@@ -29,6 +31,8 @@ class Flags(enum.IntFlag):
     """Facts about a solution."""
 
     __module__ = "denhart"
+
+    __str__ = enum.Flag.__str__
 
     #: Reaches the target up to rounding.
     EXACT = 1

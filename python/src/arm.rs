@@ -470,7 +470,7 @@ impl Arm {
     ///
     /// `near` (n,): solutions have their joints on the turns next to it, and are sorted nearest first. `given`: the values
     /// of the redundant joints that `arm.given` names; `near` has them, too. `limits`: "mark" gives solutions outside the
-    /// joint limits a flag, "drop" leaves them out.
+    /// joint limits a flag; "drop" leaves them out, but for those that whole turns of joints bring inside.
     #[pyo3(signature = (target, near=None, given=None, limits="mark"))]
     fn inverse(
         slf: &Bound<'_, Self>,
@@ -516,6 +516,7 @@ impl Arm {
     /// `targets`: (N, 4, 4) poses, or (N, k) numbers of the arm's task. `near`: (n,), or (N, n), one for each target.
     /// `given`: values for all targets, or for each, (N,) or (N, k). `out`: an array (N, S, n) that `q` is written to. No
     /// lock of Python is held; do not change the arrays meanwhile. A target that is not finite has the status BAD_TARGET.
+    /// With `limits="drop"` a target may be reachable and have no solution that is listed: ask `count`, not `status`.
     #[pyo3(signature = (targets, near=None, given=None, limits="mark", *, threads=None, out=None))]
     #[allow(clippy::too_many_arguments)]
     fn inverse_batch<'py>(
@@ -542,10 +543,11 @@ impl Arm {
     /// `given`: values for all targets, or for each, (N,) or (N, k), by default those of `start`. `tolerance`: in the arm's
     /// length unit, by default 1e-5 of the reach; a turn counts as the way of a point at the reach. `max_velocity` and
     /// `max_acceleration` (n,), or one number for all joints: rad or the length unit per s and s^2, by default those of the
-    /// arm file; np.inf is no limit of an acceleration.
+    /// arm file; np.inf is no limit of an acceleration. `motor_rates`: they are those of the motors, which the file's
+    /// `coupling` links to the joints.
     ///
     /// No lock of Python is held, and Ctrl-C ends the call. The steps are those of `denhart follow`.
-    #[pyo3(signature = (targets, dt=0.001, *, times=None, keep="path", start=None, given=None, tolerance=None, max_velocity=None, max_acceleration=None))]
+    #[pyo3(signature = (targets, dt=0.001, *, times=None, keep="path", start=None, given=None, tolerance=None, max_velocity=None, max_acceleration=None, motor_rates=false))]
     #[allow(clippy::too_many_arguments)]
     fn follow<'py>(
         &self,
@@ -558,8 +560,10 @@ impl Arm {
         tolerance: Option<f64>,
         max_velocity: Option<&Bound<'py, PyAny>>,
         max_acceleration: Option<&Bound<'py, PyAny>>,
+        motor_rates: bool,
     ) -> PyResult<Motion> {
-        let path = Followed { targets, dt, times, keep, start, given, tolerance, max_velocity, max_acceleration };
+        let path =
+            Followed { targets, dt, times, keep, start, given, tolerance, max_velocity, max_acceleration, motor_rates };
         path.follow(targets.py(), self)
     }
 
@@ -570,8 +574,8 @@ impl Arm {
     /// default those of the arm file; np.inf is no limit of an acceleration. `given`: values of the redundant joints that `arm.given` names, for targets
     /// without, by default those of `start`. `length`, in the arm's length unit, weighs as much as 1 rad where the tool has to
     /// deviate: a small one keeps the position; by default about a tenth of the reach. `crossing`: singularities through which
-    /// a deviation may lead, "exact" (none), "wrist" or "any".
-    #[pyo3(signature = (start, dt=0.001, *, max_velocity=None, max_acceleration=None, given=None, length=None, crossing="wrist"))]
+    /// a deviation may lead, "exact" (none), "wrist" or "any". `motor_rates` as of `follow`.
+    #[pyo3(signature = (start, dt=0.001, *, max_velocity=None, max_acceleration=None, given=None, length=None, crossing="wrist", motor_rates=false))]
     #[allow(clippy::too_many_arguments)]
     fn follower(
         slf: &Bound<'_, Self>,
@@ -582,8 +586,9 @@ impl Arm {
         given: Option<&Bound<'_, PyAny>>,
         length: Option<f64>,
         crossing: &str,
+        motor_rates: bool,
     ) -> PyResult<Follower> {
-        let beginning = Beginning { start, dt, max_velocity, max_acceleration, given, length, crossing };
+        let beginning = Beginning { start, dt, max_velocity, max_acceleration, given, length, crossing, motor_rates };
         beginning.follower(slf.py(), slf.clone().unbind())
     }
 
@@ -640,7 +645,7 @@ impl Arm {
             (Ok(task), Ok(most)) => {
                 format!("inverse {task}, at most {most} solution{}", if most == 1 { "" } else { "s" })
             }
-            _ => "no inverse in closed form".to_owned(),
+            _ => "no inverse: report() says why".to_owned(),
         };
         let given = self.arm.given().unwrap_or_default();
         let given = if given.is_empty() { String::new() } else { format!(", given {}", given.join(", ")) };

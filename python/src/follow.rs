@@ -162,6 +162,7 @@ pub struct Path<'a, 'py> {
     pub tolerance: Option<f64>,
     pub max_velocity: Option<&'a Bound<'py, PyAny>>,
     pub max_acceleration: Option<&'a Bound<'py, PyAny>>,
+    pub motor_rates: bool,
 }
 
 impl Path<'_, '_> {
@@ -222,6 +223,7 @@ impl Path<'_, '_> {
         let mut asked = Asked::new(solver, &whole, times).map_err(|error| refused_path(&error, times))?;
         asked.period = self.dt;
         asked.start = start;
+        asked.motor_rates = self.motor_rates;
         if let Some(tolerance) = self.tolerance {
             asked.tolerance = tolerance;
         }
@@ -260,7 +262,15 @@ pub fn rates(arm: &Arm, name: &str, rates: Option<&Bound<'_, PyAny>>) -> PyResul
     };
     match arm.arm.joint_names().zip(&rates).find(|(_, rate)| rate.is_nan() || **rate <= 0.0) {
         Some((joint, rate)) => {
-            Err(error::value(format!("{name}: expected a rate above 0 for each joint, found {rate} of {joint}")))
+            return Err(error::value(format!(
+                "{name}: expected a rate above 0 for each joint, found {rate} of {joint}"
+            )));
+        }
+        None => {}
+    }
+    match arm.arm.joint_names().zip(&rates).find(|(_, rate)| name == "max_velocity" && rate.is_infinite()) {
+        Some((joint, rate)) => {
+            Err(error::value(format!("{name}: expected a finite rate for each joint, found {rate} of {joint}")))
         }
         None => Ok(Some(rates)),
     }

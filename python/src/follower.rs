@@ -3,8 +3,8 @@
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use denhart::follow::{self, Crossing, FollowSettings, Rates};
-use denhart_dynamic::{DynamicError, DynamicView, ViewSolutions, WholeTarget};
-use denhart_tools::follow::Refused;
+use denhart_dynamic::{DynamicArm, DynamicError, DynamicView, ViewSolutions, WholeTarget};
+use denhart_tools::follow::{Refused, linked};
 use pyo3::prelude::*;
 use pyo3::types::{PyTuple, PyType};
 
@@ -50,6 +50,7 @@ pub struct Beginning<'a, 'py> {
     pub given: Option<&'a Bound<'py, PyAny>>,
     pub length: Option<f64>,
     pub crossing: &'a str,
+    pub motor_rates: bool,
 }
 
 impl Beginning<'_, '_> {
@@ -99,6 +100,9 @@ impl Beginning<'_, '_> {
                 return Err(error::value(format!("length: expected a length above 0 in {unit}, found {length}")));
             }
             settings = settings.length(length);
+        }
+        if self.motor_rates {
+            settings = settings.linked(linked(solver, DynamicArm::to_motor), linked(solver, DynamicArm::from_motor));
         }
         let follower = follow::Follower::new(&view, settings, &padded(&start, 0.0))
             .map_err(|error| refused(py, ours, &Refused::Follow(error)))?;

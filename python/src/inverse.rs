@@ -15,6 +15,7 @@ use crate::error;
 use crate::share::{self, ROWS, share, threads, told};
 use crate::solutions::{Found, Solutions, Summary, bits, number};
 use crate::target::{self, Target};
+use crate::turns::Turns;
 
 /// A question to the inverse of an arm.
 #[derive(Clone)]
@@ -52,7 +53,7 @@ impl Asked {
         let solver = &arm.get().arm;
         let found = match &self.branch {
             Some(text) => self.on_branch(solver, text),
-            None => answer(solver, &self.target, self.near.as_deref(), &self.given).map(|all| self.kept(all)),
+            None => answer(solver, &self.target, self.near.as_deref(), &self.given).map(|all| self.kept(solver, all)),
         };
         let found = found.map_err(|error| error::dynamic(py, &error))?;
         Ok(Solutions { arm, asked: self, found })
@@ -60,15 +61,17 @@ impl Asked {
 
     /// The question with the solutions of its target.
     pub fn answered(self, arm: Py<Arm>, all: DynamicSolutions) -> Solutions {
-        let found = self.kept(all);
+        let found = self.kept(&arm.get().arm, all);
         Solutions { arm, asked: self, found }
     }
 
-    fn kept(&self, all: DynamicSolutions) -> Found {
-        match self.drop {
-            false => Found::All(all),
-            true => Found::Some(all.within_limits().copied().collect(), summary(&all)),
+    /// The solutions that are listed.
+    fn kept(&self, arm: &DynamicArm, all: DynamicSolutions) -> Found {
+        if !self.drop {
+            return Found::All(all);
         }
+        let turns = Turns::of(arm);
+        Found::Some(all.iter().filter_map(|solution| turns.within(solution)).collect(), summary(&all))
     }
 
     fn on_branch(&self, arm: &DynamicArm, text: &str) -> Result<Found, DynamicError> {
@@ -82,7 +85,9 @@ impl Asked {
             }
             Err(status) => (Vec::new(), status),
         };
-        let kept = list.into_iter().filter(|solution| !self.drop || solution.is_within_limits()).collect();
+        let turns = Turns::of(arm);
+        let kept = |solution| if self.drop { turns.within(&solution) } else { Some(solution) };
+        let kept = list.into_iter().filter_map(kept).collect();
         let deviation = arm.inverse(&self.target, &self.given)?.deviation();
         Ok(Found::Some(kept, Summary { status, deviation, complete: true }))
     }
@@ -223,7 +228,9 @@ impl InverseBatch {
             Ok(status) => status.as_slice().unwrap_or(&[]).iter().filter(|status| **status == 0).count(),
             Err(_) => 0,
         };
-        Ok(format!("<InverseBatch: q {shape}, {reached} of {targets} targets reached; count, flags, status, deviation>"))
+        Ok(format!(
+            "<InverseBatch: q {shape}, {reached} of {targets} targets reached; count, flags, status, deviation>"
+        ))
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
@@ -506,18 +513,24 @@ impl Memory {
         let joints = arm.joints().max(1);
         let row = q.len() / count.len().max(1);
         let places = q.chunks_exact_mut(row.max(1)).zip(flags.chunks_exact_mut((row / joints).max(1)));
+        let mut turns = None;
         let outcomes = count.iter_mut().zip(status).zip(deviation);
         for ((found, (q, flags)), ((count, status), deviation)) in self.found.iter().zip(places).zip(outcomes) {
             let mut listed = 0;
             for (number, facts) in found.flags().iter().enumerate() {
+                let mut facts = *facts;
                 if drop && facts.contains(Flags::OUT_OF_LIMITS) {
-                    continue;
+                    let turns = turns.get_or_insert_with(|| Turns::of(arm));
+                    if !q.get_mut(number * joints..(number + 1) * joints).is_some_and(|q| turns.turn(q)) {
+                        continue;
+                    }
+                    facts.remove(Flags::OUT_OF_LIMITS);
                 }
                 if number != listed {
                     moved(q, number * joints, listed * joints, joints);
                 }
                 if let Some(place) = flags.get_mut(listed) {
-                    *place = bits(*facts);
+                    *place = bits(facts);
                 }
                 listed += 1;
             }
@@ -556,6 +569,7 @@ fn rows_of(
     let capacity = row / joints.max(1);
     let places = job.q.chunks_exact_mut(row.max(1)).zip(job.count).zip(job.flags.chunks_exact_mut(capacity.max(1)));
     let targets_of_job = job.targets.chunks_exact(targets.width);
+    let turns = Turns::of(arm);
     let outcomes = job.status.iter_mut().zip(job.deviation);
     for (index, ((numbers, ((q, count), flags)), (status, deviation))) in
         targets_of_job.zip(places).zip(outcomes).enumerate()
@@ -567,7 +581,7 @@ fn rows_of(
         if let Some(target) = targets.of(arm, numbers) {
             let all = answer(arm, &target, near.map(|near| near.of(index)), given.of(index))?;
             (*status, *deviation) = (number(&all.status()), all.deviation());
-            let kept = all.iter().filter(|solution| !drop || solution.is_within_limits());
+            let kept = all.iter().filter_map(|solution| if drop { turns.within(solution) } else { Some(*solution) });
             for ((solution, place), flag) in kept.zip(q.by_ref()).zip(flags.by_ref()) {
                 place.copy_from_slice(&solution.q);
                 *flag = bits(solution.flags);

@@ -17,6 +17,7 @@ mod solutions;
 mod sweep;
 mod table;
 mod target;
+mod turns;
 mod vectors;
 
 use pyo3::prelude::*;

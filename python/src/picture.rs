@@ -4,6 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use denhart_draw::{Theme, View};
+use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 
 use crate::error;
@@ -28,8 +29,11 @@ impl Picture {
                 path.display()
             )));
         }
-        py.detach(|| fs::write(&path, &self.svg))?;
-        Ok(())
+        py.detach(|| fs::write(&path, &self.svg)).map_err(|error| {
+            let reason = error.to_string();
+            let reason = reason.split(" (os error").next().unwrap_or_default().to_owned();
+            PyOSError::new_err((error.raw_os_error(), reason, path))
+        })
     }
 
     fn _repr_svg_(&self) -> &str {

@@ -73,6 +73,16 @@ impl Table<'_, '_> {
             self.length_unit,
             self.angle
         );
+        if self.name.contains(char::is_control) {
+            return Err(error::value(format!("name: expected characters of one line, found {:?}", self.name)));
+        }
+        for (key, value) in [("task", self.inverse[0]), ("redundant", self.inverse[1])] {
+            if let Some(value) = value.filter(|value| value.contains([':', '#', '{', '}', '\n', '\r'])) {
+                return Err(error::value(format!(
+                    "{key}: expected a word, or a list such as \"[q1, q4]\", found {value:?}"
+                )));
+            }
+        }
         let inverse = [("task", self.inverse[0]), ("redundant", self.inverse[1])];
         let inverse: Vec<String> =
             inverse.into_iter().filter_map(|(key, value)| Some(format!("{key}: {}", value?))).collect();

@@ -191,6 +191,8 @@ def test_pictures(ur5, tmp_path):
     assert picture._repr_svg_() == picture.svg and picture.svg.startswith("<svg")
     picture.save(tmp_path / "ur5.svg")
     assert (tmp_path / "ur5.svg").read_text() == picture.svg
+    with pytest.raises(FileNotFoundError, match="No such file or directory: .*none/ur5.svg"):
+        picture.save(tmp_path / "none" / "ur5.svg")
     solutions = ur5.inverse(ur5.forward(np.full(6, 0.3)))
     assert ur5.draw(solutions=solutions).svg != picture.svg
     one = ur5.inverse_branch(solutions.target, solutions[2].branch)

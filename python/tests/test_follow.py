@@ -146,6 +146,25 @@ def test_one_number_is_the_rate_of_every_joint(ur5):
     np.testing.assert_array_equal(one.q, each.q)
 
 
+@pytest.mark.parametrize("keep", ["path", "time", "follower"])
+def test_rates_may_be_those_of_linked_motors(keep):
+    row = "  - {a: 0.3, alpha: 0, d: 0, theta: 0, max_velocity: 30, max_acceleration: 300}\n"
+    head = "name: elbow\nconvention: standard\nunits: {length: m, angle: deg}\njoints:\n"
+    arm = denhart.Arm.from_yaml(f"{head}{row}{row}coupling: {{q2: {{q1: 1, q2: 1}}}}\n")
+    most = np.pi / 6 * (1 + 1e-9)
+    joints = {}
+    for motor_rates in [False, True]:
+        if keep == "follower":
+            follower = arm.follower([-1.0, 2.0], 0.001, motor_rates=motor_rates)
+            velocity = np.array([follower.step([0.3, 0.4]).velocity for _ in range(3000)])
+        else:
+            velocity = arm.follow([[0.4, -0.2], [0.4, 0.2]], times=[0, 1], keep=keep, motor_rates=motor_rates).velocity
+        driven = np.stack([velocity[:, 0], velocity.sum(axis=1)], axis=1) if motor_rates else velocity
+        assert 0.5 * most < np.abs(driven).max() <= most
+        joints[motor_rates] = velocity
+    assert len(joints[True]) != len(joints[False]) or np.abs(joints[True] - joints[False]).max() > 0.05 * most
+
+
 def edited(poses, index, value):
     poses = poses.copy()
     poses[index] = value
@@ -180,7 +199,7 @@ BAD = [
     ({"max_velocity": None}, "max_velocity: the arm file has no velocity of q1, .*q6: write max_velocity="),
     ({"max_velocity": np.zeros(6)}, "max_velocity: expected a rate above 0 for each joint, found 0 of q1"),
     ({"max_velocity": edited(VELOCITY, 3, np.nan)}, "max_velocity: expected a rate above 0 .* found NaN of q4"),
-    ({"max_velocity": edited(VELOCITY, 3, np.inf)}, "max_velocity: the arm file has no velocity of q4"),
+    ({"max_velocity": edited(VELOCITY, 3, np.inf)}, "max_velocity: expected a finite rate for each joint, found inf of q4"),
     ({"max_velocity": [3.0]}, r"max_velocity: expected shape \(6,\), found \(1,\)"),
     ({"max_velocity": -3.0}, "max_velocity: expected a rate above 0 for each joint, found -3 of q1"),
     ({"max_acceleration": -ACCELERATION}, "max_acceleration: expected a rate above 0 for each joint, found -"),

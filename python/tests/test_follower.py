@@ -165,7 +165,7 @@ BAD = [
     ({"max_velocity": None}, "max_velocity: the arm file has no velocity of q1, .*q6: write max_velocity="),
     ({"max_velocity": np.zeros(6)}, "max_velocity: expected a rate above 0 for each joint, found 0 of q1"),
     ({"max_velocity": np.full(6, np.nan)}, "max_velocity: expected a rate above 0 .* found NaN of q1"),
-    ({"max_velocity": np.full(6, np.inf)}, "max_velocity: the arm file has no velocity of q1"),
+    ({"max_velocity": np.full(6, np.inf)}, "max_velocity: expected a finite rate for each joint, found inf of q1"),
     ({"max_velocity": [3.0]}, r"max_velocity: expected shape \(6,\), found \(1,\)"),
     ({"max_velocity": np.full(6, 1e-320), "dt": 1e-6}, "max_velocity: "),
     ({"max_acceleration": np.zeros(6)}, "max_acceleration: expected a rate above 0"),

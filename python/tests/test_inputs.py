@@ -184,7 +184,7 @@ def test_mistakes_in_a_file_have_a_place(tmp_path):
     with pytest.raises(denhart.ArmError, match="the first 50 mistakes are shown") as caught:
         denhart.Arm.from_yaml(mistakes)
     assert str(caught.value).count("unknown key") == 50
-    with pytest.raises(denhart.ArmError, match="the arm's name in one line"):
+    with pytest.raises(ValueError, match="name: expected characters of one line"):
         denhart.Arm.from_dh(a=[1.0], alpha=[0.0], d=[0.0], name="two\nlines")
     with pytest.raises(denhart.ArmError, match="no arm `ur 5`") as caught:
         denhart.Arm.preset("ur 5")

@@ -96,9 +96,35 @@ def test_limits():
     marked = arm.inverse(target)
     kept = arm.inverse(target, limits="drop")
     inside = [solution for solution in marked if solution.is_within_limits]
-    assert 0 < len(kept) == len(inside) < len(marked)
-    np.testing.assert_array_equal(kept.q, [solution.q for solution in inside])
-    assert f"{len(marked) - len(kept)} of them outside the joint limits" in marked.why()
+    assert 0 < len(inside) < len(kept) < len(marked)
+    assert all(solution in kept for solution in inside)
+    assert f"{len(marked) - len(inside)} of them outside the joint limits" in marked.why()
+
+
+def test_dropped_solutions_are_those_that_no_turn_brings_inside(panda):
+    arm = denhart.Arm.preset("abb_irb140")
+    q = np.radians([0, 0, -200, 0, 40, 0])
+    target = arm.forward(q)
+    assert not arm.inverse(target).q[:, 2].min() < -np.pi
+    branch = arm.inverse(target, near=q)[0].branch
+    for solutions in [arm.inverse(target, limits="drop"), arm.inverse_branch(target, branch, limits="drop")]:
+        assert np.abs(solutions.q - q).max(axis=1).min() < 1e-9
+    batch = arm.inverse_batch(np.stack([target] * 3), limits="drop")
+    np.testing.assert_array_equal(batch.q[1, : batch.count[1]], arm.inverse(target, limits="drop").q)
+    for arm, given in [(arm, False), (denhart.Arm.preset("puma560"), False), (panda, True)]:
+        low, high = arm.limits.T
+        for q in np.random.default_rng(5).uniform(low, high, (200, arm.dof)):
+            values = {"given": q[6]} if given else {}
+            solutions = arm.inverse(arm.forward(q), limits="drop", **values)
+            difference = turned(solutions.q - q, arm)
+            assert np.abs(difference).max(axis=1).min() < 1e-6
+            assert ((solutions.q >= low - 1e-9) & (solutions.q <= high + 1e-9)).all()
+            for solution in solutions:
+                assert solution.is_within_limits and np.abs(arm.forward(solution.q) - arm.forward(q)).max() < 1e-9
+
+
+def test_words_of_status_and_flags():
+    assert (str(Status.REACHABLE), f"{Flags.EXACT | Flags.FREE}") == ("Status.REACHABLE", "Flags.EXACT|FREE")
 
 
 def test_out_of_reach_and_bad_targets(ur5):

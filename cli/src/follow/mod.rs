@@ -64,6 +64,9 @@ pub struct Options {
     /// Greatest acceleration of each joint, per s^2 [default: those of the arm file, else none]
     #[arg(long, value_name = "VALUES", allow_hyphen_values = true)]
     max_acceleration: Option<String>,
+    /// Velocities and accelerations are those of the motors, which the arm file's `coupling` links to the joints
+    #[arg(long)]
+    motor_rates: bool,
     /// Unit of angles, given and printed
     #[arg(long, value_name = "UNIT", default_value = "deg", value_parser = crate::numbers::units())]
     units: Units,
@@ -179,6 +182,7 @@ fn asked<'a>(arm: &'a DynamicArm, options: &Options) -> Result<Asked<'a>, Failur
     let asked = Asked::new(arm, &targets, poses.times.as_deref());
     let mut asked = asked.map_err(|error| no_path(&poses, &name, error))?;
     (asked.start, asked.rates, asked.period) = (start, rates, options.period);
+    asked.motor_rates = options.motor_rates;
     if let Some(tolerance) = options.tolerance {
         asked.tolerance = tolerance * (1e-3 / arm.length_unit().in_meters());
     }

@@ -207,7 +207,8 @@ impl<const N: usize> Curve<N> {
 
 /// The way between two points at full rate, s.
 fn chord<const N: usize>(settings: &PlanSettings<N>, a: &Point<N>, b: &Point<N>) -> f64 {
-    let joints = a.1.iter().zip(&b.1).zip(&settings.velocity).map(|((a, b), velocity)| (b - a) / velocity);
+    let way = settings.way(&a.1, &b.1);
+    let joints = way.iter().zip(settings.paces()).map(|(way, pace)| way / pace);
     let own = if settings.is_timed { b.0 - a.0 } else { 0.0 };
     joints.fold(own * own, |sum, way| sum + way * way).sqrt()
 }
@@ -280,8 +281,9 @@ impl<A: InverseKinematics<f64, N>, F: Fn(f64) -> A::Target, const N: usize> Make
             return true;
         }
         let timed = if self.settings.is_timed { 1.0 } else { 0.0 };
-        let ends = a.1.iter().zip(&b.1).zip(&middle.1).zip(&self.settings.velocity);
-        let ways = ends.map(|(((a, b), middle), velocity)| ((b - a) / velocity, (middle - 0.5 * (a + b)) / velocity));
+        let off = self.settings.way(&between(&a.1, &b.1, 0.5), &middle.1);
+        let ways = self.settings.way(&a.1, &b.1).into_iter().zip(off).zip(self.settings.paces());
+        let ways = ways.map(|((way, off), pace)| (way / pace, off / pace));
         let own = (timed * (b.0 - a.0), timed * (middle.0 - 0.5 * (a.0 + b.0)));
         let (mut along, mut square) = (0.0, 0.0);
         for (way, off) in ways.chain([own]) {

@@ -49,9 +49,9 @@ pub use times::{Trajectory, TrajectoryPoint};
 /// The bounds of a plan.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlanSettings<const N: usize> {
-    /// Greatest velocity of each joint, rad/s or length unit/s; finite and above 0.
+    /// Greatest velocity of each joint, or motor, rad/s or length unit/s; finite and above 0.
     pub velocity: [f64; N],
-    /// Greatest acceleration of each joint, rad/s^2 or length unit/s^2; above 0, infinite for none.
+    /// Greatest acceleration of each joint, or motor, rad/s^2 or length unit/s^2; above 0, infinite for none.
     pub acceleration: [f64; N],
     /// Largest difference of the tool from the path, length unit and rad; finite and above 0. Their quotient is the length
     /// that counts as much as 1 rad.
@@ -62,13 +62,59 @@ pub struct PlanSettings<const N: usize> {
     pub is_timed: bool,
     /// Intervals of the path that the plan begins with; they are halved where needed.
     pub intervals: usize,
+    /// The rates are those of motors that are linked, `motor = A q + b`: this is A. Without it they are those of the joints.
+    pub motors: Option<[[f64; N]; N]>,
 }
+
+/// Joints and motors are slower than this, rad/s or length unit/s.
+const FASTEST: f64 = 1e3;
+/// Joints are faster than this.
+const SLOWEST: f64 = 1e-12;
 
 impl<const N: usize> PlanSettings<N> {
     /// Settings with these rates and this tolerance: no start, no times, 256 intervals.
     #[must_use]
     pub const fn new(velocity: [f64; N], acceleration: [f64; N], tolerance: Residual<f64>) -> Self {
-        PlanSettings { velocity, acceleration, tolerance, start: None, is_timed: false, intervals: 256 }
+        PlanSettings { velocity, acceleration, tolerance, start: None, is_timed: false, intervals: 256, motors: None }
+    }
+
+    /// The rates are those of motors that are linked, `motor = A q + b`: the arm's `to_motor`.
+    #[must_use]
+    pub fn linked(self, to_motor: impl Fn(&[f64; N]) -> [f64; N]) -> Self {
+        let origin = to_motor(&[0.0; N]);
+        let mut matrix = [[0.0; N]; N];
+        for joint in 0..N {
+            let mut unit = [0.0; N];
+            unit.iter_mut().skip(joint).take(1).for_each(|value| *value = 1.0);
+            for (row, (motor, zero)) in matrix.iter_mut().zip(to_motor(&unit).into_iter().zip(origin)) {
+                row.iter_mut().skip(joint).take(1).for_each(|entry| *entry = motor - zero);
+            }
+        }
+        PlanSettings { motors: Some(matrix), ..self }
+    }
+
+    /// The ways, or rates, of the motors at those of the joints.
+    fn of_motors(&self, joints: [f64; N]) -> [f64; N] {
+        let Some(matrix) = &self.motors else { return joints };
+        let mut motors = [0.0; N];
+        for (motor, row) in motors.iter_mut().zip(matrix) {
+            *motor = row.iter().zip(&joints).map(|(entry, joint)| entry * joint).sum();
+        }
+        motors
+    }
+
+    /// The velocities by which the length of a curve counts. A velocity that is there for none does not make it 0.
+    fn paces(&self) -> [f64; N] {
+        self.velocity.map(|velocity| velocity.min(FASTEST))
+    }
+
+    /// The ways of the motors between two joint vectors.
+    fn way(&self, from: &[f64; N], to: &[f64; N]) -> [f64; N] {
+        let mut way = *to;
+        for (to, from) in way.iter_mut().zip(from) {
+            *to -= from;
+        }
+        self.of_motors(way)
     }
 
     /// Returns true if a miss is within the tolerance; false for one that is not a number.
@@ -83,8 +129,8 @@ impl<const N: usize> PlanSettings<N> {
 
     /// The time of a way at full rate, s.
     fn time(&self, from: &[f64; N], to: &[f64; N]) -> f64 {
-        let ways = from.iter().zip(to).zip(&self.velocity);
-        ways.fold(0.0, |most: f64, ((from, to), velocity)| most.max((to - from).abs() / velocity))
+        let way = self.way(from, to);
+        way.iter().zip(&self.velocity).fold(0.0, |most: f64, (way, velocity)| most.max(way.abs() / velocity))
     }
 }
 
@@ -157,8 +203,8 @@ impl<const N: usize> JointPath<N> {
     /// The joint path is a curve of cubics, whose knots follow its curvature: between two knots its direction turns by a few
     /// degrees at most. The square of the speed along the curve is linear between knots; a pass backward finds the largest
     /// ones from which the end is reached, a pass forward takes them. Method: Pham and Pham 2018, "A new approach to
-    /// time-optimal path parameterization based on reachability analysis". Accelerations are bounded at the ends and the
-    /// middle of each stretch between knots. Without a finite acceleration the motion need not begin or end at rest.
+    /// time-optimal path parameterization based on reachability analysis". Both rates are bounded all along
+    /// each stretch between knots. Without a finite acceleration the motion need not begin or end at rest.
     #[must_use]
     pub fn timed(&self) -> Trajectory<N> {
         Trajectory::new(&self.curve, &self.settings, self.limits)
@@ -168,7 +214,7 @@ impl<const N: usize> JointPath<N> {
 /// Refuses settings with which nothing can be planned.
 fn check<const N: usize>(end: f64, settings: &PlanSettings<N>) -> Result<(), PlanError> {
     for (joint, (velocity, acceleration)) in settings.velocity.iter().zip(&settings.acceleration).enumerate() {
-        if !(*velocity > 0.0 && velocity.is_finite()) {
+        if !(*velocity > SLOWEST && velocity.is_finite()) {
             return Err(PlanError::Velocity { joint, velocity: *velocity });
         }
         if acceleration.is_nan() || *acceleration <= 0.0 {

@@ -70,11 +70,12 @@ where
     }
     for window in points.windows(3) {
         let [a, b, c] = window else { continue };
+        let (step, next) = (settings.way(&a.q, &b.q), settings.way(&b.q, &c.q));
         for joint in 0..N {
             let (velocity, acceleration) = (settings.velocity[joint], settings.acceleration[joint]);
-            let step = (b.q[joint] - a.q[joint]).abs() / TICK;
-            assert!(step <= 1.002 * velocity, "q{}: {} of the velocity at {}", joint + 1, step / velocity, b.at);
-            let change = (c.q[joint] - 2.0 * b.q[joint] + a.q[joint]).abs() / (TICK * TICK);
+            let change = (next[joint] - step[joint]).abs() / (TICK * TICK);
+            let step = step[joint].abs() / TICK;
+            assert!(step <= (1.0 + 1e-9) * velocity, "q{}: {} of the velocity at {}", joint + 1, step / velocity, b.at);
             assert!(
                 change <= 1.02 * acceleration + 1e-7 / (TICK * TICK) * f64::EPSILON.sqrt(),
                 "q{}: {} of the acceleration at {}",
@@ -190,6 +191,77 @@ fn one_joint_alone_has_the_times_of_a_trapezoid() {
     let plan = JointPath::new(&view, &slow, 2.0, &settings, &mut |_| {}).unwrap();
     let time = resampled(&view, &plan, &slow, &settings);
     assert!((time - 2.125).abs() < 3e-3, "{time}");
+}
+
+#[test]
+fn rates_of_linked_motors_bound_the_motion() {
+    let arm = two_bars("");
+    let view: DynamicView<2> = arm.view().unwrap();
+    // Motor 2 turns the second bar against the base, and 0.3 rad away from it.
+    let to_motor = |q: &[f64; 2]| [q[0], q[0] + q[1] + 0.3];
+    let path = circle(0.5 / PI);
+    let slow_second = PlanSettings { velocity: [3.0, 1.0], ..bars_settings(None) };
+    let time = |settings: &PlanSettings<2>, path: &dyn Fn(f64) -> WholeTarget| {
+        let plan = JointPath::new(&view, &path, 1.0, settings, &mut |_| {}).unwrap();
+        resampled(&view, &plan, &path, settings)
+    };
+    // Joint 1 alone moves by 1 rad, and both motors do.
+    assert!((time(&slow_second, &path) - 1.0).abs() < 2e-3);
+    let linked = slow_second.linked(to_motor);
+    assert_eq!(linked.motors, Some([[1.0, 0.0], [1.0, 1.0]]));
+    assert!((time(&linked, &path) - 1.25).abs() < 2e-3, "{}", time(&linked, &path));
+    // On a line both joints move, against each other for a part of the way.
+    let line = |s: f64| WholeTarget::from(DynamicTarget::PlanarPosition([0.3, 0.3 * s - 0.15]));
+    let (own, motors) = (bars_settings(None), bars_settings(None).linked(to_motor));
+    let times = [time(&own, &line), time(&motors, &line)];
+    assert!((times[0] - times[1]).abs() > 0.01, "{times:?}");
+}
+
+#[test]
+fn accelerations_hold_between_the_ends_of_a_stretch_too() {
+    let arm = two_bars("");
+    let view: DynamicView<2> = arm.view().unwrap();
+    let corner = |s: f64| {
+        let [from, to, part] =
+            if s < 1.0 { [[0.4, 0.2], [-0.3, 0.4], [s; 2]] } else { [[-0.3, 0.4], [0.3, 0.0], [s - 1.0; 2]] };
+        WholeTarget::from(DynamicTarget::PlanarPosition([0, 1].map(|k| from[k] + part[k] * (to[k] - from[k]))))
+    };
+    let tolerance = Residual { position: 5e-6, orientation: 1e-5 };
+    let settings = PlanSettings::new([3.0; 2], [15.0; 2], tolerance);
+    let plan = JointPath::new(&view, &corner, 2.0, &settings, &mut |_| {}).unwrap();
+    let trajectory = plan.timed();
+    let step = 1e-5;
+    let rate = |tick: f64| trajectory.at(tick * step).velocity;
+    for tick in 0..(trajectory.duration() / step) as usize {
+        let (a, b) = (rate(tick as f64), rate(tick as f64 + 1.0));
+        let fastest = (b[0] - a[0]).abs().max((b[1] - a[1]).abs()) / step;
+        assert!(fastest <= 15.0 * 1.001, "{fastest} at {}", tick as f64 * step);
+    }
+}
+
+#[test]
+fn every_stretch_has_a_speed_whatever_the_rates() {
+    let arm = two_bars("");
+    let view: DynamicView<2> = arm.view().unwrap();
+    let line = |s: f64| WholeTarget::from(DynamicTarget::PlanarPosition([0.3, 0.2 * s - 0.1]));
+    let fast = PlanSettings::new([1e12; 2], [15.0; 2], Residual { position: 5e-6, orientation: 1e-5 });
+    let time = JointPath::new(&view, &line, 1.0, &fast, &mut |_| {}).unwrap().timed().duration();
+    let near = PlanSettings { velocity: [30.0; 2], ..fast };
+    let same = JointPath::new(&view, &line, 1.0, &near, &mut |_| {}).unwrap().timed().duration();
+    assert!((time / same - 1.0).abs() < 0.01, "{time} {same}");
+    for step in 0..60 {
+        let velocity = 0.05 * 1.1_f64.powi(step);
+        for acceleration in [1.0, 3.3, 10.0, 97.0] {
+            let tolerance = Residual { position: 5e-6, orientation: 1e-5 };
+            let settings = PlanSettings::new([velocity; 2], [acceleration * velocity; 2], tolerance);
+            let plan = JointPath::new(&view, &line, 1.0, &settings, &mut |_| {}).unwrap();
+            let trajectory = plan.timed();
+            assert!(trajectory.duration() < 60.0 / velocity, "{velocity} {acceleration}: {}", trajectory.duration());
+            if step % 20 == 15 {
+                resampled(&view, &plan, &line, &settings);
+            }
+        }
+    }
 }
 
 #[test]

@@ -3,8 +3,11 @@
 use super::PlanSettings;
 use super::curve::{Curve, Stretch};
 
-/// Halvings of an interval of squared speeds: all bits of the mantissa.
+/// Halvings of an interval of squared speeds whose ends are this factor apart: all bits of the mantissa.
 const HALVINGS: usize = 60;
+const SIZE: f64 = 65_536.0;
+/// Such factors between the largest and the smallest number.
+const SIZES: usize = 130;
 
 /// A motion along a joint path.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,30 +42,37 @@ struct Bound {
 struct Bounds {
     length: f64,
     accelerations: Vec<Bound>,
-    /// The largest squared speed in the middle.
-    middle: f64,
+    /// The largest squared speed that the velocities allow, and the path's own time.
+    fastest: f64,
 }
 
 impl Bounds {
     fn of<const N: usize>(stretch: &Stretch<'_, N>, settings: &PlanSettings<N>) -> Self {
         let length = stretch.length();
-        let mut accelerations = Vec::with_capacity(3 * N);
-        for part in [0.0, 0.5, 1.0] {
+        let mut accelerations = Vec::with_capacity(5 * N);
+        let [start, middle, end] = [0.0, 0.5, 1.0].map(|part| {
             // The squared speed there is x + 2 part length u.
-            let (first, second) = (stretch.q_ds(part), stretch.q_ds2(part));
-            for ((first, second), most) in first.iter().zip(&second).zip(&settings.acceleration) {
-                if most.is_finite() {
-                    accelerations.push(Bound { a: first + 2.0 * part * length * second, b: *second, most: *most });
-                }
+            let (first, second) = (settings.of_motors(stretch.q_ds(part)), settings.of_motors(stretch.q_ds2(part)));
+            let mut factors = [[0.0; 2]; N];
+            for (factors, (first, second)) in factors.iter_mut().zip(first.into_iter().zip(second)) {
+                *factors = [first + 2.0 * part * length * second, second];
+            }
+            factors
+        });
+        for (((start, middle), end), most) in start.iter().zip(&middle).zip(&end).zip(&settings.acceleration) {
+            if most.is_finite() {
+                let ([a0, b0], [a1, b1], [a2, b2]) = (*start, *middle, *end);
+                let (a, b) = (control_points(a0, a1, a2), control_points(b0, b1, b2));
+                accelerations.extend(a.into_iter().zip(b).map(|(a, b)| Bound { a, b, most: *most }));
             }
         }
-        Bounds { length, accelerations, middle: fastest(stretch, 0.5, settings) }
+        Bounds { length, accelerations, fastest: fastest(stretch, settings) }
     }
 
-    /// The least and the largest `u` at the squared speed `x`; none where the first is larger.
+    /// The least and the largest `u` at the squared speed `x`; none where the first is larger. A squared speed below 0 at
+    /// the end is for the caller to leave out: by a division here 0 itself would be lost to rounding.
     fn range(&self, x: f64) -> (f64, f64) {
-        // The squared speed stays at least 0.
-        let (mut low, mut high) = (-x / (2.0 * self.length), (self.middle - x) / self.length);
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         for Bound { a, b, most } in &self.accelerations {
             if a.abs() * 1e12 <= b.abs() * self.length {
                 // The speed alone decides.
@@ -83,12 +93,20 @@ impl Bounds {
         // Speed 0 is always one of them, and all of them are an interval: the bounds are linear.
         let holds = |x: f64| {
             let (low, high) = self.range(x);
-            low <= high && x + 2.0 * self.length * low <= next
+            let [slow, fast] = [low, high].map(|u| x + 2.0 * self.length * u);
+            low <= high && slow <= next && fast >= 0.0
         };
         if holds(most) {
             return most;
         }
-        let (mut low, mut high) = (0.0, most);
+        // The size first: velocities that are none allow squared speeds that are far too large.
+        let (mut low, mut high) = (most / SIZE, most);
+        for _ in 0..SIZES {
+            if holds(low) {
+                break;
+            }
+            (low, high) = (low / SIZE, low);
+        }
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
             if holds(middle) {
@@ -101,11 +119,23 @@ impl Bounds {
     }
 }
 
-/// The largest squared speed that the velocities allow at a place, and the path's own time.
-fn fastest<const N: usize>(stretch: &Stretch<'_, N>, part: f64, settings: &PlanSettings<N>) -> f64 {
-    let first = stretch.q_ds(part);
-    let joints = first.iter().zip(&settings.velocity).map(|(first, velocity)| first.abs() / velocity);
-    let own = if settings.is_timed { stretch.at_ds(part).abs() } else { 0.0 };
+/// The control points of degree 4 of a parabola with these values at its start, middle and end: it is between the least and
+/// the largest of them everywhere. (Its values alone do not bound it: between them it is up to a quarter beyond.)
+fn control_points(start: f64, middle: f64, end: f64) -> [f64; 5] {
+    let inner = 2.0 * middle - 0.5 * (start + end);
+    [start, 0.5 * (start + inner), (start + 4.0 * inner + end) / 6.0, 0.5 * (inner + end), end]
+}
+
+/// The largest squared speed that the velocities allow anywhere on a stretch, and the path's own time.
+fn fastest<const N: usize>(stretch: &Stretch<'_, N>, settings: &PlanSettings<N>) -> f64 {
+    const PARTS: [f64; 3] = [0.0, 0.5, 1.0];
+    let most = |[start, middle, end]: [f64; 3]| {
+        control_points(start, middle, end).into_iter().fold(0.0, |most: f64, value| most.max(value.abs()))
+    };
+    let [start, middle, end] = PARTS.map(|part| settings.of_motors(stretch.q_ds(part)));
+    let joints = start.into_iter().zip(middle).zip(end).zip(&settings.velocity);
+    let joints = joints.map(|(((start, middle), end), velocity)| most([start, middle, end]) / velocity);
+    let own = if settings.is_timed { most(PARTS.map(|part| stretch.at_ds(part))) } else { 0.0 };
     let slowness = joints.fold(own, f64::max);
     1.0 / (slowness * slowness).max(f64::MIN_POSITIVE)
 }
@@ -114,9 +144,9 @@ impl<const N: usize> Trajectory<N> {
     pub(super) fn new(curve: &Curve<N>, settings: &PlanSettings<N>, limits: [[f64; 2]; N]) -> Self {
         let bounds: Vec<Bounds> = curve.stretches().map(|stretch| Bounds::of(&stretch, settings)).collect();
         // What the velocities allow at each knot; rest at both ends if there is an acceleration to come to it.
-        let at_starts = curve.stretches().map(|stretch| fastest(&stretch, 0.0, settings));
-        let at_end = curve.stretches().last().map(|stretch| fastest(&stretch, 1.0, settings));
-        let mut speeds: Vec<f64> = at_starts.chain(at_end).collect();
+        let before = [f64::INFINITY].into_iter().chain(bounds.iter().map(|bounds| bounds.fastest));
+        let after = bounds.iter().map(|bounds| bounds.fastest).chain([f64::INFINITY]);
+        let mut speeds: Vec<f64> = before.zip(after).map(|(before, after)| before.min(after)).collect();
         if settings.acceleration.iter().any(|most| most.is_finite()) {
             for end in [speeds.first_mut()].into_iter().flatten() {
                 *end = 0.0;

@@ -3,7 +3,7 @@
 use denhart::Residual;
 use denhart::follow::{self, FollowError};
 use denhart_dynamic::plan::{PathError, PlanError, PlanSettings, TargetPath};
-use denhart_dynamic::{DynamicArm, DynamicError, WholeTarget};
+use denhart_dynamic::{DynamicArm, DynamicError, Joints, WholeTarget};
 
 use crate::times::Times;
 
@@ -68,6 +68,8 @@ pub struct Asked<'a> {
     pub tolerance: f64,
     /// Time between two rows, s.
     pub period: f64,
+    /// The rates are those of the motors, which the arm file's `coupling` links to the joints.
+    pub motor_rates: bool,
 }
 
 impl<'a> Asked<'a> {
@@ -79,7 +81,8 @@ impl<'a> Asked<'a> {
     pub fn new(arm: &'a DynamicArm, targets: &[WholeTarget], times: Option<&[f64]>) -> Result<Self, PathError> {
         let path = TargetPath::new(targets, times, reach(arm))?;
         let (rates, tolerance) = (Rates::of_file(arm), TOLERANCE * reach(arm));
-        Ok(Self { arm, path, is_timed: times.is_some(), start: None, rates, tolerance, period: 0.001 })
+        let is_timed = times.is_some();
+        Ok(Self { arm, path, is_timed, start: None, rates, tolerance, period: 0.001, motor_rates: false })
     }
 
     /// Returns true if the path's parameter is a time.
@@ -133,7 +136,10 @@ impl<'a> Asked<'a> {
     pub(super) fn settings<const N: usize>(&self) -> Result<PlanSettings<N>, Refused> {
         let rates = self.rates::<N>();
         let tolerance = Residual { position: self.tolerance, orientation: self.tolerance / reach(self.arm) };
-        let settings = PlanSettings::new(rates.velocity, rates.acceleration, tolerance);
+        let mut settings = PlanSettings::new(rates.velocity, rates.acceleration, tolerance);
+        if self.motor_rates {
+            settings = settings.linked(linked(self.arm, DynamicArm::to_motor));
+        }
         let intervals = (BETWEEN_POSES * self.path.stretches()).max(FEWEST);
         Ok(PlanSettings { start: self.start()?, is_timed: self.is_timed, intervals, ..settings })
     }
@@ -152,6 +158,21 @@ impl<'a> Asked<'a> {
     pub(super) fn start<const N: usize>(&self) -> Result<Option<[f64; N]>, Refused> {
         let wrong = |_| DynamicError::Joints { expected: N, found: self.arm.joints() };
         Ok(self.start.as_deref().map(<[f64; N]>::try_from).transpose().map_err(wrong)?)
+    }
+}
+
+/// Joint values at motor values or the other way round, for more joints than the arm has too: those beyond stay.
+pub fn linked<const N: usize>(
+    arm: &DynamicArm,
+    function: fn(&DynamicArm, &[f64]) -> Result<Joints, DynamicError>,
+) -> impl Fn(&[f64; N]) -> [f64; N] {
+    move |values| {
+        let mut all = *values;
+        let own = values.get(..arm.joints()).and_then(|own| function(arm, own).ok());
+        for (place, value) in all.iter_mut().zip(own.iter().flat_map(|own| own.iter())) {
+            *place = *value;
+        }
+        all
     }
 }
 

@@ -3,9 +3,9 @@
 use denhart::follow::{FollowSettings, Follower, Step, Tracking};
 use denhart::{Arm, InverseKinematics, Residual, Solution, Windings};
 use denhart_dynamic::plan::PlanError;
-use denhart_dynamic::{DynamicView, ViewSolutions, WholeTarget};
+use denhart_dynamic::{DynamicArm, DynamicView, ViewSolutions, WholeTarget};
 
-use super::asked::{Asked, Refused};
+use super::asked::{Asked, Refused, linked};
 use super::keep_path::plan;
 use super::motion::{Motion, Obstacle, Row, name};
 
@@ -29,7 +29,11 @@ pub fn motion<const N: usize>(
         Ok(start) => start,
         Err(obstacle) => return Ok(obstacle.into()),
     };
-    let mut follower = Follower::new(view, FollowSettings::new(asked.period, asked.rates()), &start)?;
+    let mut settings = FollowSettings::new(asked.period, asked.rates());
+    if asked.motor_rates {
+        settings = settings.linked(linked(asked.arm, DynamicArm::to_motor), linked(asked.arm, DynamicArm::from_motor));
+    }
+    let mut follower = Follower::new(view, settings, &start)?;
     let mut found = ViewSolutions::default();
     let mut rows = Vec::new();
     let first = asked.at(0.0);

@@ -32,7 +32,7 @@ mod motion;
 
 use denhart_dynamic::DynamicView;
 
-pub use asked::{Asked, Keep, Rates, Refused};
+pub use asked::{Asked, Keep, Rates, Refused, linked};
 pub use motion::{Motion, Obstacle, Row};
 
 /// The motion along the path, or the obstacle that no motion passes.
@@ -102,6 +102,34 @@ mod tests {
                 };
                 assert_eq!(follow(&asked(&arm), keep, &mut watch), Err(Refused::Ended), "{keep:?}, {last} of {looks}");
             }
+        }
+    }
+
+    #[test]
+    fn rates_may_be_those_of_linked_motors() {
+        let head = "name: elbow\nconvention: standard\nunits: {length: m, angle: deg}\njoints:\n";
+        let row =
+            |a: f64| format!("  - {{a: {a}, alpha: 0, d: 0, theta: 0, max_velocity: 30, max_acceleration: 300}}\n");
+        let text = format!("{head}{}{}coupling: {{q2: {{q1: 1, q2: 1}}}}\n", row(0.3), row(0.2));
+        let arm = DynamicArm::from_yaml(&text).unwrap_or_else(|error| panic!("{error}"));
+        let most = 30.0_f64.to_radians();
+        for keep in [Keep::Path, Keep::Time] {
+            let mut fastest = [[0.0_f64; 3]; 2];
+            for (motor_rates, fastest) in [false, true].into_iter().zip(&mut fastest) {
+                let asked = Asked { motor_rates, ..asked(&arm) };
+                let motion = follow(&asked, keep, &mut |_| true);
+                let motion = motion.unwrap_or_else(|error| panic!("{keep:?} {motor_rates}: {error}"));
+                for row in &motion.rows {
+                    let [a, b] = row.velocity[..] else { panic!("{row:?}") };
+                    for (fastest, rate) in fastest.iter_mut().zip([a, b, a + b]) {
+                        *fastest = fastest.max(rate.abs());
+                    }
+                }
+            }
+            let [joints, motors] = fastest;
+            assert!(joints[0].max(joints[1]) <= most * (1.0 + 1e-9), "{keep:?} {joints:?}");
+            assert!(motors[0].max(motors[2]) <= most * (1.0 + 1e-9), "{keep:?} {motors:?}");
+            assert!((motors[1] - joints[1]).abs() > 0.01, "{keep:?} {motors:?}");
         }
     }
 
