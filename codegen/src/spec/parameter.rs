@@ -42,12 +42,14 @@ impl Reader<'_> {
         let mut parameters: Vec<ParameterSpec> = Vec::new();
         let mut legible = true;
         for (index, (key, node)) in entries.iter().enumerate() {
+            if self.is_full() {
+                break;
+            }
             let place = field.place.to(Step::Key(index));
-            let written = self.source.written(&place);
             let name = match key {
                 Node::Text(name) if is_field_name(name) => name.clone(),
                 _ => {
-                    let message = format!("`{written}` cannot be the name of a parameter");
+                    let message = format!("`{}` cannot be the name of a parameter", self.source.written(&place));
                     let help = "a parameter is a field of a struct: write letters, digits and `_`, no digit first, \
                                 and no word of Rust, such as `l2`";
                     self.mistakes.push(self.source.mistake(&place, message).help(help));

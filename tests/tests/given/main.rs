@@ -7,6 +7,7 @@
 mod arm_angle;
 mod calls;
 mod each_joint;
+mod two_roots;
 
 use denhart_tests::suite::Grids;
 
