@@ -260,20 +260,14 @@ pub fn rates(arm: &Arm, name: &str, rates: Option<&Bound<'_, PyAny>>) -> PyResul
         [one] if numbers.shape().is_empty() => vec![*one; arm.arm.joints()],
         _ => arm.joints(name, rates)?,
     };
-    match arm.arm.joint_names().zip(&rates).find(|(_, rate)| rate.is_nan() || **rate <= 0.0) {
-        Some((joint, rate)) => {
-            return Err(error::value(format!(
-                "{name}: expected a rate above 0 for each joint, found {rate} of {joint}"
-            )));
-        }
-        None => {}
+    let rate_of = |is_wrong: fn(f64) -> bool| arm.arm.joint_names().zip(&rates).find(|(_, rate)| is_wrong(**rate));
+    if let Some((joint, rate)) = rate_of(|rate| rate.is_nan() || rate <= 0.0) {
+        return Err(error::value(format!("{name}: expected a rate above 0 for each joint, found {rate} of {joint}")));
     }
-    match arm.arm.joint_names().zip(&rates).find(|(_, rate)| name == "max_velocity" && rate.is_infinite()) {
-        Some((joint, rate)) => {
-            Err(error::value(format!("{name}: expected a finite rate for each joint, found {rate} of {joint}")))
-        }
-        None => Ok(Some(rates)),
+    if let Some((joint, rate)) = rate_of(f64::is_infinite).filter(|_| name == "max_velocity") {
+        return Err(error::value(format!("{name}: expected a finite rate for each joint, found {rate} of {joint}")));
     }
+    Ok(Some(rates))
 }
 
 /// The exception of targets that are no path.

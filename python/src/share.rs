@@ -3,12 +3,14 @@
 //! The threads belong to the call. A kept pool would be dead in a process that Python's `multiprocessing` forks, and a
 //! call would wait for it forever.
 
+use std::hint::black_box;
 use std::num::NonZero;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 
 use crate::error;
@@ -22,6 +24,20 @@ const IN_LANES: [usize; 2] = [512, 2048];
 const JOBS: usize = 8;
 /// How often the calling thread looks for Ctrl-C.
 pub const SIGNALS: Duration = Duration::from_millis(20);
+
+/// Memory that the calling thread may need beside the arrays, generously.
+const ROOM: usize = 8 << 20;
+/// Addresses for a thread more: its stack, and the heap that the C library reserves for it. Most of them are never touched.
+const ROOM_OF_THREAD: usize = 256 << 20;
+
+/// Returns true if there is memory for a thread's work: where it is short, an allocation of Rust would end the process.
+fn has_room(room_of: usize) -> bool {
+    let mut room: Vec<u8> = Vec::new();
+    let is_there = room.try_reserve_exact(room_of).is_ok();
+    // An allocation that nothing looks at may be left out.
+    black_box(&room);
+    is_there
+}
 
 /// The number of threads for so many jobs: as many as asked for, else one for each processor.
 pub fn threads(asked: Option<i64>, jobs: usize) -> PyResult<usize> {
@@ -47,13 +63,17 @@ pub fn in_lanes(asked: Option<i64>, rows: usize) -> PyResult<usize> {
 /// its jobs use one after the other.
 ///
 /// # Errors
-/// An exception that a signal raises, such as `KeyboardInterrupt`. Some jobs are then not done.
+/// An exception that a signal raises, such as `KeyboardInterrupt`; some jobs are then not done. `MemoryError`, with no job
+/// done.
 pub fn share<J: Send, M: Default>(
     py: Python<'_>,
     jobs: impl Iterator<Item = J> + Send,
     threads: usize,
     work: impl Fn(&mut M, J) + Sync,
 ) -> PyResult<()> {
+    if !has_room(ROOM) {
+        return Err(PyMemoryError::new_err("no memory for the work beside the arrays"));
+    }
     let jobs = Mutex::new(jobs);
     let stopped = AtomicBool::new(false);
     let next = || {
@@ -69,7 +89,7 @@ pub fn share<J: Send, M: Default>(
         thread::scope(|scope| {
             for _ in 1..threads {
                 // With fewer threads the work takes longer, and is done.
-                if thread::Builder::new().spawn_scoped(scope, help).is_err() {
+                if !has_room(ROOM_OF_THREAD) || thread::Builder::new().spawn_scoped(scope, help).is_err() {
                     break;
                 }
             }

@@ -253,3 +253,31 @@ def test_memory_that_is_short_is_a_memory_error():
     assert resource.getrlimit(resource.RLIMIT_AS)
     ran = subprocess.run([sys.executable, "-c", SHORT], capture_output=True, text=True, check=False)
     assert ran.stdout.split() == ["MemoryError"] * 3, ran.stderr
+
+
+# Memory for the results, and no more than a little beside it: fewer threads, or MemoryError, but no end of the process.
+NEARLY_SHORT = """
+import resource
+import numpy as np
+import denhart
+arm = denhart.Arm.preset("ur5")
+poses = arm.forward_batch(np.random.default_rng(0).uniform(-3, 3, (20_000, 6)), threads=1)
+out = np.empty((20_000, 8, 6))
+expected = arm.inverse_batch(poses, threads=1).q
+used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+for spare in range(0, 24_000, 100):
+    resource.setrlimit(resource.RLIMIT_AS, (used + (spare << 10), resource.RLIM_INFINITY))
+    try:
+        assert np.array_equal(arm.inverse_batch(poses, threads=4, out=out).q, expected, equal_nan=True)
+    except MemoryError:
+        pass
+resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
+print("alive")
+"""
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="RLIMIT_AS and /proc of Linux")
+def test_memory_that_is_nearly_short_ends_no_process():
+    for _ in range(3):
+        ran = subprocess.run([sys.executable, "-c", NEARLY_SHORT], capture_output=True, text=True, check=False)
+        assert ran.stdout.split() == ["alive"], (ran.returncode, ran.stderr)
