@@ -11,7 +11,7 @@ const MOST: usize = 4096;
 pub struct Turns<'a>(Option<DynamicView<'a, MOST_JOINTS>>);
 
 impl<'a> Turns<'a> {
-    /// Those of this arm.
+    /// Limits of this arm.
     pub fn of(arm: &'a DynamicArm) -> Self {
         Self(arm.padded_view().ok())
     }

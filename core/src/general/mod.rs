@@ -103,7 +103,7 @@ impl General {
     /// `reference` has the value of a joint that may take any value. A target that is not finite has no candidates.
     pub fn search(&self, target: &Transform<f64>, reference: &[f64; 6], visit: &mut Visitor<'_, f64>) -> Outcome {
         let cuts = [Some(&self.first), self.second.as_ref(), self.third.as_ref()];
-        along(MOST_CUTS, |part| Some(cuts.get(part.number)?.as_ref()?.search(target, reference, part, visit)))
+        along(MOST_CUTS, false, |part| Some(cuts.get(part.number)?.as_ref()?.search(target, reference, part, visit)))
     }
 }
 
@@ -129,7 +129,7 @@ impl Cuts {
         }
         let own = [Some(self.first), self.second, self.third];
         let others = Cut::ALL.map(Some);
-        along(MOST_CUTS + others.len(), |part| {
+        along(MOST_CUTS + others.len(), true, |part| {
             let cut = own.into_iter().chain(others).nth(part.number)??;
             let is_known = own.contains(&Some(cut)) && part.number >= MOST_CUTS;
             if is_known {
@@ -154,13 +154,15 @@ pub(crate) const MOVED: f64 = 1e-5;
 /// determinant of the elimination, whose square is a factor of the polynomial, then vanishes at solutions. So there is a
 /// root, and no joints follow from it. More cuts of the same ring fail at the same solutions; on a ring beside it the joints
 /// follow.
-fn along(count: usize, mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome {
+///
+/// `is_given`: of an arm with a given joint, whose values are round more often, four cuts of such a ring are asked, not two.
+fn along(count: usize, is_given: bool, mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome {
     let (mut is_complete, mut has_families, mut is_served, mut is_sound) = (true, true, false, false);
     let mut serves_itself = false;
     for moved in [0.0, MOVED, -MOVED] {
         let (is_moved, mut served) = (moved != 0.0, 0);
         // Beside a ring of its own that serves, a ring is solved for what the elimination lost there.
-        let enough = if is_moved && !serves_itself { 4 } else { 2 };
+        let enough = if is_moved && (is_given || !serves_itself) { 4 } else { 2 };
         for number in 0..count {
             if number >= MOST_CUTS && served > 0 && !is_moved {
                 break;

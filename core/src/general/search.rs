@@ -33,10 +33,8 @@ const MOST_ARCS: usize = 32;
 const ELSEWHERE: [f64; 8] = [0.0, 2.1, -2.1, 0.7, -0.7, 1.4, -1.4, 2.8];
 /// A joint is free if the ring closes to this ..
 const CLOSES: f64 = 1e-5;
-/// .. at an angle, so far beside it, and these far on one side, rad. At two roots that are near each other the ring nearly
-/// closes between them, too; at a third place it is open.
+/// .. at an angle and so far beside it, rad.
 const ASIDE: f64 = 0.01;
-const FARTHER: [f64; 2] = [0.08, 0.2];
 
 /// Further cuts share the numbers of their roots.
 const MOST_NUMBERED: usize = 8;
@@ -270,10 +268,7 @@ impl Search<'_, '_> {
         self.is_doubtful = true;
         for distance in ELSEWHERE {
             let angle = reference + distance;
-            let mut closes = |aside: f64| self.least_at(angle + aside) < CLOSES;
-            self.has_members = closes(0.0)
-                && closes(ASIDE)
-                && (FARTHER.into_iter().all(&mut closes) || FARTHER.into_iter().all(|aside| closes(-aside)));
+            self.has_members = self.least_at(angle) < CLOSES && self.least_at(angle + ASIDE) < CLOSES;
             if self.has_members {
                 self.at(sin_cos(angle))?;
                 self.at_other(sin_cos(angle))?;

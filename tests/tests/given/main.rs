@@ -7,7 +7,6 @@
 mod arm_angle;
 mod calls;
 mod each_joint;
-mod two_roots;
 
 use denhart_tests::suite::Grids;
 
