@@ -39,6 +39,7 @@ mod interpolation;
 mod search;
 mod times;
 
+use denhart::follow::{product, slopes};
 use denhart::{Branch, InverseKinematics, Residual};
 
 use curve::Curve;
@@ -66,9 +67,10 @@ pub struct PlanSettings<const N: usize> {
     pub motors: Option<[[f64; N]; N]>,
 }
 
-/// Joints and motors are slower than this, rad/s or length unit/s.
+/// A velocity above this, rad/s or length unit/s, counts as this in the length of a curve: its knots stand closer then. The
+/// motion keeps to the velocity itself.
 const FASTEST: f64 = 1e3;
-/// Joints are faster than this.
+/// A velocity up to this is refused: the times of a motion would have no end.
 const SLOWEST: f64 = 1e-12;
 
 impl<const N: usize> PlanSettings<N> {
@@ -81,29 +83,15 @@ impl<const N: usize> PlanSettings<N> {
     /// The rates are those of motors that are linked, `motor = A q + b`: the arm's `to_motor`.
     #[must_use]
     pub fn linked(self, to_motor: impl Fn(&[f64; N]) -> [f64; N]) -> Self {
-        let origin = to_motor(&[0.0; N]);
-        let mut matrix = [[0.0; N]; N];
-        for joint in 0..N {
-            let mut unit = [0.0; N];
-            unit.iter_mut().skip(joint).take(1).for_each(|value| *value = 1.0);
-            for (row, (motor, zero)) in matrix.iter_mut().zip(to_motor(&unit).into_iter().zip(origin)) {
-                row.iter_mut().skip(joint).take(1).for_each(|entry| *entry = motor - zero);
-            }
-        }
-        PlanSettings { motors: Some(matrix), ..self }
+        PlanSettings { motors: Some(slopes(to_motor)), ..self }
     }
 
     /// The ways, or rates, of the motors at those of the joints.
     fn of_motors(&self, joints: [f64; N]) -> [f64; N] {
-        let Some(matrix) = &self.motors else { return joints };
-        let mut motors = [0.0; N];
-        for (motor, row) in motors.iter_mut().zip(matrix) {
-            *motor = row.iter().zip(&joints).map(|(entry, joint)| entry * joint).sum();
-        }
-        motors
+        self.motors.as_ref().map_or(joints, |matrix| product(matrix, &joints))
     }
 
-    /// The velocities by which the length of a curve counts. A velocity that is there for none does not make it 0.
+    /// The velocities by which the length of a curve counts. One far beyond what a joint does would make it 0.
     fn paces(&self) -> [f64; N] {
         self.velocity.map(|velocity| velocity.min(FASTEST))
     }
@@ -203,8 +191,8 @@ impl<const N: usize> JointPath<N> {
     /// The joint path is a curve of cubics, whose knots follow its curvature: between two knots its direction turns by a few
     /// degrees at most. The square of the speed along the curve is linear between knots; a pass backward finds the largest
     /// ones from which the end is reached, a pass forward takes them. Method: Pham and Pham 2018, "A new approach to
-    /// time-optimal path parameterization based on reachability analysis". Both rates are bounded all along
-    /// each stretch between knots. Without a finite acceleration the motion need not begin or end at rest.
+    /// time-optimal path parameterization based on reachability analysis". Both rates are bounded all along each
+    /// stretch between knots. Without a finite acceleration the motion need not begin or end at rest.
     #[must_use]
     pub fn timed(&self) -> Trajectory<N> {
         Trajectory::new(&self.curve, &self.settings, self.limits)

@@ -3,9 +3,10 @@
 use super::PlanSettings;
 use super::curve::{Curve, Stretch};
 
-/// Halvings of an interval of squared speeds whose ends are this factor apart: all bits of the mantissa.
-const HALVINGS: usize = 60;
+/// The ends of an interval of squared speeds that is halved are this factor apart.
 const SIZE: f64 = 65_536.0;
+/// Halvings of such an interval: all bits of the mantissa.
+const HALVINGS: usize = 60;
 /// Such factors between the largest and the smallest number.
 const SIZES: usize = 130;
 
@@ -99,7 +100,7 @@ impl Bounds {
         if holds(most) {
             return most;
         }
-        // The size first: velocities that are none allow squared speeds that are far too large.
+        // The size first: a velocity that is there for no limit allows squared speeds that are far too large.
         let (mut low, mut high) = (most / SIZE, most);
         for _ in 0..SIZES {
             if holds(low) {

@@ -3,6 +3,7 @@
 //! Everything here is in the coordinates of the motors: those of the joints, but for joints whose motors are linked.
 
 use super::brake::{brake, clamp};
+use super::linear::product;
 use super::settings::{FollowSettings, Linked};
 use crate::arm::{Arm, InverseKinematics};
 use crate::combined_limit::CombinedLimit;
@@ -236,14 +237,4 @@ impl<T: Scalar, const N: usize> Linked<T, N> {
 /// Scales of the motors for least squares: 1 for a turn, the reach for a slide.
 pub(super) fn units<A: Arm<T, N>, T: Scalar, const N: usize>(arm: &A, reach: T) -> [T; N] {
     arm.joint_kinds().map(|kind| if kind == JointKind::Prismatic { reach } else { T::ONE })
-}
-
-fn product<T: Scalar, const N: usize>(matrix: &[[T; N]; N], vector: &[T; N]) -> [T; N] {
-    let mut result = [T::ZERO; N];
-    for (sum, row) in result.iter_mut().zip(matrix) {
-        for (entry, x) in row.iter().zip(vector) {
-            *sum += *entry * *x;
-        }
-    }
-    result
 }

@@ -45,6 +45,7 @@ mod choice;
 mod deviate;
 mod follower;
 mod least_squares;
+mod linear;
 mod path;
 mod settings;
 mod signs;
@@ -52,6 +53,7 @@ mod step;
 
 pub use advance::{Advance, Progress};
 pub use follower::Follower;
+pub use linear::{product, slopes};
 pub use path::PathFollower;
 pub use settings::{Crossing, FollowError, FollowSettings, Rates};
 pub use step::{Step, Tracking};

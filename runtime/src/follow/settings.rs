@@ -2,6 +2,7 @@
 
 use core::{error, fmt};
 
+use super::linear::slopes;
 use crate::arm::Arm;
 use crate::flags::JointMask;
 use crate::limits::rounding;
@@ -139,24 +140,6 @@ impl<T: Scalar, const N: usize> FollowSettings<T, N> {
             None => Ok(()),
         }
     }
-}
-
-/// The matrix of an affine function.
-fn slopes<T: Scalar, const N: usize>(of: impl Fn(&[T; N]) -> [T; N]) -> [[T; N]; N] {
-    let origin = of(&[T::ZERO; N]);
-    let mut matrix = [[T::ZERO; N]; N];
-    for column in 0..N {
-        let mut unit = [T::ZERO; N];
-        if let Some(entry) = unit.get_mut(column) {
-            *entry = T::ONE;
-        }
-        for (row, (at, zero)) in matrix.iter_mut().zip(of(&unit).into_iter().zip(origin)) {
-            if let Some(entry) = row.get_mut(column) {
-                *entry = at - zero;
-            }
-        }
-    }
-    matrix
 }
 
 /// Reasons for which a follower does not begin. Joints count from 0 here, and from 1 in the message.
