@@ -194,6 +194,27 @@ impl<const N: usize> DynamicView<'_, N> {
         q.get(..self.arm.joints()).unwrap_or(q)
     }
 
+    /// Motor values at joint values, as of [`DynamicArm::to_motor`]; joints beyond the arm's own stay.
+    #[must_use]
+    pub fn to_motor(&self, q: &[f64; N]) -> [f64; N] {
+        self.linked(q, DynamicArm::to_motor)
+    }
+
+    /// Joint values at motor values.
+    #[must_use]
+    pub fn from_motor(&self, motor: &[f64; N]) -> [f64; N] {
+        self.linked(motor, DynamicArm::from_motor)
+    }
+
+    fn linked(&self, values: &[f64; N], function: fn(&DynamicArm, &[f64]) -> Result<Joints, DynamicError>) -> [f64; N] {
+        let mut all = *values;
+        let own = function(self.arm, self.own(values)).ok();
+        for (place, value) in all.iter_mut().zip(own.iter().flat_map(|own| own.iter())) {
+            *place = *value;
+        }
+        all
+    }
+
     /// The arm that is viewed.
     #[must_use]
     pub const fn arm(&self) -> &DynamicArm {

@@ -3,8 +3,8 @@
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use denhart::follow::{self, Crossing, FollowSettings, Rates};
-use denhart_dynamic::{DynamicArm, DynamicError, DynamicView, ViewSolutions, WholeTarget};
-use denhart_tools::follow::{Refused, linked};
+use denhart_dynamic::{DynamicError, DynamicView, ViewSolutions, WholeTarget};
+use denhart_tools::follow::Refused;
 use pyo3::prelude::*;
 use pyo3::types::{PyTuple, PyType};
 
@@ -102,7 +102,7 @@ impl Beginning<'_, '_> {
             settings = settings.length(length);
         }
         if self.motor_rates {
-            settings = settings.linked(linked(solver, DynamicArm::to_motor), linked(solver, DynamicArm::from_motor));
+            settings = settings.linked(|q| view.to_motor(q), |motor| view.from_motor(motor));
         }
         let follower = follow::Follower::new(&view, settings, &padded(&start, 0.0))
             .map_err(|error| refused(py, ours, &Refused::Follow(error)))?;

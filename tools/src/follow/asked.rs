@@ -3,7 +3,7 @@
 use denhart::Residual;
 use denhart::follow::{self, FollowError};
 use denhart_dynamic::plan::{PathError, PlanError, PlanSettings, TargetPath};
-use denhart_dynamic::{DynamicArm, DynamicError, Joints, WholeTarget};
+use denhart_dynamic::{DynamicArm, DynamicError, DynamicView, WholeTarget};
 
 use crate::times::Times;
 
@@ -133,12 +133,12 @@ impl<'a> Asked<'a> {
     }
 
     /// The settings of a plan.
-    pub(super) fn settings<const N: usize>(&self) -> Result<PlanSettings<N>, Refused> {
+    pub(super) fn settings<const N: usize>(&self, view: &DynamicView<'_, N>) -> Result<PlanSettings<N>, Refused> {
         let rates = self.rates::<N>();
         let tolerance = Residual { position: self.tolerance, orientation: self.tolerance / reach(self.arm) };
         let mut settings = PlanSettings::new(rates.velocity, rates.acceleration, tolerance);
         if self.motor_rates {
-            settings = settings.linked(linked(self.arm, DynamicArm::to_motor));
+            settings = settings.linked(|q| view.to_motor(q));
         }
         let intervals = (BETWEEN_POSES * self.path.stretches()).max(FEWEST);
         Ok(PlanSettings { start: self.start()?, is_timed: self.is_timed, intervals, ..settings })
@@ -158,21 +158,6 @@ impl<'a> Asked<'a> {
     pub(super) fn start<const N: usize>(&self) -> Result<Option<[f64; N]>, Refused> {
         let wrong = |_| DynamicError::Joints { expected: N, found: self.arm.joints() };
         Ok(self.start.as_deref().map(<[f64; N]>::try_from).transpose().map_err(wrong)?)
-    }
-}
-
-/// Joint values at motor values or the other way round, for more joints than the arm has too: those beyond stay.
-pub fn linked<const N: usize>(
-    arm: &DynamicArm,
-    function: fn(&DynamicArm, &[f64]) -> Result<Joints, DynamicError>,
-) -> impl Fn(&[f64; N]) -> [f64; N] {
-    move |values| {
-        let mut all = *values;
-        let own = values.get(..arm.joints()).and_then(|own| function(arm, own).ok());
-        for (place, value) in all.iter_mut().zip(own.iter().flat_map(|own| own.iter())) {
-            *place = *value;
-        }
-        all
     }
 }
 

@@ -43,7 +43,7 @@ pub fn plan<const N: usize>(
         false => WholeTarget::from(DynamicTarget::PlanarPosition([f64::NAN; 2])),
     };
     let mut progress = |at: f64| goes_on.set(goes_on.get() && watch(at));
-    let plan = JointPath::new(view, &path, asked.end(), &asked.settings()?, &mut progress);
+    let plan = JointPath::new(view, &path, asked.end(), &asked.settings(view)?, &mut progress);
     if !goes_on.get() {
         return Err(Refused::Ended);
     }

@@ -3,9 +3,9 @@
 use denhart::follow::{FollowSettings, Follower, Step, Tracking};
 use denhart::{Arm, InverseKinematics, Residual, Solution, Windings};
 use denhart_dynamic::plan::PlanError;
-use denhart_dynamic::{DynamicArm, DynamicView, ViewSolutions, WholeTarget};
+use denhart_dynamic::{DynamicView, ViewSolutions, WholeTarget};
 
-use super::asked::{Asked, Refused, linked};
+use super::asked::{Asked, Refused};
 use super::keep_path::plan;
 use super::motion::{Motion, Obstacle, Row, name};
 
@@ -31,7 +31,7 @@ pub fn motion<const N: usize>(
     };
     let mut settings = FollowSettings::new(asked.period, asked.rates());
     if asked.motor_rates {
-        settings = settings.linked(linked(asked.arm, DynamicArm::to_motor), linked(asked.arm, DynamicArm::from_motor));
+        settings = settings.linked(|q| view.to_motor(q), |motor| view.from_motor(motor));
     }
     let mut follower = Follower::new(view, settings, &start)?;
     let mut found = ViewSolutions::default();

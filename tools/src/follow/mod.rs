@@ -32,7 +32,7 @@ mod motion;
 
 use denhart_dynamic::DynamicView;
 
-pub use asked::{Asked, Keep, Rates, Refused, linked};
+pub use asked::{Asked, Keep, Rates, Refused};
 pub use motion::{Motion, Obstacle, Row};
 
 /// The motion along the path, or the obstacle that no motion passes.
