@@ -571,10 +571,10 @@ impl Arm {
     /// the ranges of the joints, and on the target wherever these allow. For a path known before, `follow` is better.
     ///
     /// `max_velocity` and `max_acceleration` (n,), or one number for all joints: rad or the length unit per s and s^2, by
-    /// default those of the arm file; np.inf is no limit of an acceleration. `given`: values of the redundant joints that `arm.given` names, for targets
-    /// without, by default those of `start`. `length`, in the arm's length unit, weighs as much as 1 rad where the tool has to
-    /// deviate: a small one keeps the position; by default about a tenth of the reach. `crossing`: singularities through which
-    /// a deviation may lead, "exact" (none), "wrist" or "any". `motor_rates` as of `follow`.
+    /// default those of the arm file; np.inf is no limit of an acceleration. `given`: values of the redundant joints that
+    /// `arm.given` names, for targets without, by default those of `start`. `length`, in the arm's length unit, weighs as much
+    /// as 1 rad where the tool has to deviate: a small one keeps the position; by default about a tenth of the reach.
+    /// `crossing`: singularities through which a deviation may lead, "exact" (none), "wrist" or "any". `motor_rates` as of `follow`.
     #[pyo3(signature = (start, dt=0.001, *, max_velocity=None, max_acceleration=None, given=None, length=None, crossing="wrist", motor_rates=false))]
     #[allow(clippy::too_many_arguments)]
     fn follower(

@@ -3,6 +3,8 @@
 //! Results are allocated by calls of `numpy.empty`: where memory is short it raises `MemoryError`, and the constructors
 //! of the crate `numpy` panic.
 
+use std::hash::{DefaultHasher, Hash, Hasher};
+
 use numpy::{
     PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArray, PyUntypedArrayMethods,
 };
@@ -140,6 +142,13 @@ impl Writable<'_> {
     pub fn values(&mut self) -> PyResult<&mut [f64]> {
         self.0.as_slice_mut().map_err(|error| error::value(error.to_string()))
     }
+}
+
+/// A hash of numbers. Zeros of both signs are equal.
+pub fn hash(numbers: impl IntoIterator<Item = f64>) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    numbers.into_iter().for_each(|number| (number + 0.0).to_bits().hash(&mut hasher));
+    hasher.finish()
 }
 
 /// Refuses a masked array, whose mask would be lost.

@@ -70,8 +70,8 @@ impl Asked {
         if !self.drop {
             return Found::All(all);
         }
-        let turns = Turns::of(arm);
-        Found::Some(all.iter().filter_map(|solution| turns.within(solution)).collect(), summary(&all))
+        let turns = Turns::of(arm, true);
+        Found::Some(all.iter().filter_map(|solution| turns.kept(solution)).collect(), summary(&all))
     }
 
     fn on_branch(&self, arm: &DynamicArm, text: &str) -> Result<Found, DynamicError> {
@@ -85,9 +85,8 @@ impl Asked {
             }
             Err(status) => (Vec::new(), status),
         };
-        let turns = Turns::of(arm);
-        let kept = |solution| if self.drop { turns.within(&solution) } else { Some(solution) };
-        let kept = list.into_iter().filter_map(kept).collect();
+        let turns = Turns::of(arm, self.drop);
+        let kept = list.iter().filter_map(|solution| turns.kept(solution)).collect();
         let deviation = arm.inverse(&self.target, &self.given)?.deviation();
         Ok(Found::Some(kept, Summary { status, deviation, complete: true }))
     }
@@ -513,14 +512,13 @@ impl Memory {
         let joints = arm.joints().max(1);
         let row = q.len() / count.len().max(1);
         let places = q.chunks_exact_mut(row.max(1)).zip(flags.chunks_exact_mut((row / joints).max(1)));
-        let mut turns = None;
+        let turns = Turns::of(arm, drop);
         let outcomes = count.iter_mut().zip(status).zip(deviation);
         for ((found, (q, flags)), ((count, status), deviation)) in self.found.iter().zip(places).zip(outcomes) {
             let mut listed = 0;
             for (number, facts) in found.flags().iter().enumerate() {
                 let mut facts = *facts;
-                if drop && facts.contains(Flags::OUT_OF_LIMITS) {
-                    let turns = turns.get_or_insert_with(|| Turns::of(arm));
+                if turns.drop() && facts.contains(Flags::OUT_OF_LIMITS) {
                     if !q.get_mut(number * joints..(number + 1) * joints).is_some_and(|q| turns.turn(q)) {
                         continue;
                     }
@@ -569,7 +567,7 @@ fn rows_of(
     let capacity = row / joints.max(1);
     let places = job.q.chunks_exact_mut(row.max(1)).zip(job.count).zip(job.flags.chunks_exact_mut(capacity.max(1)));
     let targets_of_job = job.targets.chunks_exact(targets.width);
-    let turns = Turns::of(arm);
+    let turns = Turns::of(arm, drop);
     let outcomes = job.status.iter_mut().zip(job.deviation);
     for (index, ((numbers, ((q, count), flags)), (status, deviation))) in
         targets_of_job.zip(places).zip(outcomes).enumerate()
@@ -581,7 +579,7 @@ fn rows_of(
         if let Some(target) = targets.of(arm, numbers) {
             let all = answer(arm, &target, near.map(|near| near.of(index)), given.of(index))?;
             (*status, *deviation) = (number(&all.status()), all.deviation());
-            let kept = all.iter().filter_map(|solution| if drop { turns.within(solution) } else { Some(*solution) });
+            let kept = all.iter().filter_map(|solution| turns.kept(solution));
             for ((solution, place), flag) in kept.zip(q.by_ref()).zip(flags.by_ref()) {
                 place.copy_from_slice(&solution.q);
                 *flag = bits(solution.flags);

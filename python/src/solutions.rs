@@ -1,7 +1,5 @@
 //! Solutions of one target.
 
-use std::hash::{DefaultHasher, Hash, Hasher};
-
 use denhart::{Flags, JointKind, Status};
 use denhart_dynamic::{DynamicSolution, DynamicSolutions};
 use denhart_tools::closest::{Missed, closest, pose_of};
@@ -11,7 +9,7 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyIterator, PyList, PySlice, PyTuple, PyType};
 
 use crate::arm::Arm;
-use crate::array::{Results, filled};
+use crate::array::{self, Results, filled};
 use crate::error;
 use crate::inverse::Asked;
 use crate::target::Target;
@@ -292,13 +290,9 @@ fn is_equal(solution: &DynamicSolution, object: &Bound<'_, PyAny>) -> bool {
     object.cast::<Solution>().is_ok_and(|object| object.get().get().is_ok_and(|other| is_same(solution, other)))
 }
 
-/// A hash of joint values. Zeros of both signs are equal.
+/// A hash of the joint values of solutions.
 fn hash(list: &[DynamicSolution]) -> u64 {
-    let mut hasher = DefaultHasher::new();
-    for value in list.iter().flat_map(|solution| solution.q.iter()) {
-        (value + 0.0).to_bits().hash(&mut hasher);
-    }
-    hasher.finish()
+    array::hash(list.iter().flat_map(|solution| solution.q.iter().copied()))
 }
 
 /// `1 solution`, `8 solutions`.

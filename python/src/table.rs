@@ -174,5 +174,5 @@ fn angle(value: f64, turn: f64) -> String {
 
 /// A name as YAML has it whatever its characters are.
 fn quoted(name: &str) -> String {
-    format!("\"{}\"", name.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', "\\n"))
+    format!("\"{}\"", name.replace('\\', "\\\\").replace('"', "\\\""))
 }

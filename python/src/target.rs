@@ -1,7 +1,5 @@
 //! Targets of an inverse.
 
-use std::hash::{DefaultHasher, Hash, Hasher};
-
 use denhart::{PlanarPose, PointAngle, PointAxis, Pose};
 use denhart_dynamic::{DynamicArm, DynamicTarget};
 use pyo3::prelude::*;
@@ -84,11 +82,7 @@ impl Target {
     }
 
     fn __hash__(&self) -> u64 {
-        let mut hasher = DefaultHasher::new();
-        self.0.task().hash(&mut hasher);
-        // Zeros of both signs are equal.
-        numbers(&self.0).iter().for_each(|number| (number + 0.0).to_bits().hash(&mut hasher));
-        hasher.finish()
+        array::hash(numbers(&self.0))
     }
 
     /// The task that the target belongs to, as an arm file names it.

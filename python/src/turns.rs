@@ -7,13 +7,18 @@ use denhart_dynamic::{DynamicArm, DynamicSolution, DynamicView, Joints};
 /// Turns of all joints that are looked at, for the limits of sums of joints.
 const MOST: usize = 4096;
 
-/// The limits of an arm.
+/// The arm whose limits count, if any do.
 pub struct Turns<'a>(Option<DynamicView<'a, MOST_JOINTS>>);
 
 impl<'a> Turns<'a> {
-    /// Limits of this arm.
-    pub fn of(arm: &'a DynamicArm) -> Self {
-        Self(arm.padded_view().ok())
+    /// The limits of this arm, if solutions outside are dropped.
+    pub fn of(arm: &'a DynamicArm, drop: bool) -> Self {
+        Self(if drop { arm.padded_view().ok() } else { None })
+    }
+
+    /// Returns true if solutions outside the limits are dropped.
+    pub const fn drop(&self) -> bool {
+        self.0.is_some()
     }
 
     /// Turns joint values into the limits: each joint by the fewest whole turns. Returns false if that is impossible.
@@ -34,10 +39,10 @@ impl<'a> Turns<'a> {
         true
     }
 
-    /// The solution on a turn within the limits, if there is one.
-    pub fn within(&self, solution: &DynamicSolution) -> Option<DynamicSolution> {
+    /// The solution on a turn within the limits, if there is one; as it is where the limits do not count.
+    pub fn kept(&self, solution: &DynamicSolution) -> Option<DynamicSolution> {
         let mut turned = *solution;
-        if solution.is_within_limits() {
+        if !self.drop() || solution.is_within_limits() {
             return Some(turned);
         }
         let mut q = Joints::new(solution.q.iter().copied());
