@@ -115,7 +115,8 @@ joints:
 /// Reads an arm file; `file` is its name for messages. Also returns the warnings.
 ///
 /// # Errors
-/// Text that is not YAML or no mapping, or one with some fifty mistakes. Fewer mistakes are in [`Spec::mistakes`], which `model::check` reports.
+/// Text that is not YAML, or no mapping, or has fifty mistakes or more. Fewer mistakes are in [`Spec::mistakes`], which
+/// `model::check` reports.
 pub fn read(text: &str, file: &str) -> Result<(Spec, Vec<Diagnostic>), Errors> {
     let source = Source::new(file, text);
     let root = root(&source)?;

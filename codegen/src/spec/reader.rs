@@ -33,7 +33,7 @@ pub struct Reader<'s> {
 /// The longest list of keys in a message.
 const LONGEST_LIST: usize = 72;
 
-/// Mistakes of form that are shown, and warnings. The text is read again for the place of each.
+/// The most mistakes of form that are shown, and the most warnings. The text is read again for the place of each.
 const MOST_MISTAKES: usize = 50;
 
 /// Characters of a text that a message quotes.
