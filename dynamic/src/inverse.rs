@@ -142,6 +142,27 @@ impl DynamicArm {
         Ok(())
     }
 
+    /// Like [`inverse_given_near_into`](Self::inverse_given_near_into), without computing the branches that differ from
+    /// `branch`. Components unset in it match any. The other solution of a spherical wrist, which comes from the first, is
+    /// listed too. An arm whose inverse holds a joint lists every branch.
+    ///
+    /// # Errors
+    /// As of [`inverse_given_near_into`](Self::inverse_given_near_into).
+    pub fn inverse_branch_near_into(
+        &self,
+        target: &DynamicTarget,
+        given: &[f64],
+        branch: Branch,
+        q_ref: &[f64],
+        solutions: &mut DynamicSolutions,
+    ) -> Result<(), DynamicError> {
+        self.counted(q_ref)?;
+        let given = &self.beside(given)?;
+        let branch = self.inverse_program()?.held_joint.is_none().then_some(branch);
+        self.solver(target)?.solve(&Asked { target, given, near: Some(q_ref), branch, trace: None }, solutions);
+        Ok(())
+    }
+
     /// The solution of [`inverse`](Self::inverse) on one branch, or the status that says why there is none.
     ///
     /// # Errors

@@ -282,6 +282,8 @@ impl<const N: usize> InverseKinematics<f64, N> for DynamicView<'_, N> {
     /// That of any arm; [`DynamicArm::max_solutions`] has the arm's own.
     const MAX_SOLUTIONS: usize = 16;
 
+    const TAKES_VALUES: bool = true;
+
     fn inverse(&self, target: &WholeTarget) -> ViewSolutions<N> {
         ViewSolutions::of(|found| self.arm.inverse_into(&target.target, &target.given, found))
     }
@@ -329,6 +331,17 @@ impl<const N: usize> InverseKinematics<f64, N> for DynamicView<'_, N> {
 
     fn inverse_given_near_into(&self, target: &WholeTarget, q_ref: &[f64; N], solutions: &mut ViewSolutions<N>) {
         solutions.fill(|found| self.arm.inverse_given_near_into(&target.target, &target.given, self.own(q_ref), found));
+    }
+
+    fn inverse_branch_near_into(
+        &self,
+        target: &WholeTarget,
+        branch: Branch,
+        q_ref: &[f64; N],
+        solutions: &mut ViewSolutions<N>,
+    ) {
+        let WholeTarget { target, given, .. } = target;
+        solutions.fill(|found| self.arm.inverse_branch_near_into(target, given, branch, self.own(q_ref), found));
     }
 
     fn factors(&self, q: &[f64; N], factors: &mut [f64]) -> usize {
@@ -514,6 +527,10 @@ mod tests {
             assert_eq!(ours, theirs);
             view.inverse_given_near_into(&target, &near, &mut lists.0);
             generated.inverse_given_near_into(&whole(&target), &near, &mut lists.1);
+            same(lists.0.as_ref(), lists.1.as_ref());
+            let branch = lists.1.as_ref().first().map_or(Branch::NONE, |solution| solution.branch);
+            view.inverse_branch_near_into(&target, branch, &near, &mut lists.0);
+            generated.inverse_branch_near_into(&whole(&target), branch, &near, &mut lists.1);
             same(lists.0.as_ref(), lists.1.as_ref());
         }
         assert!(view.factors(&[0.3; N], &mut [0.0; 4]) > 0);

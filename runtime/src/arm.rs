@@ -226,11 +226,14 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
     /// Target of an inverse: a [`Pose`], or less where the arm has fewer degrees of freedom.
     type Target;
 
-    /// The list of solutions.
-    type Solutions: AsRef<[Solution<T, N>]>;
+    /// The list of solutions; its default is an empty one, for the calls that overwrite a list.
+    type Solutions: AsRef<[Solution<T, N>]> + Default;
 
     /// Largest number of solutions of one target.
     const MAX_SOLUTIONS: usize;
+
+    /// True if values come with the target: those of redundant joints, or the arm angle.
+    const TAKES_VALUES: bool = false;
 
     /// Every branch that reaches the target, each once, in the arm's documented order.
     ///
@@ -282,6 +285,20 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
     /// the arm angle, are the target's and not those of `q_ref`.
     fn inverse_given_near_into(&self, target: &Self::Target, q_ref: &[T; N], solutions: &mut Self::Solutions) {
         self.inverse_near_into(target, q_ref, solutions);
+    }
+
+    /// Like [`inverse_given_near_into`](Self::inverse_given_near_into), without computing the branches that differ from
+    /// `branch`. Components unset in it match any. The other solution of a spherical wrist, which comes from the first, is
+    /// listed too. An arm without [`InverseBranch`] lists every branch.
+    fn inverse_branch_near_into(
+        &self,
+        target: &Self::Target,
+        branch: Branch,
+        q_ref: &[T; N],
+        solutions: &mut Self::Solutions,
+    ) {
+        let _ = branch;
+        self.inverse_given_near_into(target, q_ref, solutions);
     }
 
     /// Writes the factors of the determinant of the Jacobian at `q`, as the arm's `margins` have them, and gives their

@@ -65,6 +65,7 @@ macro_rules! delegate_inverse {
     };
     ($name:ident, $scalar:ty, $n:literal, $m:literal, $target:ty, $values:ty, |$arm:ident, $q:ident| $given:expr) => {
         type Target = ($target, $values);
+        const TAKES_VALUES: ::core::primitive::bool = true;
         fn inverse(&self, target: &Self::Target) -> Self::Solutions {
             $name::inverse(self, &target.0, target.1)
         }
@@ -122,6 +123,46 @@ macro_rules! delegate_branch {
             branch: $crate::Branch,
         ) -> $crate::OneSolution<$scalar, $n> {
             $name::inverse_branch(self, &target.0, target.1, branch)
+        }
+    };
+}
+
+/// The items of an `impl InverseKinematics` by which a list holds some branches alone. `branches`: the arm's function;
+/// `given`: values come with the target, and go to that function as this expression of them.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! delegate_branch_near {
+    ($scalar:ty, $n:literal, $branches:ident) => {
+        fn inverse_branch_near_into(
+            &self,
+            target: &Self::Target,
+            branch: $crate::Branch,
+            q_ref: &[$scalar; $n],
+            solutions: &mut Self::Solutions,
+        ) {
+            solutions.reset($crate::Status::BadTarget);
+            $branches(self, target, ::core::option::Option::Some(q_ref), branch, solutions);
+        }
+    };
+    ($scalar:ty, $n:literal, $branches:ident, given |$given:pat_param| $values:expr) => {
+        fn inverse_given_near_into(
+            &self,
+            target: &Self::Target,
+            q_ref: &[$scalar; $n],
+            solutions: &mut Self::Solutions,
+        ) {
+            self.inverse_branch_near_into(target, $crate::Branch::NONE, q_ref, solutions);
+        }
+        fn inverse_branch_near_into(
+            &self,
+            target: &Self::Target,
+            branch: $crate::Branch,
+            q_ref: &[$scalar; $n],
+            solutions: &mut Self::Solutions,
+        ) {
+            let (target, $given) = (&target.0, target.1);
+            solutions.reset($crate::Status::BadTarget);
+            $branches(self, target, $values, ::core::option::Option::Some(q_ref), branch, solutions);
         }
     };
 }

@@ -520,8 +520,14 @@ fn following(
     let unpack = names.as_ref().map(|names| quote!(let (target, #names) = (&target.0, target.1);));
     let locked = given::locked(outline, target);
     let sought = ident(if locked.is_some() { "locked" } else { "goal" });
-    let near = given::wrapped(values, target).map(|wrapped| {
-        quote! {
+    let wrapped = given::wrapped(values, target);
+    // A plan that follows its branches one by one can leave out others.
+    let near = match wrapped {
+        _ if !arguments.is_empty() => {
+            let given = wrapped.map(|wrapped| quote!(, given |#names| #wrapped));
+            Some(quote!(#krate::delegate_branch_near!(#scalar, #n, #function #given);))
+        }
+        Some(wrapped) => Some(quote! {
             fn inverse_given_near_into(
                 &self,
                 target: &Self::Target,
@@ -530,10 +536,11 @@ fn following(
             ) {
                 #unpack
                 solutions.reset(#krate::Status::BadTarget);
-                #function(self, target, #wrapped, ::core::option::Option::Some(q_ref), #arguments solutions);
+                #function(self, target, #wrapped, ::core::option::Option::Some(q_ref), solutions);
             }
-        }
-    });
+        }),
+        None => None,
+    };
     let factors = margins.then(|| {
         quote! {
             fn factors(&self, q: &[#scalar; #n], factors: &mut [#scalar]) -> usize {

@@ -21,7 +21,7 @@ where
 {
     let rates = Rates { velocity: [T::ONE; N], acceleration: [T::from_f64(8.0); N] };
     let settings = FollowSettings::new(T::from_f64(PERIOD), rates).crossing(Crossing::Any);
-    let mut found = arm.inverse(&case.target);
+    let mut found = S::Solutions::default();
     let start = Follower::new(arm, settings, &case.q_ref).is_ok();
     let start = if start { &case.q_ref } else { &case.q };
     match Follower::new(arm, settings, start) {

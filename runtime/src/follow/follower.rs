@@ -3,7 +3,7 @@
 use super::bounds::{Bounds, Interval, rounding};
 use super::choice::{Candidate, Choice, Place};
 use super::deviate::{Aim, TURN, Weights};
-use super::settings::{FollowError, FollowSettings};
+use super::settings::{Crossing, FollowError, FollowSettings};
 use super::signs::Signs;
 use super::step::{Step, Tracking};
 use crate::arm::{InverseBranch, InverseKinematics};
@@ -23,6 +23,8 @@ pub struct Follower<T, const N: usize> {
     settings: FollowSettings<T, N>,
     pub(super) bounds: Bounds<T, N>,
     pub(super) weights: Weights<T, N>,
+    /// The arm has factors: each solution of a target has signs of its own.
+    has_factors: bool,
     pub(super) q: [T; N],
     /// Pose and Jacobian there, if they have been asked for.
     evaluated: Option<(Pose<T>, Jacobian<T, N>)>,
@@ -54,6 +56,19 @@ const HALF_TURN: f64 = 2.9;
 /// limits for half as long comes back where the arm follows a path past a shoulder singularity: to leave earlier costs more way.
 const STUCK: f64 = 1.0;
 
+/// Ticks to the arm's own solution beyond which no other branch has one within a tick. Two branches that meet have their
+/// solutions on either side of a fold, equally far from it to first order. An arm between the fold and its own solution, with the
+/// other one a tick away, has its own at most two ticks away; as much again is left to the curvature.
+const FOLD: f64 = 4.0;
+
+/// The solutions of a tick, looked through.
+enum Outcome<T, const N: usize> {
+    /// One is reached in this tick, at this place.
+    Reached([T; N], Place),
+    /// None is reached: the arm chooses its goal.
+    Choice(Choice<T, N>),
+}
+
 impl<T: Scalar, const N: usize> Follower<T, N> {
     /// An arm at rest at `q`.
     ///
@@ -68,13 +83,12 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         if let Some(limit) = arm.combined_limits().iter().position(|limit| !limit.holds(q)) {
             return Err(FollowError::Combined(limit));
         }
-        let target = arm.target_at(q);
-        let branch = name(&arm.inverse_near(&target, q));
-        let here = Place { signs: Signs::at(arm, q, Some(&target)), branch };
+        let here = Place { signs: Signs::at(arm, q, Some(&arm.target_at(q))), branch: branch_at(arm, q) };
         Ok(Self {
             settings,
             bounds: Bounds::new(arm, &settings),
             weights: Weights::new(arm, &settings, q),
+            has_factors: arm.factors(q, &mut []) > 0,
             q: *q,
             evaluated: None,
             step: [T::ZERO; N],
@@ -90,10 +104,11 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         })
     }
 
-    /// The step towards a target. `found` is overwritten.
+    /// The step towards a target. `found` is overwritten, with the solutions of the branches that the tick has asked for.
     ///
     /// # The longest tick
-    /// One `inverse_near`, and one more in the tick of a crossing. Besides, at most one evaluation of `factors` for each
+    /// An exact tick takes the inverse of the branch that is followed. Else two `inverse_near` are the most, and one more in
+    /// the tick of a crossing. Besides, at most one evaluation of `factors` for each
     /// solution and two more, two of `deviation`, and `8 N` linear systems of `N` equations.
     pub fn step<A: InverseKinematics<T, N>>(
         &mut self,
@@ -101,19 +116,22 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         target: &A::Target,
         found: &mut A::Solutions,
     ) -> Step<T, N> {
-        if self.settings.held {
-            arm.inverse_near_into(target, &self.q, found);
-        } else {
-            arm.inverse_given_near_into(target, &self.q, found);
+        let interval = self.bounds.interval(&self.q, &self.step);
+        let likely = self.likely::<A>();
+        self.solve(arm, target, likely, found);
+        let mut outcome = self.outcome(arm, target, found.as_ref(), &interval);
+        if likely != Branch::NONE && !self.suffices(likely, &outcome) {
+            self.solve(arm, target, Branch::NONE, found);
+            outcome = self.outcome(arm, target, found.as_ref(), &interval);
         }
         if matches!(A::status(found), Status::BadTarget) {
             return self.stop(arm);
         }
-        let interval = self.bounds.interval(&self.q, &self.step);
-        if let Some((q, place)) = self.exact(arm, target, found.as_ref(), &interval) {
-            return self.arrive(&interval, &q, &place);
-        }
-        let aim = self.choose(arm, target, found.as_ref());
+        let choice = match outcome {
+            Outcome::Reached(q, place) => return self.arrive(&interval, &q, &place),
+            Outcome::Choice(choice) => choice,
+        };
+        let aim = self.choose(arm, target, &choice);
         let mut held = aim.held;
         if let (Tracking::Rates, Some(goal)) = (aim.tracking, &aim.goal) {
             for (joint, (q, way)) in goal.iter().zip(&self.way(goal)).enumerate() {
@@ -144,7 +162,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         let signs = Signs::at(arm, &self.q, Some(&target)).or(self.here.signs);
         let crossed = signs.differ(self.here.signs).then(|| {
             let left = self.here.branch;
-            self.here.branch = name(&arm.inverse_near(&target, &self.q));
+            self.here.branch = branch_at(arm, &self.q);
             left
         });
         self.here.signs = signs;
@@ -171,6 +189,68 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     /// The way of the motors to joint values.
     pub(super) fn way(&self, to: &[T; N]) -> [T; N] {
         self.bounds.way(&self.q, to)
+    }
+
+    /// The solutions on the branches that agree with `branch`; more where the arm's branches have no names.
+    fn solve<A: InverseKinematics<T, N>>(&self, arm: &A, target: &A::Target, branch: Branch, found: &mut A::Solutions) {
+        if A::TAKES_VALUES && self.settings.held {
+            arm.inverse_near_into(target, &self.q, found);
+        } else {
+            arm.inverse_branch_near_into(target, branch, &self.q, found);
+        }
+    }
+
+    /// The branches on which the solution of this tick is looked for first: the one that is followed, and after a deviation
+    /// those to which `crossing` lets it lead. [`Branch::NONE`] for all.
+    fn likely<A: InverseKinematics<T, N>>(&self) -> Branch {
+        let followed = self.wanted.branch.with_root(0);
+        let strays = self.here.signs.differ(self.wanted.signs);
+        if A::TAKES_VALUES && self.settings.held || self.sent.is_some() || strays || self.has_waited() {
+            return Branch::NONE;
+        }
+        if self.left == Some([T::ZERO; 6]) {
+            return followed;
+        }
+        let is_far = |goal: [T; N]| self.bounds.ticks(&self.way(&goal)) > T::from_f64(FOLD);
+        if self.has_factors && self.goal.is_some_and(is_far) { self.within_crossing() } else { Branch::NONE }
+    }
+
+    /// The branches to which `crossing` lets a deviation lead from the one that is followed.
+    fn within_crossing(&self) -> Branch {
+        let followed = self.wanted.branch.with_root(0);
+        match self.settings.crossing {
+            Crossing::Exact => followed,
+            Crossing::Wrist => followed.without_wrist(),
+            Crossing::Any => Branch::NONE,
+        }
+    }
+
+    /// Returns true if no solution on another branch than the [likely](Self::likely) ones can matter in this tick: the own one
+    /// is reached; or a deviation may lead to no other branch, and none that meets the own one is within a tick.
+    ///
+    /// An arm that has no `factors` has names that may change on the way: another name may stand for the own branch.
+    fn suffices(&self, likely: Branch, outcome: &Outcome<T, N>) -> bool {
+        match outcome {
+            Outcome::Reached(_, place) => self.is_followed(place),
+            Outcome::Choice(choice) => {
+                let is_far = choice.own.is_some_and(|own| own.ticks > T::from_f64(FOLD));
+                self.has_factors && is_far && likely == self.within_crossing()
+            }
+        }
+    }
+
+    /// The solution that is reached in this tick, else the choice among all.
+    fn outcome<A: InverseKinematics<T, N>>(
+        &self,
+        arm: &A,
+        target: &A::Target,
+        solutions: &[Solution<T, N>],
+        interval: &Interval<T, N>,
+    ) -> Outcome<T, N> {
+        match self.exact(arm, target, solutions, interval) {
+            Some((q, place)) => Outcome::Reached(q, place),
+            None => Outcome::Choice(self.choice(arm, target, solutions)),
+        }
     }
 
     /// The solution that is reached in this tick: one of the branch that is followed; else any, as two branches meet there.
@@ -235,14 +315,8 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     }
 
     /// The goal of this tick.
-    fn choose<A: InverseKinematics<T, N>>(
-        &mut self,
-        arm: &A,
-        target: &A::Target,
-        solutions: &[Solution<T, N>],
-    ) -> Aim<T, N> {
+    fn choose<A: InverseKinematics<T, N>>(&mut self, arm: &A, target: &A::Target, choice: &Choice<T, N>) -> Aim<T, N> {
         let second = self.second();
-        let choice = self.choice(arm, target, solutions);
         let made = choice.made(second);
         let aim =
             made.map_or_else(Aim::out_of_reach, |(candidate, _)| Aim::at(arm, &candidate, &self.q, self.goal.as_ref()));
@@ -376,8 +450,8 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             return None;
         }
         self.here.branch = if signs.differ(self.wanted.signs) {
-            arm.inverse_near_into(&arm.target_at(&self.q), &self.q, found);
-            name(found)
+            arm.inverse_branch_near_into(&arm.target_at(&self.q), Branch::NONE, &self.q, found);
+            name(found.as_ref())
         } else {
             self.wanted.branch.with_root(0)
         };
@@ -409,9 +483,16 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     }
 }
 
+/// The name of the branch that an arm is on. Every inverse of a follower is `inverse_branch_near_into`: in the memory of a
+/// microcontroller the code of the branches stands once.
+pub(super) fn branch_at<A: InverseKinematics<T, N>, T: Scalar, const N: usize>(arm: &A, q: &[T; N]) -> Branch {
+    let mut found = A::Solutions::default();
+    arm.inverse_branch_near_into(&arm.target_at(q), Branch::NONE, q, &mut found);
+    name(found.as_ref())
+}
+
 /// The name of the branch of the nearest solution. Numbers of roots are left out: they mean something at one target only.
-pub(super) fn name<T: Copy, const N: usize>(solutions: &impl AsRef<[Solution<T, N>]>) -> Branch {
-    let solutions = solutions.as_ref();
+fn name<T: Copy, const N: usize>(solutions: &[Solution<T, N>]) -> Branch {
     let nearest = solutions.iter().find(|solution| solution.is_exact()).or(solutions.first());
     nearest.map_or(Branch::NONE, |solution| solution.branch.with_root(0))
 }

@@ -9,8 +9,8 @@
 //! | [`Follower`] | the time | the target: it deviates, and says by how much |
 //! | [`PathFollower`] | the path | the time: it slows down |
 //!
-//! Neither allocates. A call takes one `inverse_near` where the follower is exact. [`Follower::step`] states the longest
-//! call.
+//! Neither allocates. Where a [`Follower`] is exact, a call takes the inverse of one branch. [`Follower::step`] states the
+//! longest call.
 //!
 //! ```
 //! # fn main() {}
@@ -26,7 +26,7 @@
 //! ) -> Result<(), FollowError> {
 //!     let rates = Rates { velocity: [3.0; 6], acceleration: [20.0; 6] };
 //!     let mut follower = Follower::new(arm, FollowSettings::new(0.001, rates), q)?;
-//!     let mut found = arm.inverse(&arm.target_at(q));
+//!     let mut found = A::Solutions::default();
 //!     for tick in 1..=1000 {
 //!         let step = follower.step(arm, &target(f64::from(tick) * 0.001), &mut found);
 //!         send(&step.q);

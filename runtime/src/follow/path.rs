@@ -3,7 +3,7 @@
 use super::advance::{Advance, Progress};
 use super::bounds::Bounds;
 use super::choice::Place;
-use super::follower::name;
+use super::follower::branch_at;
 use super::settings::{FollowError, FollowSettings};
 use super::signs::Signs;
 use super::step::Tracking;
@@ -57,8 +57,7 @@ impl<T: Scalar, const N: usize> PathFollower<T, N> {
         q: &[T; N],
     ) -> Result<Self, FollowError> {
         settings.check(arm, q)?;
-        let target = arm.target_at(q);
-        let here = Place { signs: Signs::at(arm, q, Some(&target)), branch: name(&arm.inverse_near(&target, q)) };
+        let here = Place { signs: Signs::at(arm, q, Some(&arm.target_at(q))), branch: branch_at(arm, q) };
         let (bounds, at) = (Bounds::new(arm, &settings), T::ZERO);
         Ok(Self { settings, bounds, q: *q, at, rate: settings.period, waited: T::ZERO, here })
     }
@@ -172,10 +171,10 @@ impl<T: Scalar, const N: usize> PathFollower<T, N> {
     }
 
     fn solve<A: InverseKinematics<T, N>>(&self, arm: &A, target: &A::Target, found: &mut A::Solutions) {
-        if self.settings.held {
+        if A::TAKES_VALUES && self.settings.held {
             arm.inverse_near_into(target, &self.q, found);
         } else {
-            arm.inverse_given_near_into(target, &self.q, found);
+            arm.inverse_branch_near_into(target, Branch::NONE, &self.q, found);
         }
     }
 

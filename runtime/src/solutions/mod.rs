@@ -240,6 +240,13 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
     }
 }
 
+/// An empty list, before any call.
+impl<T: Scalar, const N: usize, const M: usize> Default for Solutions<T, N, M> {
+    fn default() -> Self {
+        Self::new(Status::BadTarget)
+    }
+}
+
 impl<T, const N: usize, const M: usize> Deref for Solutions<T, N, M> {
     type Target = [Solution<T, N>];
 
