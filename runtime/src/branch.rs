@@ -127,12 +127,6 @@ impl Branch {
         self.with(Self::WRIST, wrist as u8)
     }
 
-    /// The branch without a solution of the wrist.
-    #[inline]
-    pub(crate) const fn without_wrist(self) -> Self {
-        self.with(Self::WRIST, 0)
-    }
-
     /// Returns the branch with the number of the polynomial's root, counted from 1; 0 for none.
     #[inline]
     #[must_use]

@@ -187,6 +187,30 @@ fn targets_jump() {
     jumping(&Jaco, &JACO, |q, f| longer(&Jaco, q, f), || bad);
 }
 
+/// Joint values over 3 s, at rest at both ends.
+fn between(a: &[f64; 6], b: &[f64; 6], tick: u32) -> [f64; 6] {
+    let t = f64::from(tick.min(1500)) / 1500.0;
+    let share = t * t * t * (10.0 + t * (6.0 * t - 15.0));
+    std::array::from_fn(|joint| a[joint] + share * (b[joint] - a[joint]))
+}
+
+/// The center of the wrist passes the axis of joint 1, where the solution of the branch that is followed leaps by half a turn.
+#[test]
+fn an_exact_path_goes_on_along_the_branch_that_it_meets() {
+    let (a, b) = ([0.0, -0.3, 0.0, 0.2, 0.6, -0.4], [0.5, -0.9, -0.92, 0.2, 0.6, -0.4]);
+    for crossing in [Crossing::Exact, Crossing::Wrist, Crossing::Any] {
+        let settings = FollowSettings::new(0.002, Rates { velocity: [3.0; 6], acceleration: [25.0; 6] });
+        let mut follower = Follower::new(&Irb2400, settings.crossing(crossing), &a).unwrap();
+        let (mut found, mut crossed) = (Irb2400.inverse(&Irb2400.forward(&a)), 0);
+        for tick in 1..=1600 {
+            let step = follower.step(&Irb2400, &Irb2400.forward(&between(&a, &b, tick)), &mut found);
+            assert!(step.tracking.is_exact(), "{crossing:?}, tick {tick}: {step:?}");
+            crossed += usize::from(step.crossed.is_some());
+        }
+        assert_eq!(crossed, 1);
+    }
+}
+
 /// In single precision, by the velocity that is returned.
 #[test]
 fn single_precision() {

@@ -3,7 +3,7 @@
 use super::bounds::{Bounds, Interval, rounding};
 use super::choice::{Candidate, Choice, Place};
 use super::deviate::{Aim, TURN, Weights};
-use super::settings::{Crossing, FollowError, FollowSettings};
+use super::settings::{FollowError, FollowSettings};
 use super::signs::Signs;
 use super::step::{Step, Tracking};
 use crate::arm::{InverseBranch, InverseKinematics};
@@ -56,19 +56,6 @@ const HALF_TURN: f64 = 2.9;
 /// limits for half as long comes back where the arm follows a path past a shoulder singularity: to leave earlier costs more way.
 const STUCK: f64 = 1.0;
 
-/// Ticks to the arm's own solution beyond which no other branch has one within a tick. Two branches that meet have their
-/// solutions on either side of a fold, equally far from it to first order. An arm between the fold and its own solution, with the
-/// other one a tick away, has its own at most two ticks away; as much again is left to the curvature.
-const FOLD: f64 = 4.0;
-
-/// The solutions of a tick, looked through.
-enum Outcome<T, const N: usize> {
-    /// One is reached in this tick, at this place.
-    Reached([T; N], Place),
-    /// None is reached: the arm chooses its goal.
-    Choice(Choice<T, N>),
-}
-
 impl<T: Scalar, const N: usize> Follower<T, N> {
     /// An arm at rest at `q`.
     ///
@@ -119,19 +106,18 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         let interval = self.bounds.interval(&self.q, &self.step);
         let likely = self.likely::<A>();
         self.solve(arm, target, likely, found);
-        let mut outcome = self.outcome(arm, target, found.as_ref(), &interval);
-        if likely != Branch::NONE && !self.suffices(likely, &outcome) {
+        let mut reached = self.exact(arm, target, found.as_ref(), &interval);
+        if likely != Branch::NONE && !reached.is_some_and(|(_, place)| self.is_followed(&place)) {
             self.solve(arm, target, Branch::NONE, found);
-            outcome = self.outcome(arm, target, found.as_ref(), &interval);
+            reached = self.exact(arm, target, found.as_ref(), &interval);
         }
         if matches!(A::status(found), Status::BadTarget) {
             return self.stop(arm);
         }
-        let choice = match outcome {
-            Outcome::Reached(q, place) => return self.arrive(&interval, &q, &place),
-            Outcome::Choice(choice) => choice,
-        };
-        let aim = self.choose(arm, target, &choice);
+        if let Some((q, place)) = reached {
+            return self.arrive(&interval, &q, &place);
+        }
+        let aim = self.choose(arm, target, found.as_ref());
         let mut held = aim.held;
         if let (Tracking::Rates, Some(goal)) = (aim.tracking, &aim.goal) {
             for (joint, (q, way)) in goal.iter().zip(&self.way(goal)).enumerate() {
@@ -150,7 +136,8 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         Step { held, remaining: aim.ticks * self.settings.period, ..self.state(aim.tracking, twist, crossed) }
     }
 
-    /// A step without a target: every joint brakes.
+    /// A step in a tick that has no target: every joint brakes. In a tick that has one, call [`step`](Self::step) alone:
+    /// each call is a step of its own.
     pub fn stop<A: InverseKinematics<T, N>>(&mut self, arm: &A) -> Step<T, N> {
         let interval = self.bounds.interval(&self.q, &self.step);
         let rest = interval.rest();
@@ -200,57 +187,13 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         }
     }
 
-    /// The branches on which the solution of this tick is looked for first: the one that is followed, and after a deviation
-    /// those to which `crossing` lets it lead. [`Branch::NONE`] for all.
+    /// The branch on which the solution of this tick is looked for first: after an exact tick the one that is followed.
+    /// [`Branch::NONE`] for all: after a deviation another branch may be reached, and the names of an arm without `factors`
+    /// may change on the way, so that another name stands for the branch.
     fn likely<A: InverseKinematics<T, N>>(&self) -> Branch {
-        let followed = self.wanted.branch.with_root(0);
-        let strays = self.here.signs.differ(self.wanted.signs);
-        if A::TAKES_VALUES && self.settings.held || self.sent.is_some() || strays || self.has_waited() {
-            return Branch::NONE;
-        }
-        if self.left == Some([T::ZERO; 6]) {
-            return followed;
-        }
-        let is_far = |goal: [T; N]| self.bounds.ticks(&self.way(&goal)) > T::from_f64(FOLD);
-        if self.has_factors && self.goal.is_some_and(is_far) { self.within_crossing() } else { Branch::NONE }
-    }
-
-    /// The branches to which `crossing` lets a deviation lead from the one that is followed.
-    fn within_crossing(&self) -> Branch {
-        let followed = self.wanted.branch.with_root(0);
-        match self.settings.crossing {
-            Crossing::Exact => followed,
-            Crossing::Wrist => followed.without_wrist(),
-            Crossing::Any => Branch::NONE,
-        }
-    }
-
-    /// Returns true if no solution on another branch than the [likely](Self::likely) ones can matter in this tick: the own one
-    /// is reached; or a deviation may lead to no other branch, and none that meets the own one is within a tick.
-    ///
-    /// An arm that has no `factors` has names that may change on the way: another name may stand for the own branch.
-    fn suffices(&self, likely: Branch, outcome: &Outcome<T, N>) -> bool {
-        match outcome {
-            Outcome::Reached(_, place) => self.is_followed(place),
-            Outcome::Choice(choice) => {
-                let is_far = choice.own.is_some_and(|own| own.ticks > T::from_f64(FOLD));
-                self.has_factors && is_far && likely == self.within_crossing()
-            }
-        }
-    }
-
-    /// The solution that is reached in this tick, else the choice among all.
-    fn outcome<A: InverseKinematics<T, N>>(
-        &self,
-        arm: &A,
-        target: &A::Target,
-        solutions: &[Solution<T, N>],
-        interval: &Interval<T, N>,
-    ) -> Outcome<T, N> {
-        match self.exact(arm, target, solutions, interval) {
-            Some((q, place)) => Outcome::Reached(q, place),
-            None => Outcome::Choice(self.choice(arm, target, solutions)),
-        }
+        let goes_on = self.left == Some([T::ZERO; 6]) && self.sent.is_none();
+        let takes_held_values = A::TAKES_VALUES && self.settings.held;
+        if self.has_factors && goes_on && !takes_held_values { self.wanted.branch.with_root(0) } else { Branch::NONE }
     }
 
     /// The solution that is reached in this tick: one of the branch that is followed; else any, as two branches meet there.
@@ -315,8 +258,14 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     }
 
     /// The goal of this tick.
-    fn choose<A: InverseKinematics<T, N>>(&mut self, arm: &A, target: &A::Target, choice: &Choice<T, N>) -> Aim<T, N> {
+    fn choose<A: InverseKinematics<T, N>>(
+        &mut self,
+        arm: &A,
+        target: &A::Target,
+        solutions: &[Solution<T, N>],
+    ) -> Aim<T, N> {
         let second = self.second();
+        let choice = self.choice(arm, target, solutions);
         let made = choice.made(second);
         let aim =
             made.map_or_else(Aim::out_of_reach, |(candidate, _)| Aim::at(arm, &candidate, &self.q, self.goal.as_ref()));

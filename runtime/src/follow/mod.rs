@@ -15,7 +15,7 @@
 //! ```
 //! # fn main() {}
 //! use denhart::InverseKinematics;
-//! use denhart::follow::{FollowError, FollowSettings, Follower, Rates, Tracking};
+//! use denhart::follow::{FollowError, FollowSettings, Follower, Rates};
 //!
 //! /// One second of a control loop of 1 kHz.
 //! fn follow<A: InverseKinematics<f64, 6>>(
@@ -28,11 +28,9 @@
 //!     let mut follower = Follower::new(arm, FollowSettings::new(0.001, rates), q)?;
 //!     let mut found = A::Solutions::default();
 //!     for tick in 1..=1000 {
+//!         // To a target that is none the step brakes.
 //!         let step = follower.step(arm, &target(f64::from(tick) * 0.001), &mut found);
 //!         send(&step.q);
-//!         if step.tracking == Tracking::Target {
-//!             follower.stop(arm);
-//!         }
 //!     }
 //!     Ok(())
 //! }

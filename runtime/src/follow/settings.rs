@@ -92,8 +92,9 @@ impl<T: Scalar, const N: usize> FollowSettings<T, N> {
         self
     }
 
-    /// Joints that stay where they are. Of an arm whose target comes with the values of redundant joints, those values
-    /// count no longer: name the redundant joints, and no others.
+    /// Joints that stay where they are, for a [`Follower`](super::Follower). Of an arm whose target comes with the values of
+    /// redundant joints, those values count no longer: name the redundant joints, and no others. With another joint locked
+    /// the arm has no solution to most targets, and misses them by what is least.
     #[must_use]
     pub const fn locked(mut self, joints: JointMask) -> Self {
         self.locked = joints;

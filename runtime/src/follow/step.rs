@@ -61,8 +61,10 @@ pub struct Step<T, const N: usize> {
     /// The branch that was left, in the tick in which a factor of the arm's `margins` changes its sign.
     pub crossed: Option<Branch>,
     /// With [`Tracking::Rates`] the joints that cannot be at the goal in this tick; with linked joints the motors of these
-    /// numbers. With [`Tracking::Limits`] the joints whose range the target asks to leave. Else none.
+    /// numbers; none where the goal is near and its motion alone is too fast. With [`Tracking::Limits`] the joints whose range
+    /// the target asks to leave. Else none.
     pub held: JointMask,
-    /// The least time to the goal at full rates, s: 0 in exact ticks, infinite where no goal is known.
+    /// The least time to the goal at full velocities, s, without the time of their accelerations: 0 in exact ticks, infinite
+    /// where no goal is known.
     pub remaining: T,
 }
