@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 
 use crate::Failure;
 use crate::answer::{Answer, Asked, Form, merged};
-use crate::inverse::not_given;
+use crate::inverse::{NEAR, not_given};
 use crate::lines::Lines;
 use crate::numbers::{count, printed};
 use crate::progress::Progress;
@@ -112,7 +112,7 @@ impl Batch<'_> {
     /// Refuses a target without the values that the inverse takes beside it.
     fn needs(&self, given: &[f64]) -> Result<(), Failure> {
         match given.is_empty() && self.near.is_none() && !self.arm.given()?.is_empty() {
-            true => Err(not_given(self.arm, self.form.units, true)?),
+            true => Err(not_given(self.arm, self.form.units, &format!("{NEAR}, lines of JSON with `given`"))?),
             false => Ok(()),
         }
     }

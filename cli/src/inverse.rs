@@ -175,17 +175,21 @@ pub fn beside(arm: &DynamicArm, options: &GivenOrNear, target: Option<&Target>) 
             (None, Some(q)) => arm.held(q)?,
             // Each line of a batch may have its own.
             (None, None) if names.is_empty() || near.is_some() || target.is_none() => Vec::new(),
-            (None, None) => return Err(not_given(arm, units, false)?),
+            (None, None) => return Err(not_given(arm, units, NEAR)?),
         },
     };
     Ok(Beside { given, near, hints })
 }
 
-/// The failure of a target without the values that the inverse takes beside it, in a line of a batch or alone.
+/// The other way of a target to its values beside it.
+pub const NEAR: &str = "--near with the joint values to be next to";
+
+/// The failure of a target without the values that the inverse takes beside it. `or`: what can be written in place of
+/// `--given`.
 ///
 /// # Errors
 /// An arm without inverse.
-pub fn not_given(arm: &DynamicArm, units: Units, in_batch: bool) -> Result<Failure, Failure> {
+pub fn not_given(arm: &DynamicArm, units: Units, or: &str) -> Result<Failure, Failure> {
     let (names, each) = (arm.given()?, given_units(arm, units)?);
     let (values, in_units) = match (names.as_slice(), each.as_slice()) {
         ([_], [unit]) => ("its value", format!("in {unit}")),
@@ -194,10 +198,9 @@ pub fn not_given(arm: &DynamicArm, units: Units, in_batch: bool) -> Result<Failu
             ("values", format!("\"{}\"", named.collect::<Vec<_>>().join(", ")))
         }
     };
-    let key = if in_batch { ", lines of JSON with `given`" } else { "" };
     Ok(Failure::Usage(format!(
         "the target leaves {} to choose\n\
-         help: add --given with {values} {in_units}, or --near with the joint values to be next to{key}",
+         help: add --given with {values} {in_units}, or {or}",
         names.join(", ")
     )))
 }

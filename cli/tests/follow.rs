@@ -193,6 +193,12 @@ fn bad_input_names_its_place_and_the_way_out() {
             &["--keep", "time"],
             &["--keep time: <stdin> has no times", "add a column t"],
         ),
+        (
+            "Time [s],x,y,z,roll,pitch,yaw\n0,0.3,-0.2,0.4,180,0,0\n",
+            &[],
+            &["<stdin>:1: `Time [s]`: a path has no such column", "help: call the times t, in s"],
+        ),
+        ("t_s,x,y,z,roll,pitch,yaw\n0,0.3,-0.2,0.4,180,0,0\n", &[], &["<stdin>:1: `t_s`: a path has no such column"]),
         ("x,y,t\n1,2,3\n", &[], &["<stdin>:1: the columns x, y, t are no target of the task `pose`"]),
         (good, &["--period", "0"], &["--period: 0 is no time between rows", "above 0, such as 0.001"]),
         (good, &["--period", "1e-9"], &["--period: 0.000000001 s gives ", "write a longer one"]),
@@ -262,6 +268,7 @@ fn rates_of_the_file_and_a_redundant_joint() {
     assert!(rows.len() > 100 && rows.iter().all(|row| (row[1] - 10.0).abs() < 1e-9), "{output:?}");
     let told = said(&denhart(&["follow", &arm, "--path", &path]).stderr);
     assert!(told.contains("leaves q1 to choose\nhelp: add --given"), "{told}");
+    assert!(told.contains("or --start with the joint values to begin at") && !told.contains("--near"), "{told}");
     let start = rows[0][1..5].iter().map(f64::to_string).collect::<Vec<_>>().join(" ");
     let from = columns(&said(&denhart(&["follow", &arm, "--path", &path, "--start", &start]).stdout));
     assert_eq!(from.len(), rows.len());

@@ -175,7 +175,7 @@ fn asked<'a>(arm: &'a DynamicArm, options: &Options) -> Result<Asked<'a>, Failur
     for pose in &poses.lines {
         let own = if pose.target.given.is_empty() { &given } else { &pose.target.given };
         if own.len() != arm.given()?.len() {
-            return Err(crate::inverse::not_given(arm, units, true)?);
+            return Err(crate::inverse::not_given(arm, units, "--start with the joint values to begin at")?);
         }
         targets.push(WholeTarget::new(pose.target.target, own));
     }

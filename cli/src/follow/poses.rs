@@ -95,7 +95,18 @@ fn form_of(arm: &DynamicArm, line: &str) -> Result<(Lines, Time), Failure> {
             if names.iter().filter(|name| is_time(name)).count() > 1 {
                 return Err(Failure::Usage(format!("the column {TIME} is there twice\nhelp: leave one of them out")));
             }
-            names.iter().position(is_time).map_or(Time::Nowhere, Time::Column)
+            match names.iter().position(is_time) {
+                Some(column) => Time::Column(column),
+                // A column that is left out takes the times of the path with it.
+                None => match names.iter().find(|name| means_time(name)) {
+                    Some(name) => {
+                        return Err(Failure::Usage(format!(
+                            "`{name}`: a path has no such column\nhelp: call the times {TIME}, in s"
+                        )));
+                    }
+                    None => Time::Nowhere,
+                },
+            }
         }
         Lines::Numbers => {
             let counts: &[usize] = match arm.task()? {
@@ -111,6 +122,13 @@ fn form_of(arm: &DynamicArm, line: &str) -> Result<(Lines, Time), Failure> {
         }
     };
     Ok((lines, time))
+}
+
+/// Returns true for names of times other than [`TIME`]: `time`, `t [s]`, `t_s`, `seconds`.
+fn means_time(name: &str) -> bool {
+    let name = name.trim().to_ascii_lowercase();
+    let unit_follows = |rest: &str| rest.starts_with(|c: char| !c.is_alphanumeric());
+    name.starts_with("time") || name.starts_with("seconds") || name.strip_prefix(TIME).is_some_and(unit_follows)
 }
 
 /// The time of a line, and the text that has the target.
