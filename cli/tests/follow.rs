@@ -196,9 +196,14 @@ fn bad_input_names_its_place_and_the_way_out() {
         (
             "Time [s],x,y,z,roll,pitch,yaw\n0,0.3,-0.2,0.4,180,0,0\n",
             &[],
-            &["<stdin>:1: `Time [s]`: a path has no such column", "help: call the times t, in s"],
+            &["<stdin>:1: `Time [s]`: the times of a path have another name", "help: call them t, in s"],
         ),
-        ("t_s,x,y,z,roll,pitch,yaw\n0,0.3,-0.2,0.4,180,0,0\n", &[], &["<stdin>:1: `t_s`: a path has no such column"]),
+        ("t_s,x,y,z,roll,pitch,yaw\n0,0.3,-0.2,0.4,180,0,0\n", &[], &["<stdin>:1: `t_s`: the times of a path"]),
+        (
+            "{\"position\": [0.3, -0.2, 0.4], \"rpy\": [180, 0, 0], \"time\": 0}\n",
+            &[],
+            &["<stdin>:1: `time`: the times of a path have another name"],
+        ),
         ("x,y,t\n1,2,3\n", &[], &["<stdin>:1: the columns x, y, t are no target of the task `pose`"]),
         (good, &["--period", "0"], &["--period: 0 is no time between rows", "above 0, such as 0.001"]),
         (good, &["--period", "1e-9"], &["--period: 0.000000001 s gives ", "write a longer one"]),

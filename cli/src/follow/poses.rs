@@ -4,7 +4,7 @@ use std::io::BufRead;
 use std::path::Path;
 
 use denhart_dynamic::DynamicArm;
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use crate::Failure;
 use crate::lines::{Lines, numbers};
@@ -85,28 +85,27 @@ impl Poses {
 fn form_of(arm: &DynamicArm, line: &str) -> Result<(Lines, Time), Failure> {
     let lines = Lines::of(line);
     let time = match &lines {
-        Lines::Json => match object(line).is_some_and(|object| object.get(TIME).is_some()) {
-            true => Time::Key,
-            false => Time::Nowhere,
-        },
+        Lines::Json => {
+            let value = object(line);
+            let keys = || value.iter().filter_map(Value::as_object).flat_map(Map::keys);
+            if keys().any(|key| key == TIME) {
+                Time::Key
+            } else {
+                refuse_other_times(keys())?;
+                Time::Nowhere
+            }
+        }
         Lines::Named(names) => {
             check_columns(names, arm.task()?)?;
             let is_time = |name: &String| name.eq_ignore_ascii_case(TIME);
             if names.iter().filter(|name| is_time(name)).count() > 1 {
                 return Err(Failure::Usage(format!("the column {TIME} is there twice\nhelp: leave one of them out")));
             }
-            match names.iter().position(is_time) {
-                Some(column) => Time::Column(column),
-                // A column that is left out takes the times of the path with it.
-                None => match names.iter().find(|name| means_time(name)) {
-                    Some(name) => {
-                        return Err(Failure::Usage(format!(
-                            "`{name}`: a path has no such column\nhelp: call the times {TIME}, in s"
-                        )));
-                    }
-                    None => Time::Nowhere,
-                },
+            let column = names.iter().position(is_time);
+            if column.is_none() {
+                refuse_other_times(names)?;
             }
+            column.map_or(Time::Nowhere, Time::Column)
         }
         Lines::Numbers => {
             let counts: &[usize] = match arm.task()? {
@@ -124,11 +123,19 @@ fn form_of(arm: &DynamicArm, line: &str) -> Result<(Lines, Time), Failure> {
     Ok((lines, time))
 }
 
-/// Returns true for names of times other than [`TIME`]: `time`, `t [s]`, `t_s`, `seconds`.
-fn means_time(name: &str) -> bool {
-    let name = name.trim().to_ascii_lowercase();
-    let unit_follows = |rest: &str| rest.starts_with(|c: char| !c.is_alphanumeric());
-    name.starts_with("time") || name.starts_with("seconds") || name.strip_prefix(TIME).is_some_and(unit_follows)
+/// Refuses a column or a key that is left out, and means times: `time`, `t [s]`, `t_s`, `seconds`.
+fn refuse_other_times<'n>(names: impl IntoIterator<Item = &'n String>) -> Result<(), Failure> {
+    let means_time = |name: &&String| {
+        let name = name.trim().to_ascii_lowercase();
+        let unit_follows = |rest: &str| rest.starts_with(|c: char| !c.is_alphanumeric());
+        name.starts_with("time") || name.starts_with("seconds") || name.strip_prefix(TIME).is_some_and(unit_follows)
+    };
+    match names.into_iter().find(means_time) {
+        Some(name) => Err(Failure::Usage(format!(
+            "`{name}`: the times of a path have another name\nhelp: call them {TIME}, in s"
+        ))),
+        None => Ok(()),
+    }
 }
 
 /// The time of a line, and the text that has the target.
