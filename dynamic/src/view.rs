@@ -329,10 +329,6 @@ impl<const N: usize> InverseKinematics<f64, N> for DynamicView<'_, N> {
         }
     }
 
-    fn inverse_given_near_into(&self, target: &WholeTarget, q_ref: &[f64; N], solutions: &mut ViewSolutions<N>) {
-        solutions.fill(|found| self.arm.inverse_given_near_into(&target.target, &target.given, self.own(q_ref), found));
-    }
-
     fn inverse_branch_near_into(
         &self,
         target: &WholeTarget,

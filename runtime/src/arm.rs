@@ -284,12 +284,17 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
     /// Like [`inverse_near_into`](Self::inverse_near_into), but values that come with the target, of redundant joints or of
     /// the arm angle, are the target's and not those of `q_ref`.
     fn inverse_given_near_into(&self, target: &Self::Target, q_ref: &[T; N], solutions: &mut Self::Solutions) {
-        self.inverse_near_into(target, q_ref, solutions);
+        self.inverse_branch_near_into(target, Branch::NONE, q_ref, solutions);
     }
 
     /// Like [`inverse_given_near_into`](Self::inverse_given_near_into), without computing the branches that differ from
     /// `branch`. Components unset in it match any. The other solution of a spherical wrist, which comes from the first, is
     /// listed too. An arm without [`InverseBranch`] lists every branch.
+    ///
+    /// Beside a singularity a solution may go by another name than in the whole list: where the branch has none that is of
+    /// use, ask for all.
+    ///
+    /// The default is for an arm whose target comes without values.
     fn inverse_branch_near_into(
         &self,
         target: &Self::Target,
@@ -298,7 +303,7 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
         solutions: &mut Self::Solutions,
     ) {
         let _ = branch;
-        self.inverse_given_near_into(target, q_ref, solutions);
+        self.inverse_near_into(target, q_ref, solutions);
     }
 
     /// Writes the factors of the determinant of the Jacobian at `q`, as the arm's `margins` have them, and gives their

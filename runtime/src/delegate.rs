@@ -127,12 +127,12 @@ macro_rules! delegate_branch {
     };
 }
 
-/// The items of an `impl InverseKinematics` by which a list holds some branches alone. `branches`: the arm's function;
+/// The method of an `impl InverseKinematics` by which a list holds some branches alone. `branches`: the arm's function;
 /// `given`: values come with the target, and go to that function as this expression of them.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! delegate_branch_near {
-    ($scalar:ty, $n:literal, $branches:ident) => {
+    ($scalar:ty, $n:literal, $branches:ident $(, given |$given:pat_param| $values:expr)?) => {
         fn inverse_branch_near_into(
             &self,
             target: &Self::Target,
@@ -140,29 +140,9 @@ macro_rules! delegate_branch_near {
             q_ref: &[$scalar; $n],
             solutions: &mut Self::Solutions,
         ) {
+            $(let (target, $given) = (&target.0, target.1);)?
             solutions.reset($crate::Status::BadTarget);
-            $branches(self, target, ::core::option::Option::Some(q_ref), branch, solutions);
-        }
-    };
-    ($scalar:ty, $n:literal, $branches:ident, given |$given:pat_param| $values:expr) => {
-        fn inverse_given_near_into(
-            &self,
-            target: &Self::Target,
-            q_ref: &[$scalar; $n],
-            solutions: &mut Self::Solutions,
-        ) {
-            self.inverse_branch_near_into(target, $crate::Branch::NONE, q_ref, solutions);
-        }
-        fn inverse_branch_near_into(
-            &self,
-            target: &Self::Target,
-            branch: $crate::Branch,
-            q_ref: &[$scalar; $n],
-            solutions: &mut Self::Solutions,
-        ) {
-            let (target, $given) = (&target.0, target.1);
-            solutions.reset($crate::Status::BadTarget);
-            $branches(self, target, $values, ::core::option::Option::Some(q_ref), branch, solutions);
+            $branches(self, target, $($values,)? ::core::option::Option::Some(q_ref), branch, solutions);
         }
     };
 }

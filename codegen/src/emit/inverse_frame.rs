@@ -528,9 +528,10 @@ fn following(
             Some(quote!(#krate::delegate_branch_near!(#scalar, #n, #function #given);))
         }
         Some(wrapped) => Some(quote! {
-            fn inverse_given_near_into(
+            fn inverse_branch_near_into(
                 &self,
                 target: &Self::Target,
+                _branch: #krate::Branch,
                 q_ref: &[#scalar; #n],
                 solutions: &mut Self::Solutions,
             ) {
