@@ -224,6 +224,11 @@ impl DynamicArm {
         Ok(self.margins.as_ref().map(|margins| margins.at(q, &self.pose(q))))
     }
 
+    /// The place among the [`margins`](Self::margins) of the one named `wrist`.
+    pub(crate) fn wrist_factor(&self) -> Option<usize> {
+        self.margins.as_ref().and_then(Factors::wrist)
+    }
+
     /// Motor values at joint values; the joint values themselves where motors are not linked.
     ///
     /// # Errors

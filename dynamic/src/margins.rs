@@ -58,6 +58,11 @@ impl Factors {
         })
     }
 
+    /// The place of the factor that is 0 where the wrist is singular.
+    pub fn wrist(&self) -> Option<usize> {
+        self.program.factors.iter().position(|factor| factor.branching == Branching::Wrist)
+    }
+
     /// Each factor and its value at `q`.
     fn values(&self, q: &[f64], pose: &Pose<f64>) -> impl Iterator<Item = (&Factor, f64)> {
         let Margins { straight, factors, pose: read, joints, variables, plane } = &self.program;

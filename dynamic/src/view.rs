@@ -348,6 +348,10 @@ impl<const N: usize> InverseKinematics<f64, N> for DynamicView<'_, N> {
         margins.len()
     }
 
+    fn wrist_factor(&self) -> Option<usize> {
+        self.arm.wrist_factor()
+    }
+
     fn combined_limits(&self) -> &[CombinedLimit<f64, N>] {
         &self.combined_limits
     }
@@ -521,6 +525,7 @@ mod tests {
             let (mut ours, mut theirs) = ([0.0; 4], [0.0; 4]);
             assert_eq!(view.factors(&q, &mut ours), generated.factors(&q, &mut theirs));
             assert_eq!(ours, theirs);
+            assert_eq!(view.wrist_factor(), generated.wrist_factor());
             view.inverse_given_near_into(&target, &near, &mut lists.0);
             generated.inverse_given_near_into(&whole(&target), &near, &mut lists.1);
             same(lists.0.as_ref(), lists.1.as_ref());

@@ -314,6 +314,12 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
         0
     }
 
+    /// The place among the [`factors`](Self::factors) of the one that is 0 where the wrist is singular, if there is one.
+    #[must_use]
+    fn wrist_factor(&self) -> Option<usize> {
+        None
+    }
+
     /// Limits of sums of joint values; none where the arm's file has none.
     #[must_use]
     fn combined_limits(&self) -> &[CombinedLimit<T, N>] {

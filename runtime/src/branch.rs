@@ -127,6 +127,22 @@ impl Branch {
         self.with(Self::WRIST, wrist as u8)
     }
 
+    /// Returns the branch beyond the singularity of the wrist, if a solution of the wrist is named.
+    pub(crate) const fn with_other_wrist(self) -> Option<Self> {
+        match self.wrist() {
+            Some(Wrist::NoFlip) => Some(self.with_wrist(Wrist::Flip)),
+            Some(Wrist::Flip) => Some(self.with_wrist(Wrist::NoFlip)),
+            None => None,
+        }
+    }
+
+    /// Returns the branch with either solution of the wrist.
+    #[inline]
+    #[must_use]
+    pub(crate) const fn with_any_wrist(self) -> Self {
+        Self { labels: self.labels & !(3 << Self::WRIST), ..self }
+    }
+
     /// Returns the branch with the number of the polynomial's root, counted from 1; 0 for none.
     #[inline]
     #[must_use]
@@ -187,6 +203,14 @@ impl Branch {
         let both = self.named() & wanted.named();
         let root = if self.root == 0 || wanted.root == 0 { self.root } else { wanted.root };
         Self { labels: self.labels & !both | wanted.labels & both, root }
+    }
+
+    /// The parts that this branch names, and of the others those that `other` names.
+    pub(crate) const fn or(self, other: Self) -> Self {
+        Self {
+            labels: self.labels | other.labels & !self.named(),
+            root: if self.root == 0 { other.root } else { self.root },
+        }
     }
 
     /// The bits of the labels that are not 0.

@@ -211,6 +211,48 @@ fn an_exact_path_goes_on_along_the_branch_that_it_meets() {
     }
 }
 
+/// At a straight wrist both names fit: the wrist has none. The first regular tick gives it one, and a deviation from there on
+/// goes as from a regular start.
+#[test]
+fn a_start_at_a_straight_wrist_gets_its_name_beside_it() {
+    let start = [0.3, -1.2, 1.4, -0.7, 0.0, 0.5];
+    for bent in [-0.4, 0.4] {
+        let mut regular = start;
+        regular[4] = bent;
+        let named = Ur5.inverse_near(&Ur5.forward(&regular), &regular).iter().next().map(|solution| solution.branch);
+        let rates = Rates { velocity: [3.0; 6], acceleration: [25.0; 6] };
+        let settings = FollowSettings::new(PERIOD, rates);
+        let mut follower = Follower::new(&Ur5, settings, &start).unwrap();
+        let mut by_path = PathFollower::new(&Ur5, settings, &start).unwrap();
+        let mut found = Ur5.inverse(&Ur5.forward(&start));
+        let mut end = follower.step(&Ur5, &Ur5.forward(&start), &mut found);
+        assert!(end.tracking.is_exact() && end.branch.wrist().is_none(), "{end:?}");
+        let path = |t: f64| Ur5.forward(&between(&start, &regular, (t / PERIOD) as u32));
+        for tick in 1..=1600 {
+            end = follower.step(&Ur5, &path(f64::from(tick) * PERIOD), &mut found);
+            assert!(end.tracking.is_exact() && end.crossed.is_none(), "{tick}: {end:?}");
+            let advance = by_path.step(&Ur5, path, 3.0, &mut found);
+            assert!(advance.crossed.is_none());
+        }
+        assert_eq!(Some(end.branch), named);
+        assert_eq!(Some(by_path.step(&Ur5, path, 3.0, &mut found).branch), named);
+        // Back, past the straight wrist by 5 mrad.
+        let off = Pose::from_xyz_rpy([0.0; 3], [0.0, 0.005, 0.0]);
+        let mut beyond = regular;
+        beyond[4] = -bent;
+        let mut other = Follower::new(&Ur5, settings, &regular).unwrap();
+        let mut most = [0.0_f64; 2];
+        for tick in 0..2000_u32 {
+            let mut target = Ur5.forward(&between(&regular, &beyond, tick));
+            target.rotation = (off * target).rotation;
+            for (most, follower) in most.iter_mut().zip([&mut follower, &mut other]) {
+                *most = most.max(follower.step(&Ur5, &target, &mut found).residual.position);
+            }
+        }
+        assert!(most[0] > 1e-5 && (most[0] - most[1]).abs() < 0.01 * most[1], "{most:?}");
+    }
+}
+
 /// In single precision, by the velocity that is returned.
 #[test]
 fn single_precision() {

@@ -43,7 +43,7 @@ pub fn held_joint(model: &Model, plan: &HeldJointPlan, target: &Target) -> Inver
         items: items(model, &program.constants, target, [TokenStream::new(), quote!(#own #constants #item)]),
         function: function(plan, target, &task, starts),
         methods: methods(model, outline, target, &task, &solver),
-        trait_impl: inverse_trait(model, outline, [plan.names.is_some(), false], target, &task, &solver),
+        trait_impl: inverse_trait(model, outline, plan.names.is_some(), None, target, &task, &solver),
     }
 }
 

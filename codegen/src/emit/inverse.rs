@@ -47,7 +47,7 @@ pub fn inverse(model: &Model, plan: &Plan, dimensions: &TokenStream, target: &Ta
         items: items(model, &program.constants, target, [measure(model, target), nest.constants()]),
         function: function(model, plan, &program, target, &task, &body),
         methods: methods(model, outline, target, &task, &solver),
-        trait_impl: inverse_trait(model, outline, [true, lower::margins(plan).is_some()], target, &task, &solver),
+        trait_impl: inverse_trait(model, outline, true, lower::margins(plan).as_ref(), target, &task, &solver),
     }
 }
 

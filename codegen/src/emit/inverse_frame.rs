@@ -3,9 +3,9 @@
 use super::task::TaskCode;
 use super::tokens::{array, ident, integer, number};
 use super::{Target, combined_limits, docs, given, parameters, worked_out};
-use crate::lower::{ArmConstants, Inverse};
+use crate::lower::{ArmConstants, Inverse, Margins};
 use crate::model::{JointKind, Model};
-use crate::solve::{Given, GivenValues, Goal, Outline, Plan};
+use crate::solve::{Branching, Given, GivenValues, Goal, Outline, Plan};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -469,12 +469,13 @@ fn sample_redundancy(model: &Model, outline: &Outline, target: &Target, task: &T
     }
 }
 
-/// The trait impl, whose target includes the value of a redundant joint; `branches`: they have names. `margins`: the arm
-/// has that method.
+/// The trait impl, whose target includes the value of a redundant joint; `branches`: they have names. `margins`: those
+/// that the arm's method of that name gives.
 pub(super) fn inverse_trait(
     model: &Model,
     outline: &Outline,
-    [branches, margins]: [bool; 2],
+    branches: bool,
+    margins: Option<&Margins>,
     target: &Target,
     task: &TaskCode,
     solver: &Solver,
@@ -507,7 +508,7 @@ pub(super) fn inverse_trait(
 fn following(
     model: &Model,
     outline: &Outline,
-    margins: bool,
+    margins: Option<&Margins>,
     target: &Target,
     task: &TaskCode,
     solver: &Solver,
@@ -542,11 +543,20 @@ fn following(
         }),
         None => None,
     };
-    let factors = margins.then(|| {
+    let factors = margins.map(|margins| {
+        let place = margins.factors.iter().position(|factor| factor.branching == Branching::Wrist).map(integer);
+        let wrist = place.map(|place| {
+            quote! {
+                fn wrist_factor(&self) -> ::core::option::Option<usize> {
+                    ::core::option::Option::Some(#place)
+                }
+            }
+        });
         quote! {
             fn factors(&self, q: &[#scalar; #n], factors: &mut [#scalar]) -> usize {
                 #krate::Margin::write(&#name::margins(self, q), factors)
             }
+            #wrist
         }
     });
     let combined = (!model.combined_limits.is_empty()).then(|| {

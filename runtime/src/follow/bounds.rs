@@ -35,6 +35,12 @@ impl<T: Scalar, const N: usize> Interval<T, N> {
         ends.is_some_and(|(low, high)| way >= *low - rounding && way <= *high + rounding)
     }
 
+    /// The sum of the longest steps, in units of the joints.
+    pub(super) fn longest(&self, units: &[T; N]) -> T {
+        let ends = self.low.iter().zip(&self.high).zip(units);
+        ends.fold(T::ZERO, |sum, ((low, high), unit)| sum + high.max(-*low) / *unit)
+    }
+
     /// The step that is nearest to rest.
     pub(super) fn rest(&self) -> [T; N] {
         self.cut([T::ZERO; N])

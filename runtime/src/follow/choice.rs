@@ -1,17 +1,9 @@
 //! The choice of a goal among the solutions of a target.
 
 use super::settings::Crossing;
-use super::signs::Signs;
 use crate::branch::Branch;
 use crate::math::Scalar;
 use crate::solution::Solution;
-
-/// A part of the joint space that singularities bound: the signs of its factors, and its name.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Place {
-    pub(super) signs: Signs,
-    pub(super) branch: Branch,
-}
 
 /// A solution, as a place where the arm may go.
 #[derive(Debug, Clone, Copy)]

@@ -101,6 +101,11 @@ impl<T: Scalar, const N: usize> Weights<T, N> {
         Self { rows: [length, length, length, angle, angle, angle], units: units(arm, reach) }
     }
 
+    /// The units of the motors: rad, or the reach.
+    pub(super) const fn units(&self) -> &[T; N] {
+        &self.units
+    }
+
     fn twist(&self, mut twist: [T; 6]) -> [T; 6] {
         for (entry, weight) in twist.iter_mut().zip(self.rows) {
             *entry *= weight;

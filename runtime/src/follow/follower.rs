@@ -1,10 +1,11 @@
 //! The follower that keeps the time.
 
+use super::aspect::Aspect;
 use super::bounds::{Bounds, Interval, rounding};
-use super::choice::{Candidate, Choice, Place};
+use super::choice::{Candidate, Choice};
 use super::deviate::{Aim, TURN, Weights};
-use super::settings::{FollowError, FollowSettings};
-use super::signs::Signs;
+use super::settings::{Crossing, FollowError, FollowSettings};
+use super::signs::{Signs, the_wrist_alone_changes};
 use super::step::{Step, Tracking};
 use crate::arm::{InverseBranch, InverseKinematics};
 use crate::branch::Branch;
@@ -38,15 +39,44 @@ pub struct Follower<T, const N: usize> {
     pub(super) under_way: T,
     pub(super) allowed: T,
     /// The branch that is followed.
-    wanted: Place,
+    wanted: Aspect,
     /// The branch that the joint values are on.
-    here: Place,
+    here: Aspect,
     /// The branch that the arm is sent to, until it is there.
     sent: Option<Branch>,
     /// The branch that was followed before the arm strayed from it, until a solution is reached.
-    strayed_from: Option<Place>,
+    strayed_from: Option<Aspect>,
     /// Ticks since the last exact one, and on this branch, in which limits or reach have kept the arm from its target.
     stuck: T,
+}
+
+/// The branches on which the solution of a tick is looked for first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Sought {
+    /// All.
+    All,
+    /// The one that is followed: an exact tick goes on there.
+    Followed(Branch),
+    /// That one, and the one beyond the singularity of the wrist: no other is within a step, or allowed.
+    EitherWrist(Branch),
+}
+
+impl Sought {
+    /// The name that the branches share.
+    const fn branch(self) -> Branch {
+        match self {
+            Self::All => Branch::NONE,
+            Self::Followed(branch) | Self::EitherWrist(branch) => branch,
+        }
+    }
+}
+
+/// The solutions of a target, as the arm sees them.
+enum Seen<T, const N: usize> {
+    /// One is reached in this tick.
+    Reached([T; N], Aspect),
+    /// None is.
+    Apart(Choice<T, N>),
 }
 
 /// A way from here on is about half a turn, rad.
@@ -70,7 +100,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         if let Some(limit) = arm.combined_limits().iter().position(|limit| !limit.holds(q)) {
             return Err(FollowError::Combined(limit));
         }
-        let here = Place { signs: Signs::at(arm, q, Some(&arm.target_at(q))), branch: branch_at(arm, q) };
+        let here = Aspect::at(arm, q, &mut A::Solutions::default());
         Ok(Self {
             settings,
             bounds: Bounds::new(arm, &settings),
@@ -104,20 +134,19 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         found: &mut A::Solutions,
     ) -> Step<T, N> {
         let interval = self.bounds.interval(&self.q, &self.step);
-        let likely = self.likely::<A>();
-        self.solve(arm, target, likely, found);
-        let mut reached = self.exact(arm, target, found.as_ref(), &interval);
-        if likely != Branch::NONE && !reached.is_some_and(|(_, place)| self.is_followed(&place)) {
-            self.solve(arm, target, Branch::NONE, found);
-            reached = self.exact(arm, target, found.as_ref(), &interval);
+        let sought = self.sought(arm, &interval);
+        let mut seen = self.look(arm, target, sought, &interval, found);
+        if !self.suffices(sought, &seen) {
+            seen = self.look(arm, target, Sought::All, &interval, found);
         }
         if matches!(A::status(found), Status::BadTarget) {
             return self.stop(arm);
         }
-        if let Some((q, place)) = reached {
-            return self.arrive(&interval, &q, &place);
-        }
-        let aim = self.choose(arm, target, found.as_ref());
+        let choice = match seen {
+            Seen::Reached(q, aspect) => return self.arrive(arm, &interval, &q, &aspect),
+            Seen::Apart(choice) => choice,
+        };
+        let aim = self.choose(arm, target, &choice);
         let mut held = aim.held;
         if let (Tracking::Rates, Some(goal)) = (aim.tracking, &aim.goal) {
             for (joint, (q, way)) in goal.iter().zip(&self.way(goal)).enumerate() {
@@ -145,14 +174,8 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         self.advance(step);
         (self.goal, self.left) = (None, None);
         (self.under_way, self.allowed) = (T::ZERO, T::ZERO);
-        let target = arm.target_at(&self.q);
-        let signs = Signs::at(arm, &self.q, Some(&target)).or(self.here.signs);
-        let crossed = signs.differ(self.here.signs).then(|| {
-            let left = self.here.branch;
-            self.here.branch = branch_at(arm, &self.q);
-            left
-        });
-        self.here.signs = signs;
+        let signs = Signs::at(arm, &self.q, Some(&arm.target_at(&self.q)));
+        let crossed = self.here.go(arm, signs, |_| Aspect::at(arm, &self.q, &mut A::Solutions::default()));
         Step { remaining: T::INFINITY, ..self.state(Tracking::Target, [T::ZERO; 6], crossed) }
     }
 
@@ -187,13 +210,53 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         }
     }
 
-    /// The branch on which the solution of this tick is looked for first: after an exact tick the one that is followed.
-    /// [`Branch::NONE`] for all: after a deviation another branch may be reached, and the names of an arm without `factors`
-    /// may change on the way, so that another name stands for the branch.
-    fn likely<A: InverseKinematics<T, N>>(&self) -> Branch {
-        let goes_on = self.left == Some([T::ZERO; 6]) && self.sent.is_none();
+    /// The branches on which the solution of this tick is looked for first.
+    ///
+    /// The names of an arm without `factors` may change on the way, so that another name stands for the branch.
+    fn sought<A: InverseKinematics<T, N>>(&self, arm: &A, interval: &Interval<T, N>) -> Sought {
         let takes_held_values = A::TAKES_VALUES && self.settings.held;
-        if self.has_factors && goes_on && !takes_held_values { self.wanted.branch.with_root(0) } else { Branch::NONE }
+        if !self.has_factors || takes_held_values || self.sent.is_some() {
+            return Sought::All;
+        }
+        let followed = self.wanted.branch;
+        if self.left == Some([T::ZERO; 6]) {
+            return Sought::Followed(followed);
+        }
+        let leaves_the_branch = self.here.signs.differ(self.wanted.signs) || self.has_waited();
+        let goes_anywhere = self.settings.crossing == Crossing::Any || self.settings.linked.is_some();
+        let none_is_known = self.goal.is_none() || followed == Branch::NONE;
+        if leaves_the_branch || goes_anywhere || none_is_known {
+            return Sought::All;
+        }
+        let near = the_wrist_alone_changes(arm, &self.q, interval.longest(self.weights.units()));
+        if near { Sought::EitherWrist(followed.with_any_wrist()) } else { Sought::All }
+    }
+
+    /// What the solutions on some branches are to the arm.
+    fn look<A: InverseKinematics<T, N>>(
+        &self,
+        arm: &A,
+        target: &A::Target,
+        sought: Sought,
+        interval: &Interval<T, N>,
+        found: &mut A::Solutions,
+    ) -> Seen<T, N> {
+        self.solve(arm, target, sought.branch(), found);
+        match (self.exact(arm, target, found.as_ref(), interval), sought) {
+            (Some((q, aspect)), _) => Seen::Reached(q, aspect),
+            (None, Sought::Followed(_)) => Seen::Apart(Choice::NONE),
+            (None, _) => Seen::Apart(self.choice(arm, target, found.as_ref())),
+        }
+    }
+
+    /// Returns true if no branch beside those that were sought matters.
+    fn suffices(&self, sought: Sought, seen: &Seen<T, N>) -> bool {
+        match (sought, seen) {
+            (Sought::All, _) | (Sought::EitherWrist(_), Seen::Reached(..)) => true,
+            (Sought::EitherWrist(_), Seen::Apart(choice)) => choice.own.is_some(),
+            (Sought::Followed(_), Seen::Reached(_, aspect)) => !aspect.signs.differ(self.wanted.signs),
+            (Sought::Followed(_), Seen::Apart(_)) => false,
+        }
     }
 
     /// The solution that is reached in this tick: one of the branch that is followed; else any, as two branches meet there.
@@ -203,7 +266,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         target: &A::Target,
         solutions: &[Solution<T, N>],
         interval: &Interval<T, N>,
-    ) -> Option<([T; N], Place)> {
+    ) -> Option<([T; N], Aspect)> {
         let mut meeting = None;
         let mut own_fits = false;
         for solution in solutions.iter().filter(|solution| solution.is_exact() && solution.is_within_limits()) {
@@ -211,22 +274,18 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             if !self.fits(arm, &solution.q, &way, interval) {
                 continue;
             }
-            let place = Place { signs: Signs::at(arm, &solution.q, Some(target)), branch: solution.branch };
-            let own = self.is_followed(&place);
+            let aspect = Aspect::of(arm, solution, target);
+            let is_followed = || !aspect.signs.differ(self.wanted.signs);
+            let own = self.sent.map_or_else(is_followed, |sent| sent.agrees_with(solution.branch));
             own_fits |= own;
             if own && self.follows_on() {
-                return Some((solution.q, place));
+                return Some((solution.q, aspect));
             }
             if !own && self.sent.is_none() && meeting.is_none() {
-                meeting = Some((solution.q, place));
+                meeting = Some((solution.q, aspect));
             }
         }
         meeting.filter(|_| !own_fits)
-    }
-
-    /// Returns true if a solution is on the branch that is followed, or that the arm is sent to.
-    fn is_followed(&self, place: &Place) -> bool {
-        self.sent.map_or(!place.signs.differ(self.wanted.signs), |sent| sent.agrees_with(place.branch))
     }
 
     /// Returns true if the way to a solution is a step that the limits allow, up to rounding.
@@ -243,29 +302,27 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     }
 
     /// Takes the step to a solution.
-    fn arrive(&mut self, interval: &Interval<T, N>, q: &[T; N], place: &Place) -> Step<T, N> {
+    fn arrive<A: InverseKinematics<T, N>>(
+        &mut self,
+        arm: &A,
+        interval: &Interval<T, N>,
+        q: &[T; N],
+        aspect: &Aspect,
+    ) -> Step<T, N> {
         self.step = interval.cut(self.way(q));
         (self.q, self.evaluated) = (*q, None);
         self.goal = Some(*q);
         self.left = Some([T::ZERO; 6]);
         (self.under_way, self.allowed) = (T::ZERO, T::ZERO);
         (self.sent, self.strayed_from, self.stuck) = (None, None, T::ZERO);
-        let place = Place { signs: place.signs.or(self.here.signs), branch: place.branch.with_root(0) };
-        let crossed = place.signs.differ(self.here.signs).then_some(self.here.branch);
-        self.here = Place { branch: if crossed.is_some() { place.branch } else { self.here.branch }, ..place };
+        let crossed = self.here.arrive(arm, aspect);
         self.wanted = self.here;
         self.state(Tracking::Exact, [T::ZERO; 6], crossed)
     }
 
     /// The goal of this tick.
-    fn choose<A: InverseKinematics<T, N>>(
-        &mut self,
-        arm: &A,
-        target: &A::Target,
-        solutions: &[Solution<T, N>],
-    ) -> Aim<T, N> {
+    fn choose<A: InverseKinematics<T, N>>(&mut self, arm: &A, target: &A::Target, choice: &Choice<T, N>) -> Aim<T, N> {
         let second = self.second();
-        let choice = self.choice(arm, target, solutions);
         let made = choice.made(second);
         let aim =
             made.map_or_else(Aim::out_of_reach, |(candidate, _)| Aim::at(arm, &candidate, &self.q, self.goal.as_ref()));
@@ -280,7 +337,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     /// Follows the branch of a candidate from now on.
     fn follow<A: InverseKinematics<T, N>>(&mut self, arm: &A, target: &A::Target, candidate: &Candidate<T, N>) {
         let signs = Signs::at(arm, &candidate.q, Some(target));
-        self.wanted = Place { signs, branch: candidate.branch };
+        self.wanted = Aspect::new(signs, candidate.branch);
         self.goal = None;
     }
 
@@ -294,7 +351,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         target: &A::Target,
         solutions: &[Solution<T, N>],
     ) -> Choice<T, N> {
-        let followed = self.wanted.branch.with_root(0);
+        let followed = self.wanted.branch;
         let mut choice = Choice::NONE;
         for by_name in [true, false] {
             choice = Choice::NONE;
@@ -392,18 +449,20 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         target: Option<&A::Target>,
         found: &mut A::Solutions,
     ) -> Option<Branch> {
-        let signs = Signs::at(arm, &self.q, target).or(self.here.signs);
         let left = self.here;
-        self.here.signs = signs;
-        if !signs.differ(left.signs) {
-            return None;
+        let crossed =
+            self.here.go(arm, Signs::at(arm, &self.q, target), |signs| match signs.differ(self.wanted.signs) {
+                true => Aspect::at(arm, &self.q, found),
+                false => self.wanted,
+            });
+        if crossed.is_none() && self.here.may_be_completed(arm, &self.q) {
+            self.here.complete(&Aspect::at(arm, &self.q, found));
+            if !self.here.signs.differ(self.wanted.signs) {
+                self.wanted = self.here;
+            }
         }
-        self.here.branch = if signs.differ(self.wanted.signs) {
-            arm.inverse_branch_near_into(&arm.target_at(&self.q), Branch::NONE, &self.q, found);
-            name(found.as_ref())
-        } else {
-            self.wanted.branch.with_root(0)
-        };
+        let crossed = crossed?;
+        let signs = self.here.signs;
         // Who left the branch that was followed, while its solution fled, follows the one that was entered.
         let strayed = !left.signs.differ(self.wanted.signs) && signs.differ(self.wanted.signs);
         if strayed && self.sent.is_none() && self.settings.crossing.allows(self.wanted.branch, self.here.branch) {
@@ -411,7 +470,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             self.wanted = self.here;
             self.goal = None;
         }
-        Some(left.branch)
+        Some(crossed)
     }
 
     /// The answer to a tick, without what a deviation has besides.
@@ -425,23 +484,10 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             deviation: twist,
             residual: Residual { position: norm([x, y, z]), orientation: norm(turns) },
             branch: self.here.branch,
-            crossed: crossed.filter(|left| *left != Branch::NONE || self.here.branch != Branch::NONE),
+            crossed: crossed
+                .filter(|left| self.has_factors || *left != Branch::NONE || self.here.branch != Branch::NONE),
             held: JointMask::NONE,
             remaining: T::ZERO,
         }
     }
-}
-
-/// The name of the branch that an arm is on. Every inverse of a follower is `inverse_branch_near_into`: in the memory of a
-/// microcontroller the code of the branches stands once.
-pub(super) fn branch_at<A: InverseKinematics<T, N>, T: Scalar, const N: usize>(arm: &A, q: &[T; N]) -> Branch {
-    let mut found = A::Solutions::default();
-    arm.inverse_branch_near_into(&arm.target_at(q), Branch::NONE, q, &mut found);
-    name(found.as_ref())
-}
-
-/// The name of the branch of the nearest solution. Numbers of roots are left out: they mean something at one target only.
-fn name<T: Copy, const N: usize>(solutions: &[Solution<T, N>]) -> Branch {
-    let nearest = solutions.iter().find(|solution| solution.is_exact()).or(solutions.first());
-    nearest.map_or(Branch::NONE, |solution| solution.branch.with_root(0))
 }

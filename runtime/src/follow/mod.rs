@@ -37,6 +37,7 @@
 //! ```
 
 mod advance;
+mod aspect;
 mod bounds;
 mod brake;
 mod choice;

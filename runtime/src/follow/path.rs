@@ -1,11 +1,9 @@
 //! The follower that keeps the path.
 
 use super::advance::{Advance, Progress};
+use super::aspect::Aspect;
 use super::bounds::Bounds;
-use super::choice::Place;
-use super::follower::branch_at;
 use super::settings::{FollowError, FollowSettings};
-use super::signs::Signs;
 use super::step::Tracking;
 use crate::arm::InverseKinematics;
 use crate::branch::Branch;
@@ -35,7 +33,7 @@ pub struct PathFollower<T, const N: usize> {
     rate: T,
     /// Time without an advance, s.
     waited: T,
-    here: Place,
+    here: Aspect,
 }
 
 /// The advance of a tick that was tried last, with what it came to.
@@ -57,7 +55,7 @@ impl<T: Scalar, const N: usize> PathFollower<T, N> {
         q: &[T; N],
     ) -> Result<Self, FollowError> {
         settings.check(arm, q)?;
-        let here = Place { signs: Signs::at(arm, q, Some(&arm.target_at(q))), branch: branch_at(arm, q) };
+        let here = Aspect::at(arm, q, &mut A::Solutions::default());
         let (bounds, at) = (Bounds::new(arm, &settings), T::ZERO);
         Ok(Self { settings, bounds, q: *q, at, rate: settings.period, waited: T::ZERO, here })
     }
@@ -89,12 +87,7 @@ impl<T: Scalar, const N: usize> PathFollower<T, N> {
         self.at = if trial.advance >= rest { end } else { before + trial.advance };
         self.rate = trial.advance;
         let period = self.settings.period;
-        let signs = Signs::at(arm, &self.q, Some(&path(self.at))).or(self.here.signs);
-        let crossed = signs.differ(self.here.signs).then_some(self.here.branch);
-        if crossed.is_some() {
-            self.here.branch = trial.solution.branch.with_root(0);
-        }
-        self.here.signs = signs;
+        let crossed = self.here.arrive(arm, &Aspect::of(arm, &trial.solution, &path(self.at)));
         let is_slow = trial.advance < T::from_f64(1e-4) * period && trial.share < T::from_f64(0.3);
         // An advance below the rounding of the time is none, whatever the joints do meanwhile.
         let creeps = is_slow || self.at <= before;
@@ -107,7 +100,8 @@ impl<T: Scalar, const N: usize> PathFollower<T, N> {
         if !creeps {
             self.waited = T::ZERO;
         }
-        let crossed = crossed.filter(|left| *left != Branch::NONE || self.here.branch != Branch::NONE);
+        let has_factors = || arm.factors(&self.q, &mut []) > 0;
+        let crossed = crossed.filter(|left| *left != Branch::NONE || self.here.branch != Branch::NONE || has_factors());
         Advance {
             velocity: velocity.map(|step| step / period),
             rate: trial.advance / period,

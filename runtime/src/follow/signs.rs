@@ -7,11 +7,16 @@ use crate::math::Scalar;
 /// Most factors of an arm that are looked at.
 const MOST: usize = 8;
 
+/// Bound of the change of a factor with a joint, per rad or per stroke over the reach. Factors are products of sines, cosines
+/// and lengths over the reach: 1 for nearly all arms, and 2.3 where the last of two slides makes an arm longer than its reach.
+const SLOPE: f64 = 3.0;
+
 /// The signs of the factors of the determinant of a Jacobian: one bit each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Signs {
     above: u8,
     below: u8,
+    open: u8,
 }
 
 impl Signs {
@@ -44,6 +49,8 @@ impl Signs {
             self.above |= bit;
         } else if factor < -rounding {
             self.below |= bit;
+        } else {
+            self.open |= bit;
         }
     }
 
@@ -54,9 +61,42 @@ impl Signs {
 
     /// These signs; those of `before` for factors that have none.
     pub(super) const fn or(self, before: Self) -> Self {
-        let known = self.above | self.below;
-        Self { above: self.above | before.above & !known, below: self.below | before.below & !known }
+        let (above, below) = (self.above | before.above & self.open, self.below | before.below & self.open);
+        Self { above, below, open: self.open & !(above | below) }
     }
+
+    /// Returns true if the factor at `place` has opposite signs in the two, and no other has.
+    pub(super) const fn differ_in(self, other: Self, place: usize) -> bool {
+        place < MOST && self.above & other.below | self.below & other.above == 1 << place
+    }
+
+    /// Returns true if a factor has no sign.
+    pub(super) const fn are_open(self) -> bool {
+        self.open != 0
+    }
+}
+
+/// Returns true if joint values near `q` have the signs that `q` has, but for that of the wrist. `steps`: the sum of what the
+/// joints move by, angles in rad and strokes over the reach.
+pub(super) fn the_wrist_alone_changes<A: InverseKinematics<T, N>, T: Scalar, const N: usize>(
+    arm: &A,
+    q: &[T; N],
+    steps: T,
+) -> bool {
+    factors_exceed(arm, q, T::from_f64(SLOPE) * steps, arm.wrist_factor())
+}
+
+/// Returns true if each factor at `q` is larger than a value, but for the one at a place.
+pub(super) fn factors_exceed<A: InverseKinematics<T, N>, T: Scalar, const N: usize>(
+    arm: &A,
+    q: &[T; N],
+    value: T,
+    but: Option<usize>,
+) -> bool {
+    let mut factors = [T::ZERO; MOST];
+    let count = arm.factors(q, &mut factors);
+    let mut factors = factors.iter().take(count).enumerate();
+    count <= MOST && factors.all(|(place, factor)| but == Some(place) || factor.abs() > value)
 }
 
 /// The determinant of the rows that the target asks for by the joints that move, relative to the lengths of its rows; 0

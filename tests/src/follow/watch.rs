@@ -135,7 +135,13 @@ impl<'a, A: InverseKinematics<T, N>, T: Scalar, const N: usize> Watch<'a, A, T, 
         let flipped = |(a, b): (&f64, &f64)| a * b < 0.0 && a.abs().min(b.abs()) > 64.0 * T::EPSILON.to_f64();
         let changed = now.iter().zip(&self.factors).any(flipped);
         run.expect(!changed || step.crossed.is_some(), "a factor changed its sign without a word");
-        let renamed = self.last.is_some_and(|last| last.branch != step.branch);
+        // A component that a singularity leaves open may get its name.
+        let renamed = self.last.is_some_and(|last| {
+            let (last, now) = (last.branch, step.branch);
+            last.shoulder().is_some_and(|name| now.shoulder() != Some(name))
+                || last.elbow().is_some_and(|name| now.elbow() != Some(name))
+                || last.wrist().is_some_and(|name| now.wrist() != Some(name))
+        });
         run.expect(!renamed || step.crossed.is_some(), "the branch changed without a word");
         run.crossings += usize::from(step.crossed.is_some());
         if step.tracking.is_exact() {
