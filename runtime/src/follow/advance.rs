@@ -30,7 +30,8 @@ pub struct Advance<T, const N: usize> {
     pub rate: T,
     /// How the follower gets on.
     pub state: Progress,
-    /// The branch that `q` lies on; [`Branch::NONE`] of an arm that has no names for its branches.
+    /// The branch that `q` lies on, without a component that a singularity leaves open there; [`Branch::NONE`] of an arm that has
+    /// no names for its branches.
     pub branch: Branch,
     /// The branch that was left, in the tick in which a factor of the arm's `margins` changes its sign.
     pub crossed: Option<Branch>,

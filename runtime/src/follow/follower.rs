@@ -124,9 +124,9 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     /// The step towards a target. `found` is overwritten, with the solutions of the branches that the tick has asked for.
     ///
     /// # The longest tick
-    /// An exact tick takes the inverse of the branch that is followed. Else two `inverse_near` are the most, and one more in
-    /// the tick of a crossing. Besides, at most one evaluation of `factors` for each
-    /// solution and two more, two of `deviation`, and `8 N` linear systems of `N` equations.
+    /// An exact tick takes the inverse of the branch that is followed. Else two `inverse_near` are the most, and one more where
+    /// the branch gets another name. Besides, at most seven evaluations of `factors` for each solution and five more, two of
+    /// `deviation`, and `8 N` linear systems of `N` equations.
     pub fn step<A: InverseKinematics<T, N>>(
         &mut self,
         arm: &A,

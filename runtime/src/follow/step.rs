@@ -56,7 +56,8 @@ pub struct Step<T, const N: usize> {
     pub deviation: [T; 6],
     /// Sizes of `deviation`: a length and an angle.
     pub residual: Residual<T>,
-    /// The branch that `q` lies on; [`Branch::NONE`] of an arm that has no names for its branches.
+    /// The branch that `q` lies on, without a component that a singularity leaves open there; [`Branch::NONE`] of an arm that has
+    /// no names for its branches.
     pub branch: Branch,
     /// The branch that was left, in the tick in which a factor of the arm's `margins` changes its sign.
     pub crossed: Option<Branch>,
