@@ -91,6 +91,28 @@ fn lines_have_names_or_none_or_are_json() {
 }
 
 #[test]
+fn a_joint_whose_acceleration_alone_has_no_limit_is_named() {
+    let rates = "max_velocity: 180";
+    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../specs/ur5.yaml")).unwrap();
+    for (limited, remark) in [(&[0, 1, 3][..], true), (&[], false), (&[0, 1, 2, 3, 4, 5], false)] {
+        let mut joint = 0;
+        let rows = text.lines().map(|line| {
+            if !line.contains("{type:") {
+                return format!("{line}\n");
+            }
+            let acceleration = if limited.contains(&joint) { ", max_acceleration: 900" } else { "" };
+            joint += 1;
+            format!("{}, {rates}{acceleration} }}\n", line.trim_end().trim_end_matches('}').trim_end())
+        });
+        let arm = file("follow_some_accelerations.yaml", &rows.collect::<String>());
+        let output = denhart(&["follow", &arm, "--path", &line("follow_some.csv", 0.0)]);
+        let told = said(&output.stderr);
+        let named = told.contains("no max_acceleration of q3, q5, q6: only its velocity is limited");
+        assert!(output.status.success() && joint == 6 && named == remark, "{output:?}");
+    }
+}
+
+#[test]
 fn times_are_kept_by_a_tool_that_deviates() {
     let path = line("follow_times.csv", 0.0);
     let output = denhart(&ur5(&path, &["--keep", "time", "--period", "0.004"]));

@@ -417,6 +417,7 @@ fn bad_settings_and_starts_are_refused() {
     slow.acceleration[4] = 0.0;
     assert_eq!(refused(FollowSettings::new(PERIOD, slow), q), Some(FollowError::Rate(4)));
     assert_eq!(refused(settings.length(f64::NAN), q), Some(FollowError::Length));
+    assert_eq!(refused(settings.locked(JointMask::single(6)), q), Some(FollowError::Locked(6)));
     for value in [f64::NAN, 0.5, f64::INFINITY] {
         let mut start = q;
         start[1] = value;

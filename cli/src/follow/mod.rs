@@ -136,7 +136,8 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
             answer.write(&arm, form, &mut BufWriter::new(File::create(file).map_err(cannot)?))?;
         }
     }
-    for line in answer.said(&arm, form) {
+    let incomplete = rates::without_acceleration(&arm, &asked.rates);
+    for line in answer.said(&arm, form).into_iter().chain(incomplete) {
         writeln!(err, "{line}")?;
     }
     Ok(answer.motion.obstacle.is_none())

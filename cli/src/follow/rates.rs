@@ -27,6 +27,15 @@ pub fn read(
     Ok(Rates { velocity, acceleration })
 }
 
+/// Names the joints whose acceleration has no limit, if that of others has.
+pub fn without_acceleration(arm: &DynamicArm, rates: &Rates) -> Option<String> {
+    let endless = |(_, acceleration): &(_, &f64)| acceleration.is_infinite();
+    let names: Vec<&str> = arm.joint_names().zip(&rates.acceleration).filter(endless).map(|(name, _)| name).collect();
+    let some_have = names.len() < rates.acceleration.len();
+    (some_have && !names.is_empty())
+        .then(|| format!("no max_acceleration of {}: only its velocity is limited", names.join(", ")))
+}
+
 fn above_zero(option: &str, arm: &DynamicArm, values: Vec<f64>) -> Result<Vec<f64>, Failure> {
     match arm.joint_names().zip(&values).find(|(_, value)| **value <= 0.0) {
         None => Ok(values),

@@ -104,6 +104,7 @@ impl Bits for FollowError {
             Self::Length => digest.add(&3_usize),
             Self::Start(joint) => digest.add(&(4_usize, *joint)),
             Self::Combined(limit) => digest.add(&(5_usize, *limit)),
+            Self::Locked(joint) => digest.add(&(6_usize, *joint)),
         }
     }
 }

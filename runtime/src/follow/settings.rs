@@ -129,6 +129,9 @@ impl<T: Scalar, const N: usize> FollowSettings<T, N> {
         if let Some(joint) = velocity.iter().zip(acceleration).position(slow).or(velocity.iter().position(short)) {
             return Err(FollowError::Rate(joint));
         }
+        if let Some(joint) = self.locked.iter().find(|joint| *joint >= N) {
+            return Err(FollowError::Locked(joint));
+        }
         if self.length.is_some_and(|length| !(positive(length) && length.is_finite())) {
             return Err(FollowError::Length);
         }
@@ -152,6 +155,8 @@ pub enum FollowError {
     Rate(usize),
     /// The length that weighs as 1 rad is not a finite number above 0.
     Length,
+    /// A joint that is locked is none of the arm's.
+    Locked(usize),
     /// The start is outside the range of a joint, or not finite.
     Start(usize),
     /// The start is outside one of the arm's combined limits, counted from 0.
@@ -166,6 +171,7 @@ impl fmt::Display for FollowError {
                 let number = joint + 1;
                 write!(f, "joint {number} needs a finite velocity above 0, and an acceleration above 0")
             }
+            Self::Locked(joint) => write!(f, "joint {} is locked, and the arm has no such joint", joint + 1),
             Self::Length => f.write_str("the length that weighs as 1 rad is not a finite length above 0"),
             Self::Start(joint) => write!(f, "the start is outside the range of joint {}", joint + 1),
             Self::Combined(limit) => write!(f, "the start is outside combined limit {}", limit + 1),
