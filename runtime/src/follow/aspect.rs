@@ -19,8 +19,11 @@ pub(super) struct Aspect {
     is_open: bool,
 }
 
-/// Where each factor exceeds this value a solution stands for one branch.
-const BESIDE: f64 = 1e-3;
+/// Where each factor exceeds this value a solution stands for one branch: 1e-6 in `f64` and 0.02 in `f32`. Two solutions that
+/// are one up to rounding are apart by its square root.
+fn beside<T: Scalar>() -> T {
+    T::from_f64(64.0) * T::EPSILON.sqrt()
+}
 
 impl Aspect {
     /// The one where the factors have these signs, by its name.
@@ -64,7 +67,7 @@ impl Aspect {
         if !(stands_for_two || signs.are_open()) || arm.factors(&solution.q, &mut []) == 0 {
             return Self::new(signs, solution.branch);
         }
-        let wrist_alone = factors_exceed(arm, &solution.q, T::from_f64(BESIDE), arm.wrist_factor());
+        let wrist_alone = factors_exceed(arm, &solution.q, beside(), arm.wrist_factor());
         let branch = if wrist_alone { solution.branch.with_any_wrist() } else { Branch::NONE };
         Self { is_open: true, ..Self::new(signs, branch) }
     }
@@ -107,7 +110,7 @@ impl Aspect {
         arm: &A,
         q: &[T; N],
     ) -> bool {
-        self.is_open && factors_exceed(arm, q, T::from_f64(BESIDE), None)
+        self.is_open && factors_exceed(arm, q, beside::<T>(), None)
     }
 
     /// Takes what the name lacks from another one of the same part.

@@ -1,7 +1,7 @@
 //! Rules that hold in each tick, and the result of a run.
 
 use denhart::follow::{FollowSettings, Follower, PathFollower, Progress, Rates, Step, Tracking};
-use denhart::{InverseKinematics, Scalar};
+use denhart::{Branch, InverseKinematics, Scalar};
 
 /// How a run went.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -54,6 +54,18 @@ fn exact<T: Scalar>() -> f64 {
     if T::EPSILON.to_f64() < 1e-10 { 1e-8 } else { 2e-3 }
 }
 
+/// Factors from which on the inverse tells one branch from the other.
+fn beside<T: Scalar>() -> f64 {
+    if T::EPSILON.to_f64() < 1e-10 { 1e-3 } else { 2e-2 }
+}
+
+/// Returns true if a branch has each component that another one names.
+fn agree(named: Branch, branch: Branch) -> bool {
+    named.shoulder().is_none_or(|name| branch.shoulder() == Some(name))
+        && named.elbow().is_none_or(|name| branch.elbow() == Some(name))
+        && named.wrist().is_none_or(|name| branch.wrist() == Some(name))
+}
+
 /// A follower, watched.
 pub struct Watch<'a, A: InverseKinematics<T, N>, T, const N: usize> {
     arm: &'a A,
@@ -63,6 +75,7 @@ pub struct Watch<'a, A: InverseKinematics<T, N>, T, const N: usize> {
     pub follower: Follower<T, N>,
     found: A::Solutions,
     last: Option<Step<T, N>>,
+    ticks: usize,
     factors: [f64; 8],
     /// The run so far.
     pub run: Run,
@@ -80,7 +93,7 @@ impl<'a, A: InverseKinematics<T, N>, T: Scalar, const N: usize> Watch<'a, A, T, 
         };
         let found = arm.inverse(&arm.target_at(q));
         let factors = factors(arm, q);
-        Self { arm, rates, period, follower, found, last: None, factors, run: Run::default() }
+        Self { arm, rates, period, follower, found, last: None, ticks: 0, factors, run: Run::default() }
     }
 
     /// A tick towards a target.
@@ -136,13 +149,20 @@ impl<'a, A: InverseKinematics<T, N>, T: Scalar, const N: usize> Watch<'a, A, T, 
         let changed = now.iter().zip(&self.factors).any(flipped);
         run.expect(!changed || step.crossed.is_some(), "a factor changed its sign without a word");
         // A component that a singularity leaves open may get its name.
-        let renamed = self.last.is_some_and(|last| {
-            let (last, now) = (last.branch, step.branch);
-            last.shoulder().is_some_and(|name| now.shoulder() != Some(name))
-                || last.elbow().is_some_and(|name| now.elbow() != Some(name))
-                || last.wrist().is_some_and(|name| now.wrist() != Some(name))
-        });
+        let renamed = self.last.is_some_and(|last| !agree(last.branch, step.branch));
         run.expect(!renamed || step.crossed.is_some(), "the branch changed without a word");
+        self.ticks += 1;
+        let regular = self.arm.factors(&step.q, &mut []) > 0
+            && now.iter().all(|factor| *factor == 0.0 || factor.abs() > beside::<T>());
+        if regular && self.ticks.is_multiple_of(16) {
+            let there = self.arm.inverse_near(&self.arm.target_at(&step.q), &step.q);
+            let at = |q: &[T; N]| q.iter().zip(&step.q).all(|(a, b)| (*a - *b).to_f64().abs() < 0.1 * beside::<T>());
+            let named = there.as_ref().iter().find(|solution| solution.is_exact() && at(&solution.q));
+            run.expect(
+                named.is_none_or(|solution| agree(step.branch, solution.branch)),
+                "the branch has the name of another one",
+            );
+        }
         run.crossings += usize::from(step.crossed.is_some());
         if step.tracking.is_exact() {
             run.expect(residual <= exact::<T>(), "an exact tick was not");
