@@ -91,6 +91,15 @@ fn lines_have_names_or_none_or_are_json() {
 }
 
 #[test]
+fn columns_that_do_not_count_are_named() {
+    let text = std::fs::read_to_string(line("follow_columns.csv", 0.0)).unwrap();
+    let output = fed(&ur5("-", &[]), &text);
+    assert!(!said(&output.stderr).contains("left out"), "{output:?}");
+    let output = fed(&ur5("-", &[]), &text.replacen("t,x", "tt,x", 1));
+    assert!(said(&output.stderr).contains("<stdin>: left out: tt\n"), "{output:?}");
+}
+
+#[test]
 fn a_joint_whose_acceleration_alone_has_no_limit_is_named() {
     let rates = "max_velocity: 180";
     let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../specs/ur5.yaml")).unwrap();

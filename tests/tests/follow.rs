@@ -105,6 +105,22 @@ fn the_path_is_kept() {
     assert_eq!(kept(&Irb2400, &IRB2400, &limit(0.0)).1, Progress::Blocked(Tracking::Limits));
 }
 
+/// A path that asks one joint to leave its range is blocked by that range, although other branches reach the target.
+#[test]
+fn a_limit_blocks_a_path_that_other_branches_reach() {
+    let start = [0.3, -0.3, 0.2, 0.2, 0.6, -0.4];
+    let rates = Rates::velocity(IRB2400.rates().velocity);
+    for (joint, change) in [(0, 3.3), (0, -3.9), (4, 2.0)] {
+        let path = |t: f64| {
+            let mut q = start;
+            q[joint] += change * t / 3.0;
+            Irb2400.forward(&q)
+        };
+        let kept = keep(&Irb2400, rates, FollowSettings::new(PERIOD, rates), PERIOD, &path, 3.0, &start);
+        assert_eq!(kept.end, Progress::Blocked(Tracking::Limits), "{joint}: {kept:?}");
+    }
+}
+
 fn paths<A: InverseKinematics<T, N>, T: Scalar, const N: usize>(
     arm: &A,
     data: &Data<N>,

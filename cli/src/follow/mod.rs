@@ -110,7 +110,7 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
     }
     apart(options)?;
     let arm = crate::inverse::arm(&options.file)?;
-    let asked = asked(&arm, options)?;
+    let (asked, mut remarks) = asked(&arm, options)?;
     let keep = options.keep.into();
     let mut progress = Progress::new(PARTS as u64, BAR, BETWEEN_LOOKS, !io::stdout().is_terminal());
     let mut watch = |at: f64| {
@@ -136,8 +136,8 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
             answer.write(&arm, form, &mut BufWriter::new(File::create(file).map_err(cannot)?))?;
         }
     }
-    let incomplete = rates::without_acceleration(&arm, &asked.rates);
-    for line in answer.said(&arm, form).into_iter().chain(incomplete) {
+    remarks.extend(rates::without_acceleration(&arm, &asked.rates));
+    for line in answer.said(&arm, form).into_iter().chain(remarks) {
         writeln!(err, "{line}")?;
     }
     Ok(answer.motion.obstacle.is_none())
@@ -158,7 +158,8 @@ fn apart(options: &Options) -> Result<(), Failure> {
     Ok(())
 }
 
-fn asked<'a>(arm: &'a DynamicArm, options: &Options) -> Result<Asked<'a>, Failure> {
+/// The task, and remarks about the path.
+fn asked<'a>(arm: &'a DynamicArm, options: &Options) -> Result<(Asked<'a>, Vec<String>), Failure> {
     let units = options.units;
     let rates = rates::read(arm, options.max_velocity.as_deref(), options.max_acceleration.as_deref(), units)?;
     let start = options.start.as_deref().map(|text| joint_vector("--start", text, arm, units)).transpose()?;
@@ -187,7 +188,9 @@ fn asked<'a>(arm: &'a DynamicArm, options: &Options) -> Result<Asked<'a>, Failur
     if let Some(tolerance) = options.tolerance {
         asked.tolerance = tolerance * (1e-3 / arm.length_unit().in_meters());
     }
-    Ok(asked)
+    let left_out = poses.left_out.join(", ");
+    let remarks = if left_out.is_empty() { Vec::new() } else { vec![format!("{name}: left out: {left_out}")] };
+    Ok((asked, remarks))
 }
 
 /// The failure of what is refused, with the options of the command.

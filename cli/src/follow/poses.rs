@@ -9,7 +9,7 @@ use serde_json::{Map, Value};
 use crate::Failure;
 use crate::lines::{Lines, numbers};
 use crate::numbers::Units;
-use crate::target::{Target, check_columns, open, shown};
+use crate::target::{Target, check_columns, is_no_column, open, shown};
 
 /// The name of times.
 const TIME: &str = "t";
@@ -24,6 +24,8 @@ pub struct Pose {
 pub struct Poses {
     pub lines: Vec<Pose>,
     pub times: Option<Vec<f64>>,
+    /// Columns that do not count.
+    pub left_out: Vec<String>,
 }
 
 /// Where a line has its time.
@@ -73,11 +75,17 @@ impl Poses {
         if lines.is_empty() {
             return Err(Failure::Usage(format!("{name}: no poses\nhelp: write one a line, as in --pose")));
         }
+        let left_out = match &form {
+            Some((Lines::Named(names), _)) => {
+                names.iter().filter(|name| !name.eq_ignore_ascii_case(TIME) && is_no_column(name)).cloned().collect()
+            }
+            _ => Vec::new(),
+        };
         let times = match form {
             Some((_, Time::Nowhere)) | None => None,
             Some(_) => Some(times),
         };
-        Ok(Self { lines, times })
+        Ok(Self { lines, times, left_out })
     }
 }
 

@@ -21,7 +21,7 @@ use crate::number_arguments::joint_vector;
 use crate::numbers::Units;
 
 pub use json::of_text as of_json_text;
-pub use named::{check_columns, of_columns};
+pub use named::{check_columns, is_no_column, of_columns};
 pub use spelled::{listed, of_task};
 
 /// The change of the cosine between the tool's z axis and that of the base, beyond which a pose tilts the tool. Printed

@@ -196,13 +196,23 @@ pub fn of_columns(names: &[String], entries: &[&str]) -> Result<Parts, Failure> 
     })
 }
 
+/// The columns that are read.
+fn read() -> impl Iterator<Item = &'static str> {
+    let forms = POSITION.iter().chain(&MATRIX).chain(&QUATERNION).chain(&RPY).chain(&AXIS);
+    forms.copied().chain(["angle", "phi"])
+}
+
+/// Returns true for a column that no task reads.
+pub fn is_no_column(name: &str) -> bool {
+    !read().any(|read| read.eq_ignore_ascii_case(name))
+}
+
 /// Refuses names of columns that are no target of the task, or that occur twice.
 ///
 /// # Errors
 /// The names that the task needs.
 pub fn check_columns(names: &[String], task: &str) -> Result<(), Failure> {
-    let read = POSITION.iter().chain(&MATRIX).chain(&QUATERNION).chain(&RPY).chain(&AXIS).chain(&["angle", "phi"]);
-    for name in read {
+    for name in read() {
         if names.iter().filter(|found| found.eq_ignore_ascii_case(name)).count() > 1 {
             return Err(Failure::Usage(format!("the column {name} is there twice\nhelp: leave one of them out")));
         }

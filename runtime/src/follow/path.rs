@@ -149,7 +149,7 @@ impl<T: Scalar, const N: usize> PathFollower<T, N> {
                     advance = middle(low, high.min(advance / share));
                 }
                 Some((_, share)) => {
-                    (high, reason) = (advance, Tracking::Rates);
+                    (high, reason) = (advance, self.obstacle(share, found.as_ref()));
                     advance = match low > T::ZERO {
                         true => middle(low, high),
                         false => advance * (T::from_f64(0.97) / share).max(T::from_f64(0.05)).min(T::from_f64(0.7)),
@@ -182,6 +182,13 @@ impl<T: Scalar, const N: usize> PathFollower<T, N> {
             }
         }
         nearest
+    }
+
+    /// Why a solution that takes such a share of the velocities does not do: a nearer one is out of limits, or it is too far.
+    fn obstacle(&self, share: T, solutions: &[Solution<T, N>]) -> Tracking {
+        let beyond = solutions.iter().filter(|solution| solution.is_exact() && !solution.is_within_limits());
+        let nearer = beyond.map(|solution| self.bounds.ticks(&self.way(&solution.q))).any(|other| other < share);
+        if nearer { Tracking::Limits } else { Tracking::Rates }
     }
 
     fn way(&self, to: &[T; N]) -> [T; N] {
