@@ -3,7 +3,6 @@
 use super::signs::{Signs, factors_exceed};
 use crate::arm::InverseKinematics;
 use crate::branch::Branch;
-use crate::flags::Flags;
 use crate::math::Scalar;
 use crate::solution::Solution;
 
@@ -19,18 +18,13 @@ pub(super) struct Aspect {
     is_open: bool,
 }
 
-/// Where each factor exceeds this value a solution stands for one branch: 1e-6 in `f64` and 0.02 in `f32`. Two solutions that
-/// are one up to rounding are apart by its square root.
+/// Where each factor exceeds this value a solution stands for one branch, and has its name: 1e-3 in `f64` and 0.02 in `f32`.
+/// Two solutions that are one up to rounding are apart by a square root of it, behind another singularity by a cube root.
 fn beside<T: Scalar>() -> T {
-    T::from_f64(64.0) * T::EPSILON.sqrt()
+    if T::EPSILON < T::from_f64(1e-10) { T::from_f64(1e-3) } else { T::from_f64(0.02) }
 }
 
 impl Aspect {
-    /// The one where the factors have these signs, by its name.
-    pub(super) const fn new(signs: Signs, branch: Branch) -> Self {
-        Self { signs, branch: branch.with_root(0), is_open: false }
-    }
-
     /// The one of joint values. `found` is overwritten.
     ///
     /// Every inverse of a follower is `inverse_branch_near_into`: in the memory of a microcontroller the code of the branches
@@ -44,32 +38,26 @@ impl Aspect {
         arm.inverse_branch_near_into(&target, Branch::NONE, q, found);
         let solutions = found.as_ref();
         let nearest = solutions.iter().find(|solution| solution.is_exact()).or(solutions.first());
-        Self::named(arm, Signs::at(arm, q, Some(&target)), nearest)
+        let signs = Signs::at(arm, q, Some(&target));
+        nearest.map_or(Self { signs, branch: Branch::NONE, is_open: true }, |nearest| Self::of(arm, signs, nearest))
     }
 
-    /// The one of a solution.
+    /// The one of a solution where the factors have these signs. Numbers of roots are left out of its name: they mean something
+    /// at one target only.
     pub(super) fn of<A: InverseKinematics<T, N>, T: Scalar, const N: usize>(
         arm: &A,
-        solution: &Solution<T, N>,
-        target: &A::Target,
-    ) -> Self {
-        Self::named(arm, Signs::at(arm, &solution.q, Some(target)), Some(solution))
-    }
-
-    /// The name is that of a solution. Numbers of roots are left out: they mean something at one target only.
-    fn named<A: InverseKinematics<T, N>, T: Scalar, const N: usize>(
-        arm: &A,
         signs: Signs,
-        solution: Option<&Solution<T, N>>,
+        solution: &Solution<T, N>,
     ) -> Self {
-        let Some(solution) = solution else { return Self { signs, branch: Branch::NONE, is_open: true } };
-        let stands_for_two = solution.flags.contains(Flags::BOUNDARY) || solution.flags.contains(Flags::FREE);
-        if !(stands_for_two || signs.are_open()) || arm.factors(&solution.q, &mut []) == 0 {
-            return Self::new(signs, solution.branch);
+        let branch = solution.branch.with_root(0);
+        let exceed = |but| factors_exceed(arm, &solution.q, beside(), but);
+        if exceed(None) {
+            Self { signs, branch, is_open: false }
+        } else if exceed(arm.wrist_factor()) {
+            Self { signs, branch: branch.with_any_wrist(), is_open: true }
+        } else {
+            Self { signs, branch: Branch::NONE, is_open: true }
         }
-        let wrist_alone = factors_exceed(arm, &solution.q, beside(), arm.wrist_factor());
-        let branch = if wrist_alone { solution.branch.with_any_wrist() } else { Branch::NONE };
-        Self { is_open: true, ..Self::new(signs, branch) }
     }
 
     /// Goes to joint values where the factors have these signs. Gives the branch that was left, if one has changed; `name`
@@ -93,14 +81,17 @@ impl Aspect {
         Some(left.branch)
     }
 
-    /// Goes on to a solution. It names what was open.
+    /// Goes on to a solution where the factors have these signs. The solution names what was open.
     pub(super) fn arrive<A: InverseKinematics<T, N>, T: Scalar, const N: usize>(
         &mut self,
         arm: &A,
-        solution: &Self,
+        signs: Signs,
+        solution: &Solution<T, N>,
     ) -> Option<Branch> {
-        let left = self.go(arm, solution.signs, |_| *solution);
-        self.complete(solution);
+        let left = self.go(arm, signs, |signs| Self::of(arm, signs, solution));
+        if self.is_open {
+            self.complete(&Self::of(arm, signs, solution));
+        }
         left
     }
 

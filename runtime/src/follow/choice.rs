@@ -10,14 +10,14 @@ use crate::solution::Solution;
 pub(super) struct Candidate<T, const N: usize> {
     pub(super) q: [T; N],
     pub(super) within_limits: bool,
-    pub(super) branch: Branch,
+    pub(super) solution: Solution<T, N>,
     /// Time of the way at full rates, in ticks.
     pub(super) ticks: T,
 }
 
 impl<T: Scalar, const N: usize> Candidate<T, N> {
     pub(super) fn new(solution: &Solution<T, N>, q: [T; N], ticks: T) -> Self {
-        Self { q, within_limits: solution.is_within_limits(), branch: solution.branch, ticks }
+        Self { q, within_limits: solution.is_within_limits(), solution: *solution, ticks }
     }
 }
 

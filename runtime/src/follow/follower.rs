@@ -74,7 +74,7 @@ impl Sought {
 /// The solutions of a target, as the arm sees them.
 enum Seen<T, const N: usize> {
     /// One is reached in this tick.
-    Reached([T; N], Aspect),
+    Reached(Solution<T, N>, Signs),
     /// None is.
     Apart(Choice<T, N>),
 }
@@ -143,7 +143,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             return self.stop(arm);
         }
         let choice = match seen {
-            Seen::Reached(q, aspect) => return self.arrive(arm, &interval, &q, &aspect),
+            Seen::Reached(solution, signs) => return self.arrive(arm, &interval, &solution, signs),
             Seen::Apart(choice) => choice,
         };
         let aim = self.choose(arm, target, &choice);
@@ -243,7 +243,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     ) -> Seen<T, N> {
         self.solve(arm, target, sought.branch(), found);
         match (self.exact(arm, target, found.as_ref(), interval), sought) {
-            (Some((q, aspect)), _) => Seen::Reached(q, aspect),
+            (Some((solution, signs)), _) => Seen::Reached(solution, signs),
             (None, Sought::Followed(_)) => Seen::Apart(Choice::NONE),
             (None, _) => Seen::Apart(self.choice(arm, target, found.as_ref())),
         }
@@ -254,7 +254,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         match (sought, seen) {
             (Sought::All, _) | (Sought::EitherWrist(_), Seen::Reached(..)) => true,
             (Sought::EitherWrist(_), Seen::Apart(choice)) => choice.own.is_some(),
-            (Sought::Followed(_), Seen::Reached(_, aspect)) => !aspect.signs.differ(self.wanted.signs),
+            (Sought::Followed(_), Seen::Reached(_, signs)) => !signs.differ(self.wanted.signs),
             (Sought::Followed(_), Seen::Apart(_)) => false,
         }
     }
@@ -266,7 +266,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         target: &A::Target,
         solutions: &[Solution<T, N>],
         interval: &Interval<T, N>,
-    ) -> Option<([T; N], Aspect)> {
+    ) -> Option<(Solution<T, N>, Signs)> {
         let mut meeting = None;
         let mut own_fits = false;
         for solution in solutions.iter().filter(|solution| solution.is_exact() && solution.is_within_limits()) {
@@ -274,15 +274,15 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             if !self.fits(arm, &solution.q, &way, interval) {
                 continue;
             }
-            let aspect = Aspect::of(arm, solution, target);
-            let is_followed = || !aspect.signs.differ(self.wanted.signs);
+            let signs = Signs::at(arm, &solution.q, Some(target));
+            let is_followed = || !signs.differ(self.wanted.signs);
             let own = self.sent.map_or_else(is_followed, |sent| sent.agrees_with(solution.branch));
             own_fits |= own;
             if own && self.follows_on() {
-                return Some((solution.q, aspect));
+                return Some((*solution, signs));
             }
             if !own && self.sent.is_none() && meeting.is_none() {
-                meeting = Some((solution.q, aspect));
+                meeting = Some((*solution, signs));
             }
         }
         meeting.filter(|_| !own_fits)
@@ -306,16 +306,17 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         &mut self,
         arm: &A,
         interval: &Interval<T, N>,
-        q: &[T; N],
-        aspect: &Aspect,
+        solution: &Solution<T, N>,
+        signs: Signs,
     ) -> Step<T, N> {
+        let q = &solution.q;
         self.step = interval.cut(self.way(q));
         (self.q, self.evaluated) = (*q, None);
         self.goal = Some(*q);
         self.left = Some([T::ZERO; 6]);
         (self.under_way, self.allowed) = (T::ZERO, T::ZERO);
         (self.sent, self.strayed_from, self.stuck) = (None, None, T::ZERO);
-        let crossed = self.here.arrive(arm, aspect);
+        let crossed = self.here.arrive(arm, signs, solution);
         self.wanted = self.here;
         self.state(Tracking::Exact, [T::ZERO; 6], crossed)
     }
@@ -337,7 +338,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     /// Follows the branch of a candidate from now on.
     fn follow<A: InverseKinematics<T, N>>(&mut self, arm: &A, target: &A::Target, candidate: &Candidate<T, N>) {
         let signs = Signs::at(arm, &candidate.q, Some(target));
-        self.wanted = Aspect::new(signs, candidate.branch);
+        self.wanted.go(arm, signs, |signs| Aspect::of(arm, signs, &candidate.solution));
         self.goal = None;
     }
 

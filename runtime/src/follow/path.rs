@@ -4,6 +4,7 @@ use super::advance::{Advance, Progress};
 use super::aspect::Aspect;
 use super::bounds::Bounds;
 use super::settings::{FollowError, FollowSettings};
+use super::signs::Signs;
 use super::step::Tracking;
 use crate::arm::InverseKinematics;
 use crate::branch::Branch;
@@ -87,7 +88,8 @@ impl<T: Scalar, const N: usize> PathFollower<T, N> {
         self.at = if trial.advance >= rest { end } else { before + trial.advance };
         self.rate = trial.advance;
         let period = self.settings.period;
-        let crossed = self.here.arrive(arm, &Aspect::of(arm, &trial.solution, &path(self.at)));
+        let signs = Signs::at(arm, &self.q, Some(&path(self.at)));
+        let crossed = self.here.arrive(arm, signs, &trial.solution);
         let is_slow = trial.advance < T::from_f64(1e-4) * period && trial.share < T::from_f64(0.3);
         // An advance below the rounding of the time is none, whatever the joints do meanwhile.
         let creeps = is_slow || self.at <= before;

@@ -69,11 +69,6 @@ impl Signs {
     pub(super) const fn differ_in(self, other: Self, place: usize) -> bool {
         place < MOST && self.above & other.below | self.below & other.above == 1 << place
     }
-
-    /// Returns true if a factor has no sign.
-    pub(super) const fn are_open(self) -> bool {
-        self.open != 0
-    }
 }
 
 /// Returns true if joint values near `q` have the signs that `q` has, but for that of the wrist. `steps`: the sum of what the
