@@ -227,6 +227,24 @@ fn an_exact_path_goes_on_along_the_branch_that_it_meets() {
     }
 }
 
+/// The tick in the middle of the path is at a straight wrist, where joints 4 and 6 could share their motion in any way.
+#[test]
+fn an_exact_path_goes_through_a_singular_tick_at_its_speed() {
+    let (a, b) = ([0.1, -0.3, 0.2, 0.2, -0.4, -0.4], [0.5, -0.6, 0.1, 0.8, 0.4, 0.3]);
+    let mut settings = FollowSettings::new(0.002, Rates { velocity: [3.0; 6], acceleration: [25.0; 6] });
+    for crossing in [Crossing::Exact, Crossing::Wrist] {
+        settings = settings.crossing(crossing);
+        let mut follower = Follower::new(&Irb2400, settings, &a).unwrap();
+        let mut found = Irb2400.inverse(&Irb2400.forward(&a));
+        for tick in 1..=1600 {
+            let q = between(&a, &b, tick);
+            assert!(tick != 750 || q[4] == 0.0);
+            let step = follower.step(&Irb2400, &Irb2400.forward(&q), &mut found);
+            assert!(step.tracking.is_exact(), "{crossing:?}, tick {tick}: {step:?}");
+        }
+    }
+}
+
 /// At a straight wrist both names fit: the wrist has none. The first regular tick gives it one, and a deviation from there on
 /// goes as from a regular start.
 #[test]

@@ -135,9 +135,10 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     ) -> Step<T, N> {
         let interval = self.bounds.interval(&self.q, &self.step);
         let sought = self.sought(arm, &interval);
-        let mut seen = self.look(arm, target, sought, &interval, found);
+        let mut seen = self.look(arm, target, sought, &self.q, &interval, found);
         if !self.suffices(sought, &seen) {
-            seen = self.look(arm, target, Sought::All, &interval, found);
+            let from = if self.was_exact() { self.expected() } else { self.q };
+            seen = self.look(arm, target, Sought::All, &from, &interval, found);
         }
         if matches!(A::status(found), Status::BadTarget) {
             return self.stop(arm);
@@ -201,13 +202,21 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         self.bounds.way(&self.q, to)
     }
 
-    /// The solutions on the branches that agree with `branch`; more where the arm's branches have no names.
-    fn solve<A: InverseKinematics<T, N>>(&self, arm: &A, target: &A::Target, branch: Branch, found: &mut A::Solutions) {
-        if A::TAKES_VALUES && self.settings.held {
-            arm.inverse_near_into(target, &self.q, found);
-        } else {
-            arm.inverse_branch_near_into(target, branch, &self.q, found);
+    /// Returns true if the last tick was exact.
+    fn was_exact(&self) -> bool {
+        self.left == Some([T::ZERO; 6])
+    }
+
+    /// Where the joints would be if they went on as they go. Of a family of solutions the accelerations reach the member that is
+    /// nearest to it, and not the one at which a free joint stands still.
+    fn expected(&self) -> [T; N] {
+        let rooms = self.bounds.rooms(&self.q);
+        let mut expected = self.q;
+        let steps = self.bounds.to_joints(self.step);
+        for ((q, step), (low, high)) in expected.iter_mut().zip(steps).zip(rooms.low.iter().zip(&rooms.high)) {
+            *q += super::brake::clamp(step, *low, *high);
         }
+        expected
     }
 
     /// The branches on which the solution of this tick is looked for first.
@@ -219,7 +228,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             return Sought::All;
         }
         let followed = self.wanted.branch;
-        if self.left == Some([T::ZERO; 6]) {
+        if self.was_exact() {
             return Sought::Followed(followed);
         }
         let leaves_the_branch = self.here.signs.differ(self.wanted.signs) || self.has_waited();
@@ -232,16 +241,21 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         if near { Sought::EitherWrist(followed.with_any_wrist()) } else { Sought::All }
     }
 
-    /// What the solutions on some branches are to the arm.
+    /// What the solutions on some branches, next to joint values, are to the arm.
     fn look<A: InverseKinematics<T, N>>(
         &self,
         arm: &A,
         target: &A::Target,
         sought: Sought,
+        from: &[T; N],
         interval: &Interval<T, N>,
         found: &mut A::Solutions,
     ) -> Seen<T, N> {
-        self.solve(arm, target, sought.branch(), found);
+        if A::TAKES_VALUES && self.settings.held {
+            arm.inverse_near_into(target, from, found);
+        } else {
+            arm.inverse_branch_near_into(target, sought.branch(), from, found);
+        }
         match (self.exact(arm, target, found.as_ref(), interval), sought) {
             (Some((solution, signs)), _) => Seen::Reached(solution, signs),
             (None, Sought::Followed(_)) => Seen::Apart(Choice::NONE),
@@ -249,10 +263,11 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         }
     }
 
-    /// Returns true if no branch beside those that were sought matters.
+    /// Returns true if no solution beside those that were sought matters.
     fn suffices(&self, sought: Sought, seen: &Seen<T, N>) -> bool {
         match (sought, seen) {
-            (Sought::All, _) | (Sought::EitherWrist(_), Seen::Reached(..)) => true,
+            (Sought::All | Sought::EitherWrist(_), Seen::Reached(..)) => true,
+            (Sought::All, Seen::Apart(_)) => !self.was_exact(),
             (Sought::EitherWrist(_), Seen::Apart(choice)) => choice.own.is_some(),
             (Sought::Followed(_), Seen::Reached(_, signs)) => !signs.differ(self.wanted.signs),
             (Sought::Followed(_), Seen::Apart(_)) => false,
@@ -338,7 +353,10 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     /// Follows the branch of a candidate from now on.
     fn follow<A: InverseKinematics<T, N>>(&mut self, arm: &A, target: &A::Target, candidate: &Candidate<T, N>) {
         let signs = Signs::at(arm, &candidate.q, Some(target));
-        self.wanted.go(arm, signs, |signs| Aspect::of(arm, signs, &candidate.solution));
+        let named = |signs| Aspect::of(arm, signs, &candidate.solution);
+        if self.wanted.go(arm, signs, named).is_none() {
+            self.wanted = named(signs);
+        }
         self.goal = None;
     }
 
