@@ -241,7 +241,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         if near { Sought::EitherWrist(followed.with_any_wrist()) } else { Sought::All }
     }
 
-    /// What the solutions on some branches, next to joint values, are to the arm.
+    /// The solutions on some branches, next to joint values, as the arm sees them.
     fn look<A: InverseKinematics<T, N>>(
         &self,
         arm: &A,
