@@ -25,7 +25,7 @@ fn beside<T: Scalar>() -> T {
 }
 
 impl Aspect {
-    /// The one of joint values. `found` is overwritten.
+    /// Aspect of joint values. `found` is overwritten.
     ///
     /// Every inverse of a follower is `inverse_branch_near_into`: in the memory of a microcontroller the code of the branches
     /// stands once.
@@ -42,8 +42,8 @@ impl Aspect {
         nearest.map_or(Self { signs, branch: Branch::NONE, is_open: true }, |nearest| Self::of(arm, signs, nearest))
     }
 
-    /// The one of a solution where the factors have these signs. Numbers of roots are left out of its name: they mean something
-    /// at one target only.
+    /// Aspect of a solution where the factors have these signs. The name has no numbers of roots: these mean something at one
+    /// target only.
     pub(super) fn of<A: InverseKinematics<T, N>, T: Scalar, const N: usize>(
         arm: &A,
         signs: Signs,

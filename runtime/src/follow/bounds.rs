@@ -134,6 +134,17 @@ impl<T: Scalar, const N: usize> Bounds<T, N> {
         rooms
     }
 
+    /// The joint values after a step of the motors from `q`, within their ranges.
+    pub(super) fn after(&self, q: &[T; N], step: [T; N]) -> [T; N] {
+        let (rooms, mut after) = (self.rooms(q), *q);
+        for ((q, step), (low, high)) in
+            after.iter_mut().zip(self.to_joints(step)).zip(rooms.low.iter().zip(&rooms.high))
+        {
+            *q += clamp(step, *low, *high);
+        }
+        after
+    }
+
     /// The intervals of the next step at `q`, after a `step`: by velocity, by acceleration, and so that the motor can
     /// brake before the end of its range. They are never empty from rest on.
     pub(super) fn interval(&self, q: &[T; N], step: &[T; N]) -> Interval<T, N> {

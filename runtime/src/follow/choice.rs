@@ -9,7 +9,7 @@ use crate::solution::Solution;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Candidate<T, const N: usize> {
     pub(super) q: [T; N],
-    pub(super) within_limits: bool,
+    /// The solution itself, on the turns that are nearest.
     pub(super) solution: Solution<T, N>,
     /// Time of the way at full rates, in ticks.
     pub(super) ticks: T,
@@ -17,7 +17,7 @@ pub(super) struct Candidate<T, const N: usize> {
 
 impl<T: Scalar, const N: usize> Candidate<T, N> {
     pub(super) fn new(solution: &Solution<T, N>, q: [T; N], ticks: T) -> Self {
-        Self { q, within_limits: solution.is_within_limits(), solution: *solution, ticks }
+        Self { q, solution: *solution, ticks }
     }
 }
 
@@ -60,7 +60,7 @@ impl<T: Scalar, const N: usize> Choice<T, N> {
     pub(super) fn made(&self, second: T) -> Option<(Candidate<T, N>, bool)> {
         let part = |share: f64| T::from_f64(share) * second;
         let worth = |other: &Candidate<T, N>| match &self.own {
-            Some(own) if own.within_limits => {
+            Some(own) if own.solution.is_within_limits() => {
                 other.ticks < T::from_f64(0.8) * own.ticks && other.ticks < part(0.4) && own.ticks > T::TWO
             }
             Some(_) => false,

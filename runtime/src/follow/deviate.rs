@@ -67,7 +67,7 @@ impl<T: Scalar, const N: usize> Aim<T, N> {
             kind == JointKind::Revolute && (*goal - *q).abs() > T::from_f64(TURN) && jumps(joint, *goal)
         };
         let wound = goal.iter().zip(q.iter().zip(arm.joint_kinds())).enumerate().any(turns);
-        if candidate.within_limits && !wound {
+        if candidate.solution.is_within_limits() && !wound {
             return Self { goal: Some(goal), tracking: Tracking::Rates, held: JointMask::NONE, ticks: candidate.ticks };
         }
         let mut held = JointMask::NONE;

@@ -55,9 +55,9 @@ pub struct Follower<T, const N: usize> {
 enum Sought {
     /// All.
     All,
-    /// The one that is followed: an exact tick goes on there.
+    /// The branch that is followed: an exact tick goes on there.
     Followed(Branch),
-    /// That one, and the one beyond the singularity of the wrist: no other is within a step, or allowed.
+    /// The branch that is followed, and the one beyond the singularity of the wrist: no other is within a step, or allowed.
     EitherWrist(Branch),
 }
 
@@ -210,13 +210,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     /// Where the joints would be if they went on as they go. Of a family of solutions the accelerations reach the member that is
     /// nearest to it, and not the one at which a free joint stands still.
     fn expected(&self) -> [T; N] {
-        let rooms = self.bounds.rooms(&self.q);
-        let mut expected = self.q;
-        let steps = self.bounds.to_joints(self.step);
-        for ((q, step), (low, high)) in expected.iter_mut().zip(steps).zip(rooms.low.iter().zip(&rooms.high)) {
-            *q += super::brake::clamp(step, *low, *high);
-        }
-        expected
+        self.bounds.after(&self.q, self.step)
     }
 
     /// The branches on which the solution of this tick is looked for first.
@@ -237,8 +231,11 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         if leaves_the_branch || goes_anywhere || none_is_known {
             return Sought::All;
         }
-        let near = the_wrist_alone_changes(arm, &self.q, interval.longest(self.weights.units()));
-        if near { Sought::EitherWrist(followed.with_any_wrist()) } else { Sought::All }
+        if the_wrist_alone_changes(arm, &self.q, interval.longest(self.weights.units())) {
+            Sought::EitherWrist(followed.with_any_wrist())
+        } else {
+            Sought::All
+        }
     }
 
     /// The solutions on some branches, next to joint values, as the arm sees them.
@@ -453,11 +450,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     /// Moves the joints by a step of the motors.
     fn advance(&mut self, step: [T; N]) {
         self.evaluated = None;
-        let rooms = self.bounds.rooms(&self.q);
-        let joints = self.bounds.to_joints(step);
-        for ((q, step), (low, high)) in self.q.iter_mut().zip(joints).zip(rooms.low.iter().zip(&rooms.high)) {
-            *q += super::brake::clamp(step, *low, *high);
-        }
+        self.q = self.bounds.after(&self.q, step);
         self.step = step;
     }
 

@@ -148,7 +148,8 @@ impl<'a, A: InverseKinematics<T, N>, T: Scalar, const N: usize> Watch<'a, A, T, 
         let flipped = |(a, b): (&f64, &f64)| a * b < 0.0 && a.abs().min(b.abs()) > 64.0 * T::EPSILON.to_f64();
         let changed = now.iter().zip(&self.factors).any(flipped);
         run.expect(!changed || step.crossed.is_some(), "a factor changed its sign without a word");
-        // A component that a singularity leaves open may get its name.
+        // A component that a singularity leaves open has no name there, and gets one beside it without a crossing: no name
+        // changes or goes. The check below compares names with those of the inverse.
         let renamed = self.last.is_some_and(|last| !agree(last.branch, step.branch));
         run.expect(!renamed || step.crossed.is_some(), "the branch changed without a word");
         self.ticks += 1;
