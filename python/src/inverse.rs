@@ -3,7 +3,7 @@
 use std::sync::Mutex;
 
 use denhart::batch::Found as Outcome;
-use denhart::{Branch, Elbow, Flags, Pose, Shoulder, Status, Wrist};
+use denhart::{Branch, Elbow, Flags, Shoulder, Status, Wrist};
 use denhart_dynamic::{DynamicArm, DynamicError, DynamicSolutions, DynamicTarget};
 use numpy::{PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
@@ -272,7 +272,9 @@ impl<'a> Targets<'a> {
             }
         };
         if poses {
-            for (index, matrix) in numbers.chunks_exact(width).enumerate() {
+            let is_exact = |matrix: &&[f64]| matches!(matrix, [.., 0.0, 0.0, 0.0, 1.0]);
+            let matrices = numbers.chunks_exact(width).enumerate();
+            for (index, matrix) in matrices.filter(|(_, matrix)| !is_exact(matrix)) {
                 target::of_matrix(matrix).map_err(|message| error::value(format!("{name}[{index}]: {message}")))?;
             }
         }
@@ -302,9 +304,9 @@ impl<'a> Targets<'a> {
         if !self.poses {
             return to.extend_from_slice(numbers);
         }
+        // The last row of most poses is exact.
         if self.task == "pose"
-            && let Ok(Pose { rotation: [[a, b, c], [d, e, f], [g, h, i]], translation: [x, y, z] }) =
-                target::of_matrix(numbers)
+            && let &[a, b, c, x, d, e, f, y, g, h, i, z, 0.0, 0.0, 0.0, 1.0] = numbers
         {
             return to.extend_from_slice(&[a, b, c, d, e, f, g, h, i, x, y, z]);
         }
@@ -515,23 +517,15 @@ impl Memory {
         let turns = Turns::of(arm, drop);
         let outcomes = count.iter_mut().zip(status).zip(deviation);
         for ((found, (q, flags)), ((count, status), deviation)) in self.found.iter().zip(places).zip(outcomes) {
-            let mut listed = 0;
-            for (number, facts) in found.flags().iter().enumerate() {
-                let mut facts = *facts;
-                if turns.drop() && facts.contains(Flags::OUT_OF_LIMITS) {
-                    if !q.get_mut(number * joints..(number + 1) * joints).is_some_and(|q| turns.turn(q)) {
-                        continue;
+            let listed = match turns.drop() {
+                true => within_limits(&turns, found, q, flags, joints),
+                false => {
+                    for (place, facts) in flags.iter_mut().zip(found.flags()) {
+                        *place = bits(*facts);
                     }
-                    facts.remove(Flags::OUT_OF_LIMITS);
+                    found.flags().len()
                 }
-                if number != listed {
-                    moved(q, number * joints, listed * joints, joints);
-                }
-                if let Some(place) = flags.get_mut(listed) {
-                    *place = bits(facts);
-                }
-                listed += 1;
-            }
+            };
             q.iter_mut().skip(listed * joints).for_each(|place| *place = f64::NAN);
             flags.iter_mut().skip(listed).for_each(|place| *place = 0);
             *count = i64::try_from(listed).unwrap_or(i64::MAX);
@@ -540,6 +534,28 @@ impl Memory {
         }
         Ok(())
     }
+}
+
+/// Keeps the solutions within the limits, on the turns that are inside. Returns their number.
+fn within_limits(turns: &Turns<'_>, found: &Outcome, q: &mut [f64], flags: &mut [u8], joints: usize) -> usize {
+    let mut listed = 0;
+    for (number, facts) in found.flags().iter().enumerate() {
+        let mut facts = *facts;
+        if facts.contains(Flags::OUT_OF_LIMITS) {
+            if !q.get_mut(number * joints..(number + 1) * joints).is_some_and(|q| turns.turn(q)) {
+                continue;
+            }
+            facts.remove(Flags::OUT_OF_LIMITS);
+        }
+        if number != listed {
+            moved(q, number * joints, listed * joints, joints);
+        }
+        if let Some(place) = flags.get_mut(listed) {
+            *place = bits(facts);
+        }
+        listed += 1;
+    }
+    listed
 }
 
 /// Copies some numbers to an earlier place.

@@ -7,6 +7,7 @@ use std::cell::RefCell;
 use std::f64::consts::PI;
 use std::hint::black_box;
 use std::path::Path;
+use std::sync::mpsc;
 use std::thread;
 
 use denhart::batch::{self, BatchArm, BatchInverse, Found, InstructionSet};
@@ -111,42 +112,53 @@ where
     drop(out);
 
     let out = RefCell::new(vec![[[0.0; 6]; 8]; n]);
-    let mut cases = vec![Case::of_many("inverse, single calls, generated", n, || {
-        for target in &poses {
-            black_box(generated.inverse(target));
+    thread::scope(|scope| {
+        let mut cases = vec![Case::of_many("inverse, single calls, generated", n, || {
+            for target in &poses {
+                black_box(generated.inverse(target));
+            }
+        })];
+        for (set, arm) in &sets {
+            cases.push(Case::of_many(&format!("inverse, generated, {set}"), n, || {
+                let found = &mut kept.borrow_mut().found;
+                batch::inverse_with(*set, generated, &poses, &mut out.borrow_mut(), found).unwrap();
+                black_box(&out);
+            }));
+            cases.push(Case::of_many(&format!("inverse, dynamic, {set}"), n, || {
+                let Kept { q, found, .. } = &mut *kept.borrow_mut();
+                arm.inverse_batch(targets, &[], q, found).unwrap();
+                black_box(q);
+            }));
         }
-    })];
-    for (set, arm) in &sets {
-        cases.push(Case::of_many(&format!("inverse, generated, {set}"), n, || {
-            let found = &mut kept.borrow_mut().found;
-            batch::inverse_with(*set, generated, &poses, &mut out.borrow_mut(), found).unwrap();
-            black_box(&out);
-        }));
-        cases.push(Case::of_many(&format!("inverse, dynamic, {set}"), n, || {
-            let Kept { q, found, .. } = &mut *kept.borrow_mut();
-            arm.inverse_batch(targets, &[], q, found).unwrap();
-            black_box(q);
-        }));
-    }
-    if let Some((set, arm)) = sets.last() {
-        let half = n / 2;
-        cases.push(Case::of_many(&format!("inverse, dynamic, {set}, two threads"), n, move || {
-            let Kept { q, found, .. } = &mut *kept.borrow_mut();
-            let ((first, second), (q, r)) = (targets.split_at(12 * half), q.split_at_mut(48 * half));
-            let (found, others) = found.split_at_mut(half);
-            thread::scope(|scope| {
-                scope.spawn(move || arm.inverse_batch(first, &[], q, found).unwrap());
-                arm.inverse_batch(second, &[], r, others).unwrap();
+        if let Some((set, arm)) = sets.last() {
+            // Two threads, each with its half and its memory: the second one waits for its next pass, as in a pool.
+            let (first, second) = targets.split_at(12 * (n / 2));
+            let (pass, passes) = mpsc::channel();
+            let (done, results) = mpsc::channel();
+            scope.spawn(move || {
+                let rows = second.len() / 12;
+                let (mut q, mut found) = (vec![0.0; 48 * rows], vec![Found::NOTHING; rows]);
+                for () in passes {
+                    arm.inverse_batch(second, &[], &mut q, &mut found).unwrap();
+                    done.send(black_box(&q).len()).unwrap();
+                }
             });
-        }));
-        // Each pass has new memory, as a function that returns an array has.
-        cases.push(Case::of_many(&format!("inverse, dynamic, {set}, new memory"), n, || {
-            let (mut q, mut found) = (vec![0.0; 48 * n], vec![Found::NOTHING; n]);
-            arm.inverse_batch(targets, &[], &mut q, &mut found).unwrap();
-            black_box(&mut q);
-        }));
-    }
-    println!("{}", compare(&title, cases, rounds));
+            cases.push(Case::of_many(&format!("inverse, dynamic, {set}, two threads"), n, move || {
+                let Kept { q, found, .. } = &mut *kept.borrow_mut();
+                let rows = first.len() / 12;
+                pass.send(()).unwrap();
+                arm.inverse_batch(first, &[], &mut q[..48 * rows], &mut found[..rows]).unwrap();
+                results.recv().unwrap();
+            }));
+            // Each pass has new memory, as a function that returns an array has.
+            cases.push(Case::of_many(&format!("inverse, dynamic, {set}, new memory"), n, || {
+                let (mut q, mut found) = (vec![0.0; 48 * n], vec![Found::NOTHING; n]);
+                arm.inverse_batch(targets, &[], &mut q, &mut found).unwrap();
+                black_box(&mut q);
+            }));
+        }
+        println!("{}", compare(&title, cases, rounds));
+    });
     drop(out);
 
     let mut cases = vec![Case::of_many("inverse_near, single calls, generated", n, || {
@@ -170,7 +182,7 @@ fn main() {
     for (size, n) in SIZES {
         let (n, rounds) = match (test, n) {
             (true, _) => (64, 1),
-            (false, 1_000_000) => (n, 5),
+            (false, 1_000_000) => (n, 11),
             (false, _) => (n, 51),
         };
         table("../specs/ur5.yaml", &Ur5, (size, n), rounds);

@@ -45,6 +45,8 @@ pub struct Line {
     pub name: String,
     pub nanoseconds: Spread,
     pub ratio: Spread,
+    /// The least time of all rounds over the least one of the first case: other work on the machine adds nothing to it.
+    pub least: f64,
 }
 
 /// Tenth percentile, median and ninetieth percentile over the rounds.
@@ -76,9 +78,11 @@ pub fn compare(title: &str, mut cases: Vec<Case<'_>>, rounds: usize) -> Table {
         }
     }
     let yardstick = times.first().cloned().unwrap_or_default();
+    let least = |times: &[f64]| times.iter().copied().fold(f64::INFINITY, f64::min);
     let lines = cases.into_iter().zip(times).map(|(case, times)| {
         let ratios = times.iter().zip(&yardstick).map(|(time, unit)| time / unit).collect();
-        Line { name: case.name, nanoseconds: Spread::of(times), ratio: Spread::of(ratios) }
+        let least = least(&times) / least(&yardstick);
+        Line { name: case.name, nanoseconds: Spread::of(times), ratio: Spread::of(ratios), least }
     });
     Table { title: title.to_owned(), lines: lines.collect() }
 }
@@ -138,11 +142,15 @@ impl Table {
 
 impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{:<44} {:>9} {:>19} {:>8} {:>15}", self.title, "ns/call", "10 to 90 %", "ratio", "10 to 90 %")?;
-        for Line { name, nanoseconds: ns, ratio } in &self.lines {
+        writeln!(
+            f,
+            "{:<44} {:>9} {:>19} {:>8} {:>15} {:>9}",
+            self.title, "ns/call", "10 to 90 %", "ratio", "10 to 90 %", "of least"
+        )?;
+        for Line { name, nanoseconds: ns, ratio, least } in &self.lines {
             writeln!(
                 f,
-                "  {name:<42} {:>9.1} {:>8.1} to {:>7.1} {:>8.3} {:>6.3} to {:>5.3}",
+                "  {name:<42} {:>9.1} {:>8.1} to {:>7.1} {:>8.3} {:>6.3} to {:>5.3} {least:>9.3}",
                 ns.median, ns.low, ns.high, ratio.median, ratio.low, ratio.high,
             )?;
         }
