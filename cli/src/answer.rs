@@ -7,7 +7,6 @@ use serde_json::{Value, json};
 
 use crate::Failure;
 use crate::forward::pose_json;
-use crate::hints;
 use crate::numbers::{Units, count, outside, short};
 use crate::table::{aligned, fixed};
 use crate::target::{Target, listed};
@@ -138,15 +137,8 @@ impl<'a> Answer<'a> {
         if !self.solutions.is_complete() {
             hints.push("the bound of the call was reached: further solutions may exist".to_owned());
         }
-        if !self.solutions.status().is_reachable()
-            && let Ok(inverse) = &self.arm.program().inverse
-        {
-            let point = match &self.asked.target.target {
-                DynamicTarget::PlanarPose(asked) => &[asked.x, asked.y][..],
-                DynamicTarget::PlanarPosition(point) => point,
-                _ => &self.asked.target.pose.translation,
-            };
-            hints.extend(hints::of_point(point, self.arm.length_unit(), inverse.constants.reach));
+        if !self.solutions.status().is_reachable() {
+            hints.extend(self.asked.target.hint_of_unit(self.arm));
         }
         hints
     }

@@ -201,6 +201,29 @@ fn where_no_continuous_path_exists_time_branch_and_reason_are_named() {
 }
 
 #[test]
+fn the_first_pose_that_no_joints_reach_is_named() {
+    let velocity = ["180"; 6].join(" ");
+    let follow = |more: &[&str], text: &str| {
+        let output = fed(&[&["follow", UR5, "--path", "-", "--max-velocity", &velocity][..], more].concat(), text);
+        assert_eq!(output.status.code(), Some(3), "{output:?}");
+        said(&output.stderr)
+    };
+    let timed = "0 0.3 0.2 0.4 180 0 0\n1 0.3 3 0.4 180 0 0\n2 0.3 4 0.4 180 0 0\n3 0.3 0.2 0.4 180 0 0\n";
+    let wanted = "<stdin>:2: no joint values reach this pose, nor those of 1 other line\n";
+    for more in [&[][..], &["--keep", "time"]] {
+        let told = follow(more, timed);
+        assert!(told.ends_with(wanted), "{told}");
+    }
+    let told = follow(&[], "300 200 400 180 0 0\n300 300 400 180 0 0\n");
+    assert!(
+        told.contains("<stdin>:1: no joint values") && told.contains("if it is in mm, write 0.3, 0.2, 0.4"),
+        "{told}"
+    );
+    let told = follow(&["--keep", "time"], "0 3 0 0.4 180 0 0\n1 0.3 0.3 0.4 180 0 0\n");
+    assert!(told.starts_with("error: no motion begins: no joint values within the limits"), "{told}");
+}
+
+#[test]
 fn bad_input_names_its_place_and_the_way_out() {
     let good = "0 0.3 -0.2 0.4 180 0 0\n1 0.3 0.2 0.4 180 0 0\n";
     let six = |value: &str| [value; 6].join(" ");
@@ -238,6 +261,21 @@ fn bad_input_names_its_place_and_the_way_out() {
         ("x,y,t\n1,2,3\n", &[], &["<stdin>:1: the columns x, y, t are no target of the task `pose`"]),
         (good, &["--period", "0"], &["--period: 0 is no time between rows", "above 0, such as 0.001"]),
         (good, &["--period", "1e-9"], &["--period: 0.000000001 s gives ", "write a longer one"]),
+        (
+            good,
+            &["--keep", "time", "--tolerance", "1"],
+            &["--tolerance: a tool that keeps the time", "or keep the path"],
+        ),
+        (
+            "{\"positon\": [0.3, -0.2, 0.4], \"rpy\": [180, 0, 0]}\n",
+            &[],
+            &["<stdin>:1: the key `positon` is not known", "help: did you mean `position`?"],
+        ),
+        (
+            "t,x,y,z,rol,pitch,yaw\n0,0.3,-0.2,0.4,180,0,0\n",
+            &[],
+            &["<stdin>:1: the columns t, x, y, z, rol", "help: did you mean `roll` by `rol`?"],
+        ),
         (good, &["--tolerance", "0"], &["--tolerance: 0 is no distance", "in mm, such as 0.1"]),
         (
             good,
@@ -305,6 +343,19 @@ fn rates_of_the_file_and_a_redundant_joint() {
     let told = said(&denhart(&["follow", &arm, "--path", &path]).stderr);
     assert!(told.contains("leaves q1 to choose\nhelp: add --given"), "{told}");
     assert!(told.contains("or --start with the joint values to begin at") && !told.contains("--near"), "{told}");
+    let lines = |second: &str| {
+        format!(
+            "{{\"position\": [0.7, 0.2], \"phi\": 20, \"given\": 10}}\n{{\"position\": [0.6, 0.2], \"phi\": 20{second}}}\n"
+        )
+    };
+    for (second, more, part) in [
+        ("", &[][..], "<stdin>:2: no `given`, but the first pose has one\nhelp: write it in every line"),
+        (", \"given\": 10", &["--given", "10"], "--given: the poses of <stdin> have `given` of their own"),
+        (", \"givn\": 10", &[], "<stdin>:2: the key `givn` is not known\nhelp: did you mean `given`?"),
+    ] {
+        let told = said(&fed(&[&["follow", &arm, "--path", "-"][..], more].concat(), &lines(second)).stderr);
+        assert!(told.contains(part), "{told}");
+    }
     let start = rows[0][1..5].iter().map(f64::to_string).collect::<Vec<_>>().join(" ");
     let from = columns(&said(&denhart(&["follow", &arm, "--path", &path, "--start", &start]).stdout));
     assert_eq!(from.len(), rows.len());

@@ -3,7 +3,7 @@
 use std::sync::Mutex;
 
 use denhart::batch::Found as Outcome;
-use denhart::{Branch, Elbow, Flags, Shoulder, Status, Wrist};
+use denhart::{Branch, Elbow, Flags, Pose, Shoulder, Status, Wrist};
 use denhart_dynamic::{DynamicArm, DynamicError, DynamicSolutions, DynamicTarget};
 use numpy::{PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
@@ -304,11 +304,14 @@ impl<'a> Targets<'a> {
         if !self.poses {
             return to.extend_from_slice(numbers);
         }
-        // The last row of most poses is exact.
-        if self.task == "pose"
-            && let &[a, b, c, x, d, e, f, y, g, h, i, z, 0.0, 0.0, 0.0, 1.0] = numbers
-        {
-            return to.extend_from_slice(&[a, b, c, d, e, f, g, h, i, x, y, z]);
+        if self.task == "pose" {
+            // The last row of most is exact.
+            if let &[a, b, c, x, d, e, f, y, g, h, i, z, 0.0, 0.0, 0.0, 1.0] = numbers {
+                return to.extend_from_slice(&[a, b, c, d, e, f, g, h, i, x, y, z]);
+            }
+            if let Ok(Pose { rotation, translation }) = target::of_matrix(numbers) {
+                return to.extend(rotation.into_iter().flatten().chain(translation));
+            }
         }
         match self.of(arm, numbers) {
             Some(target) => to.extend(target::numbers(&target)),

@@ -135,6 +135,7 @@ impl Answer {
                     "error: no continuous path beyond {at}{branch}: {reason}\n\
                      help: begin elsewhere with --start, allow more with --tolerance, or keep the time with --keep time"
                 ),
+                Keep::Time if self.motion.rows.is_empty() => format!("error: no motion begins: {reason}"),
                 Keep::Time => format!("error: the arm is away from the path at its end{branch}: {reason}"),
             });
         }

@@ -19,11 +19,11 @@ use crate::Failure;
 use crate::files;
 use crate::inverse::{GivenOrNear, beside};
 use crate::number_arguments::{joint_vector, single_number};
-use crate::numbers::{Units, outside};
+use crate::numbers::{Units, count, outside};
 use crate::progress::Progress;
 use crate::target::{is_standard_input, listed, shown};
 use answer::{Answer, Form};
-use poses::Poses;
+use poses::{Pose, Poses};
 
 /// The progress bar, of the path.
 const BAR: &str = "{wide_bar} {percent} %, {eta} left";
@@ -110,7 +110,8 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
     }
     apart(options)?;
     let arm = crate::inverse::arm(&options.file)?;
-    let (asked, mut remarks) = asked(&arm, options)?;
+    let poses = Poses::read(&arm, &options.path, options.units)?;
+    let (targets, asked, mut remarks) = asked(&arm, options, &poses)?;
     let keep = options.keep.into();
     let mut progress = Progress::new(PARTS as u64, BAR, BETWEEN_LOOKS, !io::stdout().is_terminal());
     let mut watch = |at: f64| {
@@ -119,6 +120,9 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
     };
     let motion = follow(&asked, keep, &mut watch).map_err(|error| refused(&asked, options, error))?;
     drop(progress);
+    if motion.obstacle.is_some() {
+        remarks.extend(out_of_reach(&arm, &poses, &targets, &shown(&options.path))?);
+    }
     let answer = Answer { keep, motion };
     #[cfg(feature = "draw")]
     if let Some(file) = &options.plot
@@ -158,9 +162,18 @@ fn apart(options: &Options) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The task, and remarks about the path.
-fn asked<'a>(arm: &'a DynamicArm, options: &Options) -> Result<(Asked<'a>, Vec<String>), Failure> {
+/// The poses with the values beside them, the task, and remarks about the path.
+fn asked<'a>(
+    arm: &'a DynamicArm,
+    options: &Options,
+    poses: &Poses,
+) -> Result<(Vec<WholeTarget>, Asked<'a>, Vec<String>), Failure> {
     let units = options.units;
+    if options.keep == Keep::Time && options.tolerance.is_some() {
+        let message = "--tolerance: a tool that keeps the time deviates as far as the rates ask for\n\
+                       help: leave --tolerance out, or keep the path";
+        return Err(Failure::Usage(message.to_owned()));
+    }
     let rates = rates::read(arm, options.max_velocity.as_deref(), options.max_acceleration.as_deref(), units)?;
     let start = options.start.as_deref().map(|text| joint_vector("--start", text, arm, units)).transpose()?;
     if let Some(broken) = start.as_deref().and_then(|start| outside(arm, start, units).into_iter().next()) {
@@ -171,18 +184,10 @@ fn asked<'a>(arm: &'a DynamicArm, options: &Options) -> Result<(Asked<'a>, Vec<S
         Some(start) if given.is_empty() => arm.held(start)?,
         _ => given,
     };
-    let poses = Poses::read(arm, &options.path, units)?;
     let name = shown(&options.path);
-    let mut targets = Vec::with_capacity(poses.lines.len());
-    for pose in &poses.lines {
-        let own = if pose.target.given.is_empty() { &given } else { &pose.target.given };
-        if own.len() != arm.given()?.len() {
-            return Err(crate::inverse::not_given(arm, units, "--start with the joint values to begin at")?);
-        }
-        targets.push(WholeTarget::new(pose.target.target, own));
-    }
+    let targets = whole(arm, options, poses, &given)?;
     let asked = Asked::new(arm, &targets, poses.times.as_deref());
-    let mut asked = asked.map_err(|error| no_path(&poses, &name, error))?;
+    let mut asked = asked.map_err(|error| no_path(poses, &name, error))?;
     (asked.start, asked.rates, asked.period) = (start, rates, options.period);
     asked.motor_rates = options.motor_rates;
     if let Some(tolerance) = options.tolerance {
@@ -190,7 +195,50 @@ fn asked<'a>(arm: &'a DynamicArm, options: &Options) -> Result<(Asked<'a>, Vec<S
     }
     let left_out = poses.left_out.join(", ");
     let remarks = if left_out.is_empty() { Vec::new() } else { vec![format!("{name}: left out: {left_out}")] };
-    Ok((asked, remarks))
+    Ok((targets, asked, remarks))
+}
+
+/// The poses with the values beside them: their own, in every line or in none, or else `given`.
+fn whole(arm: &DynamicArm, options: &Options, poses: &Poses, given: &[f64]) -> Result<Vec<WholeTarget>, Failure> {
+    let (name, units) = (shown(&options.path), options.units);
+    let have_own = poses.lines.first().is_some_and(|pose| !pose.target.given.is_empty());
+    if have_own && options.given.is_some() {
+        let message = format!("--given: the poses of {name} have `given` of their own\nhelp: leave one of them out");
+        return Err(Failure::Usage(message));
+    }
+    if let Some(odd) = poses.lines.iter().find(|pose| pose.target.given.is_empty() == have_own) {
+        let (found, wanted) = if have_own { ("no", "has one") } else { ("a", "has none") };
+        return Err(Failure::Usage(format!(
+            "{name}:{}: {found} `given`, but the first pose {wanted}\n\
+             help: write it in every line, or in none and --given for all",
+            odd.number
+        )));
+    }
+    if !have_own && given.len() != arm.given()?.len() {
+        return Err(crate::inverse::not_given(arm, units, "--start with the joint values to begin at")?);
+    }
+    let own = |pose: &Pose| WholeTarget::new(pose.target.target, if have_own { &pose.target.given } else { given });
+    Ok(poses.lines.iter().map(own).collect())
+}
+
+/// Names the first pose that no joint values reach, with a hint if its unit may be another; of others how many they are.
+fn out_of_reach(
+    arm: &DynamicArm,
+    poses: &Poses,
+    targets: &[WholeTarget],
+    name: &str,
+) -> Result<Option<String>, Failure> {
+    let mut missed = Vec::new();
+    for (pose, WholeTarget { target, given }) in poses.lines.iter().zip(targets) {
+        if !arm.inverse(target, given)?.status().is_reachable() {
+            missed.push(pose);
+        }
+    }
+    let [first, rest @ ..] = &missed[..] else { return Ok(None) };
+    let rest =
+        if rest.is_empty() { String::new() } else { format!(", nor those of {}", count(rest.len(), "other line")) };
+    let hint = first.target.hint_of_unit(arm).map(|hint| format!("\nhint: {hint}")).unwrap_or_default();
+    Ok(Some(format!("{name}:{}: no joint values reach this pose{rest}{hint}", first.number)))
 }
 
 /// The failure of what is refused, with the options of the command.

@@ -1,5 +1,6 @@
 //! Targets in JSON: an object of a target, or what `forward --json` and `inverse --json` print.
 
+use denhart_codegen::spec::nearest;
 use denhart_dynamic::DynamicArm;
 use serde_json::{Map, Value};
 
@@ -7,6 +8,28 @@ use super::Target;
 use super::named::Parts;
 use crate::Failure;
 use crate::numbers::Units;
+
+/// The keys of a target's parts.
+const PARTS: [&str; 7] = ["position", "matrix", "quaternion", "rpy", "axis", "angle", "phi"];
+/// The keys beside them that are read.
+const BESIDE: [&str; 5] = ["pose", "target", "given", "angle_unit", "length_unit"];
+/// Keys that the command prints and does not read.
+const PRINTED: [&str; 14] = [
+    "arm",
+    "closest",
+    "complete",
+    "found",
+    "found_within_limits",
+    "hints",
+    "line",
+    "missed",
+    "outside_limits",
+    "q",
+    "rpy_singular",
+    "solutions",
+    "status",
+    "task",
+];
 
 /// The target of a JSON text.
 ///
@@ -27,6 +50,7 @@ fn of_object(arm: &DynamicArm, value: &Value, units: Units) -> Result<Target, Fa
         ))),
     };
     let top = object(value, "")?;
+    check_keys(&top)?;
     let own = arm.length_unit().to_string();
     if let Some(unit) = top.get("length_unit").filter(|unit| unit.as_str() != Some(&own)) {
         return Err(Failure::Usage(format!(
@@ -44,8 +68,20 @@ fn of_object(arm: &DynamicArm, value: &Value, units: Units) -> Result<Target, Fa
         Some((key, value)) => object(value, &format!("`{key}`: "))?,
         None => top.clone(),
     };
+    check_keys(&found)?;
     let target = parts(&found)?.target(arm, units)?;
     Ok(Target { given: given(&top, arm, units)?, ..target })
+}
+
+/// Refuses a key that is a misspelt one. Other keys do not count: they are the user's own.
+fn check_keys(object: &Map<String, Value>) -> Result<(), Failure> {
+    let read = || PARTS.into_iter().chain(BESIDE);
+    for key in object.keys().filter(|key| !read().chain(PRINTED).any(|known| known == *key)) {
+        if let Some(meant) = nearest(key, read()) {
+            return Err(Failure::Usage(format!("the key `{key}` is not known\nhelp: did you mean `{meant}`?")));
+        }
+    }
+    Ok(())
 }
 
 /// The values that the key `given` has for the redundant joints: a number, or a list.

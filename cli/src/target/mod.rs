@@ -93,6 +93,17 @@ impl Target {
         self
     }
 
+    /// A hint for a target out of reach whose point would be within reach in another unit of length.
+    pub fn hint_of_unit(&self, arm: &DynamicArm) -> Option<String> {
+        let reach = arm.program().inverse.as_ref().ok()?.constants.reach;
+        let point = match &self.target {
+            DynamicTarget::PlanarPose(asked) => &[asked.x, asked.y][..],
+            DynamicTarget::PlanarPosition(point) => point,
+            _ => &self.pose.translation,
+        };
+        hints::of_point(point, arm.length_unit(), reach)
+    }
+
     /// The target in words and units.
     pub fn words(&self, arm: &DynamicArm, units: Units) -> Result<String, Failure> {
         words::words(&self.target, arm, units)

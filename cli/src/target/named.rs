@@ -1,6 +1,7 @@
 //! Targets whose numbers have names: the keys of JSON, the columns of a CSV file.
 
 use denhart::{PlanarPose, PointAngle, Pose};
+use denhart_codegen::spec::nearest;
 use denhart_dynamic::{DynamicArm, DynamicTarget};
 
 use super::Target;
@@ -232,5 +233,12 @@ pub fn check_columns(names: &[String], task: &str) -> Result<(), Failure> {
     let turn = "with roll, pitch, yaw, or qw, qx, qy, qz, or r11 to r33";
     let turn = if task == "position" { String::new() } else { format!(" {turn}") };
     let found = names.join(", ");
-    Err(Failure::Usage(format!("the columns {found} are no target of the task `{task}`\nhelp: name them {own}{turn}")))
+    let unread = || names.iter().filter(|name| name.chars().count() > 1 && is_no_column(name));
+    let lacking =
+        || read().filter(|name| name.len() > 1 && !names.iter().any(|found| found.eq_ignore_ascii_case(name)));
+    let meant = unread().find_map(|name| Some(format!("did you mean `{}` by `{name}`? ", nearest(name, lacking())?)));
+    let meant = meant.unwrap_or_default();
+    Err(Failure::Usage(format!(
+        "the columns {found} are no target of the task `{task}`\nhelp: {meant}name them {own}{turn}"
+    )))
 }
