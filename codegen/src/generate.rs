@@ -189,6 +189,12 @@ pub fn generate(text: &str, file: &str, options: &Options) -> Result<Generated, 
         let mistake = Diagnostic::error("`batch` of an arm in f32: lanes are numbers of f64");
         return Err(Errors::from(mistake.help("leave `batch` out, or the number type")));
     }
+    if options.batch && !model.parameters.is_empty() {
+        let mistake = Diagnostic::error("`batch` of an arm with run-time parameters: lanes have one table");
+        return Err(Errors::from(
+            mistake.help("leave `batch` out, or generate the arm with numbers for its parameters"),
+        ));
+    }
     let type_name = syn::parse_str::<proc_macro2::Ident>(&options.type_name).map_err(|_| {
         Errors::from(Diagnostic::error(format!("`{}` is not a name for a Rust type", options.type_name)))
     })?;

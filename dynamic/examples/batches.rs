@@ -3,6 +3,7 @@
 //!
 //! `cargo run --release -p denhart-dynamic --features batch --example batches`
 
+use std::panic::resume_unwind;
 use std::thread;
 
 use denhart::batch::{self, Found};
@@ -17,16 +18,20 @@ fn ends(
     q: &mut [f64],
     found: &mut [Found],
 ) -> Result<(), DynamicError> {
-    let n = arm.joints();
+    let (n, rows) = (arm.joints(), found.len());
+    if [targets.len(), starts.len(), q.len()] != [12 * rows, n * rows, n * rows] {
+        // One call tells which slice has another length.
+        return arm.inverse_near_batch(targets, starts, q, found).map(drop);
+    }
     let threads = thread::available_parallelism().map_or(1, usize::from);
-    let chunk = found.len().div_ceil(threads).max(1);
+    let chunk = rows.div_ceil(threads).max(1);
     thread::scope(|scope| {
         let parts = targets.chunks(12 * chunk).zip(starts.chunks(n * chunk));
         let parts = parts.zip(q.chunks_mut(n * chunk)).zip(found.chunks_mut(chunk));
         let solve =
             |(((targets, starts), q), found)| scope.spawn(move || arm.inverse_near_batch(targets, starts, q, found));
         let running: Vec<_> = parts.map(solve).collect();
-        running.into_iter().filter_map(|thread| thread.join().ok()).try_for_each(|done| done.map(drop))
+        running.into_iter().try_for_each(|thread| thread.join().unwrap_or_else(|panic| resume_unwind(panic)).map(drop))
     })
 }
 

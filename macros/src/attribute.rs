@@ -74,20 +74,8 @@ impl Written {
             Some("yaml") => &mut self.yaml,
             Some("scalar") => &mut self.scalar,
             Some("crate") => &mut self.crate_path,
-            Some("warn") => {
-                if self.warn {
-                    errors.push(Error::new_spanned(&meta.path, "`warn` is given twice"));
-                }
-                self.warn = true;
-                return Ok(());
-            }
-            Some("batch") => {
-                if self.batch {
-                    errors.push(Error::new_spanned(&meta.path, "`batch` is given twice"));
-                }
-                self.batch = true;
-                return Ok(());
-            }
+            Some("warn") => return read_flag("warn", &mut self.warn, meta, errors),
+            Some("batch") => return read_flag("batch", &mut self.batch, meta, errors),
             _ => {
                 errors.push(Error::new_spanned(&meta.path, format!("unknown key\nhelp: {KEYS}")));
                 return skip_value(meta);
@@ -143,6 +131,19 @@ impl Written {
             names_crate,
         }
     }
+}
+
+/// Reads a key that stands alone.
+fn read_flag(name: &str, flag: &mut bool, meta: &ParseNestedMeta<'_>, errors: &mut Vec<Error>) -> Result<()> {
+    if *flag {
+        errors.push(Error::new_spanned(&meta.path, format!("`{name}` is given twice")));
+    }
+    *flag = true;
+    if meta.input.peek(syn::Token![=]) {
+        errors.push(Error::new_spanned(&meta.path, format!("`{name}` takes no value\nhelp: write `{name}` alone")));
+        skip_value(meta)?;
+    }
+    Ok(())
 }
 
 /// The value of a key, a text in quotes; none after a mistake.

@@ -147,6 +147,13 @@ fn every_mistake_of_the_attribute_and_of_the_struct_is_told() {
         ),
         (
             quote!(
+                #[arm(#inline, batch = true)]
+                struct A;
+            ),
+            &["`batch` takes no value\nhelp: write `batch` alone"],
+        ),
+        (
+            quote!(
                 #[arm(#inline, spec = "specs/ur5.yaml")]
                 struct A;
             ),

@@ -275,7 +275,10 @@ impl<'a> Targets<'a> {
             let is_exact = |matrix: &&[f64]| matches!(matrix, [.., 0.0, 0.0, 0.0, 1.0]);
             let matrices = numbers.chunks_exact(width).enumerate();
             for (index, matrix) in matrices.filter(|(_, matrix)| !is_exact(matrix)) {
-                target::of_matrix(matrix).map_err(|message| error::value(format!("{name}[{index}]: {message}")))?;
+                target::of_matrix(matrix).map_err(|message| {
+                    let message = message.replace("write T.T", &format!("write {name}.transpose(0, 2, 1) if all are"));
+                    error::value(format!("{name}[{index}]: {message}"))
+                })?;
             }
         }
         Ok(Targets { numbers, width, task, poses })
@@ -401,7 +404,10 @@ impl Batch<'_, '_> {
         let (task, capacity, joints) =
             (solver.task().map_err(refused)?, solver.max_solutions().map_err(refused)?, solver.joints());
         let drop = drop(self.limits)?;
-        let numbers = Numbers::read("targets", self.targets)?;
+        // Poses of scipy, as of one target.
+        let as_matrix = pyo3::intern!(py, "as_matrix");
+        let matrices = self.targets.hasattr(as_matrix)?.then(|| self.targets.call_method0(as_matrix)).transpose()?;
+        let numbers = Numbers::read("targets", matrices.as_ref().unwrap_or(self.targets))?;
         let targets = Targets::read("targets", task, &numbers)?;
         let (rows, width) = (targets.len(), targets.width);
         let near_numbers = self.near.map(|near| Numbers::read("near", near)).transpose()?;

@@ -281,3 +281,16 @@ def test_memory_that_is_nearly_short_ends_no_process():
     for _ in range(3):
         ran = subprocess.run([sys.executable, "-c", NEARLY_SHORT], capture_output=True, text=True, check=False)
         assert ran.stdout.split() == ["alive"], (ran.returncode, ran.stderr)
+
+
+def test_poses_of_scipy_and_transposed_ones(ur5):
+    poses = ur5.forward(joint_vectors(ur5, 5))
+
+    class Poses:
+        def as_matrix(self):
+            return poses
+
+    np.testing.assert_array_equal(ur5.inverse_batch(Poses()).q, ur5.inverse_batch(poses).q)
+    transposed = r"targets\[0\]: .*seems to be transposed: write targets.transpose\(0, 2, 1\) if all are"
+    with pytest.raises(ValueError, match=transposed):
+        ur5.inverse_batch(poses.transpose(0, 2, 1))

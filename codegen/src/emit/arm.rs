@@ -90,10 +90,7 @@ pub fn impls(arm: &Arm, target: &Target) -> TokenStream {
     let motion = motion::methods(model, &counted, target);
     let doc = docs::lines(&impl_doc(arm));
     #[cfg(feature = "batch")]
-    let lanes = arm.batch.then(|| {
-        let stages = arm.inverse.as_ref().ok().and_then(InversePlan::stages);
-        super::batch::impls(model, arm.functions, stages, target)
-    });
+    let lanes = arm.batch.then(|| super::batch::impls(model, arm.functions, arm.inverse.as_ref().ok(), target));
     #[cfg(not(feature = "batch"))]
     let lanes = TokenStream::new();
     let body = quote! {

@@ -5,25 +5,42 @@
 
 use super::nest::Nest;
 use super::tokens::{Writer, array, bound, ident, integer};
-use super::{Target, angle, kinematics};
+use super::{Target, angle, docs, kinematics};
 use crate::lower::kernel::{Argument, Phase};
 use crate::lower::{
     self, BranchState, Call, Counted, Each, Function, Functions, Goal, Kernel, RootRange, Statement, Unit,
 };
 use crate::model::{Angle, Model};
-use crate::solve::Plan;
+use crate::solve::{self, InversePlan, Outline, Plan};
 use crate::symbolic::Input;
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::quote;
 
-/// The impls of an arm, without those that its inverse has no lane form for.
-pub fn impls(model: &Model, functions: &Functions, plan: Option<&Plan>, target: &Target) -> TokenStream {
-    if !model.parameters.is_empty() {
+/// The impls of an arm. An inverse without a lane form takes single calls; of an inverse whose target is more, or less, than a
+/// pose there is none.
+pub fn impls(model: &Model, functions: &Functions, plan: Option<&InversePlan>, target: &Target) -> TokenStream {
+    let forward = forward(model, functions, target);
+    let inverse = plan.map(|plan| {
+        let lanes = plan.stages().and_then(|stages| inverse(model, stages, target));
+        lanes.unwrap_or_else(|| single_calls(&plan.outline(), target))
+    });
+    quote!(#forward #inverse)
+}
+
+/// The impl of an inverse without a lane form.
+fn single_calls(outline: &Outline<'_>, target: &Target) -> TokenStream {
+    if outline.task.goal != solve::Goal::Pose || !outline.task.given.values.is_empty() {
         return TokenStream::new();
     }
-    let forward = forward(model, functions, target);
-    let inverse = plan.map(|plan| inverse(model, plan, target));
-    quote!(#forward #inverse)
+    let (krate, name, scalar) = (&target.krate, &target.type_name, target.scalar.tokens());
+    let (n, most) = (integer(outline.joints), integer(outline.capacity));
+    let doc = docs::lines("This inverse has no form over lanes: each target takes a single call.");
+    quote! {
+        #doc
+        impl #krate::batch::BatchInverse<#n, #most> for #name {
+            const ARM_CONSTANTS: #krate::solve::ArmConstants<'static, #scalar, #n> = CONSTANTS;
+        }
+    }
 }
 
 /// A number in every lane.
@@ -43,13 +60,20 @@ fn forward(model: &Model, functions: &Functions, target: &Target) -> TokenStream
         let (pose, jacobian) = kinematics::pose_and_jacobian(writer, roots, model.joints.len());
         quote!((#pose, #jacobian, far))
     });
+    let doc = docs::lines(
+        "As `forward`, of several joint vectors: one in each lane. Lanes of the mask have an angle beyond the range of the sines \
+         over lanes, and take a single call.",
+    );
+    let doc_of_both = docs::lines("As `forward_and_jacobian`, of several joint vectors.");
     quote! {
         impl #krate::batch::BatchArm<#n> for #name {
+            #doc
             #[inline(always)]
             fn forward_lanes<L: #lanes>(&self, set: L::Set, q: [L; #n]) -> (#krate::Pose<L>, L::Mask) {
                 #pose
             }
 
+            #doc_of_both
             #[inline(always)]
             fn forward_and_jacobian_lanes<L: #lanes>(
                 &self,
@@ -97,10 +121,11 @@ fn sum(terms: impl IntoIterator<Item = (Ident, bool)>, constant: Angle, target: 
     if negative { quote!(#sum - of(#size)) } else { quote!(#sum + of(#size)) }
 }
 
-fn inverse(model: &Model, plan: &Plan, target: &Target) -> TokenStream {
+/// The impl of an inverse; `None` without a lane form.
+fn inverse(model: &Model, plan: &Plan, target: &Target) -> Option<TokenStream> {
     let program = lower::stages(model, plan);
     if !has_lanes(&program) {
-        return TokenStream::new();
+        return None;
     }
     let nest = Nest { plan, target, program: &program, bound: false, lanes: true, selects: false };
     let (krate, name, scalar) = (&target.krate, &target.type_name, target.scalar.tokens());
@@ -110,10 +135,15 @@ fn inverse(model: &Model, plan: &Plan, target: &Target) -> TokenStream {
     let translation = array((0..3).map(|component| input(Input::Position(component))));
     let levels = nest.lane_levels();
     let (of, measures) = (names(&levels, "of").then(|| of(target)), nest.measures(&levels));
-    quote! {
+    let doc = docs::lines(
+        "As `inverse`, of several targets: one in each lane. Each state is the lanes whose branch goes on. `branches` keeps the \
+         solutions, and the lanes in doubt: these take a single call.",
+    );
+    Some(quote! {
         impl #krate::batch::BatchInverse<#n, #most> for #name {
             const ARM_CONSTANTS: #krate::solve::ArmConstants<'static, #scalar, #n> = CONSTANTS;
 
+            #doc
             #[inline(always)]
             fn inverse_lanes<L: #krate::batch::Lanes>(
                 &self,
@@ -132,7 +162,7 @@ fn inverse(model: &Model, plan: &Plan, target: &Target) -> TokenStream {
                 #levels
             }
         }
-    }
+    })
 }
 
 /// Returns true if every statement has a lane form, for targets that are poses.

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 /// for anything.
 type Entry = (&'static [&'static str], &'static str);
 
-const ENTRIES: [Entry; 17] = [
+const ENTRIES: [Entry; 19] = [
     (
         &["s#", "c#"],
         "s2, c2: sine and cosine of q2, the table's quarter turns taken out; s23: of q2 + q3; s2m3: of q2 - q3",
@@ -41,6 +41,8 @@ const ENTRIES: [Entry; 17] = [
     (&["reach_?"], "reach_x: x of the vector that has to be turned there"),
     (&["h#_?"], "h1_x: x of the direction of the parallel axes, seen over joint 1"),
     (&["roots#"], "roots3, state3: the roots of the equation of joint 3, and what is known of a branch after it"),
+    (&["far"], "of(D6): a number in every lane; far: the lanes whose angles are too large for the sines over lanes"),
+    (&["go_on"], "branches.go_on(state3): true if a lane of the state is not in doubt"),
     (&["minus_*", "*_part"], "minus_s23: -s23; p_1x_part: a partial sum of p_1x"),
 ];
 

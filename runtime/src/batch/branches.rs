@@ -44,6 +44,14 @@ impl<L: Lanes, const N: usize, const S: usize> Branches<L, N, S> {
         ordinary
     }
 
+    /// No solution, and every lane in doubt.
+    #[inline(always)]
+    pub(super) fn leave(&mut self) {
+        self.len = 0;
+        self.least = L::all(self.set, -1.0);
+        self.doubt = L::mask(self.set, true);
+    }
+
     /// Returns true if a lane of the mask is not in doubt.
     #[inline(always)]
     pub fn go_on(&self, state: L::Mask) -> bool {

@@ -15,15 +15,15 @@ pub(super) const MOST_LEFT_OUT: usize = 2048;
 /// Two slices of unlike lengths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Lengths {
-    /// Length of the slice that is read.
+    /// Length of the first slice, that of the joint vectors or the targets.
     pub read: usize,
-    /// Length of the slice that is to be written.
+    /// Length of the first other one that differs: of references, or of one that is to be written.
     pub written: usize,
 }
 
 impl fmt::Display for Lengths {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} are given, and places for {}", self.read, self.written)
+        write!(f, "slices of {} and of {} rows: a call takes slices of one length", self.read, self.written)
     }
 }
 
