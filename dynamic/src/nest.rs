@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use denhart_codegen::lower::{BranchState, Each, Inverse, Level, Part, Root, RootRange, Statement};
+use denhart_codegen::lower::{BranchState, Each, Inverse, NestLevel, Part, Root, RootRange, Statement};
 
 use crate::kernel::Known;
 use crate::tape::{Compiler, Places, Tape};
@@ -35,7 +35,7 @@ impl Nest {
         }
         let mut known = vec![Known::NOTHING; program.stages];
         let mut levels = Vec::new();
-        for Level { each, body } in &program.levels {
+        for NestLevel { each, body } in &program.levels {
             if let Some(each) = each {
                 leaves(&mut compiler, &each.roots);
             }

@@ -40,7 +40,7 @@ pub fn array(items: impl IntoIterator<Item = impl ToTokens>) -> TokenStream {
 }
 
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
-enum Level {
+enum Precedence {
     Sum,
     Product,
     Unary,
@@ -62,12 +62,12 @@ pub struct Writer<'a> {
 impl Writer<'_> {
     /// An expression.
     pub fn write(&self, e: Expr) -> TokenStream {
-        self.at(e, Level::Sum)
+        self.at(e, Precedence::Sum)
     }
 
     /// `let name = definition;`
     pub fn statement(&self, e: Expr) -> TokenStream {
-        let definition = self.node(e, Level::Sum);
+        let definition = self.node(e, Precedence::Sum);
         match self.bound.get(&e) {
             Some(name) => {
                 let name = ident(name);
@@ -81,61 +81,61 @@ impl Writer<'_> {
         if self.lanes { quote!(of(#value)) } else { value }
     }
 
-    fn at(&self, e: Expr, level: Level) -> TokenStream {
+    fn at(&self, e: Expr, precedence: Precedence) -> TokenStream {
         match self.bound.get(&e) {
             Some(name) => {
                 let name = ident(name);
                 quote!(#name)
             }
-            None => self.node(e, level),
+            None => self.node(e, precedence),
         }
     }
 
-    fn node(&self, e: Expr, level: Level) -> TokenStream {
+    fn node(&self, e: Expr, precedence: Precedence) -> TokenStream {
         let (tokens, own) = match self.graph.node(e) {
-            Node::Number(bits) => (self.constant(number(f64::from_bits(bits))), Level::Atom),
+            Node::Number(bits) => (self.constant(number(f64::from_bits(bits))), Precedence::Atom),
             Node::Symbol(symbol) => {
                 let name = ident(&symbol.name());
                 match symbol {
                     // A run-time parameter is a field: `self.l2`.
                     Symbol::Parameter { owner, .. } => {
                         let owner = ident(owner);
-                        (quote!(#owner.#name), Level::Atom)
+                        (quote!(#owner.#name), Precedence::Atom)
                     }
-                    Symbol::Dimension(..) => (self.constant(quote!(#name)), Level::Atom),
-                    _ => (quote!(#name), Level::Atom),
+                    Symbol::Dimension(..) => (self.constant(quote!(#name)), Precedence::Atom),
+                    _ => (quote!(#name), Precedence::Atom),
                 }
             }
             Node::Neg(a) => {
-                let a = self.at(a, Level::Product);
-                (quote!(-#a), Level::Unary)
+                let a = self.at(a, Precedence::Product);
+                (quote!(-#a), Precedence::Unary)
             }
             Node::Add(a, b) => {
-                let (a, b) = (self.at(a, Level::Sum), self.at(b, Level::Product));
-                (quote!(#a + #b), Level::Sum)
+                let (a, b) = (self.at(a, Precedence::Sum), self.at(b, Precedence::Product));
+                (quote!(#a + #b), Precedence::Sum)
             }
             Node::Sub(a, b) => {
-                let (a, b) = (self.at(a, Level::Sum), self.at(b, Level::Product));
-                (quote!(#a - #b), Level::Sum)
+                let (a, b) = (self.at(a, Precedence::Sum), self.at(b, Precedence::Product));
+                (quote!(#a - #b), Precedence::Sum)
             }
             Node::Mul(a, b) => {
-                let (a, b) = (self.at(a, Level::Product), self.at(b, Level::Unary));
-                (quote!(#a * #b), Level::Product)
+                let (a, b) = (self.at(a, Precedence::Product), self.at(b, Precedence::Unary));
+                (quote!(#a * #b), Precedence::Product)
             }
             Node::Sqrt(a) => match self.graph.node(a) {
                 // The length of a vector of one component.
                 Node::Mul(x, y) if x == y => {
-                    let x = self.at(x, Level::Atom);
-                    (quote!(#x.abs()), Level::Atom)
+                    let x = self.at(x, Precedence::Atom);
+                    (quote!(#x.abs()), Precedence::Atom)
                 }
                 _ => {
-                    let (a, krate) = (self.at(a, Level::Sum), self.krate);
+                    let (a, krate) = (self.at(a, Precedence::Sum), self.krate);
                     let math = if self.lanes { quote!(#krate::batch::math) } else { quote!(#krate::math) };
-                    (quote!(#math::sqrt(#a)), Level::Atom)
+                    (quote!(#math::sqrt(#a)), Precedence::Atom)
                 }
             },
         };
-        if own < level { quote!((#tokens)) } else { tokens }
+        if own < precedence { quote!((#tokens)) } else { tokens }
     }
 }
 

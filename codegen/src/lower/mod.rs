@@ -28,7 +28,7 @@ pub use coupling::{Linear, Linked, linked};
 pub use function::{Function, Functions};
 pub use margins::{Margins, Plane, Variable, constant, margins};
 pub use nest::{held_joint, inverse, stages};
-pub use program::{BranchState, Each, Inverse, Level, Root, Statement};
+pub use program::{BranchState, Each, Inverse, NestLevel, Root, Statement};
 pub use straight::Straight;
 pub use task_motion::{TaskMotion, task_motion};
 

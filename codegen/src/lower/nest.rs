@@ -1,7 +1,7 @@
 //! The inverse: the plan as nested loops over the roots of its stages.
 
 use super::stage::call;
-use super::{ArmConstants, Block, BranchState, Each, Inverse, Level, Names, Root, Slot, Statement};
+use super::{ArmConstants, Block, BranchState, Each, Inverse, Names, NestLevel, Root, Slot, Statement};
 use crate::model::Model;
 use crate::solve::{HeldJointPlan, InversePlan, Plan, PlanStep, Stage, Unit};
 use crate::symbolic::{Graph, Input, Mat3, Node, Part, Symbol, Unknown};
@@ -11,7 +11,7 @@ struct Nest<'a> {
     plan: &'a Plan,
     graph: Graph,
     block: Block<'a>,
-    levels: Vec<Level>,
+    levels: Vec<NestLevel>,
     /// The level at which a leaf is known.
     known: HashMap<Slot, usize>,
     used: HashSet<Slot>,
@@ -63,7 +63,7 @@ pub fn stages(model: &Model, plan: &Plan) -> Inverse {
     let mut nest = Nest {
         plan,
         block: Block::new(&plan.graph, &read, reserved(model, plan)),
-        levels: vec![Level::default()],
+        levels: vec![NestLevel::default()],
         known: HashMap::new(),
         used,
         state: BranchState::Start,
@@ -200,7 +200,7 @@ impl Nest<'_> {
             let roots = self.roots(stage);
             self.at(deepest, Statement::Only { stage: index, roots });
         } else {
-            self.levels.push(Level::default());
+            self.levels.push(NestLevel::default());
             let roots = self.roots(stage);
             let joints = stage.joints.iter().map(|slot| self.plan.joint(*slot));
             let flips = self.plan.flip().is_some_and(|flip| joints.eq(flip.map(Some)));

@@ -25,7 +25,7 @@ pub struct Inverse {
     pub inputs: Vec<(Slot, Input)>,
     /// Statements and loops: the first level stands before every loop, each other one is the body of a loop in the level
     /// before.
-    pub levels: Vec<Level>,
+    pub levels: Vec<NestLevel>,
     /// The number of stages.
     pub stages: usize,
     /// The number of comparisons.
@@ -63,7 +63,7 @@ impl Inverse {
 
 /// The body of a loop.
 #[derive(Debug, Clone, Default)]
-pub struct Level {
+pub struct NestLevel {
     /// The loop; none around the first level.
     pub each: Option<Each>,
     /// Its statements; the next level's loop follows them.

@@ -30,7 +30,7 @@ pub struct Plan {
     pub operations: Vec<Operation>,
     /// Values of the registers before the first operation.
     pub start: Vec<f64>,
-    pub levels: Vec<Level>,
+    pub levels: Vec<LaneLevel>,
     pub inputs: Vec<(Register, Input)>,
     /// How many states there are; the first one is that of the start.
     pub states: usize,
@@ -47,7 +47,7 @@ pub type SumLimit = (Vec<(usize, f64)>, [f64; 2]);
 
 /// The body of a loop over the roots of a stage.
 #[derive(Debug)]
-pub struct Level {
+pub struct LaneLevel {
     pub each: Option<Each>,
     pub steps: Vec<Step>,
 }
@@ -182,7 +182,7 @@ impl Builder {
             for (operations, statement) in &body.steps {
                 steps.push(Step { operations: operations.clone(), action: self.action(statement)? });
             }
-            levels.push(Level { each, steps });
+            levels.push(LaneLevel { each, steps });
         }
         let constants = &self.nest.program.constants;
         // An angle of (-pi, pi] is within limits that are a whole turn.

@@ -11,7 +11,7 @@ pub(super) struct Normal<T, const N: usize> {
 
 /// Where a joint is in its interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Place {
+enum AtBound {
     Free,
     Low,
     High,
@@ -53,13 +53,13 @@ impl<T: Scalar, const N: usize> Normal<T, N> {
             }
         }
         let mut x = [T::ZERO; N];
-        let mut places = [Place::Free; N];
+        let mut places = [AtBound::Free; N];
         for (place, (low, high)) in places.iter_mut().zip(low.iter().zip(high)) {
             *place = match () {
-                () if *low >= *high => Place::Fixed,
-                () if *low >= T::ZERO => Place::Low,
-                () if *high <= T::ZERO => Place::High,
-                () => Place::Free,
+                () if *low >= *high => AtBound::Fixed,
+                () if *low >= T::ZERO => AtBound::Low,
+                () if *high <= T::ZERO => AtBound::High,
+                () => AtBound::Free,
             };
         }
         let mut slope = right;
@@ -70,16 +70,16 @@ impl<T: Scalar, const N: usize> Normal<T, N> {
             *factor = Some(known);
             let (share, stop) = shortened(&x, &way, &places, low, high);
             for i in 0..N {
-                if places[i] == Place::Free {
+                if places[i] == AtBound::Free {
                     x[i] = clamp(x[i] + share * way[i], low[i], high[i]);
                 }
             }
-            let ends = places.iter().any(|place| matches!(place, Place::Low | Place::High));
+            let ends = places.iter().any(|place| matches!(place, AtBound::Low | AtBound::High));
             if stop.is_none() && !ends {
                 break;
             }
             slope = self.slope(&right, &x);
-            let next = stop.or_else(|| pulled(&places, &slope).map(|joint| (joint, Place::Free)));
+            let next = stop.or_else(|| pulled(&places, &slope).map(|joint| (joint, AtBound::Free)));
             let Some((joint, place)) = next else { break };
             if let Some(at) = places.get_mut(joint) {
                 *at = place;
@@ -111,10 +111,10 @@ pub(super) struct Factor<T, const N: usize> {
 // Rows and columns as the formulas number them.
 #[allow(clippy::needless_range_loop)]
 impl<T: Scalar, const N: usize> Factor<T, N> {
-    fn new(matrix: &[[T; N]; N], places: &[Place; N]) -> Self {
+    fn new(matrix: &[[T; N]; N], places: &[AtBound; N]) -> Self {
         let (mut lower, mut inverse) = ([[T::ZERO; N]; N], [T::ZERO; N]);
         for i in 0..N {
-            if places[i] != Place::Free {
+            if places[i] != AtBound::Free {
                 continue;
             }
             let mut square = matrix[i][i];
@@ -133,8 +133,8 @@ impl<T: Scalar, const N: usize> Factor<T, N> {
     }
 
     /// Returns true if these joints are free.
-    fn is_of(&self, places: &[Place; N]) -> bool {
-        self.inverse.iter().zip(places).all(|(inverse, place)| (*inverse != T::ZERO) == (*place == Place::Free))
+    fn is_of(&self, places: &[AtBound; N]) -> bool {
+        self.inverse.iter().zip(places).all(|(inverse, place)| (*inverse != T::ZERO) == (*place == AtBound::Free))
     }
 
     /// The step of the free joints to their least; 0 of the others.
@@ -162,33 +162,33 @@ impl<T: Scalar, const N: usize> Factor<T, N> {
 fn shortened<T: Scalar, const N: usize>(
     x: &[T; N],
     way: &[T; N],
-    places: &[Place; N],
+    places: &[AtBound; N],
     low: &[T; N],
     high: &[T; N],
-) -> (T, Option<(usize, Place)>) {
+) -> (T, Option<(usize, AtBound)>) {
     let (mut share, mut stop) = (T::ONE, None);
     for i in 0..N {
-        if places[i] != Place::Free || way[i] == T::ZERO {
+        if places[i] != AtBound::Free || way[i] == T::ZERO {
             continue;
         }
         let up = way[i] > T::ZERO;
         let room = if up { high[i] - x[i] } else { low[i] - x[i] };
         if room / way[i] < share {
             share = (room / way[i]).max(T::ZERO);
-            stop = Some((i, if up { Place::High } else { Place::Low }));
+            stop = Some((i, if up { AtBound::High } else { AtBound::Low }));
         }
     }
     (share, stop)
 }
 
 /// The joint at an end of its interval that is pulled inward most.
-fn pulled<T: Scalar, const N: usize>(places: &[Place; N], slope: &[T; N]) -> Option<usize> {
+fn pulled<T: Scalar, const N: usize>(places: &[AtBound; N], slope: &[T; N]) -> Option<usize> {
     let (mut most, mut joint) = (T::EPSILON, None);
     for (i, (place, slope)) in places.iter().zip(slope).enumerate() {
         let inward = match place {
-            Place::Low => *slope,
-            Place::High => -*slope,
-            Place::Free | Place::Fixed => T::ZERO,
+            AtBound::Low => *slope,
+            AtBound::High => -*slope,
+            AtBound::Free | AtBound::Fixed => T::ZERO,
         };
         if inward > most {
             (most, joint) = (inward, Some(i));

@@ -11,7 +11,7 @@ pub(super) struct Step<T, const N: usize> {
     /// Its squared length.
     pub(super) square: T,
     /// Squared error after the step by the linear model, including the damping term.
-    pub(super) left: T,
+    pub(super) remaining_error: T,
 }
 
 /// The step that minimizes `|J step - error|^2 + damping |step|^2`, and that minimum. J is reflected (Householder 1958)
@@ -79,7 +79,7 @@ fn step<T: Tolerances, const N: usize>(
         }
     }
     let square = changes.iter().fold(T::ZERO, |sum, x| sum + *x * *x);
-    Step { changes, square, left: dot_out_of_line(&error, &error) }
+    Step { changes, square, remaining_error: dot_out_of_line(&error, &error) }
 }
 
 /// Reflects a column into `start` on the diagonal, and with it the columns `behind` and the error. The column becomes
@@ -150,9 +150,9 @@ mod tests {
             }
         }
         let square: f64 = step.changes.iter().map(|x| x * x).sum();
-        let left = dot(&missed, &missed) + damping * square;
+        let wanted = dot(&missed, &missed) + damping * square;
         assert!((step.square - square).abs() <= 1e-12 * square, "{N} joints: {} {square}", step.square);
-        assert!((step.left - left).abs() < 1e-12, "{N} joints: {} {left}", step.left);
+        assert!((step.remaining_error - wanted).abs() < 1e-12, "{N} joints: {} {wanted}", step.remaining_error);
     }
 
     #[test]

@@ -43,7 +43,7 @@ impl<T: Tolerances> Doubts<T> {
     };
 
     /// The joints so far that may be elsewhere.
-    pub(super) fn loose(&self) -> JointMask {
+    pub(super) fn free_or_weak(&self) -> JointMask {
         self.free | self.weak
     }
 
@@ -56,7 +56,7 @@ impl<T: Tolerances> Doubts<T> {
 
     /// Adds the doubt of a stage.
     pub(super) fn note(&mut self, doubt: Option<Doubt<T>>, level: LevelOf<T>) {
-        self.level = if self.loose().is_empty() { LevelOf::Nothing } else { level };
+        self.level = if self.free_or_weak().is_empty() { LevelOf::Nothing } else { level };
         let Some(Doubt { gap, angular, amplitude, closes, weak, boundary, free }) = doubt else { return };
         self.closes &= closes;
         // The next stage magnifies the uncertainty that a stage leaves. Where nothing but uncertainty is left of an

@@ -26,7 +26,7 @@ const SIX: usize = 6;
 
 /// Directions of a square matrix that is nearly singular, of length 1, and the Jacobian's slope `w . J n` along them.
 #[derive(Clone, Copy, Debug)]
-struct Nearly<T> {
+struct NearlySingular<T> {
     right: [T; SIX],
     left: [T; SIX],
     slope: T,
@@ -35,7 +35,7 @@ struct Nearly<T> {
 }
 
 /// Elimination with complete pivoting, whose last pivot is taken for 0. None if an earlier one vanishes.
-fn nearly_singular<T: Tolerances>(columns: &[[T; SIX]; SIX], error: &[T; SIX]) -> Option<Nearly<T>> {
+fn nearly_singular<T: Tolerances>(columns: &[[T; SIX]; SIX], error: &[T; SIX]) -> Option<NearlySingular<T>> {
     let mut m = [[T::ZERO; SIX]; SIX];
     for (i, row) in m.iter_mut().enumerate() {
         for (entry, column) in row.iter_mut().zip(columns) {
@@ -92,12 +92,12 @@ fn nearly_singular<T: Tolerances>(columns: &[[T; SIX]; SIX], error: &[T; SIX]) -
         out
     };
     let (right, left) = (unit(right, joints), unit(left, rows));
-    let near = Nearly { right, left, slope: T::ZERO, missed: dot(error, &left) };
-    Some(Nearly { slope: slope(columns, &near), ..near })
+    let near = NearlySingular { right, left, slope: T::ZERO, missed: dot(error, &left) };
+    Some(NearlySingular { slope: slope(columns, &near), ..near })
 }
 
 /// `left . J right`.
-fn slope<T: Tolerances>(columns: &[[T; SIX]; SIX], Nearly { right, left, .. }: &Nearly<T>) -> T {
+fn slope<T: Tolerances>(columns: &[[T; SIX]; SIX], NearlySingular { right, left, .. }: &NearlySingular<T>) -> T {
     columns.iter().zip(right).fold(T::ZERO, |sum, (column, x)| sum + dot(column, left) * *x)
 }
 
@@ -149,13 +149,13 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
 
     /// Returns true if steps from a joint vector lead to a solution. It is listed under the name of that beside it, unless it
     /// already is.
-    fn towards(&mut self, beside: &Solution<T, N>, start: &[T; N]) -> bool {
-        let Some(mut left) = self.left.checked_sub(RESERVED + 1) else { return false };
+    fn towards(&mut self, neighbor: &Solution<T, N>, start: &[T; N]) -> bool {
+        let Some(mut evaluations_left) = self.evaluations_left.checked_sub(RESERVED + 1) else { return false };
         let constants = self.constants;
         let mut iterate = Iterate::at(*start);
         iterate.evaluate(constants, self.goal, self.arm);
-        refine(constants, self.goal, self.arm, &mut iterate, &mut left);
-        self.left = left + RESERVED;
+        refine(constants, self.goal, self.arm, &mut iterate, &mut evaluations_left);
+        self.evaluations_left = evaluations_left + RESERVED;
         if !(constants.relative(&iterate.residual) <= T::EXACT) {
             return false;
         }
@@ -164,7 +164,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         let is_listed = self.solutions.exact().any(|other| coincident(constants, &other.q, &q));
         if !is_listed {
             // Apart from the fold: what is free or on the boundary beside it is not so here.
-            let mut solution = Solution::exact(q, beside.branch);
+            let mut solution = Solution::exact(q, neighbor.branch);
             solution.residual = iterate.residual;
             self.solutions.mark_awkward();
             if !self.solutions.push(solution) {
@@ -180,14 +180,14 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
     /// The joint vectors along n from a solution at which the function vanishes.
     fn beyond(&mut self, solution: &Solution<T, N>) -> [Option<[T; N]>; 2] {
         let none = [None; 2];
-        let Some(left) = self.left.checked_sub(2 + RESERVED) else { return none };
-        self.left = left + 1 + RESERVED;
+        let Some(evaluations_left) = self.evaluations_left.checked_sub(2 + RESERVED) else { return none };
+        self.evaluations_left = evaluations_left + 1 + RESERVED;
         let Some((columns, error)) = self.columns(&solution.q) else { return none };
         let Some(near) = nearly_singular(&columns, &error) else { return none };
         if !(near.slope.abs() <= T::from_f64(STEEP)) {
             return none;
         }
-        self.left = left + RESERVED;
+        self.evaluations_left = evaluations_left + RESERVED;
         let aside = T::from_f64(ASIDE);
         let Some((columns, _)) = self.columns(&self.along(&solution.q, &near, aside)) else { return none };
         let bend = (slope(&columns, &near) - near.slope) / aside;
@@ -201,18 +201,18 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
     }
 
     /// The angle by which the joint that turns most turns along n, for a motion of length 1.
-    fn rate(&self, nearly: &Nearly<T>) -> T {
+    fn rate(&self, singular: &NearlySingular<T>) -> T {
         let (constants, given) = (self.constants, self.goal.given());
-        let moving = (0..N).filter(|joint| !given.contains(*joint)).zip(&nearly.right);
+        let moving = (0..N).filter(|joint| !given.contains(*joint)).zip(&singular.right);
         let turning = moving.filter(|(joint, _)| !constants.prismatic.contains(*joint));
         turning.fold(T::EPSILON, |most, (_, change)| most.max(change.abs()))
     }
 
     /// A joint vector so far away in the direction n.
-    fn along(&self, q: &[T; N], nearly: &Nearly<T>, distance: T) -> [T; N] {
+    fn along(&self, q: &[T; N], singular: &NearlySingular<T>, distance: T) -> [T; N] {
         let (mut out, given) = (*q, self.goal.given());
         let moving = out.iter_mut().enumerate().filter(|(joint, _)| !given.contains(*joint));
-        for ((joint, value), change) in moving.zip(&nearly.right) {
+        for ((joint, value), change) in moving.zip(&singular.right) {
             *value += *change * distance * self.constants.unit(joint);
         }
         out

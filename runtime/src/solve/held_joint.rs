@@ -102,7 +102,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
     ) {
         crate::effort::holding_a_joint();
         // With what the table's stages have left, if the call began with them.
-        self.left += MOST_HELD_JOINT_EVALUATIONS - MOST_EVALUATIONS;
+        self.evaluations_left += MOST_HELD_JOINT_EVALUATIONS - MOST_EVALUATIONS;
         let outcome = solve(&mut |candidate| {
             let (q, turn) = place(candidate.joints);
             self.consider(candidate, q, turn.abs() <= T::from_f64(TURNED))
@@ -120,7 +120,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         if !q.iter().all(|value| value.is_finite()) {
             return ControlFlow::Continue(());
         }
-        let Some(mut left) = self.left.checked_sub(RESERVED + 1) else {
+        let Some(mut evaluations_left) = self.evaluations_left.checked_sub(RESERVED + 1) else {
             self.solutions.mark_incomplete();
             return ControlFlow::Break(());
         };
@@ -129,9 +129,9 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         let mut iterate = Iterate::at(q);
         iterate.evaluate(constants, self.goal, self.arm);
         if is_near && !(constants.relative(&iterate.residual) <= T::ROUNDING) {
-            refine(constants, self.goal, self.arm, &mut iterate, &mut left);
+            refine(constants, self.goal, self.arm, &mut iterate, &mut evaluations_left);
         }
-        self.left = left + RESERVED;
+        self.evaluations_left = evaluations_left + RESERVED;
         let mut solution = Solution::exact(iterate.q, name(candidate.signs));
         solution.residual = iterate.residual;
         let is_exact = constants.relative(&solution.residual) <= T::EXACT;
@@ -174,8 +174,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
             if far <= T::COINCIDENT {
                 return Some(place);
             }
-            if far <= T::from_f64(NEIGHBORS) && self.left > RESERVED {
-                self.left -= 1;
+            if far <= T::from_f64(NEIGHBORS) && self.evaluations_left > RESERVED {
+                self.evaluations_left -= 1;
                 let mut iterate = Iterate::at(between);
                 iterate.evaluate(constants, self.goal, self.arm);
                 let residuals = constants.relative(&solution.residual).max(constants.relative(&other.residual));
@@ -191,10 +191,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
 
     /// Returns true if the target leaves a combination of the joints undetermined at `q`.
     fn is_singular(&mut self, q: &[T; N]) -> bool {
-        if self.left <= RESERVED {
+        if self.evaluations_left <= RESERVED {
             return false;
         }
-        self.left -= 1;
+        self.evaluations_left -= 1;
         let (pose, mut jacobian) = self.arm.evaluate(q);
         self.goal.restrict(&pose, &mut jacobian);
         smallest_pivot(self.constants, self.goal.given(), &jacobian) <= T::WEAK

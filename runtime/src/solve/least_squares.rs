@@ -96,7 +96,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
     goal: &dyn Goal<T, N>,
     arm: &dyn Evaluate<T, N>,
     start: &mut Iterate<T, N>,
-    left: &mut usize,
+    evaluations_left: &mut usize,
 ) {
     if start.is_rounding() {
         return;
@@ -114,7 +114,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
     let (mut stalls, mut folds) = (0, true);
     // The gain of the last step from the best joint vector.
     let mut last_gain = T::ZERO;
-    let most = MOST_STEPS.min(*left);
+    let most = MOST_STEPS.min(*evaluations_left);
     let mut taken = 0;
     // Every turn takes an evaluation, or is the last one.
     while taken < most {
@@ -133,11 +133,11 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
         // A step changes singular values by about its length, and those below the error are damped away.
         let decides = boost > T::ONE || step.square <= size;
         if from_best {
-            let gain = T::ONE - step.left / size;
+            let gain = T::ONE - step.remaining_error / size;
             let little = gain < T::from_f64(LITTLE) && gain < last_gain * T::from_f64(FALL);
             // A step of length s changes the error by about s^2 beside its linear part.
             let straight = step.square * step.square <= size * T::from_f64(16.0);
-            if little && straight || decides && step.left > size * T::from_f64(PROGRESS) {
+            if little && straight || decides && step.remaining_error > size * T::from_f64(PROGRESS) {
                 break;
             }
             last_gain = gain;
@@ -175,7 +175,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
         let ratio = tried.size / size * T::from_f64(16.0);
         let twice = stretch == T::TWO;
         let quarter = ratio > T::HALF * T::HALF && ratio < T::TWO * T::TWO;
-        let fold = folds && !twice && quarter && step.left < tried.size * T::HALF;
+        let fold = folds && !twice && quarter && step.remaining_error < tried.size * T::HALF;
         stretch = if fold { T::TWO } else { T::ONE };
         stalls = if tried.size < stalled { 0 } else { stalls + 1 };
         if tried.size < best.size {
@@ -194,7 +194,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
             from_best = false;
         }
     }
-    *left -= taken;
+    *evaluations_left -= taken;
     if swapped {
         (start.q, start.residual) = (other.q, other.residual);
     }

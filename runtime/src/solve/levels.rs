@@ -5,7 +5,7 @@ use super::doubts::Doubts;
 use super::kernel::level::Behind;
 use super::kernel::tolerances::Tolerances;
 use super::open::{LEVELS, Open, same};
-use super::place::{Beside, PLACES, stroke, turn};
+use super::place::{Elsewhere, PLACES, stroke, turn};
 use super::second_level::{NODES, node};
 use super::two_joints;
 use crate::effort::MOST_CASCADES;
@@ -106,14 +106,14 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         }
         let first = doubts.first.iter().next();
         let single = |joint: Option<usize>| joint.map_or(JointMask::NONE, JointMask::single);
-        let joints = [single(first), single(doubts.loose().iter().find(|joint| Some(*joint) != first))];
+        let joints = [single(first), single(doubts.free_or_weak().iter().find(|joint| Some(*joint) != first))];
         if let Some(slot) = self.open.get_mut(self.len) {
             let value = first.and_then(|joint| q.get(joint)).copied().unwrap_or(T::ZERO);
             (slot.branch, slot.joints, slot.value, slot.slack) = (branch, joints, value, slack);
-            slot.begin(levels, true);
+            slot.keep_before(levels, true);
             self.any |= levels.iter().any(|behind| behind.level.is_known());
             self.len += 1;
-            self.free |= doubts.loose();
+            self.free |= doubts.free_or_weak();
             for (moving, joint) in self.moving.iter_mut().zip(joints) {
                 *moving |= joint;
             }
@@ -124,7 +124,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
     /// of the open branch that the solution stands for, if the solution is to be verified. `listed` tells whether a
     /// branch has a solution.
     #[inline(never)]
-    pub(super) fn takes(
+    pub(super) fn candidate_name(
         &mut self,
         pass: Pass,
         doubts: &Doubts<T>,
@@ -142,7 +142,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
                         if together {
                             open.sample_both(place, levels, exact);
                         } else if second && place == 0 {
-                            open.begin(levels, exact);
+                            open.keep_before(levels, exact);
                         } else {
                             open.sample(place, levels, exact);
                             simple &= open.samples.are_simple();
@@ -188,7 +188,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
 
     /// Where a joint stays in a pass, given its default value.
     #[inline(never)]
-    pub(super) fn away<const N: usize>(
+    pub(super) fn held_at<const N: usize>(
         &self,
         constants: &ArmConstants<T, N>,
         pass: Pass,
@@ -263,7 +263,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
             open.take(place);
             open.steps = [place.step, T::ZERO];
             if second {
-                (open.steps, open.beside) = ([first, place.step], Beside::NOWHERE);
+                (open.steps, open.elsewhere) = ([first, place.step], Elsewhere::NOWHERE);
             }
         }
         if !second {
@@ -284,7 +284,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
 
     /// The end of a pass; `found`: it has found a solution.
     #[inline(never)]
-    pub(super) fn end<const N: usize>(
+    pub(super) fn end_pass<const N: usize>(
         &mut self,
         constants: &ArmConstants<T, N>,
         defaults: &[T; N],
@@ -303,7 +303,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
                     && let Some(intervals) = open.intervals()
                     && let Some(angle) = open.roots.place(&open.samples, intervals)
                 {
-                    open.go(angle);
+                    open.set_angle(angle);
                 }
             }
             _ => {}
@@ -365,13 +365,13 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
         let mut rest = self.open().iter().enumerate().skip(from);
         rest.find_map(|(index, open)| {
             let k = if index == from { k } else { 0 };
-            open.beside.step(k).map(|_| Pass::Open { index, round: Round::Other(k) })
+            open.elsewhere.step(k).map(|_| Pass::Open { index, round: Round::Other(k) })
         })
     }
 
     /// Moves the free joints to their places in a pass.
     #[inline(never)]
-    pub(super) fn begin(&mut self, pass: Pass) {
+    pub(super) fn start_pass(&mut self, pass: Pass) {
         self.steps = match pass {
             Pass::Sample { second: true, place } if self.together => {
                 two_joints::places(place).map(|angle: T| angle / T::TAU)
@@ -386,7 +386,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
                 if let Some(open) = self.open_mut().get_mut(index)
                     && let Some([[middle, half], _]) = open.intervals()
                 {
-                    open.go(middle + half * node(k));
+                    open.set_angle(middle + half * node(k));
                 }
                 self.open().get(index).map_or([T::ZERO; 2], |open| open.steps)
             }
@@ -395,7 +395,7 @@ impl<T: Tolerances, const M: usize> Levels<T, M> {
                 Round::Sampled => open.aside,
                 Round::Other(k) => {
                     let [_, second] = open.steps;
-                    [open.beside.step(k).unwrap_or(T::ZERO), second]
+                    [open.elsewhere.step(k).unwrap_or(T::ZERO), second]
                 }
             }),
         };

@@ -2,7 +2,7 @@
 
 use super::kernel::level::{Behind, Level};
 use super::kernel::tolerances::Tolerances;
-use super::place::{Beside, PLACES, Place, Sample, Samples};
+use super::place::{Elsewhere, FreePlace, PLACES, Sample, Samples};
 use super::second_level::SecondLevel;
 use super::two_joints::{self, Rows};
 use crate::math::wrap;
@@ -30,7 +30,7 @@ pub(super) struct Open<T> {
     /// Samples of the level of the stage after `moved`.
     pub(super) roots: SecondLevel<T>,
     /// Other places at which the stage `moved` has roots.
-    pub(super) beside: Beside<T>,
+    pub(super) elsewhere: Elsewhere<T>,
     /// A sample at which no stage was missed (of the second joint, place), with the steps of that pass.
     pub(super) sampled: Option<(bool, usize)>,
     pub(super) aside: [T; 2],
@@ -58,7 +58,7 @@ impl<T: Tolerances> Open<T> {
         samples: Samples::NONE,
         rows: Rows::NONE,
         roots: SecondLevel::NONE,
-        beside: Beside::NOWHERE,
+        elsewhere: Elsewhere::NOWHERE,
         sampled: None,
         aside: [T::ZERO; 2],
         steps: [T::ZERO; 2],
@@ -70,7 +70,7 @@ impl<T: Tolerances> Open<T> {
     };
 
     /// Keeps the levels before the free joint moves, `over` what has been kept if it is set.
-    pub(super) fn begin(&mut self, levels: &[Behind<T>; LEVELS], over: bool) {
+    pub(super) fn keep_before(&mut self, levels: &[Behind<T>; LEVELS], over: bool) {
         for (slot, level) in self.before.iter_mut().zip(levels) {
             slot.keep(&level.level, over);
         }
@@ -129,12 +129,12 @@ impl<T: Tolerances> Open<T> {
     }
 
     /// Takes what a place tells.
-    pub(super) fn take(&mut self, place: Place<T>) {
-        (self.known, self.feasible, self.beside) = (true, place.feasible, place.beside);
+    pub(super) fn take(&mut self, place: FreePlace<T>) {
+        (self.known, self.feasible, self.elsewhere) = (true, place.feasible, place.elsewhere);
     }
 
     /// Goes to a place, rad from its default.
-    pub(super) fn go(&mut self, angle: T) {
+    pub(super) fn set_angle(&mut self, angle: T) {
         let [first, _] = &mut self.steps;
         *first = angle / T::TAU;
     }
@@ -149,8 +149,8 @@ impl<T: Tolerances> Open<T> {
 
     /// The interval of the joint in which the first stage that depends on it has roots, and another one.
     pub(super) fn intervals(&self) -> Option<[[T; 2]; 2]> {
-        let [[_, half], _] = self.beside.intervals;
-        (half > T::COINCIDENT).then_some(self.beside.intervals)
+        let [[_, half], _] = self.elsewhere.intervals;
+        (half > T::COINCIDENT).then_some(self.elsewhere.intervals)
     }
 
     /// Returns true if `first` is one of the joints of this branch. `first` is the first joint that is free or weak on

@@ -118,7 +118,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Passes<T, N
     /// Where a joint stays in this pass, given its default value.
     #[cold]
     #[inline(never)]
-    pub(super) fn away(&self, constants: &ArmConstants<T, N>, joint: usize, default: T) -> T {
+    pub(super) fn held_at(&self, constants: &ArmConstants<T, N>, joint: usize, default: T) -> T {
         match (self.pass, self.missed.levels()) {
             (Some(Pass::Cross(k)), _) if self.crossed.contains(joint) && !constants.prismatic.contains(joint) => {
                 // Each of the free joints at another place.
@@ -126,7 +126,7 @@ impl<T: Tolerances, const N: usize, const M: usize, P: Missed<T, M>> Passes<T, N
                 let sixteenths = T::from_i32((1 + 8 * k) * (1 + 2 * before as i32));
                 wrap(default + T::TAU * T::from_f64(0.0625) * sixteenths)
             }
-            (Some(Pass::Level(pass)), Some(levels)) => levels.away(constants, pass, joint, default),
+            (Some(Pass::Level(pass)), Some(levels)) => levels.held_at(constants, pass, joint, default),
             _ => default,
         }
     }
@@ -151,7 +151,12 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
 
     /// Returns true if the solution at the end of a doubtful branch is to be verified in this pass. The solution gets
     /// the name of the open branch that it stands for. A branch that is missed is remembered.
-    pub(super) fn takes(&mut self, state: BranchState, doubts: &Doubts<T>, solution: &mut Solution<T, N>) -> bool {
+    pub(super) fn is_candidate(
+        &mut self,
+        state: BranchState,
+        doubts: &Doubts<T>,
+        solution: &mut Solution<T, N>,
+    ) -> bool {
         let branch = solution.branch;
         let pass = self.passes.as_ref().and_then(|passes| passes.pass);
         let samples = matches!(pass, Some(Pass::Level(levels::Pass::Sample { .. } | levels::Pass::Node { .. })));
@@ -162,7 +167,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
             None => {
                 if doubts.missed {
                     self.seek(state, doubts, solution, T::INFINITY);
-                } else if !doubts.free.is_empty() && doubts.loose().len() > 1 {
+                } else if !doubts.free.is_empty() && doubts.free_or_weak().len() > 1 {
                     // Beside a free joint another one is free, or nearly so.
                     self.cross(doubts, branch);
                 }
@@ -174,15 +179,17 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
                     return false;
                 };
                 let listed = |name: Branch| self.solutions.exact().any(|listed| listed.branch == name);
-                let name = levels.takes(pass, doubts, &behind, branch, listed);
+                let name = levels.candidate_name(pass, doubts, &behind, branch, listed);
                 solution.branch = name.unwrap_or(branch);
                 name.is_some()
             }
             Some(Pass::Cross(_)) => {
-                let loose = doubts.loose();
+                let free_or_weak = doubts.free_or_weak();
                 let passes = self.passes();
-                let crosses =
-                    passes.crossings().iter().any(|(name, at_defaults)| *name == branch && *at_defaults != loose);
+                let crosses = passes
+                    .crossings()
+                    .iter()
+                    .any(|(name, at_defaults)| *name == branch && *at_defaults != free_or_weak);
                 let at_defaults = passes.at_defaults;
                 let listed = |s: &Solution<T, N>| s.branch == branch && s.free == doubts.free && s.is_exact();
                 !doubts.missed && crosses && !self.solutions.iter().skip(at_defaults).any(listed)
@@ -207,7 +214,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         let passes = self.passes();
         let known = passes.crossings().iter().any(|(name, _)| *name == branch);
         if let Some(slot) = passes.crossings.get_mut(passes.len).filter(|_| !known) {
-            *slot = (branch, doubts.loose());
+            *slot = (branch, doubts.free_or_weak());
             passes.len += 1;
             passes.crossed |= doubts.free;
         }
@@ -223,18 +230,18 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         passes.exact = exact;
         match (passes.pass, passes.missed.levels_mut()) {
             (None, _) => passes.at_defaults = listed,
-            (Some(Pass::Level(pass)), Some(levels)) => levels.end(constants, &passes.defaults, pass, found),
+            (Some(Pass::Level(pass)), Some(levels)) => levels.end_pass(constants, &passes.defaults, pass, found),
             _ => {}
         }
         let Some(pass) = passes.following(found) else { return false };
         passes.pass = Some(pass);
         if let (Pass::Level(pass), Some(levels)) = (pass, passes.missed.levels_mut()) {
-            levels.begin(pass);
+            levels.start_pass(pass);
         }
-        self.nearly = passes.free();
-        self.away = passes.away(constants, VIRTUAL, T::ZERO);
+        self.nearly_free = passes.free();
+        self.virtual_default = passes.held_at(constants, VIRTUAL, T::ZERO);
         for (joint, (slot, default)) in self.defaults.iter_mut().zip(passes.defaults).enumerate() {
-            *slot = passes.away(constants, joint, default);
+            *slot = passes.held_at(constants, joint, default);
         }
         true
     }

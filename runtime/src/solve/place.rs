@@ -16,15 +16,15 @@ pub(super) const OTHERS: usize = 3;
 /// A place of a free joint, as a step from its default value (in turns or in strokes), and whether the stage has roots
 /// there.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Place<T> {
+pub(super) struct FreePlace<T> {
     pub(super) step: T,
     pub(super) feasible: bool,
-    pub(super) beside: Beside<T>,
+    pub(super) elsewhere: Elsewhere<T>,
 }
 
 /// Where else a stage has roots.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Beside<T> {
+pub(super) struct Elsewhere<T> {
     /// Around the place of a joint that turns: the middle of the interval, rad from its default, and half its width; of
     /// width 0 without any. Then the same of the widest other interval.
     pub(super) intervals: [[T; 2]; 2],
@@ -32,7 +32,7 @@ pub(super) struct Beside<T> {
     pub(super) places: [T; OTHERS],
 }
 
-impl<T: Tolerances> Beside<T> {
+impl<T: Tolerances> Elsewhere<T> {
     /// Nowhere.
     pub(super) const NOWHERE: Self = Self { intervals: [[T::ZERO; 2]; 2], places: [T::NAN; OTHERS] };
 
@@ -161,7 +161,7 @@ impl<T: Tolerances> Samples<T> {
     /// Without an interval the place is the root at which the level misses its range by least. That root is the end of
     /// an interval that has shrunk to a point. `None` if the level does not depend on x.
     #[inline(never)]
-    pub(super) fn turning(&self, count: usize, now: T, slack: T) -> Option<Place<T>> {
+    pub(super) fn turning(&self, count: usize, now: T, slack: T) -> Option<FreePlace<T>> {
         let (g, square) = (self.series(count, 0), self.series(count, 1));
         let bound = |end: T, sign: T| Circle {
             k0: (g.k0 - end * square.k0) * sign,
@@ -175,21 +175,21 @@ impl<T: Tolerances> Samples<T> {
             return None;
         }
         let range = Range::new([above, below], square, self.low == self.high);
-        let (x, feasible, beside) = match range.interval(now, slack) {
-            Some(x) => (x, true, Beside { intervals: range.intervals(x), ..Beside::NOWHERE }),
+        let (x, feasible, elsewhere) = match range.interval(now, slack) {
+            Some(x) => (x, true, Elsewhere { intervals: range.intervals(x), ..Elsewhere::NOWHERE }),
             None => {
                 let (x, feasible) = range.touching(now)?;
-                (x, feasible, Beside { places: range.others(x), ..Beside::NOWHERE })
+                (x, feasible, Elsewhere { places: range.others(x), ..Elsewhere::NOWHERE })
             }
         };
-        Some(Place { step: wrap(x) / T::TAU, feasible, beside })
+        Some(FreePlace { step: wrap(x) / T::TAU, feasible, elsewhere })
     }
 
     /// The place of a prismatic joint, from levels at the default and one unit either way: `level = a + b u + c u^2`.
     #[inline(never)]
-    pub(super) fn sliding(&self, now: T) -> Option<Place<T>> {
+    pub(super) fn sliding(&self, now: T) -> Option<FreePlace<T>> {
         let Self { values: [Sample([l0, _]), Sample([l1, _]), Sample([l2, _]), ..], low, high, .. } = *self;
-        let place = |step, feasible| Some(Place { step, feasible, beside: Beside::NOWHERE });
+        let place = |step, feasible| Some(FreePlace { step, feasible, elsewhere: Elsewhere::NOWHERE });
         let (a, b, c) = (l0, (l1 - l2) * T::HALF, (l1 + l2) * T::HALF - l0);
         if !(b.abs().max(c.abs()) > T::ROUNDING * (T::ONE + a.abs())) {
             return None;
@@ -219,18 +219,18 @@ impl<T: Tolerances> Samples<T> {
         };
         let mirror = vertex + vertex - step;
         let twice = curved && low == high && (mirror - step).abs() > T::WEAK;
-        let mut beside = Beside::NOWHERE;
-        if twice && let Some(place) = beside.places.first_mut() {
+        let mut elsewhere = Elsewhere::NOWHERE;
+        if twice && let Some(place) = elsewhere.places.first_mut() {
             *place = mirror;
         }
-        Some(Place { step, feasible: true, beside })
+        Some(FreePlace { step, feasible: true, elsewhere })
     }
 
     /// The place of a joint that turns and that the level does not depend on: where the joint is.
-    pub(super) fn anywhere(&self, now: T) -> Option<Place<T>> {
+    pub(super) fn anywhere(&self, now: T) -> Option<FreePlace<T>> {
         let Self { values: [level, ..], low, high, .. } = self;
         let feasible = *low <= level.value() && level.value() <= *high;
-        level.is_known().then(|| Place { step: wrap(now) / T::TAU, feasible, beside: Beside::NOWHERE })
+        level.is_known().then(|| FreePlace { step: wrap(now) / T::TAU, feasible, elsewhere: Elsewhere::NOWHERE })
     }
 }
 
@@ -290,8 +290,8 @@ mod tests {
         let root = 0.3_f64.acos();
         let place = samples.turning(3, 1.0, f64::INFINITY).expect("an equation in x");
         assert!((place.step * std::f64::consts::TAU - root).abs() < 1e-9, "{place:?}");
-        let other = place.beside.step(0).expect("another root");
-        assert!((other * std::f64::consts::TAU + root).abs() < 1e-9 && place.beside.step(1).is_none(), "{place:?}");
+        let other = place.elsewhere.step(0).expect("another root");
+        assert!((other * std::f64::consts::TAU + root).abs() < 1e-9 && place.elsewhere.step(1).is_none(), "{place:?}");
     }
 
     /// `u^2 - 0.25` in strokes.
@@ -303,6 +303,6 @@ mod tests {
             samples.keep(at, &Behind { level, slides: false }, true);
         }
         let place = samples.sliding(0.4).expect("an equation in u");
-        assert!((place.step - 0.5).abs() < 1e-12 && place.beside.step(0) == Some(-place.step), "{place:?}");
+        assert!((place.step - 0.5).abs() < 1e-12 && place.elsewhere.step(0) == Some(-place.step), "{place:?}");
     }
 }

@@ -71,13 +71,13 @@ impl<T: Tolerances> Range<T> {
             let margin = ((up + down) * quarter).min(slack);
             now + (margin - down).max(T::ZERO) - (margin - up).max(T::ZERO)
         });
-        let beside = self.ends().flat_map(|end| [(end, T::ONE), (end, -T::ONE)]).filter_map(|(end, way)| {
+        let next_to_ends = self.ends().flat_map(|end| [(end, T::ONE), (end, -T::ONE)]).filter_map(|(end, way)| {
             let width = self.next(end, way);
             let middle = end + way * width * T::HALF;
             let within = self.inside(middle) > T::ZERO && self.sound(middle);
             within.then(|| end + way * (width * quarter).min(slack))
         });
-        nearest(here.into_iter().chain(beside), now)
+        nearest(here.into_iter().chain(next_to_ends), now)
     }
 
     /// The interval around x and the widest other one, see [`Beside`].

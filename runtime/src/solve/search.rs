@@ -40,13 +40,13 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize
     pub(super) solutions: &'a mut Solutions<T, N, M>,
     /// Where each joint stays if it is free, and where a virtual one does.
     pub(super) defaults: [T; N],
-    pub(super) away: T,
+    pub(super) virtual_default: T,
     /// Least stage residual at which a branch ended, or least residual of a branch that went on.
     pub(super) least: Option<T>,
     /// The joints that already an amplitude near zero leaves free: those on open branches, on the way there.
-    pub(super) nearly: JointMask,
+    pub(super) nearly_free: JointMask,
     /// How many evaluations of the arm are left.
-    pub(super) left: usize,
+    pub(super) evaluations_left: usize,
     /// The candidate that was verified, if no stage has been solved since.
     pub(super) verified: Option<Verified<T, N>>,
     /// The doubts of the branch that is followed, one entry for each stage in doubt. Branches are followed depth first,
@@ -79,10 +79,10 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
             goal,
             solutions,
             defaults: constants.defaults(near),
-            away: T::ZERO,
+            virtual_default: T::ZERO,
             least: None,
-            nearly: JointMask::NONE,
-            left: MOST_EVALUATIONS,
+            nearly_free: JointMask::NONE,
+            evaluations_left: MOST_EVALUATIONS,
             verified: None,
             doubts: None,
             doubt: false,
@@ -140,12 +140,12 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
     /// The default value of a virtual joint: 0, or in a further pass another one.
     #[inline]
     pub fn virtual_default(&self) -> DefaultValue<T> {
-        self.default_at(VIRTUAL, self.away)
+        self.default_at(VIRTUAL, self.virtual_default)
     }
 
     #[inline]
     fn default_at(&self, joint: usize, value: T) -> DefaultValue<T> {
-        DefaultValue { value, joint: JointMask::single(joint), nearly: self.nearly }
+        DefaultValue { value, joint: JointMask::single(joint), nearly_free: self.nearly_free }
     }
 
     /// The doubts of a branch that has any.
@@ -174,7 +174,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
                 slides |= level.is_slide();
                 *place = Behind { level: Level { pole, ..level }, slides };
             }
-            behind = !doubts.loose().is_empty();
+            behind = !doubts.free_or_weak().is_empty();
         }
         levels
     }
@@ -204,11 +204,11 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         self.verified = None;
         let before = self.known_doubts(state);
         // The level of a stage counts behind a joint that may be elsewhere.
-        if doubt.is_none() && before.is_none_or(|before| before.loose().is_empty()) {
+        if doubt.is_none() && before.is_none_or(|before| before.free_or_weak().is_empty()) {
             return state;
         }
         let mut next = self.doubts(state);
-        let (amplitude, free, loose) = (next.amplitude, next.free, next.loose());
+        let (amplitude, free, free_or_weak) = (next.amplitude, next.free, next.free_or_weak());
         next.note(doubt, level);
         let mut ended = false;
         let Doubt { gap, angular, .. } = doubt.unwrap_or(Doubt::NOTHING);
@@ -216,11 +216,11 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         let tolerance = if angular { self.constants.tolerance.orientation } else { self.constants.tolerance.position };
         // What an earlier stage of small amplitude leaves uncertain shows up here magnified.
         let rounding = measure.rounding() / amplitude;
-        next.clamped |= gap > rounding && loose.is_empty();
+        next.clamped |= gap > rounding && free_or_weak.is_empty();
         // With a joint earlier on the branch that is free, or nearly, the gap may close by moving that joint.
         if gap > tolerance.max(rounding) && (self.slack == T::ZERO || self.is_beyond_slack(gap, angular)) {
             next.missed |= !free.is_empty();
-            if loose.is_empty() {
+            if free_or_weak.is_empty() {
                 ended = true;
                 self.misses(gap);
             }

@@ -14,9 +14,9 @@ pub(super) fn smallest_pivot<T: Tolerances, const N: usize>(
 ) -> T {
     let k = T::ONE / constants.reach;
     let mut columns = [[T::ZERO; 6]; N];
-    let mut left = JointMask::NONE;
+    let mut remaining = JointMask::NONE;
     for (joint, column) in columns.iter_mut().enumerate().filter(|(joint, _)| !given.contains(*joint)) {
-        left |= JointMask::single(joint);
+        remaining |= JointMask::single(joint);
         let unit = constants.unit(joint);
         for (place, (entry, row)) in column.iter_mut().zip(&jacobian.rows).enumerate() {
             let scale = if place < 3 { k * unit } else { unit };
@@ -27,20 +27,20 @@ pub(super) fn smallest_pivot<T: Tolerances, const N: usize>(
     let mut smallest = T::ZERO;
     for _ in 0..N {
         let mut longest: Option<(usize, T)> = None;
-        for joint in left.iter() {
+        for joint in remaining.iter() {
             let length = columns.get(joint).map_or(T::ZERO, square);
             if longest.is_none_or(|(_, most)| length > most) {
                 longest = Some((joint, length));
             }
         }
         let Some((pivot, length)) = longest else { break };
-        left = left.without(pivot);
+        remaining = remaining.without(pivot);
         smallest = length.sqrt();
         if !(length > T::ZERO) {
             break;
         }
         let Some(direction) = columns.get(pivot).copied() else { break };
-        for joint in left.iter() {
+        for joint in remaining.iter() {
             let Some(column) = columns.get_mut(joint) else { continue };
             let along = column.iter().zip(&direction).fold(T::ZERO, |sum, (a, b)| sum + *a * *b) / length;
             for (entry, part) in column.iter_mut().zip(&direction) {

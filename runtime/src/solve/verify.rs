@@ -49,7 +49,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
             let doubts = self.doubts(state);
             solution.flags |= doubts.flags;
             (solution.free, solution.residual) = (doubts.free, doubts.gap);
-            if !self.takes(state, &doubts, &mut solution) {
+            if !self.is_candidate(state, &doubts, &mut solution) {
                 return;
             }
             found = self.verified(state, &doubts, &mut solution);
@@ -79,13 +79,13 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         if !exact {
             solution.flags.remove(Flags::EXACT);
             solution.flags |= Flags::APPROXIMATE;
-            if !doubts.loose().is_empty() && !doubts.clamped {
+            if !doubts.free_or_weak().is_empty() && !doubts.clamped {
                 let slack =
                     if doubts.free.is_empty() { T::HALF * T::HALF * T::EXACT / doubts.amplitude } else { T::INFINITY };
                 self.seek(state, doubts, solution, slack);
             }
         }
-        if exact || !doubts.loose().is_empty() {
+        if exact || !doubts.free_or_weak().is_empty() {
             self.solutions.mark_awkward();
         }
         // A guess that comes near by its steps alone, without closing, is no branch of this target.
@@ -95,7 +95,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         }
         match listed {
             false => Found::Nothing,
-            true if exact && doubts.loose().is_empty() && !close => {
+            true if exact && doubts.free_or_weak().is_empty() && !close => {
                 // Of a nearly real pair of roots.
                 solution.flags |= Flags::BOUNDARY;
                 Found::Guess
@@ -110,12 +110,12 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
             last.flip_to(start, wrist);
         } else {
             // One evaluation more than this candidate needs is for the reference.
-            let mut left = self.left.checked_sub(RESERVED + 1)?;
+            let mut evaluations_left = self.evaluations_left.checked_sub(RESERVED + 1)?;
             let mut iterate = Iterate::at(*start);
             iterate.evaluate(self.constants, self.goal, self.arm);
             let close = self.constants.tolerates(&iterate.residual);
-            refine(self.constants, self.goal, self.arm, &mut iterate, &mut left);
-            self.left = left + RESERVED;
+            refine(self.constants, self.goal, self.arm, &mut iterate, &mut evaluations_left);
+            self.evaluations_left = evaluations_left + RESERVED;
             self.verified = Some(Verified { start: *start, q: iterate.q, residual: iterate.residual, close });
         }
         self.verified.as_ref()
@@ -193,7 +193,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         if !(constants.relative(&iterate.residual) <= most) {
             return;
         }
-        let mut rest = self.left.saturating_sub(1);
+        let mut rest = self.evaluations_left.saturating_sub(1);
         refine(constants, self.goal, self.arm, &mut iterate, &mut rest);
         let (q, residual) = (iterate.q, iterate.residual);
         if !(constants.relative(&residual) <= T::EXACT) {

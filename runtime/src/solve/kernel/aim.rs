@@ -71,13 +71,13 @@ pub fn aim<T: Tolerances>(defaults: [DefaultValue<T>; 2], x: Sight<T>, z: Sight<
         let gap = (-inner).max(-outer).max(T::ZERO);
         Roots::edge(angles(&x, &z, unit(middle)), gap, measure)
     };
-    if least < T::DOUBTFUL { nearly(stage, defaults, [sx, sz], square.sqrt()) } else { stage }
+    if least < T::DOUBTFUL { of_weak_amplitude(stage, defaults, [sx, sz], square.sqrt()) } else { stage }
 }
 
 /// The roots where a joint is nearly free: its axis all but along h, or the axes all but parallel.
 #[cold]
 #[inline(never)]
-fn nearly<T: Tolerances>(
+fn of_weak_amplitude<T: Tolerances>(
     mut stage: Roots<T, 2, 3>,
     defaults: [DefaultValue<T>; 2],
     across: [T; 2],

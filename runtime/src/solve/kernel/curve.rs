@@ -1,4 +1,4 @@
-//! Roots of two equations in two joints, from a place nearby.
+//! Roots of two equations in two joints, from a point nearby.
 
 use super::tolerances::Tolerances;
 use super::turn::Turn;
@@ -11,7 +11,7 @@ pub type Row<T> = [T; 3];
 pub(super) trait Moving<T>: Copy {
     /// The joint after a step.
     fn step(turn: &Turn<T>, by: T) -> Turn<T>;
-    /// How far one place of the joint is from another.
+    /// How far one value of the joint is from another.
     fn between(turn: &Turn<T>, other: &Turn<T>) -> T;
     /// The quantity.
     fn at(&self, turn: &Turn<T>) -> T;
@@ -104,7 +104,7 @@ pub(super) struct Across<X, Z> {
 }
 
 /// Values of both joints.
-pub(super) type Place<T> = [Turn<T>; 2];
+pub(super) type CurvePoint<T> = [Turn<T>; 2];
 
 impl<X, Z> Across<X, Z> {
     /// Upper bound on the lengths across.
@@ -118,7 +118,7 @@ impl<X, Z> Across<X, Z> {
     }
 
     /// The lengths across, over either joint.
-    fn lengths<T: Tolerances>(&self, [x, z]: &Place<T>) -> [T; 2]
+    fn lengths<T: Tolerances>(&self, [x, z]: &CurvePoint<T>) -> [T; 2]
     where
         X: Moving<T>,
         Z: Moving<T>,
@@ -129,54 +129,54 @@ impl<X, Z> Across<X, Z> {
     }
 
     /// The larger of the lengths, relative to their upper bound.
-    pub(super) fn relative<T: Tolerances>(&self, place: &Place<T>) -> T
+    pub(super) fn relative<T: Tolerances>(&self, point: &CurvePoint<T>) -> T
     where
         X: Moving<T>,
         Z: Moving<T>,
     {
-        let ([a, b], scale) = (self.lengths(place), self.scale());
+        let ([a, b], scale) = (self.lengths(point), self.scale());
         if scale > T::ZERO { a.max(b) / scale } else { T::ONE }
     }
 
     /// The larger of two residuals: the difference of the lengths relative to their upper bound, and the gap of the
     /// row.
-    pub(super) fn gap<T: Tolerances>(&self, (p, q): (&X, &Z), place: &Place<T>) -> T
+    pub(super) fn gap<T: Tolerances>(&self, (p, q): (&X, &Z), point: &CurvePoint<T>) -> T
     where
         X: Moving<T>,
         Z: Moving<T>,
     {
-        let ([a, b], [x, z]) = (self.lengths(place), place);
+        let ([a, b], [x, z]) = (self.lengths(point), point);
         ((a - b) / self.scale()).abs().max((p.at(x) - q.at(z)).abs())
     }
 }
 
-fn moved<T: Tolerances, X: Moving<T>, Z: Moving<T>>([x, z]: &Place<T>, [dx, dz]: [T; 2]) -> Place<T> {
+fn moved<T: Tolerances, X: Moving<T>, Z: Moving<T>>([x, z]: &CurvePoint<T>, [dx, dz]: [T; 2]) -> CurvePoint<T> {
     [X::step(x, dx), Z::step(z, dz)]
 }
 
 /// A root of two equations.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Found<T> {
-    pub place: Place<T>,
-    /// True if the equations close to rounding at `place`.
+    pub point: CurvePoint<T>,
+    /// True if the equations close to rounding at `point`.
     pub closed: bool,
-    /// True if the equations also determine the place well, so that it is a root beyond doubt.
+    /// True if the equations also determine the point well, so that it is a root beyond doubt.
     pub sure: bool,
 }
 
 /// A few steps of Newton's method on both rows, as long as they bring the root closer.
-pub(super) fn newton<T, X, Z>(p: &[X; 2], q: &[Z; 2], root: Place<T>) -> Found<T>
+pub(super) fn newton<T, X, Z>(p: &[X; 2], q: &[Z; 2], root: CurvePoint<T>) -> Found<T>
 where
     T: Tolerances,
     X: Moving<T>,
     Z: Moving<T>,
 {
     let ([p1, p2], [q1, q2]) = (p, q);
-    let miss = |[x, z]: &Place<T>| [p1.at(x) - q1.at(z), p2.at(x) - q2.at(z)];
+    let miss = |[x, z]: &CurvePoint<T>| [p1.at(x) - q1.at(z), p2.at(x) - q2.at(z)];
     let square = |[u, v]: [T; 2]| u * u + v * v;
-    let slopes = |[x, z]: &Place<T>| [p1.slope(x), -q1.slope(z), p2.slope(x), -q2.slope(z)];
-    let mut place = root;
-    let mut missed = miss(&place);
+    let slopes = |[x, z]: &CurvePoint<T>| [p1.slope(x), -q1.slope(z), p2.slope(x), -q2.slope(z)];
+    let mut point = root;
+    let mut missed = miss(&point);
     let mut size = square(missed);
     // The rounding of the rows, which are of unit length: six products, five sums, and the sines and cosines.
     let floor = T::EPSILON * T::from_f64(8.0);
@@ -185,44 +185,48 @@ where
         if closed(size) {
             break;
         }
-        let ([u, v], [a, b, c, d]) = (missed, slopes(&place));
+        let ([u, v], [a, b, c, d]) = (missed, slopes(&point));
         let k = T::ONE / (a * d - b * c);
         let (dx, dz) = ((b * v - d * u) * k, (c * u - a * v) * k);
         if !(dx.abs().max(dz.abs()) < T::HALF) {
             break;
         }
-        let next = moved::<T, X, Z>(&place, [dx, dz]);
+        let next = moved::<T, X, Z>(&point, [dx, dz]);
         let next_missed = miss(&next);
         let next_size = square(next_missed);
         if !(next_size < size) {
             break;
         }
-        (place, missed, size) = (next, next_missed, next_size);
+        (point, missed, size) = (next, next_missed, next_size);
     }
-    let ([a, b, c, d], closed) = (slopes(&place), closed(size));
-    Found { place, closed, sure: closed && (a * d - b * c).abs() >= T::DOUBTFUL }
+    let ([a, b, c, d], closed) = (slopes(&point), closed(size));
+    Found { point, closed, sure: closed && (a * d - b * c).abs() >= T::DOUBTFUL }
 }
 
-/// The two roots of `p = q` and of equal lengths across the axis that are nearest to a place where those lengths are
+/// The two roots of `p = q` and of equal lengths across the axis that are nearest to a point where those lengths are
 /// small. A root is `None` where the steps do not lead to one.
 ///
 /// Along the curve of the row, the difference of the squared lengths is to second order a quadratic polynomial. This
 /// difference is accurate to rounding where the lengths vanish.
-pub(super) fn beside<T, X, Z>(row: (&X, &Z), across: &Across<X, Z>, place: Place<T>) -> [Option<Place<T>>; 2]
+pub(super) fn neighbors<T, X, Z>(
+    row: (&X, &Z),
+    across: &Across<X, Z>,
+    point: CurvePoint<T>,
+) -> [Option<CurvePoint<T>>; 2]
 where
     T: Tolerances,
     X: Moving<T>,
     Z: Moving<T>,
 {
-    let Some(start) = Ahead::new(row, across, place) else { return [None; 2] };
+    let Some(start) = Ahead::new(row, across, point) else { return [None; 2] };
     let square = |[dx, dz]: &[T; 2]| *dx * *dx + *dz * *dz;
     start.steps.map(|first| {
-        let (mut place, mut step) = (start.place, first?);
+        let (mut point, mut step) = (start.point, first?);
         for _ in 0..16 {
             if square(&step) < T::EPSILON * T::EPSILON {
                 break;
             }
-            let ahead = Ahead::new(row, across, moved::<T, X, Z>(&place, step))?;
+            let ahead = Ahead::new(row, across, moved::<T, X, Z>(&point, step))?;
             let [low, high] = ahead.steps;
             step = match (low, high) {
                 (Some(low), Some(high)) => {
@@ -234,27 +238,31 @@ where
                 }
                 (low, high) => low.or(high)?,
             };
-            place = ahead.place;
+            point = ahead.point;
         }
         // Far below what tells two solutions apart.
         let still = T::COINCIDENT * T::from_f64(0.1);
-        (square(&step) < still * still).then(|| moved::<T, X, Z>(&place, step))
+        (square(&step) < still * still).then(|| moved::<T, X, Z>(&point, step))
     })
 }
 
-/// A place on the curve of a row, and the steps along the curve to where the lengths across are equal. A step is `None`
-/// where the place of equal lengths is too far to say.
+/// A point on the curve of a row, and the steps along the curve to where the lengths across are equal. A step is `None`
+/// where the point of equal lengths is too far to say.
 struct Ahead<T> {
-    place: Place<T>,
+    point: CurvePoint<T>,
     steps: [Option<[T; 2]>; 2],
 }
 
 impl<T: Tolerances> Ahead<T> {
-    /// From a place near the curve. `None` if the row does not say which way it goes.
-    fn new<X: Moving<T>, Z: Moving<T>>((p, q): (&X, &Z), across: &Across<X, Z>, mut place: Place<T>) -> Option<Self> {
+    /// From a point near the curve. `None` if the row does not say which way it goes.
+    fn new<X: Moving<T>, Z: Moving<T>>(
+        (p, q): (&X, &Z),
+        across: &Across<X, Z>,
+        mut point: CurvePoint<T>,
+    ) -> Option<Self> {
         let mut along = [T::ZERO; 2];
         for _ in 0..2 {
-            let [x, z] = &place;
+            let [x, z] = &point;
             let (miss, dx, dz) = (p.at(x) - q.at(z), p.slope(x), -q.slope(z));
             let square = dx * dx + dz * dz;
             if !(square > T::WEAK * T::WEAK) {
@@ -262,12 +270,12 @@ impl<T: Tolerances> Ahead<T> {
             }
             let k = -miss / square;
             along = [-dz / square.sqrt(), dx / square.sqrt()];
-            place = moved::<T, X, Z>(&place, [k * dx, k * dz]);
+            point = moved::<T, X, Z>(&point, [k * dx, k * dz]);
         }
-        let ([x, z], [tx, tz]) = (&place, along);
+        let ([x, z], [tx, tz]) = (&point, along);
         let ([a1, a2], [b1, b2]) = (second(&across.x, x, tx), second(&across.z, z, tz));
         // The difference of the squares as a product, so that it is as accurate as the lengths.
-        let [a0, b0] = across.lengths(&place);
+        let [a0, b0] = across.lengths(&point);
         let (a, half, c) = (a2 - b2, a1 - b1, (a0 - b0) * (a0 + b0));
         let root = (half * half - a * c).max(T::ZERO).sqrt();
         let larger = if half < T::ZERO { root - half } else { -half - root };
@@ -276,7 +284,7 @@ impl<T: Tolerances> Ahead<T> {
             let s = if n == T::ZERO { T::ZERO } else { n / d };
             (s.abs() < T::HALF).then_some([s * tx, s * tz])
         };
-        Some(Self { place, steps: [step(larger, a), step(c, larger)] })
+        Some(Self { point, steps: [step(larger, a), step(c, larger)] })
     }
 }
 

@@ -27,8 +27,8 @@ pub fn pair<T: Tolerances>(
     let mut stage = candidates(defaults, &p, &q, None);
     let mut sure = true;
     for root in stage.roots.iter_mut().take(stage.len) {
-        let Found { place, sure: known, .. } = newton(&p, &q, *root);
-        *root = place;
+        let Found { point, sure: known, .. } = newton(&p, &q, *root);
+        *root = point;
         sure &= known;
     }
     let sure = sure && distinct::<T, Row<T>, Row<T>>(&stage);

@@ -1,7 +1,7 @@
 //! Two equations in a slide and an angle that do not separate.
 
 use super::circle::{Circle, angles};
-use super::curve::{Across, Moving, Place, Row, Stroke};
+use super::curve::{Across, CurvePoint, Moving, Row, Stroke};
 use super::pair::square;
 use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
@@ -54,7 +54,7 @@ pub fn pair_sliding<T: Tolerances>(
 fn candidates<T: Tolerances>(
     [Stroke([_, scale, _]), parabola]: &[Stroke<T>; 2],
     rows @ [[a, b, c], [d, e, f]]: &[Row<T>; 2],
-) -> ([Place<T>; 4], usize) {
+) -> ([CurvePoint<T>; 4], usize) {
     let (scale, det) = (*scale, *a * *e - *b * *d);
     if scale.abs().max(det.abs()) < T::COINCIDENT {
         separated(parabola, rows)
@@ -88,7 +88,7 @@ fn without_angle<T: Tolerances>(
     det: T,
     Stroke([square_x, m, n]): &Stroke<T>,
     [[a, b, c], [d, e, f]]: &[Row<T>; 2],
-) -> ([Place<T>; 4], usize) {
+) -> ([CurvePoint<T>; 4], usize) {
     let (u, v) = ([T::ZERO, scale, -*c], [*square_x, *m, *n - *f]);
     let combined = |i: T, j: T| {
         let [k2, k1, k0] = [i * u[0] + j * v[0], i * u[1] + j * v[1], i * u[2] + j * v[2]];
@@ -115,7 +115,7 @@ fn without_angle<T: Tolerances>(
 fn separated<T: Tolerances>(
     Stroke([square, m, n]): &Stroke<T>,
     [[a, b, c], row]: &[Row<T>; 2],
-) -> ([Place<T>; 4], usize) {
+) -> ([CurvePoint<T>; 4], usize) {
     let mut roots = [[Turn::ZERO; 2]; 4];
     let (found, len) = angles(&Circle { k0: *c, k1: [*a, *b], k2: [T::ZERO; 2] });
     for (pair, z) in roots.chunks_exact_mut(2).zip(found) {

@@ -115,19 +115,19 @@ pub struct DefaultValue<T> {
     /// The joint.
     pub joint: JointMask,
     /// The joints that already an amplitude near zero leaves free.
-    pub(in crate::solve) nearly: JointMask,
+    pub(in crate::solve) nearly_free: JointMask,
 }
 
 impl<T: Tolerances> DefaultValue<T> {
     /// A joint that stays at a value where it is free.
     #[inline]
     pub fn at(value: T, joint: JointMask) -> Self {
-        Self { value, joint, nearly: JointMask::NONE }
+        Self { value, joint, nearly_free: JointMask::NONE }
     }
 
     /// An equation of less amplitude than this leaves the joint free.
     pub(in crate::solve) fn free_below(self) -> T {
-        if self.nearly.meets(self.joint) { T::WEAK } else { T::VANISHING }
+        if self.nearly_free.meets(self.joint) { T::WEAK } else { T::VANISHING }
     }
 
     /// Returns true if an equation of this amplitude, for quantities of size `scale`, leaves the joint free. An

@@ -1,6 +1,6 @@
 //! The roots of two equations in two joints made accurate, two that nearly meet included.
 
-use super::curve::{Across, Found, Moving, Place, beside, newton};
+use super::curve::{Across, CurvePoint, Found, Moving, neighbors, newton};
 use super::roots::Roots;
 use super::tolerances::Tolerances;
 
@@ -18,19 +18,19 @@ where
 {
     let ([row_p, _], [row_q, _]) = (p, q);
     let rows = (row_p, row_q);
-    let apart = |[x, z]: &Place<T>, [u, w]: &Place<T>| X::between(x, u).max(Z::between(z, w));
+    let apart = |[x, z]: &CurvePoint<T>, [u, w]: &CurvePoint<T>| X::between(x, u).max(Z::between(z, w));
     let mut found = stage.roots;
     let mut done = 0;
     let mut sure = true;
     // Every pass is done with one root or two.
     for _ in 0..4 {
         let Some(&root) = found.get(done).filter(|_| done < stage.len) else { break };
-        let Found { place: itself, closed, sure: known } = newton(p, q, root);
+        let Found { point: itself, closed, sure: known } = newton(p, q, root);
         let size = across.relative(&root);
         sure &= known && size >= T::DOUBTFUL;
         // Two candidates for two roots that are closer than the quartic tells apart, which is the fourth root of
         // rounding at worst: one each.
-        let close = |other: &Place<T>| apart(other, &root) < T::COINCIDENT.sqrt();
+        let close = |other: &CurvePoint<T>| apart(other, &root) < T::COINCIDENT.sqrt();
         let twin = found.iter().take(stage.len).skip(done + 1).position(close);
         if let Some([next, later @ ..]) = found.get_mut(done + 1..)
             && let Some(other) = twin.and_then(|twin| later.get_mut(twin.checked_sub(1)?))
@@ -38,10 +38,10 @@ where
             core::mem::swap(next, other);
         }
         let near = if size < T::DOUBTFUL {
-            beside(rows, across, root)
+            neighbors(rows, across, root)
         } else if !closed && twin.is_some() {
             // Steps that are not small lead to other roots.
-            beside(rows, across, root).map(|found| found.filter(close))
+            neighbors(rows, across, root).map(|found| found.filter(close))
         } else {
             [None; 2]
         };
@@ -56,7 +56,7 @@ where
             // tell more than the rows, which close anywhere beside a fourfold root.
             let least = size.min(T::DOUBTFUL) * T::HALF * T::HALF + T::COINCIDENT;
             let gap = across.gap(rows, &itself);
-            let taken = |other: &Place<T>| {
+            let taken = |other: &CurvePoint<T>| {
                 apart(other, &root) < least || gap > T::VANISHING || gap > T::ROUNDING && close(other)
             };
             [nearest.filter(taken).or(Some(itself)), None]
