@@ -171,7 +171,10 @@ fn where_no_continuous_path_exists_time_branch_and_reason_are_named() {
     assert!(found["rows"].as_array().unwrap().is_empty() && found["duration"].is_null(), "{found}");
     // A joint that comes to its limit: from this turn of joint 1 on there is no way round.
     let text = std::fs::read_to_string("../specs/ur5.yaml").unwrap();
-    let limited = file("follow_limited.yaml", &text.replace("theta: 0}", "theta: 0, limits: [-360, 360]}"));
+    let limited = file(
+        "follow_limited.yaml",
+        &text.replace("theta: 0}", "theta: 0, limits: [-360, 360]}").replacen("a: 0,", "name: pan, a: 0,", 1),
+    );
     let turning = |more: &[&str], text: &str| {
         fed(
             &[&["follow", &limited, "--path", "-", "--max-velocity", "180 180 180 180 180 180"][..], more].concat(),
@@ -197,7 +200,7 @@ fn where_no_continuous_path_exists_time_branch_and_reason_are_named() {
     let output = turning(&["--start", &start], &round.collect::<String>());
     let told = said(&output.stderr);
     assert_eq!(output.status.code(), Some(3), "{told}");
-    assert!(told.contains(": q1 is at its limit and needs a whole turn\n"), "{told}");
+    assert!(told.contains(": pan is at its limit and needs a whole turn\n"), "{told}");
 }
 
 #[test]

@@ -20,16 +20,23 @@ pub enum Obstacle {
     Singularity(usize),
 }
 
-/// As in `the limit of q3`.
+impl Obstacle {
+    /// The obstacle in words, with the name of each joint.
+    pub fn words(&self, name: impl Fn(usize) -> String) -> String {
+        match self {
+            Obstacle::Limit(joint) => format!("{} is at its limit", name(*joint)),
+            Obstacle::CombinedLimit => "a sum of joints is at its limit".to_owned(),
+            Obstacle::WholeTurn(joint) => format!("{} is at its limit and needs a whole turn", name(*joint)),
+            Obstacle::Reach => "the path leaves the reach of the branch".to_owned(),
+            Obstacle::Singularity(joint) => format!("{} has to swing at a singularity", name(*joint)),
+        }
+    }
+}
+
+/// As in `q3 is at its limit`.
 impl fmt::Display for Obstacle {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Obstacle::Limit(joint) => write!(f, "q{} is at its limit", joint + 1),
-            Obstacle::CombinedLimit => f.write_str("a sum of joints is at its limit"),
-            Obstacle::WholeTurn(joint) => write!(f, "q{} is at its limit and needs a whole turn", joint + 1),
-            Obstacle::Reach => f.write_str("the path leaves the reach of the branch"),
-            Obstacle::Singularity(joint) => write!(f, "q{} has to swing at a singularity", joint + 1),
-        }
+        f.write_str(&self.words(|joint| format!("q{}", joint + 1)))
     }
 }
 

@@ -50,7 +50,8 @@ pub fn plan<const N: usize>(
     match plan {
         Ok(plan) => Ok(Ok(plan)),
         Err(PlanError::NoPath { at, branch, obstacle }) => {
-            Ok(Err(Obstacle { at, branch: name(branch), reason: obstacle.to_string() }))
+            let named = |joint: usize| asked.arm.joint_names().nth(joint).unwrap_or_default().to_owned();
+            Ok(Err(Obstacle { at, branch: name(branch), reason: obstacle.words(named) }))
         }
         Err(error) => Err(Refused::Plan(error)),
     }
