@@ -2,10 +2,11 @@
 
 use core::fmt;
 
-use crate::arm::Arm;
+use crate::arm::{Arm, InverseKinematics};
 use crate::branch::Branch;
 use crate::dh::JointKind;
 use crate::flags::{Flags, JointMask};
+use crate::limits::within;
 use crate::math::Scalar;
 use crate::windings::{Windings, next_to};
 
@@ -98,18 +99,20 @@ impl<T: Scalar, const N: usize> Solution<T, N> {
     }
 
     /// Returns the solution with each revolute joint on the turn next to `q_ref` (`[N]`), by the rule of
-    /// [`inverse_near`](crate::InverseKinematics::inverse_near). A joint whose reference is not finite stays.
+    /// [`inverse_near`](crate::InverseKinematics::inverse_near). A joint whose reference is not finite stays. The flag
+    /// [`Flags::OUT_OF_LIMITS`] is that of the new joint values, as the inverse sets it.
     #[must_use]
-    pub fn next_to<A: Arm<T, N>>(&self, arm: &A, q_ref: &[T; N]) -> Self {
+    pub fn next_to<A: InverseKinematics<T, N>>(&self, arm: &A, q_ref: &[T; N]) -> Self {
         let mut solution = *self;
-        let joints = solution.q.iter_mut().zip(q_ref).zip(arm.limits().into_iter().zip(arm.joint_kinds()));
-        let mut inside = true;
-        for ((value, reference), (limits, kind)) in joints {
+        let limits = arm.limits();
+        let joints = solution.q.iter_mut().zip(q_ref).zip(limits.iter().zip(arm.joint_kinds()));
+        let inside = joints.fold(true, |inside, ((value, reference), (limits, kind))| {
             if kind == JointKind::Revolute && reference.is_finite() {
-                *value = next_to(*value, *reference, limits);
+                *value = next_to(*value, *reference, *limits);
             }
-            inside &= *value >= limits[0] && *value <= limits[1];
-        }
+            inside & within(*value, *limits, value.abs())
+        });
+        let inside = inside && arm.combined_limits().iter().all(|limit| limit.holds(&solution.q));
         solution.flags.remove(Flags::OUT_OF_LIMITS);
         if !inside {
             solution.flags |= Flags::OUT_OF_LIMITS;

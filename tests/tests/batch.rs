@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use denhart::batch::{self, BLOCK, BatchArm, BatchInverse, Found, InstructionSet, Lengths, Summary};
-use denhart::{Arm, Flags, JointKind, Pose, Status};
+use denhart::{Arm, Flags, InverseKinematics, JointKind, Pose, Status};
 use denhart_dynamic::{DynamicArm, DynamicError, DynamicSolutions, DynamicTarget};
 use denhart_tests::random::Random;
 
@@ -546,4 +546,43 @@ fn check_generated<A: BatchArm<N> + BatchInverse<N, S>, const N: usize, const S:
     }
     assert_eq!(nearest, [[UNTOUCHED; N]; 2]);
     assert_eq!(batch::inverse_near(arm, &[], &[], &mut [], &mut []), Ok(Summary::default()));
+}
+
+/// A slide without weight whose way to the reference overflows: the distance is no number.
+#[derive(Arm)]
+#[arm(
+    yaml = "
+name: unweighted
+convention: standard
+units: {length: m, angle: deg}
+inverse: {task: pose, weights: {q3: 0}}
+joints:
+  - {type: revolute, a: 0, alpha: -90, d: 0.1, theta: 0, limits: [-170, 170]}
+  - {type: revolute, a: 0, alpha: 90, d: 0.154, theta: 0, limits: [-170, 170]}
+  - {type: prismatic, a: 0.0203, alpha: 0, d: 0, theta: -90, limits: [-0.3, 0.3]}
+  - {type: revolute, a: 0, alpha: -90, d: 0, theta: 0, limits: [-170, 170]}
+  - {type: revolute, a: 0, alpha: 90, d: 0, theta: 0, limits: [-90, 90]}
+  - {type: revolute, a: 0, alpha: 0, d: 0, theta: 0, limits: [-170, 170]}
+",
+    batch
+)]
+struct Unweighted;
+
+#[test]
+fn a_distance_that_is_no_number_is_no_nearer() {
+    let mut random = Random::named("unweighted");
+    let q: Vec<[f64; 6]> = (0..64)
+        .map(|_| std::array::from_fn(|joint| random.uniform(-1.0, 1.0) * if joint == 2 { 0.3 } else { 1.5 }))
+        .collect();
+    let targets: Vec<Pose<f64>> = q.iter().map(|q| Unweighted.forward(q)).collect();
+    let references: Vec<[f64; 6]> = q.iter().map(|q| [q[0], q[1], -f64::MAX, q[3], q[4], q[5]]).collect();
+    for set in InstructionSet::available().into_iter().flatten() {
+        let (mut nearest, mut found) = (vec![[UNTOUCHED; 6]; 64], vec![Found::NOTHING; 64]);
+        batch::inverse_near_with(set, &Unweighted, &targets, &references, &mut nearest, &mut found).unwrap();
+        for ((target, reference), (nearest, found)) in targets.iter().zip(&references).zip(nearest.iter().zip(&found)) {
+            let single = Unweighted.inverse_near(target, reference);
+            let expected = single.within_limits().next().map(|solution| solution.q);
+            assert_eq!((found.count > 0).then_some(*nearest), expected, "{set}: {target:?} {reference:?}");
+        }
+    }
 }

@@ -289,3 +289,23 @@ fn pulses_of_linked_joints() {
     }
     assert_eq!(Scara.to_pulses(&Scara.from_pulses(&pulses)), pulses);
 }
+
+/// A solution that is turned next to a reference is beyond the limits where `inverse_near` says so: of sums too.
+#[test]
+fn a_turned_solution_keeps_the_limits_of_sums() {
+    let mut random = Random::named("turned");
+    let (mut inside, mut beyond) = (0, 0);
+    for _ in 0..200 {
+        let [q, near]: [[f64; 6]; 2] = std::array::from_fn(|_| std::array::from_fn(|_| random.uniform(-2.0, 2.0)));
+        let target = Summed.forward(&q);
+        for solution in &Summed.inverse_near(&target, &near) {
+            let turned = solution.next_to(&Summed, &near);
+            assert_eq!(turned.flags, solution.flags, "{q:?} {near:?}");
+            assert!(turned.q.iter().zip(solution.q).all(|(a, b)| (a - b).abs() < 1e-14), "{q:?} {near:?}");
+            let each = turned.q.iter().zip(Summed.limits()).all(|(q, [low, high])| low <= *q && *q <= high);
+            beyond += usize::from(each && !turned.is_within_limits());
+            inside += usize::from(turned.is_within_limits());
+        }
+    }
+    assert!(inside > 200 && beyond > 200, "{inside} {beyond}");
+}

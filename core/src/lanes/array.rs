@@ -94,10 +94,6 @@ impl Lanes for Four {
         }
     }
     #[inline(always)]
-    fn read((): (), from: &[f64]) -> Self {
-        from.first_chunk::<4>().map_or(Self([0.0; 4]), |four| Self(*four))
-    }
-    #[inline(always)]
     fn write(self, to: &mut [f64]) {
         if let Some(four) = to.first_chunk_mut::<4>() {
             *four = self.0;

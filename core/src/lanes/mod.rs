@@ -73,8 +73,6 @@ pub trait Lanes:
     fn load(set: Self::Set, row: &Row, at: usize) -> Self;
     /// Writes the `at`-th vector of a row; nothing beyond its end.
     fn store(self, row: &mut Row, at: usize);
-    /// The numbers from the front of a slice; zeros if it is too short.
-    fn read(set: Self::Set, from: &[f64]) -> Self;
     /// Writes the numbers to the front of a slice; nothing if it is too short.
     fn write(self, to: &mut [f64]);
     /// The columns of four numbers of each lane's row: the first numbers, the second ones, and so on. Rows beyond the

@@ -41,11 +41,6 @@ macro_rules! vector {
                 }
             }
             #[inline(always)]
-            fn read(set: S, from: &[f64]) -> Self {
-                let zeros = [0.0; $width];
-                SimdBase::load_array_ref(set, from.first_chunk::<$width>().unwrap_or(&zeros))
-            }
-            #[inline(always)]
             fn write(self, to: &mut [f64]) {
                 if let Some(vector) = to.first_chunk_mut::<$width>() {
                     SimdBase::store_array(self, vector);

@@ -99,7 +99,8 @@ impl DynamicArm {
     }
 
     /// [`jacobian`](Self::jacobian) of many joint vectors. `q` and `jacobians` as of
-    /// [`forward_and_jacobian_batch`](Self::forward_and_jacobian_batch), which gives the poses in one pass.
+    /// [`forward_and_jacobian_batch`](Self::forward_and_jacobian_batch), which gives the poses in one pass: there the Jacobian is that of
+    /// [`forward_and_jacobian`](Self::forward_and_jacobian), which may round otherwise.
     ///
     /// # Errors
     /// As of [`forward_batch`](Self::forward_batch).

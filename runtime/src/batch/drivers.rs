@@ -354,7 +354,7 @@ fn single<A: BatchInverse<N, S>, const N: usize, const S: usize>(
     found: &mut Found,
 ) {
     let solutions = arm.inverse(target);
-    *found = Found { status: solutions.status(), deviation: solutions.deviation(), scalar: true, ..Found::NOTHING };
+    *found = Found::of_single_call(solutions.status(), solutions.deviation());
     for ((solution, place), flags) in solutions.iter().zip(q).zip(&mut found.flags) {
         *place = solution.q;
         *flags = solution.flags;

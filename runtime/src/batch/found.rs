@@ -30,6 +30,11 @@ impl Found {
         flags: [Flags::NONE; MOST_SOLUTIONS],
     };
 
+    /// The outcome of a single call, without its solutions.
+    pub(super) const fn of_single_call(status: Status<f64>, deviation: f64) -> Self {
+        Self { status, deviation, scalar: true, ..Self::NOTHING }
+    }
+
     /// The flags of the solutions, in their order.
     #[inline]
     #[must_use]

@@ -156,7 +156,9 @@ impl<const N: usize> Nearest<N> {
             let mut distance = [0.0; MOST_LANES];
             sum.write(&mut distance);
             for (lane, ((best, least), distance)) in this.best.iter_mut().zip(&mut least).zip(distance).enumerate() {
-                if candidates >> lane & 1 == 0 || this.listed >> lane & 1 != 0 && distance >= *least {
+                // A distance that is no number, of a joint without weight, is no nearer than the one before it.
+                let is_nearer = this.listed >> lane & 1 == 0 || distance < *least;
+                if candidates >> lane & 1 == 0 || !is_nearer {
                     continue;
                 }
                 let mut q = [0.0; N];
@@ -184,7 +186,7 @@ fn single<A: BatchInverse<N, S>, const N: usize, const S: usize>(
     found: &mut Found,
 ) {
     let solutions = arm.inverse_near(target, q_ref);
-    *found = Found { status: solutions.status(), deviation: solutions.deviation(), scalar: true, ..Found::NOTHING };
+    *found = Found::of_single_call(solutions.status(), solutions.deviation());
     if let Some(solution) = solutions.iter().find(|solution| solution.is_within_limits()) {
         *q = solution.q;
         found.count = 1;
