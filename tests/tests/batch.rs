@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use denhart::batch::{self, BLOCK, BatchArm, BatchInverse, Found, InstructionSet, Lengths, Summary};
-use denhart::{Arm, Flags, InverseKinematics, JointKind, Pose, Status};
+use denhart::{Arm, Flags, JointKind, Pose, Status};
 use denhart_dynamic::{DynamicArm, DynamicError, DynamicSolutions, DynamicTarget};
 use denhart_tests::random::Random;
 
