@@ -11,25 +11,10 @@ use crate::numbers::Units;
 
 /// The keys of a target's parts.
 const PARTS: [&str; 7] = ["position", "matrix", "quaternion", "rpy", "axis", "angle", "phi"];
-/// The keys beside them that are read.
-const BESIDE: [&str; 5] = ["pose", "target", "given", "angle_unit", "length_unit"];
-/// Keys that the command prints and does not read.
-const PRINTED: [&str; 14] = [
-    "arm",
-    "closest",
-    "complete",
-    "found",
-    "found_within_limits",
-    "hints",
-    "line",
-    "missed",
-    "outside_limits",
-    "q",
-    "rpy_singular",
-    "solutions",
-    "status",
-    "task",
-];
+/// The keys beside them that may be left out.
+const OPTIONAL: [&str; 3] = ["given", "angle_unit", "length_unit"];
+/// The keys that hold the parts.
+const HOLDERS: [&str; 2] = ["pose", "target"];
 
 /// The target of a JSON text.
 ///
@@ -50,7 +35,10 @@ fn of_object(arm: &DynamicArm, value: &Value, units: Units) -> Result<Target, Fa
         ))),
     };
     let top = object(value, "")?;
-    check_keys(&top)?;
+    // Without it the target would have another meaning, and nothing would tell.
+    if let Some(failure) = misspelt(&top, &OPTIONAL) {
+        return Err(failure);
+    }
     let own = arm.length_unit().to_string();
     if let Some(unit) = top.get("length_unit").filter(|unit| unit.as_str() != Some(&own)) {
         return Err(Failure::Usage(format!(
@@ -68,20 +56,19 @@ fn of_object(arm: &DynamicArm, value: &Value, units: Units) -> Result<Target, Fa
         Some((key, value)) => object(value, &format!("`{key}`: "))?,
         None => top.clone(),
     };
-    check_keys(&found)?;
-    let target = parts(&found)?.target(arm, units)?;
+    let target = parts(&found)?.target(arm, units);
+    let target = target.map_err(|failure| misspelt(&found, &PARTS).unwrap_or(failure))?;
     Ok(Target { given: given(&top, arm, units)?, ..target })
 }
 
-/// Refuses a key that is a misspelt one. Other keys do not count: they are the user's own.
-fn check_keys(object: &Map<String, Value>) -> Result<(), Failure> {
-    let read = || PARTS.into_iter().chain(BESIDE);
-    for key in object.keys().filter(|key| !read().chain(PRINTED).any(|known| known == *key)) {
-        if let Some(meant) = nearest(key, read()) {
-            return Err(Failure::Usage(format!("the key `{key}` is not known\nhelp: did you mean `{meant}`?")));
-        }
-    }
-    Ok(())
+/// The failure of a key that is probably one of `wanted`, misspelt. Other keys do not count: they are the user's own.
+fn misspelt(object: &Map<String, Value>, wanted: &[&str]) -> Option<Failure> {
+    let is_read = |key: &str| PARTS.iter().chain(&OPTIONAL).chain(&HOLDERS).any(|known| *known == key);
+    let missed = || wanted.iter().copied().filter(|known| !object.contains_key(*known));
+    object.keys().filter(|key| !is_read(key)).find_map(|key| {
+        let meant = nearest(key, missed()).filter(|meant| meant.len().abs_diff(key.len()) <= 2)?;
+        Some(Failure::Usage(format!("the key `{key}` is not known\nhelp: did you mean `{meant}`?")))
+    })
 }
 
 /// The values that the key `given` has for the redundant joints: a number, or a list.

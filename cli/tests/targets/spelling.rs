@@ -243,3 +243,17 @@ fn json_that_is_no_target_is_told() {
     let path = file("targets_pose.json", "{\"position\": [0.3, 0.1, 0.4], \"rpy\": [180, 0, 0]}");
     assert!(shown(&["inverse", "specs/ur5.yaml", "--json-target", &path]).starts_with("8 solutions"));
 }
+
+/// Keys of the user's own do not count, however near to a key that is read.
+#[test]
+fn keys_of_the_user_do_not_count() {
+    for key in ["rotation", "target_id", "angles", "length", "quat", "name", "pos"] {
+        let text = format!("{{\"position\": [0.3, 0.2, 0.4], \"rpy\": [180, 0, 0], \"{key}\": 1}}");
+        let output = fed(&["inverse", "specs/ur5.yaml", "--json-target", "-"], &text);
+        assert_eq!(output.status.code(), Some(0), "{key}: {output:?}");
+    }
+    let text = "{\"position\": [0.3, 0.2, 0.4], \"rpy\": [3, 0, 0], \"angle_unti\": \"rad\"}";
+    let output = fed(&["inverse", "specs/ur5.yaml", "--json-target", "-"], text);
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.code() == Some(2) && told.contains("did you mean `angle_unit`?"), "{told}");
+}
