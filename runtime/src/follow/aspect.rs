@@ -1,6 +1,6 @@
 //! The part of the joint space that an arm is in.
 
-use super::signs::{Signs, factors_exceed};
+use super::signs::{Factors, Signs};
 use crate::arm::InverseKinematics;
 use crate::branch::Branch;
 use crate::math::Scalar;
@@ -39,21 +39,23 @@ impl Aspect {
         let solutions = found.as_ref();
         let nearest = solutions.iter().find(|solution| solution.is_exact()).or(solutions.first());
         let signs = Signs::at(arm, q, Some(&target));
-        nearest.map_or(Self { signs, branch: Branch::NONE, is_open: true }, |nearest| Self::of(arm, signs, nearest))
+        nearest.map_or(Self { signs, branch: Branch::NONE, is_open: true }, |nearest| {
+            Self::of(arm, signs, &nearest.q, nearest.branch)
+        })
     }
 
-    /// Aspect of a solution where the factors have these signs. The name has no numbers of roots: these mean something at one
-    /// target only.
+    /// Aspect of a solution `q` of a branch, where the factors have these signs. The name has no numbers of roots: these mean
+    /// something at one target only.
     pub(super) fn of<A: InverseKinematics<T, N>, T: Scalar, const N: usize>(
         arm: &A,
         signs: Signs,
-        solution: &Solution<T, N>,
+        q: &[T; N],
+        branch: Branch,
     ) -> Self {
-        let branch = solution.branch.with_root(0);
-        let exceed = |but| factors_exceed(arm, &solution.q, beside(), but);
-        if exceed(None) {
+        let (branch, factors) = (branch.with_root(0), Factors::at(arm, q));
+        if factors.least(None) > beside() {
             Self { signs, branch, is_open: false }
-        } else if exceed(arm.wrist_factor()) {
+        } else if factors.least(arm.wrist_factor()) > beside() {
             Self { signs, branch: branch.with_any_wrist(), is_open: true }
         } else {
             Self { signs, branch: Branch::NONE, is_open: true }
@@ -88,20 +90,16 @@ impl Aspect {
         signs: Signs,
         solution: &Solution<T, N>,
     ) -> Option<Branch> {
-        let left = self.go(arm, signs, |signs| Self::of(arm, signs, solution));
+        let left = self.go(arm, signs, |signs| Self::of(arm, signs, &solution.q, solution.branch));
         if self.is_open {
-            self.complete(&Self::of(arm, signs, solution));
+            self.complete(&Self::of(arm, signs, &solution.q, solution.branch));
         }
         left
     }
 
-    /// Returns true if the name lacks a component that joint values have.
-    pub(super) fn may_be_completed<A: InverseKinematics<T, N>, T: Scalar, const N: usize>(
-        &self,
-        arm: &A,
-        q: &[T; N],
-    ) -> bool {
-        self.is_open && factors_exceed(arm, q, beside::<T>(), None)
+    /// Returns true if the name lacks a component that joint values with these factors have.
+    pub(super) fn may_be_completed<T: Scalar>(&self, factors: &Factors<T>) -> bool {
+        self.is_open && factors.least(None) > beside()
     }
 
     /// Takes what the name lacks from another one of the same part.

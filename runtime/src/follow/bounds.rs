@@ -2,7 +2,7 @@
 //!
 //! Everything here is in the coordinates of the motors: those of the joints, but for joints whose motors are linked.
 
-use super::brake::{brake, clamp};
+use super::brake::{brake_up_to, clamp};
 use super::linear::product;
 use super::settings::{FollowSettings, Linked};
 use crate::arm::{Arm, InverseKinematics};
@@ -81,6 +81,11 @@ impl<T: Scalar, const N: usize> Bounds<T, N> {
         Self { most, change, range, linked: settings.linked }
     }
 
+    /// Returns true if motors are linked.
+    pub(super) const fn are_linked(&self) -> bool {
+        self.linked.is_some()
+    }
+
     /// A step of the joints as one of the motors.
     #[allow(clippy::wrong_self_convention)]
     pub(super) fn to_motors(&self, joints: [T; N]) -> [T; N] {
@@ -153,8 +158,8 @@ impl<T: Scalar, const N: usize> Bounds<T, N> {
         for ((low, high), ((most, change), step)) in ends.zip(self.most.iter().zip(&self.change).zip(step)) {
             // Ends of a range that is left by rounding give way to the acceleration.
             let (slowest, fastest) = ((*step - *change).max(-*most), (*step + *change).min(*most));
-            *low = clamp(-brake(-*low, *change), slowest, fastest);
-            *high = clamp(brake(*high, *change), slowest, fastest);
+            *low = (-brake_up_to(-*low, *change, -slowest)).min(fastest);
+            *high = brake_up_to(*high, *change, fastest).max(slowest);
         }
         interval
     }

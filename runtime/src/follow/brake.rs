@@ -16,6 +16,15 @@ pub(super) fn brake<T: Scalar>(room: T, change: T) -> T {
     (half * half + T::TWO * change * rest).sqrt() - half
 }
 
+/// The lesser of [`brake`] and `most`, without the root where `most` is surely the lesser.
+///
+/// The root is at least `most` where `2 change room >= most (most + change) + change^2 / 4`. The term is `change^2` here: then
+/// it holds in no way that is shorter than `change`, which is a step of its own.
+pub(super) fn brake_up_to<T: Scalar>(room: T, change: T, most: T) -> T {
+    let is_far = || T::TWO * change * room > most * (most + change) + change * change;
+    if change.is_finite() && is_far() { most } else { brake(room, change).min(most) }
+}
+
 /// The way `room`, in either direction, cut to the step that [`brake`] allows.
 pub(super) fn braked<T: Scalar>(room: T, change: T) -> T {
     brake(room.abs(), change).min(room.abs()).copysign(room)
@@ -45,6 +54,21 @@ mod tests {
             }
             assert!(way - at < 1e-9, "{way}: {at}");
             assert!(f64::from(ticks) < 3.0 + (2.0 * way).sqrt());
+        }
+    }
+
+    #[test]
+    fn a_bound_that_is_less_needs_no_root() {
+        for change in [0.3, 1.0, f64::INFINITY] {
+            for room in (-4..400).map(|k| f64::from(k) * 0.1) {
+                for most in (-10..80).map(|k| f64::from(k) * 0.1).chain([f64::INFINITY]) {
+                    assert_eq!(
+                        brake_up_to(room, change, most),
+                        brake(room, change).min(most),
+                        "{room} {change} {most}"
+                    );
+                }
+            }
         }
     }
 

@@ -9,16 +9,11 @@ use crate::solution::Solution;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Candidate<T, const N: usize> {
     pub(super) q: [T; N],
-    /// The solution itself, on the turns that are nearest.
-    pub(super) solution: Solution<T, N>,
+    pub(super) branch: Branch,
+    /// The solution, on the turns that are nearest, is within the limits.
+    pub(super) is_within_limits: bool,
     /// Time of the way at full rates, in ticks.
     pub(super) ticks: T,
-}
-
-impl<T: Scalar, const N: usize> Candidate<T, N> {
-    pub(super) fn new(solution: &Solution<T, N>, q: [T; N], ticks: T) -> Self {
-        Self { q, solution: *solution, ticks }
-    }
 }
 
 impl Crossing {
@@ -48,27 +43,28 @@ impl<T: Scalar, const N: usize> Choice<T, N> {
     /// No candidate.
     pub(super) const NONE: Self = Self { own: None, other: None };
 
-    /// Notes a solution.
-    pub(super) fn note(&mut self, candidate: Candidate<T, N>, own: bool) {
+    /// Notes a solution at joint values that are so many ticks away.
+    pub(super) fn note(&mut self, solution: &Solution<T, N>, q: &[T; N], ticks: T, own: bool) {
         let place = if own { &mut self.own } else { &mut self.other };
-        if place.is_none_or(|known| candidate.ticks < known.ticks) {
-            *place = Some(candidate);
+        if place.as_ref().is_none_or(|known| ticks < known.ticks) {
+            let (branch, is_within_limits) = (solution.branch, solution.is_within_limits());
+            *place = Some(Candidate { q: *q, branch, is_within_limits, ticks });
         }
     }
 
     /// The candidate to go to, and true if it is on another branch. `second`: ticks of a second.
-    pub(super) fn made(&self, second: T) -> Option<(Candidate<T, N>, bool)> {
+    pub(super) fn made(&self, second: T) -> Option<(&Candidate<T, N>, bool)> {
         let part = |share: f64| T::from_f64(share) * second;
-        let worth = |other: &Candidate<T, N>| match &self.own {
-            Some(own) if own.solution.is_within_limits() => {
+        let worth = |other: &&Candidate<T, N>| match &self.own {
+            Some(own) if own.is_within_limits => {
                 other.ticks < T::from_f64(0.8) * own.ticks && other.ticks < part(0.4) && own.ticks > T::TWO
             }
             Some(_) => false,
             None => other.ticks < part(0.02),
         };
-        match self.other.filter(worth) {
+        match self.other.as_ref().filter(worth) {
             Some(other) => Some((other, true)),
-            None => self.own.map(|own| (own, false)),
+            None => self.own.as_ref().map(|own| (own, false)),
         }
     }
 }

@@ -67,7 +67,7 @@ impl<T: Scalar, const N: usize> Aim<T, N> {
             kind == JointKind::Revolute && (*goal - *q).abs() > T::from_f64(TURN) && jumps(joint, *goal)
         };
         let wound = goal.iter().zip(q.iter().zip(arm.joint_kinds())).enumerate().any(turns);
-        if candidate.solution.is_within_limits() && !wound {
+        if candidate.is_within_limits && !wound {
             return Self { goal: Some(goal), tracking: Tracking::Rates, held: JointMask::NONE, ticks: candidate.ticks };
         }
         let mut held = JointMask::NONE;
@@ -113,13 +113,12 @@ impl<T: Scalar, const N: usize> Weights<T, N> {
         twist
     }
 
-    fn rows(&self, mut rows: [[T; N]; 6]) -> [[T; N]; 6] {
+    fn weigh(&self, rows: &mut [[T; N]; 6]) {
         for (row, weight) in rows.iter_mut().zip(self.rows) {
             for (entry, unit) in row.iter_mut().zip(self.units) {
                 *entry *= weight * unit;
             }
         }
-        rows
     }
 }
 
@@ -150,7 +149,8 @@ struct System<T, const N: usize> {
 impl<T: Scalar, const N: usize> System<T, N> {
     /// `left`, `twist`: what is left of the last tick's deviation, and the one from this tick's target, both weighted.
     fn new(follower: &Follower<T, N>, deviation: &Deviation<T, N>, left: [T; 6], twist: [T; 6], descends: T) -> Self {
-        let rows = follower.weights.rows(follower.bounds.by_motors(&deviation.jacobian));
+        let mut rows = follower.bounds.by_motors(&deviation.jacobian);
+        follower.weights.weigh(&mut rows);
         let normal = Normal::new(&rows, T::from_f64(DAMPING) + descends);
         let mut moved = twist;
         for (moved, left) in moved.iter_mut().zip(&left) {
@@ -165,26 +165,31 @@ impl<T: Scalar, const N: usize> System<T, N> {
     }
 
     /// The ways of the motors that are not `alone` to the posture that misses the target of the last tick least.
-    fn closing(&self, alone: &[Option<T>; N]) -> Closing<T, N> {
+    fn closing(&self, alone: &[Option<T>; N], factor: &mut Option<Factor<T, N>>) -> Closing<T, N> {
         let mut rooms = self.rooms;
         for ((low, high), alone) in rooms.low.iter_mut().zip(&mut rooms.high).zip(alone) {
             if alone.is_some() {
                 (*low, *high) = (T::ZERO, T::ZERO);
             }
         }
-        let mut factor = None;
-        let mut ways = self.normal.within(&self.rows, &self.left, &rooms.low, &rooms.high, &mut factor);
+        let mut ways = self.normal.within(&self.rows, &self.left, &rooms.low, &rooms.high, factor);
         for (((low, high), way), unit) in rooms.low.iter_mut().zip(&mut rooms.high).zip(&mut ways).zip(self.units) {
             (*low, *high) = ((*low - *way).min(T::ZERO), (*high - *way).max(T::ZERO));
             *way *= unit;
         }
-        Closing { ways, rooms, factor }
+        Closing { ways, rooms }
     }
 
     /// The step of all motors. Those that are `alone` take their own step, and the others go along with them and with the
     /// target. Of their ways they take `share`, and brake in time.
-    fn step(&self, follower: &Follower<T, N>, alone: &[Option<T>; N], closing: Closing<T, N>, share: T) -> [T; N] {
-        let Closing { ways, rooms, mut factor } = closing;
+    fn step(
+        &self,
+        follower: &Follower<T, N>,
+        alone: &[Option<T>; N],
+        Closing { ways, rooms }: &Closing<T, N>,
+        share: T,
+        factor: &mut Option<Factor<T, N>>,
+    ) -> [T; N] {
         let mut moved = self.moved;
         for (joint, alone) in alone.iter().enumerate() {
             let Some(step) = alone else { continue };
@@ -193,7 +198,7 @@ impl<T: Scalar, const N: usize> System<T, N> {
                 *moved -= row[joint] * scaled;
             }
         }
-        let forward = self.normal.within(&self.rows, &moved, &rooms.low, &rooms.high, &mut factor);
+        let forward = self.normal.within(&self.rows, &moved, &rooms.low, &rooms.high, factor);
         let mut step = [T::ZERO; N];
         for joint in 0..N {
             step[joint] = alone[joint].unwrap_or_else(|| {
@@ -208,7 +213,6 @@ impl<T: Scalar, const N: usize> System<T, N> {
 struct Closing<T, const N: usize> {
     ways: [T; N],
     rooms: Interval<T, N>,
-    factor: Option<Factor<T, N>>,
 }
 
 impl<T: Scalar, const N: usize> Follower<T, N> {
@@ -247,19 +251,23 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
                 *alone = Some(own.as_ref().and_then(|own| own.step.get(joint)).copied().unwrap_or(T::ZERO));
             }
         }
+        let mut factor = None;
         if leader.is_some() {
-            return interval.cut(system.step(self, &alone, system.closing(&alone), T::ONE));
+            let closing = system.closing(&alone, &mut factor);
+            return interval.cut(system.step(self, &alone, &closing, T::ONE, &mut factor));
         }
         // Without a goal for each joint the one leads whose way by least squares takes longest, if it takes more than a tick.
         let share = T::from_f64(SLOW);
-        let closing = system.closing(&alone);
+        let closing = system.closing(&alone, &mut factor);
         let (mut most, mut longest) = (T::ONE, None);
         for (joint, (way, velocity)) in closing.ways.iter().zip(&self.bounds.most).enumerate() {
             if *velocity > T::ZERO && way.abs() > most * *velocity {
                 (most, longest) = (way.abs() / *velocity, Some(joint));
             }
         }
-        let Some(joint) = longest else { return interval.cut(system.step(self, &alone, closing, share)) };
+        let Some(joint) = longest else {
+            return interval.cut(system.step(self, &alone, &closing, share, &mut factor));
+        };
         let mut led = closing.ways;
         for (led, change) in led.iter_mut().zip(&self.bounds.change) {
             *led = braked(share * *led, *change);
@@ -267,7 +275,8 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         if let Some((alone, led)) = alone.iter_mut().zip(interval.cut(led)).nth(joint) {
             *alone = Some(led);
         }
-        interval.cut(system.step(self, &alone, system.closing(&alone), share))
+        let closing = system.closing(&alone, &mut factor);
+        interval.cut(system.step(self, &alone, &closing, share, &mut factor))
     }
 
     /// The step of each joint towards the goal.

@@ -5,7 +5,7 @@ use super::bounds::{Bounds, Interval, rounding};
 use super::choice::{Candidate, Choice};
 use super::deviate::{Aim, TURN, Weights};
 use super::settings::{Crossing, FollowError, FollowSettings};
-use super::signs::{Signs, the_wrist_alone_changes};
+use super::signs::{Factors, Signs, change_of_factors};
 use super::step::{Step, Tracking};
 use crate::arm::{InverseBranch, InverseKinematics};
 use crate::branch::Branch;
@@ -21,7 +21,10 @@ use crate::vector::norm;
 /// Follows a target that moves, one step a tick: exact where the rates of the joints allow, else with a deviation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Follower<T, const N: usize> {
-    settings: FollowSettings<T, N>,
+    period: T,
+    crossing: Crossing,
+    /// Values that come with the target do not count.
+    held: bool,
     pub(super) bounds: Bounds<T, N>,
     pub(super) weights: Weights<T, N>,
     /// The arm has factors: each solution of a target has signs of its own.
@@ -29,6 +32,10 @@ pub struct Follower<T, const N: usize> {
     pub(super) q: [T; N],
     /// Pose and Jacobian there, if they have been asked for.
     evaluated: Option<(Pose<T>, Jacobian<T, N>)>,
+    /// The size of the smallest factor there, but for that of the wrist, if the last tick was not exact.
+    clear: T,
+    /// Ticks for which solutions beyond other singularities than that of the wrist are too far to be looked for.
+    others_in: T,
     /// The last step, of the motors.
     pub(super) step: [T; N],
     /// The goal of the last tick, if it is on the branch that is followed.
@@ -57,7 +64,8 @@ enum Sought {
     All,
     /// The branch that is followed: an exact tick goes on there.
     Followed(Branch),
-    /// The branch that is followed, and the one beyond the singularity of the wrist: no other is within a step, or allowed.
+    /// The branch that is followed, and the one beyond the singularity of the wrist: others are beyond a step and not allowed,
+    /// or they were far when all were looked at.
     EitherWrist(Branch),
 }
 
@@ -86,6 +94,11 @@ const HALF_TURN: f64 = 2.9;
 /// limits for half as long comes back where the arm follows a path past a shoulder singularity: to leave earlier costs more way.
 const STUCK: f64 = 1.0;
 
+/// Solutions beyond other singularities than that of the wrist are looked for again after this part of the time that the arm
+/// takes to the nearest at full rates, and after so many ticks at most.
+const APART: f64 = 0.125;
+const MOST_UNSEEN: f64 = 15.0;
+
 impl<T: Scalar, const N: usize> Follower<T, N> {
     /// An arm at rest at `q`.
     ///
@@ -102,12 +115,16 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         }
         let here = Aspect::at(arm, q, &mut A::Solutions::default());
         Ok(Self {
-            settings,
+            period: settings.period,
+            crossing: settings.crossing,
+            held: settings.held,
             bounds: Bounds::new(arm, &settings),
             weights: Weights::new(arm, &settings, q),
             has_factors: arm.factors(q, &mut []) > 0,
             q: *q,
             evaluated: None,
+            clear: T::ZERO,
+            others_in: T::ZERO,
             step: [T::ZERO; N],
             goal: Some(*q),
             left: Some([T::ZERO; 6]),
@@ -134,11 +151,12 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         found: &mut A::Solutions,
     ) -> Step<T, N> {
         let interval = self.bounds.interval(&self.q, &self.step);
-        let sought = self.sought(arm, &interval);
+        let mut sought = self.sought::<A>(&interval);
         let mut seen = self.look(arm, target, sought, &self.q, &interval, found);
         if !self.suffices(sought, &seen) {
+            sought = Sought::All;
             let from = if self.was_exact() { self.expected() } else { self.q };
-            seen = self.look(arm, target, Sought::All, &from, &interval, found);
+            seen = self.look(arm, target, sought, &from, &interval, found);
         }
         if matches!(A::status(found), Status::BadTarget) {
             return self.stop(arm);
@@ -146,6 +164,10 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         let choice = match seen {
             Seen::Reached(solution, signs) => return self.arrive(arm, &interval, &solution, signs),
             Seen::Apart(choice) => choice,
+        };
+        self.others_in = match sought {
+            Sought::All => self.until_others(found.as_ref()),
+            _ => self.others_in - T::ONE,
         };
         let aim = self.choose(arm, target, &choice);
         let mut held = aim.held;
@@ -163,7 +185,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         let crossed = self.note_crossing(arm, Some(target), found);
         let twist = self.deviation(arm, target).twist;
         self.left = Some(twist);
-        Step { held, remaining: aim.ticks * self.settings.period, ..self.state(aim.tracking, twist, crossed) }
+        Step { held, remaining: aim.ticks * self.period, ..self.state(aim.tracking, twist, crossed) }
     }
 
     /// A step in a tick that has no target: every joint brakes. In a tick that has one, call [`step`](Self::step) alone:
@@ -175,7 +197,9 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         self.advance(step);
         (self.goal, self.left) = (None, None);
         (self.under_way, self.allowed) = (T::ZERO, T::ZERO);
-        let signs = Signs::at(arm, &self.q, Some(&arm.target_at(&self.q)));
+        let factors = Factors::at(arm, &self.q);
+        let signs = factors.signs(arm, &self.q, Some(&arm.target_at(&self.q)));
+        self.clear = factors.least(arm.wrist_factor());
         let crossed = self.here.go(arm, signs, |_| Aspect::at(arm, &self.q, &mut A::Solutions::default()));
         Step { remaining: T::INFINITY, ..self.state(Tracking::Target, [T::ZERO; 6], crossed) }
     }
@@ -194,7 +218,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
 
     /// A second, in ticks.
     pub(super) fn second(&self) -> T {
-        T::ONE / self.settings.period
+        T::ONE / self.period
     }
 
     /// The way of the motors to joint values.
@@ -216,8 +240,8 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     /// The branches on which the solution of this tick is looked for first.
     ///
     /// The names of an arm without `factors` may change on the way, so that another name stands for the branch.
-    fn sought<A: InverseKinematics<T, N>>(&self, arm: &A, interval: &Interval<T, N>) -> Sought {
-        let takes_held_values = A::TAKES_VALUES && self.settings.held;
+    fn sought<A: InverseKinematics<T, N>>(&self, interval: &Interval<T, N>) -> Sought {
+        let takes_held_values = A::TAKES_VALUES && self.held;
         if !self.has_factors || takes_held_values || self.sent.is_some() {
             return Sought::All;
         }
@@ -226,12 +250,12 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             return Sought::Followed(followed);
         }
         let leaves_the_branch = self.here.signs.differ(self.wanted.signs) || self.has_waited();
-        let goes_anywhere = self.settings.crossing == Crossing::Any || self.settings.linked.is_some();
         let none_is_known = self.goal.is_none() || followed == Branch::NONE;
-        if leaves_the_branch || goes_anywhere || none_is_known {
+        if leaves_the_branch || none_is_known || self.bounds.are_linked() {
             return Sought::All;
         }
-        if the_wrist_alone_changes(arm, &self.q, interval.longest(self.weights.units())) {
+        let are_beyond = || self.clear > change_of_factors(interval.longest(self.weights.units()));
+        if self.others_in >= T::ONE || self.crossing != Crossing::Any && are_beyond() {
             Sought::EitherWrist(followed.with_any_wrist())
         } else {
             Sought::All
@@ -248,7 +272,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         interval: &Interval<T, N>,
         found: &mut A::Solutions,
     ) -> Seen<T, N> {
-        if A::TAKES_VALUES && self.settings.held {
+        if A::TAKES_VALUES && self.held {
             arm.inverse_near_into(target, from, found);
         } else {
             arm.inverse_branch_near_into(target, sought.branch(), from, found);
@@ -258,6 +282,14 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
             (None, Sought::Followed(_)) => Seen::Apart(Choice::NONE),
             (None, _) => Seen::Apart(self.choice(arm, target, found.as_ref())),
         }
+    }
+
+    /// Ticks for which solutions beyond other singularities than that of the wrist need no look, after a look at all.
+    fn until_others(&self, solutions: &[Solution<T, N>]) -> T {
+        let sides = self.wanted.branch.with_any_wrist();
+        let nearest = solutions.iter().find(|other| other.is_exact() && !sides.agrees_with(other.branch));
+        let ticks = nearest.map_or(T::ZERO, |nearest| self.bounds.ticks(&self.way(&nearest.q)));
+        (ticks * T::from_f64(APART)).min(T::from_f64(MOST_UNSEEN))
     }
 
     /// Returns true if no solution beside those that were sought matters.
@@ -338,9 +370,9 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         let second = self.second();
         let made = choice.made(second);
         let aim =
-            made.map_or_else(Aim::out_of_reach, |(candidate, _)| Aim::at(arm, &candidate, &self.q, self.goal.as_ref()));
+            made.map_or_else(Aim::out_of_reach, |(candidate, _)| Aim::at(arm, candidate, &self.q, self.goal.as_ref()));
         match made {
-            Some((candidate, true)) => self.follow(arm, target, &candidate),
+            Some((candidate, true)) => self.follow(arm, target, candidate),
             _ if self.is_stuck(&aim) => self.leave(arm, target, choice.other.as_ref()),
             _ => {}
         }
@@ -350,10 +382,11 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     /// Follows the branch of a candidate from now on.
     fn follow<A: InverseKinematics<T, N>>(&mut self, arm: &A, target: &A::Target, candidate: &Candidate<T, N>) {
         let signs = Signs::at(arm, &candidate.q, Some(target));
-        let named = |signs| Aspect::of(arm, signs, &candidate.solution);
+        let named = |signs| Aspect::of(arm, signs, &candidate.q, candidate.branch);
         if self.wanted.go(arm, signs, named).is_none() {
             self.wanted = named(signs);
         }
+        self.others_in = T::ZERO;
         self.goal = None;
     }
 
@@ -380,10 +413,10 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
                 let own = asked && (self.sent.is_some() || !signs().differ(self.wanted.signs));
                 // An arm that is beyond a singularity against its settings may stay there rather than wait for ever.
                 let is_here = || self.has_waited() && !signs().differ(self.here.signs);
-                let allowed = || self.settings.crossing.allows(self.wanted.branch, solution.branch) || is_here();
+                let allowed = || self.crossing.allows(self.wanted.branch, solution.branch) || is_here();
                 if own || (self.sent.is_none() && solution.is_within_limits() && allowed()) {
                     let q = self.on_the_turn_of_the_goal(arm, &solution.q);
-                    choice.note(Candidate::new(solution, q, self.bounds.ticks(&self.way(&q))), own);
+                    choice.note(solution, &q, self.bounds.ticks(&self.way(&q)), own);
                 }
             }
             if choice.own.is_some() {
@@ -462,12 +495,14 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         found: &mut A::Solutions,
     ) -> Option<Branch> {
         let left = self.here;
-        let crossed =
-            self.here.go(arm, Signs::at(arm, &self.q, target), |signs| match signs.differ(self.wanted.signs) {
-                true => Aspect::at(arm, &self.q, found),
-                false => self.wanted,
-            });
-        if crossed.is_none() && self.here.may_be_completed(arm, &self.q) {
+        let factors = Factors::at(arm, &self.q);
+        self.clear = factors.least(arm.wrist_factor());
+        let signs = factors.signs(arm, &self.q, target);
+        let crossed = self.here.go(arm, signs, |signs| match signs.differ(self.wanted.signs) {
+            true => Aspect::at(arm, &self.q, found),
+            false => self.wanted,
+        });
+        if crossed.is_none() && self.here.may_be_completed(&factors) {
             self.here.complete(&Aspect::at(arm, &self.q, found));
             if !self.here.signs.differ(self.wanted.signs) {
                 self.wanted = self.here;
@@ -477,7 +512,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         let signs = self.here.signs;
         // Who left the branch that was followed, while its solution fled, follows the one that was entered.
         let strayed = !left.signs.differ(self.wanted.signs) && signs.differ(self.wanted.signs);
-        if strayed && self.sent.is_none() && self.settings.crossing.allows(self.wanted.branch, self.here.branch) {
+        if strayed && self.sent.is_none() && self.crossing.allows(self.wanted.branch, self.here.branch) {
             (self.strayed_from, self.stuck) = (Some(self.wanted), T::ZERO);
             self.wanted = self.here;
             self.goal = None;
@@ -488,7 +523,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     /// The answer to a tick, without what a deviation has besides.
     fn state(&self, tracking: Tracking, twist: [T; 6], crossed: Option<Branch>) -> Step<T, N> {
         let [x, y, z, turns @ ..] = twist;
-        let period = self.settings.period;
+        let period = self.period;
         Step {
             q: self.q,
             velocity: self.bounds.to_joints(self.step).map(|step| step / period),

@@ -47,10 +47,8 @@ impl<T: Scalar, const N: usize> Normal<T, N> {
         factor: &mut Option<Factor<T, N>>,
     ) -> [T; N] {
         let mut right = [T::ZERO; N];
-        for (row, error) in rows.iter().zip(error) {
-            for (sum, entry) in right.iter_mut().zip(row) {
-                *sum += *entry * *error;
-            }
+        for i in 0..N {
+            right[i] = rows.iter().zip(error).fold(T::ZERO, |sum, (row, error)| sum + row[i] * *error);
         }
         let mut x = [T::ZERO; N];
         let mut places = [AtBound::Free; N];
@@ -64,19 +62,26 @@ impl<T: Scalar, const N: usize> Normal<T, N> {
         }
         let mut slope = right;
         for _ in 0..4 * N {
-            let known = factor.take().filter(|known| known.is_of(&places));
-            let known = known.unwrap_or_else(|| Factor::new(&self.matrix, &places));
+            if !factor.as_ref().is_some_and(|known| known.is_of(&places)) {
+                *factor = Some(Factor::new(&self.matrix, &places));
+            }
+            let Some(known) = factor else { break };
             let way = known.solve(&slope);
-            *factor = Some(known);
-            let (share, stop) = shortened(&x, &way, &places, low, high);
-            for i in 0..N {
-                if places[i] == AtBound::Free {
+            // The way of a joint that is not free is 0. A step that stays inside needs no search for the first end.
+            let mut stop = None;
+            if (0..N).all(|i| x[i] + way[i] >= low[i] && x[i] + way[i] <= high[i]) {
+                for i in 0..N {
+                    x[i] += way[i];
+                }
+                if !places.iter().any(|place| matches!(place, AtBound::Low | AtBound::High)) {
+                    break;
+                }
+            } else {
+                let share;
+                (share, stop) = shortened(&x, &way, low, high);
+                for i in 0..N {
                     x[i] = clamp(x[i] + share * way[i], low[i], high[i]);
                 }
-            }
-            let ends = places.iter().any(|place| matches!(place, AtBound::Low | AtBound::High));
-            if stop.is_none() && !ends {
-                break;
             }
             slope = self.slope(&right, &x);
             let next = stop.or_else(|| pulled(&places, &slope).map(|joint| (joint, AtBound::Free)));
@@ -162,13 +167,12 @@ impl<T: Scalar, const N: usize> Factor<T, N> {
 fn shortened<T: Scalar, const N: usize>(
     x: &[T; N],
     way: &[T; N],
-    places: &[AtBound; N],
     low: &[T; N],
     high: &[T; N],
 ) -> (T, Option<(usize, AtBound)>) {
     let (mut share, mut stop) = (T::ONE, None);
     for i in 0..N {
-        if places[i] != AtBound::Free || way[i] == T::ZERO {
+        if way[i] == T::ZERO {
             continue;
         }
         let up = way[i] > T::ZERO;

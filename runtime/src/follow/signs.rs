@@ -19,26 +19,79 @@ pub(super) struct Signs {
     open: u8,
 }
 
+/// The factors of the determinant of a Jacobian.
+pub(super) struct Factors<T> {
+    values: [T; MOST],
+    count: usize,
+}
+
+impl<T: Scalar> Factors<T> {
+    /// The factors at `q`; none of an arm that has none.
+    #[inline(always)]
+    pub(super) fn at<A: InverseKinematics<T, N>, const N: usize>(arm: &A, q: &[T; N]) -> Self {
+        let mut values = [T::ZERO; MOST];
+        let count = arm.factors(q, &mut values);
+        Self { values, count }
+    }
+
+    /// Their signs. Without factors the sign of the determinant at `q`, where the rows that the target asks for are as many
+    /// as the joints that move. A factor of 0, up to rounding, has no sign.
+    // An arm has a constant number of factors: inlined, one with factors does without the code of the determinant.
+    #[inline(always)]
+    pub(super) fn signs<A: InverseKinematics<T, N>, const N: usize>(
+        &self,
+        arm: &A,
+        q: &[T; N],
+        target: Option<&A::Target>,
+    ) -> Signs {
+        if self.count > 0 { self.noted() } else { Signs::of_determinant(arm, q, target) }
+    }
+
+    #[inline(never)]
+    fn noted(&self) -> Signs {
+        let mut signs = Signs::default();
+        for (place, factor) in self.values.iter().take(self.count).enumerate() {
+            signs.note(place, *factor);
+        }
+        signs
+    }
+
+    /// The size of the smallest, but for the one at a place; 0 where not all are known.
+    pub(super) fn least(&self, but: Option<usize>) -> T {
+        if self.count > MOST {
+            return T::ZERO;
+        }
+        let others = self.values.iter().take(self.count).enumerate().filter(|(place, _)| but != Some(*place));
+        others.fold(T::INFINITY, |least, (_, factor)| least.min(factor.abs()))
+    }
+}
+
+/// The most that the factors of an arm change by as its joints move. `steps`: the sum of their ways, angles in rad and strokes
+/// over the reach.
+pub(super) fn change_of_factors<T: Scalar>(steps: T) -> T {
+    T::from_f64(SLOPE) * steps
+}
+
 impl Signs {
-    /// The signs at `q`, of the arm's factors; of an arm without factors the sign of the determinant, where the rows that
-    /// the target asks for are as many as the joints that move. A factor of 0, up to rounding, has no sign.
+    /// The signs of the [`Factors`] at `q`.
     pub(super) fn at<A: InverseKinematics<T, N>, T: Scalar, const N: usize>(
         arm: &A,
         q: &[T; N],
         target: Option<&A::Target>,
     ) -> Self {
-        let mut factors = [T::ZERO; MOST];
-        let count = arm.factors(q, &mut factors);
+        Factors::at(arm, q).signs(arm, q, target)
+    }
+
+    /// The sign of the determinant at `q`, of an arm without factors.
+    #[inline(never)]
+    fn of_determinant<A: InverseKinematics<T, N>, T: Scalar, const N: usize>(
+        arm: &A,
+        q: &[T; N],
+        target: Option<&A::Target>,
+    ) -> Self {
+        let deviation = |target| arm.deviation(q, target, &arm.forward_and_jacobian(q));
         let mut signs = Self::default();
-        if count == 0 {
-            signs.note(
-                0,
-                target.map_or(T::ZERO, |target| determinant(&arm.deviation(q, target, &arm.forward_and_jacobian(q)))),
-            );
-        }
-        for (place, factor) in factors.iter().take(count).enumerate() {
-            signs.note(place, *factor);
-        }
+        signs.note(0, target.map_or(T::ZERO, |target| determinant(&deviation(target))));
         signs
     }
 
@@ -69,29 +122,6 @@ impl Signs {
     pub(super) const fn differ_in(self, other: Self, place: usize) -> bool {
         place < MOST && self.above & other.below | self.below & other.above == 1 << place
     }
-}
-
-/// Returns true if joint values near `q` have the signs that `q` has, but for that of the wrist. `steps`: the sum of what the
-/// joints move by, angles in rad and strokes over the reach.
-pub(super) fn the_wrist_alone_changes<A: InverseKinematics<T, N>, T: Scalar, const N: usize>(
-    arm: &A,
-    q: &[T; N],
-    steps: T,
-) -> bool {
-    factors_exceed(arm, q, T::from_f64(SLOPE) * steps, arm.wrist_factor())
-}
-
-/// Returns true if each factor at `q` is larger than a value, but for the one at a place.
-pub(super) fn factors_exceed<A: InverseKinematics<T, N>, T: Scalar, const N: usize>(
-    arm: &A,
-    q: &[T; N],
-    value: T,
-    but: Option<usize>,
-) -> bool {
-    let mut factors = [T::ZERO; MOST];
-    let count = arm.factors(q, &mut factors);
-    let mut factors = factors.iter().take(count).enumerate();
-    count <= MOST && factors.all(|(place, factor)| but == Some(place) || factor.abs() > value)
 }
 
 /// The determinant of the rows that the target asks for by the joints that move, relative to the lengths of its rows; 0
