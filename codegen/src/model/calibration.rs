@@ -55,8 +55,9 @@ pub fn added(
 
 /// The calibration of `model`, whose table alone is `nominal`.
 ///
-/// Frames are slid along their joints' axes first: nearly parallel axes have their common normal far away, and a table of
-/// such an arm may have two lengths of hundreds of meters that cancel.
+/// Frames are slid along their joints' axes and turned about them first, which changes no pose: nearly parallel axes have
+/// their common normal far away and in any direction. A table of such an arm may have two lengths of hundreds of meters that
+/// cancel, and three angles of half a radian.
 pub fn compared(
     spec: &Spec,
     written: &CalibrationSpec,
@@ -64,8 +65,9 @@ pub fn compared(
     [nominal, model]: [&Model; 2],
     mistakes: &mut Vec<Diagnostic>,
 ) -> Calibration {
-    let pairs: Vec<[Transform; 2]> =
-        gathered(nominal).into_iter().zip(gathered(model)).map(|(table, own)| [table, own]).collect();
+    let table = gathered(nominal);
+    let own = turned_to(&table, gathered(model));
+    let pairs: Vec<[Transform; 2]> = table.into_iter().zip(own).map(|(table, own)| [table, own]).collect();
     let reach: f64 = pairs.iter().map(|[table, _]| length(table.p)).sum();
     let mut calibration = Calibration { deltas, displaced: 0.0, turned: 0.0, table: nominal.rows.clone() };
     let (mut farthest, mut most) = (0, 0.0);
@@ -90,11 +92,29 @@ pub fn compared(
             calibration.displaced,
             calibration.turned.to_degrees()
         );
-        let help = "numbers are added to the rows in the file's units (`units`): look for radians among degrees, or for whole \
-                    rows in place of differences";
+        let help = "numbers are in the file's `units`: look for radians among degrees, millimeters among meters, whole rows, or \
+                    another arm's calibration";
         mistakes.push(spec.source.mistake(place, message).help(help));
     }
     calibration
+}
+
+/// Links with the frame of each joint turned about its axis, so that each link has nearly the rotation that the table has.
+fn turned_to(table: &[Transform], mut links: Vec<Transform>) -> Vec<Transform> {
+    let behind = links.len().saturating_sub(1);
+    let mut turn = Transform::IDENTITY;
+    for (number, (link, wanted)) in links.iter_mut().zip(table).enumerate() {
+        *link = turn.inverse().then(link);
+        if number < behind {
+            let [[xx, xy, _], [yx, yy, _], _] = wanted.inverse().then(link).r;
+            // The turn for which the trace of what is left is greatest.
+            let (sin, cos) = (xy - yx, xx + yy);
+            let size = length([sin, cos, 0.0]);
+            turn = if size > 0.0 { Transform::rotate_z(sin / size, cos / size) } else { Transform::IDENTITY };
+            *link = link.then(&turn);
+        }
+    }
+    links
 }
 
 /// The angle of a rotation, rad.

@@ -1,7 +1,7 @@
 //! Plausibility of the numbers in a file: warnings of values that are in range and still look wrong, as in another unit
 //! than the file's.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::arm::{InverseRequest, Model};
 use super::far_frames::far_frames;
@@ -11,6 +11,10 @@ use crate::spec::{LengthUnit, LimitsSpec, Place, RowSpec, Spec, Task, WrittenAng
 
 /// No link of an arm is as long as this, m.
 const LONGEST_LINK: f64 = 30.0;
+/// An angle so near to a right one is that angle, rounded, rad ..
+const ROUNDED: f64 = 1e-4;
+/// .. and one so near was measured.
+const NEARLY: f64 = 0.03;
 
 /// Warnings of entries to look at again. The file is used as it stands.
 pub fn plausibility_warnings(spec: &Spec, model: &Model) -> Vec<Diagnostic> {
@@ -19,6 +23,7 @@ pub fn plausibility_warnings(spec: &Spec, model: &Model) -> Vec<Diagnostic> {
         found.extend(too_long(spec));
     }
     found.extend(limits_in_radians(spec));
+    found.extend(measured_twice(spec));
     found.extend(model.joints.iter().filter_map(|joint| {
         let [low, high] = joint.limits?;
         let row = spec.rows.get(joint.row)?;
@@ -86,6 +91,27 @@ fn limits_in_radians(spec: &Spec) -> Option<Diagnostic> {
     Some(spec.source.warning(first, message).help(help))
 }
 
+/// A table with the digits of a measurement, to which a calibration is added. Of drawn arms neighboring axes are parallel, at
+/// right angles or far from both.
+fn measured_twice(spec: &Spec) -> Option<Diagnostic> {
+    spec.calibration.as_ref()?;
+    let off = |row: &RowSpec| {
+        let angle = row.alpha.rad();
+        let quarters = (angle / FRAC_PI_2).round();
+        (angle - quarters * FRAC_PI_2, 90.0 * quarters)
+    };
+    // What is nearer is the exact angle, rounded or cut off.
+    let is_measured = |(off, _): &(f64, f64)| (ROUNDED..NEARLY).contains(&off.abs());
+    let (row, (off, exact)) = spec.rows.iter().map(|row| (row, off(row))).find(|(_, off)| is_measured(off))?;
+    let message = format!(
+        "`alpha`: {} is off {exact} deg by {:.4} deg, as in a measured table, and `calibration` is added to it",
+        row.alpha.text(spec.angle_unit),
+        off.to_degrees()
+    );
+    let help = "write the maker's table under `joints`; if its rows are the measured ones, leave `calibration` out";
+    Some(spec.source.warning(&row.place, message).help(help))
+}
+
 impl InverseRequest {
     /// Remarks that the joints whose values are given leave an arm that has a pose another task.
     pub fn changed_task(&self, joints: &[Joint], task: Option<Task>) -> Option<Diagnostic> {
@@ -126,6 +152,18 @@ mod tests {
 
     fn row(a: &str, limits: &str) -> String {
         format!("  - {{a: {a}, alpha: 0, d: 0, theta: 0, limits: {limits}}}\n")
+    }
+
+    #[test]
+    fn a_calibration_of_a_measured_table_is_remarked() {
+        let rows = |alpha: &str| format!("  - {{a: 0.1, alpha: {alpha}, d: 0.2, theta: 0}}\n{}", row("0.1", "null"));
+        let calibration = "calibration:\n  q1: {a: 0.001, alpha: 0.02}\n";
+        let found = of("m", &(rows("90.02") + calibration));
+        assert_eq!(found.len(), 1);
+        assert!(found[0].message.contains("off 90 deg by 0.0200 deg") && found[0].help.is_some(), "{found:?}");
+        for rows in [rows("90") + calibration, rows("-55") + calibration, rows("90.02")] {
+            assert_eq!(of("m", &rows).len(), 0, "{rows}");
+        }
     }
 
     #[test]

@@ -20,6 +20,8 @@ pub enum AngleRole {
     Position,
     /// A small angle of any size.
     Tolerance,
+    /// A small angle that is added to the one of a row.
+    Delta,
     /// An angle in a second, or in a second squared.
     Rate,
 }
@@ -35,6 +37,9 @@ impl AngleRole {
             Self::Limit => NO_LIMIT,
             Self::Position => "write the angle at which the joint stands, such as 90 deg; 0 for none",
             Self::Tolerance => "write a small angle, such as `angle: 1e-6 rad`",
+            Self::Delta => {
+                "write what is added to the angle of the row, such as 0.02 deg; whole angles belong in the row"
+            }
             Self::Rate => "write the greatest rate in a second, such as 180 deg; leave it out where there is no bound",
         }
     }
@@ -109,6 +114,10 @@ impl Reader<'_> {
         let (key, written) = (&field.key, self.source.written(&field.place));
         let written = written.trim_matches(['"', '\'', ' ']);
         let (message, help) = match eighths {
+            Some(_) if role == AngleRole::Delta => (
+                format!("`{key}`: {written} deg is added to the row, and looks like a whole angle in radians"),
+                role.advice().to_owned(),
+            ),
             Some(eighths) if unit == AngleUnit::Degree => (
                 format!("`{key}`: {written} looks like radians, expected degrees as the file's `units` say"),
                 format!("write {}, or \"{written} rad\"; if it is degrees, \"{written} deg\"", 45 * eighths),

@@ -50,8 +50,8 @@ impl Reader<'_> {
         let Named { name, at, field } = joint;
         let fields = self.mapping(&field, &format!("the calibration of `{name}`"), KEYS)?;
         let lengths = ["a", "d"].map(|key| fields.get(key).and_then(|field: Field<'_>| self.number(&field)));
-        let angles = ["alpha", "theta"]
-            .map(|key| fields.get(key).and_then(|field| self.angle(&field, unit, AngleRole::Tolerance)));
+        let angles =
+            ["alpha", "theta"].map(|key| fields.get(key).and_then(|field| self.angle(&field, unit, AngleRole::Delta)));
         let ([a, d], [alpha, theta]) =
             (lengths.map(Option::unwrap_or_default), angles.map(|angle| angle.unwrap_or(WrittenAngle::ZERO)));
         Some(DeltaSpec { joint: name, a, alpha, d, theta, place: at })

@@ -75,6 +75,11 @@ pub fn entry(text: &str, joints: usize) -> Result<String, String> {
     if joints != LINKS.len() {
         return Err(format!("the arm of `--nominal` has {joints} joints, and the calibration is that of six"));
     }
+    if text.contains("kinematics:") && !text.contains("delta_a") {
+        return Err(
+            "this is the file that the driver extracts, which has the whole arm: leave out `--nominal`".to_owned()
+        );
+    }
     let mut lists = Vec::new();
     for key in ["delta_a", "delta_alpha", "delta_d", "delta_theta"] {
         let line = text.lines().find_map(|line| {
@@ -131,6 +136,7 @@ mod tests {
         );
         assert!(entry(&whole, 7).unwrap_err().contains("has 7 joints"));
         assert!(entry(&whole.replace("delta_d", "delta_x"), 6).unwrap_err().contains("no `delta_d`"));
+        assert!(entry("kinematics: {shoulder: {x: 0}}", 6).unwrap_err().contains("leave out `--nominal`"));
         assert!(entry(&whole.replace(", 1e-4", ""), 6).unwrap_err().contains("has not six numbers"));
     }
 }

@@ -64,7 +64,13 @@ const MOST_LIMIT: f64 = 1e6;
 /// of a number, links that are no tree.
 pub fn read(text: &str) -> Result<Robot, String> {
     let text = prefixes::declared(text);
-    let document = Document::parse(&text).map_err(|error| format!("this is not XML: {error}"))?;
+    let document = Document::parse(&text).map_err(|error| {
+        if !text.contains('<') && ["kinematics:", "delta_theta"].iter().any(|key| text.contains(key)) {
+            "this is not a URDF but a UR arm's calibration: read it with `--ur-calibration FILE`".to_owned()
+        } else {
+            format!("this is not XML: {error}")
+        }
+    })?;
     let root = document.root_element();
     if root.tag_name().name() != "robot" {
         return Err(format!("this is not a URDF: expected `<robot>`, found `<{}>`", root.tag_name().name()));
@@ -318,6 +324,7 @@ mod tests {
                 "line 3: a second joint `j`, the first is in line 2",
             ),
             ("<robot".to_owned(), "this is not XML"),
+            ("kinematics:\n  shoulder: {x: 0}".to_owned(), "--ur-calibration FILE"),
             ("<sdf/>".to_owned(), "expected `<robot>`, found `<sdf>`"),
             (
                 "<robot xmlns:xacro=\"http://ros.org/wiki/xacro\">\n<xacro:include/></robot>".to_owned(),
