@@ -73,21 +73,6 @@ fn round_poses_lose_nothing() {
             for _ in 0..400 {
                 let joints = rng.joints().map(|q| (q / step).round() * step);
                 let found = arm.solve(&arm.chain.pose(&joints));
-                if found.list.is_empty() {
-                    let target = arm.chain.pose(&joints);
-                    println!("DBG evals {} complete {}", found.evaluations, found.is_complete);
-                    for c in candidates(&arm, &target) {
-                        let r = arm.chain.refined(&c.joints, &target, 15);
-                        println!(
-                            "DBG {} {} residual {:.1e} refined {:.1e} {}",
-                            c.root,
-                            c.is_doubtful,
-                            arm.chain.residual(&c.joints, &target),
-                            r.residual,
-                            r.evaluations
-                        );
-                    }
-                }
                 assert!(!found.list.is_empty(), "{name} {joints:?}");
                 let is_regular = least_singular_value(&arm.chain, &joints) > 1e-6;
                 assert!(!is_regular || found.distance(&arm.chain, &joints) < SAME, "{name} {joints:?}");
@@ -96,10 +81,9 @@ fn round_poses_lose_nothing() {
     }
 }
 
-/// Arms of few lengths and angles at round poses: axes fall together there, and the elimination loses the joints of roots. What
-/// a call does not find is no more than `most` of the regular poses, and such a call says that its list is not complete.
+/// Arms of few lengths and angles at round poses: axes fall together there, and the elimination loses the joints of roots.
 #[test]
-fn round_poses_of_round_arms_are_found_or_their_lists_are_not_complete() {
+fn round_poses_of_round_arms_lose_nothing() {
     let apart = Table {
         name: "apart",
         is_modified: true,
@@ -124,9 +108,9 @@ fn round_poses_of_round_arms_are_found_or_their_lists_are_not_complete() {
             [0.425, 0.0, 0.0, 0.0],
         ],
     };
-    for (table, most) in [(apart, 0), (flat, 75)] {
+    for table in [apart, flat] {
         let arm = Arm::of(&chain(&table, 0, 0.0)).unwrap();
-        let (mut rng, mut regular, mut lost) = (Random(99), 0, 0);
+        let (mut rng, mut regular) = (Random(99), 0);
         for degrees in [15.0, 30.0, 45.0, 90.0] {
             let step = radians::<f64>(degrees);
             for _ in 0..200 {
@@ -136,13 +120,10 @@ fn round_poses_of_round_arms_are_found_or_their_lists_are_not_complete() {
                 }
                 regular += 1;
                 let found = arm.solve(&arm.chain.pose(&joints));
-                if found.distance(&arm.chain, &joints) >= SAME {
-                    lost += 1;
-                    assert!(!found.is_complete, "{} {joints:?}", table.name);
-                }
+                assert!(found.distance(&arm.chain, &joints) < SAME, "{} {joints:?}", table.name);
             }
         }
-        assert!(regular > 400 && lost <= most, "{}: {lost} of {regular}", table.name);
+        assert!(regular > 400, "{}: {regular}", table.name);
     }
 }
 

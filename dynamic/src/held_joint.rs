@@ -5,7 +5,7 @@ use denhart::held_joint::slides::Slides;
 use denhart::held_joint::{HeldJointSearch, Outcome, Transform, Visitor};
 use denhart::solve::{AllLocked, Goal, Levels, Missed, Pointing, Search, nearest_rotation};
 use denhart::{Pose, Residual, Solutions, Status};
-use denhart_codegen::lower::{Goal as Task, HeldJointPlan, Inverse, Method, margins};
+use denhart_codegen::lower::{Goal as Task, HeldJointPlan, Inverse, Method};
 
 use crate::arm_constants::ArmConstants;
 use crate::function::Straight;
@@ -36,7 +36,7 @@ impl<const N: usize, const M: usize, const STARTS: bool> HeldJointSolver<N, M, S
     pub fn boxed(plan: &HeldJointPlan, program: &Inverse, both: &Straight) -> Option<Box<dyn Solve>> {
         let constants = ArmConstants::of(&program.constants)?;
         let starts = program.of_table.as_deref().map(Nest::new);
-        let names = plan.names.as_deref().and_then(margins).map(|margins| Factors::new(&margins, plan.reach));
+        let names = program.table_margins.as_ref().map(|margins| Factors::new(margins, plan.reach));
         Some(Box::new(Self { plan: plan.clone(), constants, both: Evaluator(both.clone()), names, starts }))
     }
 
@@ -126,9 +126,12 @@ impl<const N: usize, const M: usize, const STARTS: bool> HeldJointSolver<N, M, S
         let given = self.plan.chain.given_joints().map(|given| placed.get(given.joint).copied().unwrap_or(f64::NAN));
         let given: Vec<f64> = given.collect();
         let solve = |visit: &mut Visitor<'_, f64>| self.candidates(&given, &target, &reference, visit);
-        match &self.names {
-            Some(names) => search.run_named(constants, near, |six| place(six).0, |q| names.branch(q, pose), solve),
-            None => search.run_with_turn(constants, near, place, solve),
+        match (&self.names, self.plan.off_table) {
+            (Some(names), _) => search.run_named(constants, near, |six| place(six).0, |q| names.branch(q, pose), solve),
+            (None, Some(off)) if solved.len() == 6 => {
+                search.run_unfolded(constants, near, off, |six| place(six).0, solve);
+            }
+            _ => search.run_with_turn(constants, near, place, solve),
         }
     }
 

@@ -158,7 +158,7 @@ impl DynamicArm {
     ) -> Result<(), DynamicError> {
         self.counted(q_ref)?;
         let given = &self.beside(given)?;
-        let branch = self.inverse_program()?.held_joint.is_none().then_some(branch);
+        let branch = self.inverse_program()?.follows_single_branches().then_some(branch);
         self.solver(target)?.solve(&Asked { target, given, near: Some(q_ref), branch, trace: None }, solutions);
         Ok(())
     }

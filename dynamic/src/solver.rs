@@ -15,6 +15,7 @@ use crate::branches::Branches;
 use crate::function::Straight;
 use crate::held_joint::HeldJointSolver;
 use crate::kernel::MOST_DOUBTS;
+use crate::margins::Factors;
 use crate::nest::Nest;
 use crate::run::Run;
 use crate::trace::{Trace, Traced};
@@ -117,6 +118,8 @@ struct Solver<const N: usize, const M: usize, P> {
     nest: Nest,
     constants: ArmConstants<N>,
     both: Evaluator<N>,
+    /// The margins of a measured arm's table, which name its branches.
+    names: Option<Factors>,
     missed: PhantomData<P>,
 }
 
@@ -138,7 +141,10 @@ impl<const N: usize> Evaluate<f64, N> for Evaluator<N> {
 impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send + Sync + 'static> Solver<N, M, P> {
     fn boxed(program: &Inverse, both: &Straight) -> Option<Box<dyn Solve>> {
         let constants = ArmConstants::of(&program.constants)?;
-        Some(Box::new(Self { nest: Nest::new(program), constants, both: Evaluator(both.clone()), missed: PhantomData }))
+        let reach = program.constants.reach;
+        let names = program.table_margins.as_ref().map(|margins| Factors::new(margins, reach));
+        let both = Evaluator(both.clone());
+        Some(Box::new(Self { nest: Nest::new(program), constants, both, names, missed: PhantomData }))
     }
 
     fn solutions(&self, asked: &Asked) -> Solutions<f64, N, M> {
@@ -228,7 +234,14 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
             Some(trace) => run.cascade(&mut Traced { search, trace }, start),
         };
         if let Some(off) = self.nest.program.off_table {
-            search.run_measured(&constants, near, off, |search, start| cascade(search, start));
+            let rotation = [0, 1, 2].map(|row| [0, 1, 2].map(|column| number(Input::Rotation(row, column))));
+            let goal = Pose { rotation, translation: [0, 1, 2].map(|component| number(Input::Position(component))) };
+            let name = |q: &[f64; N], branch: &mut Branch| {
+                if let Some(names) = &self.names {
+                    *branch = names.branch(q, &goal);
+                }
+            };
+            search.run_measured(&constants, near, off, name, |search, start| cascade(search, start));
         } else {
             search.run(&constants, near, |search, start| cascade(search, start));
         }
@@ -243,6 +256,12 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
     }
 
     fn one(&self, asked: &Asked) -> Result<DynamicSolution, Status<f64>> {
+        let named = asked.branch.filter(|_| self.names.is_some());
+        if let Some(branch) = named {
+            let asked = Asked { branch: None, ..*asked };
+            let one = self.solutions(&asked).named(branch, self.nest.program.constants.reach);
+            return one.as_ref().map(DynamicSolution::from).map_err(|status| *status);
+        }
         // Without a flip only the branch is followed.
         let branch = asked.branch.filter(|_| self.nest.program.constants.wrist.is_some());
         self.solutions(asked)

@@ -2,7 +2,9 @@
 
 use super::constants::Dimensions;
 use super::inverse::{Inverse, measure};
-use super::inverse_frame::{Solver, Sought, inverse_trait, items, methods, search_type, solutions, sought};
+use super::inverse_frame::{
+    Solver, Sought, inverse_trait, items, methods, named_branch, search_type, solutions, sought,
+};
 use super::margins::table_branch;
 use super::nest::Nest;
 use super::solver_constants::{chain_constants, cuts, general, meet, structure};
@@ -20,9 +22,9 @@ pub fn held_joint(model: &Model, plan: &HeldJointPlan, target: &Target) -> Inver
     let program = lower::held_joint(model, plan);
     let task = task(model, &program, target);
     let outline = &plan.outline();
-    let named = plan.names.as_ref().map(|names| table_branch(names, model, target));
+    let named = program.table_margins.as_ref().map(|margins| table_branch(margins, model, target));
     let branches = match named {
-        Some(item) => Branches { item, method: named_branch(plan, target, &task) },
+        Some(item) => Branches { item, method: named_branch(plan.joints, target, &task) },
         None => Branches::without_names(plan, target, &task),
     };
     let solver = Solver {
@@ -84,22 +86,6 @@ impl Branches {
                     ::core::result::Result::Err(#krate::Status::BadTarget)
                 }
             },
-        }
-    }
-}
-
-/// The method that gives the solution of a name.
-fn named_branch(plan: &HeldJointPlan, target: &Target, task: &TaskCode) -> TokenStream {
-    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(plan.joints));
-    let target_type = &task.target;
-    quote! {
-        /// The first solution of `inverse` with a name, or the status that says why there is none: `Unreachable` with the
-        /// reach where solutions have other names. Components unset in `branch` match any value.
-        #[inline]
-        pub fn inverse_branch(&self, target: &#target_type, branch: #krate::Branch) -> #krate::OneSolution<#scalar, #n> {
-            let mut solutions = #krate::Solutions::new(#krate::Status::BadTarget);
-            self.inverse_into(target, &mut solutions);
-            solutions.named(branch, REACH)
         }
     }
 }
@@ -208,6 +194,9 @@ fn function(plan: &HeldJointPlan, target: &Target, task: &TaskCode, starts: Opti
     } else if plan.names.is_some() {
         let named = quote!(|q| table_branch(#frame, q));
         quote!(run_named(&CONSTANTS, near, |[#(#six),*]| [#(#all),*], #named, |visit| #search))
+    } else if let (Some(off), 6) = (plan.off_table, six.len()) {
+        let off = number(off);
+        quote!(run_unfolded(&CONSTANTS, near, #off, |[#(#six),*]| [#(#all),*], |visit| #search))
     } else {
         quote!(run_held_joint(&CONSTANTS, near, |[#(#six),* #unread]| [#(#all),*], |visit| #search))
     };

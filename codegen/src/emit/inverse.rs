@@ -1,7 +1,8 @@
 //! The inverse: its program as nested loops over the roots of its stages.
 
-use super::inverse_frame::{Body, Solver, function, inverse_branch, inverse_trait, items, methods};
+use super::inverse_frame::{Body, Solver, function, inverse_branch, inverse_trait, items, methods, named_branch};
 use super::kernel;
+use super::margins::table_branch;
 use super::nest::Nest;
 use super::task::task;
 use super::tokens::{array, bound, ident, integer};
@@ -29,8 +30,8 @@ pub struct Inverse {
 /// Emits the plan. `dimensions` are constants of its equations alone.
 pub fn inverse(model: &Model, plan: &Plan, dimensions: &TokenStream, target: &Target) -> Inverse {
     let program = lower::stages(model, plan);
-    let nest =
-        Nest { plan, target, program: &program, bound: !model.parameters.is_empty(), lanes: false, selects: true };
+    let selects = program.follows_single_branches();
+    let nest = Nest { plan, target, program: &program, bound: !model.parameters.is_empty(), lanes: false, selects };
     let body = Body { dimensions, given_symbols: given_symbols(&program, target), levels: nest.levels() };
     let task = task(model, &program, target);
     let outline = &plan.outline();
@@ -40,11 +41,13 @@ pub fn inverse(model: &Model, plan: &Plan, dimensions: &TokenStream, target: &Ta
         method: "Pieper (1968) and cyclic closure around three axes that meet or are parallel; the stages are\n\
                  documented where they are solved.",
         function: ident("branches"),
-        arguments: quote!(ALL,),
-        branch: inverse_branch(plan, target, &task),
+        arguments: if selects { quote!(ALL,) } else { TokenStream::new() },
+        branch: if selects { inverse_branch(plan, target, &task) } else { named_branch(plan.joints(), target, &task) },
     };
+    let names = program.table_margins.as_ref().map(|margins| table_branch(margins, model, target));
+    let ranges = nest.constants();
     Inverse {
-        items: items(model, &program.constants, target, [measure(model, target), nest.constants()]),
+        items: items(model, &program.constants, target, [measure(model, target), quote!(#ranges #names)]),
         function: function(model, plan, &program, target, &task, &body),
         methods: methods(model, outline, target, &task, &solver),
         trait_impl: inverse_trait(model, outline, true, lower::margins(plan).as_ref(), target, &task, &solver),

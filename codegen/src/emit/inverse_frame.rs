@@ -122,7 +122,10 @@ pub(super) fn function(
     let solutions = solutions(outline, target);
     let type_name = &target.type_name;
     let lines: Vec<String> = crate::solve::describe(plan).into_iter().map(|line| format!("- {line}")).collect();
-    let doc = docs::lines(&format!("All branches of the inverse, or those that are wanted.\n\n{}", lines.join("\n")));
+    let selects = program.follows_single_branches();
+    let followed =
+        if selects { "All branches of the inverse, or those that are wanted." } else { "All branches of the inverse." };
+    let doc = docs::lines(&format!("{followed}\n\n{}", lines.join("\n")));
     let (target_type, unpack) = (&task.target, &task.unpack);
     let argument = given::parameter(&outline.task.given, target).map(|argument| quote!(#argument,));
     let Sought { bind: goal, name: sought } = sought(outline, task, target);
@@ -155,12 +158,19 @@ pub(super) fn function(
     let run = match program.off_table {
         Some(off) => {
             let off = number(off);
-            quote!(run_measured(#constants, near, #off, nest))
+            let name = match program.table_margins {
+                Some(_) => quote!(|q, branch| *branch = table_branch(goal, q)),
+                None => quote!(|_, _| {}),
+            };
+            quote!(run_measured(#constants, near, #off, #name, nest))
         }
         None => quote!(run(#constants, near, nest)),
     };
-    // Without a choice between roots there is nothing to select.
-    let wanted = ident(if program.capacity > 1 { "wanted" } else { "_wanted" });
+    let wanted = selects.then(|| {
+        // Without a choice between roots there is nothing to select.
+        let wanted = ident(if program.capacity > 1 { "wanted" } else { "_wanted" });
+        quote!(#wanted: impl #krate::solve::Select,)
+    });
     quote! {
         #search_type
 
@@ -170,7 +180,7 @@ pub(super) fn function(
             target: &#target_type,
             #argument
             near: ::core::option::Option<&[#scalar; #n]>,
-            #wanted: impl #krate::solve::Select,
+            #wanted
             solutions: &mut #solutions,
         ) {
             #dimensions
@@ -371,6 +381,22 @@ pub(super) fn inverse_branch(plan: &Plan, target: &Target, task: &TaskCode) -> T
             #unpack
             branches(self, target, #pass ::core::option::Option::None, branch, &mut solutions);
             #one
+        }
+    }
+}
+
+/// The method that gives the solution of a name.
+pub(super) fn named_branch(joints: usize, target: &Target, task: &TaskCode) -> TokenStream {
+    let (krate, scalar, n) = (&target.krate, target.scalar.tokens(), integer(joints));
+    let target_type = &task.target;
+    quote! {
+        /// The first solution of `inverse` with a name, or the status that says why there is none: `Unreachable` with the
+        /// reach where solutions have other names. Components unset in `branch` match any value.
+        #[inline]
+        pub fn inverse_branch(&self, target: &#target_type, branch: #krate::Branch) -> #krate::OneSolution<#scalar, #n> {
+            let mut solutions = #krate::Solutions::new(#krate::Status::BadTarget);
+            self.inverse_into(target, &mut solutions);
+            solutions.named(branch, REACH)
         }
     }
 }

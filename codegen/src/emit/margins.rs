@@ -48,8 +48,7 @@ pub fn margins(model: &Model, plan: &Plan, target: &Target, dimensions: &mut Dim
 }
 
 /// The function that names the branches of a measured arm by the signs of its table's margins.
-pub fn table_branch(plan: &Plan, model: &Model, target: &Target) -> TokenStream {
-    let Some(margins) = lower::margins(plan) else { return TokenStream::new() };
+pub fn table_branch(margins: &Margins, model: &Model, target: &Target) -> TokenStream {
     let straight = &margins.straight;
     let mut dimensions = Dimensions::default();
     dimensions.collect(straight);
@@ -66,7 +65,7 @@ pub fn table_branch(plan: &Plan, model: &Model, target: &Target) -> TokenStream 
             Branching::None | Branching::Root => None,
         }
     });
-    let (entries, angles) = (entries(&margins), angles(&margins, target));
+    let (entries, angles) = (entries(margins), angles(margins, target));
     quote! {
         /// The branch that a solution lies on: the signs that the margins of the table have at its joint values. Beside a
         /// singular pose the arm that was measured may have no solution of a name, or several.

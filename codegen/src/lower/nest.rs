@@ -1,9 +1,9 @@
 //! The inverse: the plan as nested loops over the roots of its stages.
 
 use super::stage::call;
-use super::{ArmConstants, Block, BranchState, Each, Inverse, Names, NestLevel, Root, Slot, Statement};
+use super::{ArmConstants, Block, BranchState, Each, Inverse, Names, NestLevel, Root, Slot, Statement, margins};
 use crate::model::Model;
-use crate::solve::{HeldJointPlan, InversePlan, Plan, PlanStep, Stage, Unit};
+use crate::solve::{self, HeldJointPlan, InversePlan, Plan, PlanStep, Stage, Unit};
 use crate::symbolic::{Graph, Input, Mat3, Node, Part, Symbol, Unknown};
 use std::collections::{HashMap, HashSet};
 
@@ -46,6 +46,7 @@ pub fn held_joint(model: &Model, plan: &HeldJointPlan) -> Inverse {
         decoupled: false,
         in_doubt: false,
         off_table: None,
+        table_margins: plan.names.as_deref().and_then(margins),
         held_joint: Some(plan.clone()),
         of_table: plan.stages_of_table().map(|table| Box::new(stages(model, &table))),
     }
@@ -117,6 +118,7 @@ pub fn stages(model: &Model, plan: &Plan) -> Inverse {
         decoupled: plan.is_decoupled(),
         in_doubt: plan.missed.is_some() || plan.lacks_a_turn(),
         off_table: plan.off_table,
+        table_margins: plan.off_table.and_then(|_| margins(&solve::naming_table(plan)?)),
         held_joint: None,
         of_table: None,
     }

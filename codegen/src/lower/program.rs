@@ -1,6 +1,6 @@
 //! The inverse as a program: its statements and loops.
 
-use super::{ArmConstants, Call, Names, Slot};
+use super::{ArmConstants, Call, Margins, Names, Slot};
 use crate::model::Angle;
 use crate::solve::kernel::{ConeRange, ElbowRange, Phase};
 use crate::solve::{Branching, GivenValues, Goal, HeldJointPlan, SwivelConstants, Unit};
@@ -42,6 +42,8 @@ pub struct Inverse {
     /// Distance of the links of a measured arm from its table, relative to reach and in rad, if the equations are those of
     /// the table.
     pub off_table: Option<f64>,
+    /// The margins of that table, if their signs name the arm's branches.
+    pub table_margins: Option<Margins>,
     /// The solver of an arm without stages: it holds a joint, and there are no statements.
     pub held_joint: Option<HeldJointPlan>,
     /// The stages of a measured arm's table, which give starts before a joint is held.
@@ -52,6 +54,12 @@ impl Inverse {
     /// Returns true if a number of the target is read.
     pub fn reads(&self, input: Input) -> bool {
         self.inputs.iter().any(|(_, read)| *read == input)
+    }
+
+    /// Returns true if one branch can be followed without the others. A solution of a measured arm has its name from where it
+    /// is, not from the branch of the table that leads to it.
+    pub fn follows_single_branches(&self) -> bool {
+        self.held_joint.is_none() && self.table_margins.is_none()
     }
 
     /// The most doubts on one branch: how many statements may leave a state of their own, each stage one.

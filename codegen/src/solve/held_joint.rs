@@ -40,8 +40,7 @@ pub struct HeldJointPlan {
     pub no_stages: Unsupported,
     /// The plan of a measured arm's table, where the signs of its margins name the branches.
     pub names: Option<Box<Plan>>,
-    /// Where the stages of that plan give starts to solutions, before [`Method::General`]: how far the links are off the table,
-    /// relative to reach and in rad.
+    /// How far the links of a measured arm are off the table, relative to reach and in rad.
     pub off_table: Option<f64>,
 }
 
@@ -275,10 +274,16 @@ impl Method {
     }
 }
 
+/// Up to this distance from its table the stages of a measured arm's table give starts, before [`Method::General`]. Where one
+/// of them is nearly singular, the arm's own equation finds what they miss. By itself that equation loses single roots, since
+/// axes of it are nearly parallel.
+const FEW_DIGITS: f64 = 1e-4;
+
 impl HeldJointPlan {
     /// The plan in stages of a measured arm's table, where it gives starts to solutions.
     pub fn stages_of_table(&self) -> Option<Plan> {
-        let (off, plan) = (self.off_table?, self.names.as_deref()?);
+        let off = self.off_table.filter(|off| *off <= FEW_DIGITS)?;
+        let plan = self.names.as_deref().filter(|_| matches!(self.method, Method::General { .. }))?;
         Some(Plan { missed: Some(off), off_table: Some(off), ..plan.clone() })
     }
 
@@ -340,14 +345,25 @@ impl HeldJointPlan {
         let mut lines = vec![self.no_stages.alone.clone()];
         lines.extend(addition);
         lines.extend([structure, slower.to_owned()]);
-        lines.extend(self.off_table.map(|_| {
-            "the table's branches give starts, too: so near the table the equation has too few digits for some roots".to_owned()
-        }));
+        lines.extend(self.words_on_the_table());
         lines.extend(named);
         if !self.no_stages.instead.is_empty() {
             lines.push(format!("in closed form: `{}`", self.no_stages.instead.join("`, `")));
         }
         lines
+    }
+
+    /// The part that the table of a measured arm has in its inverse, in words.
+    fn words_on_the_table(&self) -> Option<String> {
+        let few = "has too few digits";
+        match self.method {
+            Method::General { .. } => self.stages_of_table().map(|_| {
+                format!("the table's branches give starts, too: so near the table the equation {few} for some roots")
+            }),
+            _ => self
+                .off_table
+                .map(|_| format!("the equation is that of the table: so near it that of the measured arm {few}")),
+        }
     }
 
     /// The two axes that meet and the two that are parallel; none for the other methods.

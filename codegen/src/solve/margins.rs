@@ -56,6 +56,14 @@ pub fn margins(plan: &Plan) -> (Graph, Vec<Factor>) {
     (g, factors)
 }
 
+/// The plan of a measured arm's table with its own margins, if their signs name branches of a pose.
+pub fn naming_table(plan: &Plan) -> Option<Plan> {
+    let plan = Plan { missed: None, off_table: None, ..plan.clone() };
+    let named = |factor: &Factor| !matches!(factor.branching, Branching::None | Branching::Root);
+    let names = plan.task.goal.task() == Task::Pose && margins(&plan).1.iter().any(named);
+    names.then_some(plan)
+}
+
 /// A stage after the first that gives a second displacement: the determinant of both is the first one's pivot.
 fn only_follows(plan: &Plan, stage: &Stage) -> bool {
     let linear = |stage: &Stage| matches!(stage.kernel, Kernel::SlideTo(_));

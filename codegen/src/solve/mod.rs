@@ -41,7 +41,7 @@ pub use description::describe;
 pub use held_joint::{HeldJointPlan, Link, Method, SixJoints};
 pub use inverse_plan::InversePlan;
 pub use kernel::{Kernel, Unit};
-pub use margins::{Factor, margins};
+pub use margins::{Factor, margins, naming_table};
 pub use plan::{Branching, Plan, PlanStep, Stage};
 pub use task::{Given, GivenValues, Goal, Outline, PlanTask, SwivelConstants};
 pub use tasks::{Choice, Way, by_the_table, choices, plan, takes_a_choice};

@@ -11,9 +11,6 @@ pub(super) type System = [[f64; PRODUCTS]; 6];
 /// Entries of a pivot below this share of the greatest are none at a root.
 const DEPENDENT: f64 = 1e-6;
 
-/// Squares of sine and cosine add up to 1 within twice this.
-const SOUND: f64 = 1e-2;
-
 /// Six equations `(cos c) A + (sin c) B + C` in the products of `(cos e, sin e, 1)` and `(cos f, sin f, 1)`, entry
 /// `3 e + f`. A prismatic joint has `(q^2, q, 1)` instead.
 #[derive(Clone, Copy)]
@@ -38,9 +35,6 @@ pub(super) struct Pairs {
     pub(super) len: usize,
     /// Nothing depends on f.
     pub(super) is_free: bool,
-    /// The sines and cosines are those of angles: by more than a hundredth they are not where the eliminated products
-    /// depend on each other, and so do not follow from f.
-    pub(super) is_sound: bool,
 }
 
 /// With `phi = (cos f, sin f, 1)`: `cos e phi = C phi` and `sin e phi = S phi`.
@@ -142,8 +136,42 @@ impl Equations {
     pub(super) fn pairs(&self, held: (f64, f64), reference: impl FnOnce() -> Position) -> Pairs {
         let reduced = self.reduced(held);
         let Conditions { re: [a, b, c], im: [d, e, f] } = reduced.conditions(self.is_prismatic[0]);
-        let rows = [a, b, c, d, e, f];
-        // The longest row, and the one that is farthest from its line.
+        let span = Span::of([a, b, c, d, e, f]);
+        let mut pairs = Pairs { list: [(Position::Slide(0.0), Position::Slide(0.0)); 2], len: 1, is_free: false };
+        let mut phis = [span.normal; 2];
+        // The entries of C and S are of the order of 1 at a solution.
+        if span.is_zero() {
+            phis[0] = match reference() {
+                Position::Turn(sin, cos) => [cos, sin, 1.0],
+                Position::Slide(q) => [q * q, q, 1.0],
+            };
+            pairs.is_free = true;
+        } else if span.is_line(DEPENDENT) {
+            phis = span.roots(self.is_prismatic[1]);
+            pairs.len = 2;
+        }
+        for (pair, phi) in pairs.list.iter_mut().zip(phis).take(pairs.len) {
+            let [x, y] = [&reduced.c, &reduced.s].map(|m| dot(m.map(|row| dot(row, phi)), phi));
+            let [slides_e, slides_f] = self.is_prismatic;
+            *pair = (Position::of(slides_e, [x, y, dot(phi, phi)]), Position::of(slides_f, phi));
+        }
+        pairs
+    }
+}
+
+/// The space that some rows over the monomials of a joint span.
+pub(super) struct Span {
+    /// At right angles to all rows, where their rank is 2: in proportion to the monomials at which they vanish.
+    pub(super) normal: [f64; 3],
+    longest: [f64; 3],
+    /// The squares of the lengths of these two.
+    length: f64,
+    height: f64,
+}
+
+impl Span {
+    /// By the longest row, and the one that is farthest from its line.
+    pub(super) fn of(rows: [[f64; 3]; 6]) -> Self {
         let (mut longest, mut length) = ([0.0; 3], 0.0);
         for row in rows {
             let square = dot(row, row);
@@ -155,45 +183,32 @@ impl Equations {
             let square = dot(vector, vector);
             (normal, height) = if square > height { (vector, square) } else { (normal, height) };
         }
-        let mut pairs =
-            Pairs { list: [(Position::Slide(0.0), Position::Slide(0.0)); 2], len: 1, is_free: false, is_sound: true };
-        let mut phis = [normal; 2];
-        // The entries of C and S are of the order of 1 at a solution.
-        if length < DEPENDENT * DEPENDENT {
-            phis[0] = match reference() {
-                Position::Turn(sin, cos) => [cos, sin, 1.0],
-                Position::Slide(q) => [q * q, q, 1.0],
-            };
-            pairs.is_free = true;
-        } else if height < DEPENDENT * DEPENDENT * length * length {
-            phis = if self.is_prismatic[1] { on_parabola(longest) } else { on_circle(longest) };
-            pairs.len = 2;
-        }
-        for (pair, phi) in pairs.list.iter_mut().zip(phis).take(pairs.len) {
-            let (x, y) = (dot(reduced.c.map(|row| dot(row, phi)), phi), dot(reduced.s.map(|row| dot(row, phi)), phi));
-            let [slides_e, slides_f] = self.is_prismatic;
-            let (e, sound_e) = position(slides_e, x, y, dot(phi, phi));
-            let [x, y, z] = phi;
-            let (f, sound_f) = position(slides_f, x, y, z);
-            *pair = (e, f);
-            pairs.is_sound &= sound_e && sound_f;
-        }
-        pairs
+        Self { normal, longest, length, height }
     }
-}
 
-/// The joint whose monomials are in proportion to x, y and z, and if they are the monomials of a joint.
-fn position(is_prismatic: bool, x: f64, y: f64, z: f64) -> (Position, bool) {
-    if is_prismatic {
-        let q = y / z;
-        return (Position::Slide(q), (x / z - q * q).abs() < SOUND * (1.0 + q * q));
+    /// Rank 0, if the entries are of the order of 1.
+    pub(super) fn is_zero(&self) -> bool {
+        self.length < DEPENDENT * DEPENDENT
     }
-    let length = sqrt(x * x + y * y);
-    let signed = if z < 0.0 { -length } else { length };
-    (Position::direction(y * signed, x * signed), (signed / z - 1.0).abs() < SOUND)
+
+    /// Rank 1: no row is farther from the line of the longest one than this share of its length.
+    pub(super) fn is_line(&self, share: f64) -> bool {
+        self.height < share * share * self.length * self.length
+    }
+
+    /// The two places of the joint at which the longest row vanishes, as monomials.
+    pub(super) fn roots(&self, is_prismatic: bool) -> [[f64; 3]; 2] {
+        if is_prismatic { on_parabola(self.longest) } else { on_circle(self.longest) }
+    }
 }
 
 impl Position {
+    /// The position whose monomials these are, but for a factor.
+    pub(super) fn of(is_prismatic: bool, [x, y, z]: [f64; 3]) -> Self {
+        let sign = if z < 0.0 { -1.0 } else { 1.0 };
+        if is_prismatic { Self::Slide(y / z) } else { Self::direction(y * sign, x * sign) }
+    }
+
     /// The angle of a vector of any length; 0 for none.
     #[inline]
     pub(super) fn direction(y: f64, x: f64) -> Self {

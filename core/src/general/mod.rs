@@ -4,14 +4,15 @@
 //! sides ([`line`](Elimination)) six combinations are free of a and b. With c held they are bilinear in e and f. Six of
 //! the nine products go by elimination, and the determinant of what remains, times the square of the pivots, is a
 //! trigonometric polynomial of degree 8 in c. Its real roots give c, the null vector of the remaining equations e and
-//! f, the pseudo-inverse a and b, and the last frame d.
+//! f, the pseudo-inverse a and b, and the last frame d. At a root that is doubtful, or at which the elimination fails, e and
+//! f follow without it (`held.rs`).
 //!
-//! One joint may be prismatic, but neither d nor c. Solutions that share c are told apart by a second cut, which holds
-//! another joint; it runs where a root is doubtful.
+//! One joint may be prismatic, but neither d nor c. Where a root is doubtful a second cut runs, which holds another joint.
 
 mod constant_side;
 mod elimination;
 mod equations;
+mod held;
 mod lanes;
 mod line;
 mod search;
@@ -129,7 +130,7 @@ impl Cuts {
         }
         let own = [Some(self.first), self.second, self.third];
         let others = Cut::ALL.map(Some);
-        along(MOST_CUTS + others.len(), true, |part| {
+        along(MOST_CUTS + others.len(), self.is_special, |part| {
             let cut = own.into_iter().chain(others).nth(part.number)??;
             let is_known = own.contains(&Some(cut)) && part.number >= MOST_CUTS;
             if is_known {
@@ -143,45 +144,43 @@ impl Cuts {
 /// The most cuts of an arm.
 const MOST_CUTS: usize = 3;
 
-/// Rings on both sides of the arm's own differ from it by about this, in rad and in half reaches. Two solutions that meet
-/// are gone on one side.
+/// Rings beside the arm's own differ from it by about this, in rad and in half reaches.
 pub(crate) const MOVED: f64 = 1e-5;
+/// Where no cut serves beside the arm either, rings farther away are solved: the polynomial grows with a power of the
+/// distance, its rounding does not.
+const FAR: f64 = 1e-3;
+/// The arm's own ring and those beside it, in pairs: of two solutions that meet, one side may have none.
+const RINGS: [f64; 5] = [0.0, MOVED, -MOVED, FAR, -FAR];
 
-/// Searches along the cuts until one serves and leaves no doubt, or two have served. Rings beside the arm's own are solved
-/// where none serves, or where each that serves has a root at which its elimination fails.
-///
-/// At round values of a given joint, or of the joints at the target, axes may be parallel that are not elsewhere. A
-/// determinant of the elimination, whose square is a factor of the polynomial, then vanishes at solutions. So there is a
-/// root, and no joints follow from it. More cuts of the same ring fail at the same solutions; on a ring beside it the joints
-/// follow.
-///
-/// Beside a ring that serves itself two cuts are asked: with four, random poses of six joints reach the bound of a call.
-/// `is_given`: of an arm with a given joint four are; with two, an xArm 7 and a Baxter lose poses of grids.
-fn along(count: usize, is_given: bool, mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome {
+/// Searches along the cuts until one serves and leaves no doubt, or two have served. Cuts beyond the arm's own ones are asked
+/// where none of these serves. Where none serves on the arm's own ring, as always of a special arm, those beside it are
+/// solved. A rough cut is searched, but does not serve.
+fn along(count: usize, is_special: bool, mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome {
     let (mut is_complete, mut has_families, mut is_served, mut is_sound) = (true, true, false, false);
-    let mut serves_itself = false;
-    for moved in [0.0, MOVED, -MOVED] {
-        let (is_moved, mut served) = (moved != 0.0, 0);
-        let enough = if is_moved && (is_given || !serves_itself) { 4 } else { 2 };
+    for moved in RINGS {
+        let mut served = 0;
+        let is_hopeless = is_special && moved == 0.0;
         for number in 0..count {
-            if number >= MOST_CUTS && served > 0 && !is_moved {
+            if number == MOST_CUTS && (served > 0 || is_hopeless) {
                 break;
             }
             let Some(rest) = search(Part { number, has_families, moved }) else { continue };
             is_complete &= rest.is_complete && !rest.is_ended;
             has_families &= !rest.has_families;
-            served += usize::from(!rest.is_useless);
-            is_sound |= !rest.is_useless && !rest.is_unsound;
             if rest.is_ended {
                 return Outcome { is_complete };
             }
-            if served == enough || (served == 1 && !rest.is_doubtful) {
+            is_served |= !rest.is_useless;
+            let serves = !rest.is_useless && !rest.is_rough;
+            served += usize::from(serves);
+            is_sound |= serves && !rest.is_unsound;
+            if served == 2 || (served == 1 && !rest.is_doubtful) {
                 break;
             }
         }
-        is_served |= served > 0;
-        serves_itself |= served > 0 && !is_moved;
-        if !is_moved && (is_sound || !has_families) {
+        let is_last_of_pair = moved <= 0.0;
+        let is_enough = is_sound || !has_families || (is_served && moved != 0.0);
+        if is_last_of_pair && is_enough {
             break;
         }
     }

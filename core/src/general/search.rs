@@ -7,11 +7,13 @@ use super::equations::{Equations, Pairs, Position};
 use super::lanes::Two;
 use crate::Transform;
 use crate::held_joint::{Candidate, MOST_CANDIDATES, Visitor};
-use crate::math::{sin_cos, wrap};
+use crate::math::{sin_cos, sqrt, wrap};
 use crate::trig_polynomial::{Fit, Local, Root, Roots};
 
 /// Samples that are farther from a polynomial than this, as a share of the greatest, tell nothing.
 pub(super) const USELESS: f64 = 1e-5;
+/// Samples that are farther from a polynomial than this, as a share of the greatest, leave few digits.
+const ROUGH: f64 = 1e-9;
 /// Below this the rounding of the equations may be all that a polynomial tells.
 const SMALL: f64 = 1e-15;
 /// About a doubtful root the function is sampled anew, on an arc that ends at these half-angle tangents. If the root is
@@ -23,10 +25,18 @@ const WIDER: f64 = 1.2;
 const INNER: f64 = 0.9;
 /// A root that is not doubtful is known so far, rad.
 const KNOWN: f64 = 3e-7;
-/// Joints that do not follow from their root are left out unless the ring closes to this.
+/// Joints are left out unless the ring closes to this ..
 const NEAR: f64 = 0.1;
+/// .. and to this many square roots of what the root is off by, as beside a fold a joint is off by the square root ..
+const ROOTS: f64 = 0.1;
+/// .. and so many times what the ring is moved by.
+const TIMES: f64 = 20.0;
+/// A root is known to this, rad, at best.
+const OFF: f64 = 1e-7;
 /// The values on a shorter arc have to be better by this factor.
 const BETTER: f64 = 0.3;
+/// An arc has no root if its values are nowhere less than so many times their rounding.
+const CLEAR: f64 = 100.0;
 /// The most arcs of one cut.
 const MOST_ARCS: usize = 32;
 /// Where a free joint's reference has no member of the family, these are tried, rad beside it.
@@ -35,6 +45,11 @@ const ELSEWHERE: [f64; 8] = [0.0, 2.1, -2.1, 0.7, -0.7, 1.4, -1.4, 2.8];
 const CLOSES: f64 = 1e-5;
 /// .. at an angle and so far beside it, rad.
 const ASIDE: f64 = 0.01;
+
+/// The most joint vectors that follow from a root without elimination: six of f, two of e at each.
+const MOST_NEAR: usize = 12;
+/// Joint vectors that differ by less are one, rad or units of length.
+const SAME: f64 = 1e-6;
 
 /// Further cuts share the numbers of their roots.
 const MOST_NUMBERED: usize = 8;
@@ -50,11 +65,15 @@ struct Search<'a, 'v> {
     arcs: usize,
     /// A list was full or a bound was reached.
     is_full: bool,
-    /// At a simple root the other joints did not follow.
+    /// At a root no other joints close the ring.
     is_unsound: bool,
     reference: &'a [f64; 6],
     visit: &'a mut Visitor<'v, f64>,
     root: u8,
+    /// The ring differs from the arm's own by this, see [`Part::moved`].
+    moved: f64,
+    /// Joints that miss to close the ring by more are left out.
+    near: f64,
     is_doubtful: bool,
     /// Joint vectors are not visited, only the least distance from closing the ring is kept.
     is_probe: bool,
@@ -70,7 +89,9 @@ pub(crate) struct Rest {
     pub(crate) is_doubtful: bool,
     /// The polynomial is not known, or zero everywhere.
     pub(crate) is_useless: bool,
-    /// At some root the elimination fails: the other joints did not follow.
+    /// The polynomial is known to few digits: roots that are near to each other may be gone.
+    pub(crate) is_rough: bool,
+    /// At some root no other joints close the ring.
     pub(crate) is_unsound: bool,
     /// Members of a family have been listed.
     pub(crate) has_families: bool,
@@ -106,6 +127,7 @@ impl Elimination {
         let mut rest = Rest {
             is_doubtful: true,
             is_useless: true,
+            is_rough: fit.wrong > ROUGH,
             is_unsound: false,
             has_families: false,
             is_complete: true,
@@ -123,6 +145,8 @@ impl Elimination {
             reference,
             visit,
             root: (part.number.min(MOST_NUMBERED) * MOST_CANDIDATES) as u8,
+            moved: part.moved.abs(),
+            near: NEAR,
             is_doubtful: false,
             is_probe: false,
             least: f64::INFINITY,
@@ -134,7 +158,7 @@ impl Elimination {
         if !is_known || is_small {
             rest.is_ended = part.has_families && search.family().is_break();
             rest.has_families = search.has_members;
-            if !is_known || rest.is_ended || rest.has_families {
+            if !is_known || rest.is_ended {
                 return rest;
             }
         }
@@ -142,7 +166,7 @@ impl Elimination {
         rest.is_useless = is_small;
         rest.is_ended = search.all(&roots, None, &ARCS).is_break();
         let has_doubts = roots.as_slice().iter().any(|root| is_doubtful(&roots, root));
-        rest.is_doubtful = has_doubts || search.is_unsound || is_small || moved.is_some();
+        rest.is_doubtful = has_doubts || search.is_unsound || is_small;
         rest.is_unsound = search.is_unsound;
         rest.is_complete = !search.is_full;
         rest
@@ -150,7 +174,7 @@ impl Elimination {
 }
 
 impl Search<'_, '_> {
-    /// Solutions with the held joint at this angle. Returns true if the other joints follow from the root.
+    /// Solutions with the held joint at this angle, by elimination. Returns true if all of them close the ring.
     fn at(&mut self, held: (f64, f64)) -> ControlFlow<(), bool> {
         let [e, f] = if self.closed.elimination.cut.is_swapped { [5, 4] } else { [4, 5] };
         let pairs = self.closed.equations.pairs(held, || self.reference_of(f));
@@ -166,34 +190,58 @@ impl Search<'_, '_> {
         self.visit_pairs(held, &pairs, e, f)
     }
 
-    /// Visits pairs of the joints at places e and f of the cut.
-    fn visit_pairs(&mut self, held: (f64, f64), pairs: &Pairs, e: usize, f: usize) -> ControlFlow<(), bool> {
-        let free = if pairs.is_free { self.bit(f) } else { 0 };
-        for (first, second) in pairs.list.into_iter().take(pairs.len) {
-            self.visit(held, first, second, e < f, free, pairs.is_sound)?;
+    /// As [`Search::at`] without elimination. Returns true if a joint vector closes the ring.
+    fn without_elimination(&mut self, held: (f64, f64)) -> ControlFlow<(), bool> {
+        let [e, f] = if self.closed.elimination.cut.is_swapped { [5, 4] } else { [4, 5] };
+        let system = self.closed.equations.held(held);
+        let Some(roots) = system.roots() else {
+            let close = self.at(held)?;
+            return self.at_other(held).map_continue(|others| close || others);
+        };
+        // The nearest first: one that does not close costs the visitor much.
+        let mut found = [Near { miss: self.near, joints: [0.0; 6], free: 0 }; MOST_NEAR];
+        for root in roots.as_slice() {
+            let at = system.at(root.sin_cos);
+            let with = |first: Position, free: u8| {
+                let (e, f) = if e < f { (first, at.f) } else { (at.f, first) };
+                let joints = self.closed.joints(held, e, f);
+                Near { miss: self.closed.residual(&joints), joints, free }
+            };
+            let one = if at.is_free { with(self.reference_of(e), self.bit(e)) } else { with(at.one, 0) };
+            let [second, third] = at.two.map(|e| with(e, 0));
+            let are_two = !at.is_free && at.may_be_two && (second.miss < one.miss || third.miss < one.miss);
+            let these: &[Near] = if are_two { &[second, third] } else { &[one] };
+            these.iter().for_each(|near| insert(&mut found, *near));
         }
-        Continue(pairs.is_sound)
+        let (near, mut closes) = (self.near, false);
+        for Near { joints, free, .. } in found.into_iter().take_while(|found| found.miss < near) {
+            closes = true;
+            self.pass_on(joints, free)?;
+        }
+        Continue(closes)
     }
 
-    /// Visits the joints, with e and f or f and e.
-    fn visit(
-        &mut self,
-        held: (f64, f64),
-        first: Position,
-        second: Position,
-        is_in_order: bool,
-        free: u8,
-        is_sound: bool,
-    ) -> ControlFlow<()> {
-        let (e, f) = if is_in_order { (first, second) } else { (second, first) };
-        let joints = self.closed.joints(held, e, f);
-        if self.is_probe {
-            self.least = self.least.min(self.closed.residual(&joints));
-            return Continue(());
+    /// Visits pairs of the joints at places e and f of the cut. Returns true if each of them closes the ring.
+    fn visit_pairs(&mut self, held: (f64, f64), pairs: &Pairs, e: usize, f: usize) -> ControlFlow<(), bool> {
+        let free = if pairs.is_free { self.bit(f) } else { 0 };
+        let mut close = true;
+        for (first, second) in pairs.list.into_iter().take(pairs.len) {
+            let (e, f) = if e < f { (first, second) } else { (second, first) };
+            let joints = self.closed.joints(held, e, f);
+            let miss = self.closed.residual(&joints);
+            if self.is_probe {
+                self.least = self.least.min(miss);
+            } else if miss < self.near {
+                self.pass_on(joints, free)?;
+            } else {
+                close = false;
+            }
         }
-        if !is_sound && self.closed.residual(&joints) > NEAR {
-            return Continue(());
-        }
+        Continue(close)
+    }
+
+    /// Gives the visitor a candidate.
+    fn pass_on(&mut self, joints: [f64; 6], free: u8) -> ControlFlow<()> {
         let free = if self.has_members { free | 1 << self.closed.elimination.cut.held() } else { free };
         let candidate = Candidate { joints, root: self.root, signs: None, free, is_doubtful: self.is_doubtful };
         if candidate.is_finite() { (self.visit)(&candidate) } else { Continue(()) }
@@ -205,13 +253,13 @@ impl Search<'_, '_> {
     fn all(&mut self, roots: &Roots, outer: Option<&Roots>, arcs: &[f64]) -> ControlFlow<()> {
         self.is_full |= !roots.is_complete;
         let [half, shorter @ ..] = arcs else {
-            return roots.as_slice().iter().try_for_each(|root| self.one(root));
+            return roots.as_slice().iter().try_for_each(|root| self.one(root, roots.off(root)));
         };
         // Those that are known come first: what a doubtful root gives may cost the visitor much.
         for root in roots.as_slice().iter().filter(|root| !is_doubtful(roots, root)) {
             let is_new = outer.is_none_or(|outer| !outer.as_slice().iter().any(|other| is_same(outer, other, root)));
             if is_new {
-                self.one(root)?;
+                self.one(root, roots.off(root))?;
             }
         }
         // The middles of the arcs, and what is known about them, rad.
@@ -229,14 +277,14 @@ impl Search<'_, '_> {
                     len += 1;
                     self.all(&inner, Some(roots), shorter)?;
                 }
-                _ => self.one(root)?,
+                _ => self.one(root, roots.off(root))?,
             }
         }
         Continue(())
     }
 
-    /// The roots on an arc about a root. None if there are none, or if the samples tell no more than those before, whose
-    /// values are `rounding` off.
+    /// The roots on an arc about a root; there may be none. None if the samples tell no more than those before, whose values
+    /// are `rounding` off, or too little more to tell that there is no root.
     fn sampled_about(&mut self, root: &Root, half: f64, rounding: f64) -> Option<Roots> {
         self.arcs += 1;
         let equations = &self.closed.equations;
@@ -245,16 +293,17 @@ impl Search<'_, '_> {
             return None;
         }
         let roots = local.roots();
-        (!roots.as_slice().is_empty()).then_some(roots)
+        let tells = !roots.as_slice().is_empty() || local.least > CLEAR * local.rounding;
+        tells.then_some(roots)
     }
 
-    /// Solutions at one root.
-    fn one(&mut self, root: &Root) -> ControlFlow<()> {
+    /// Solutions at one root, which may be `off` by so much.
+    fn one(&mut self, root: &Root, off: f64) -> ControlFlow<()> {
         self.is_doubtful = root.is_doubtful;
-        let is_sound = self.at(root.sin_cos)?;
-        self.is_unsound |= !is_sound;
-        if root.is_doubtful || !is_sound {
-            self.at_other(root.sin_cos)?;
+        let near = ROOTS * sqrt(OFF + off) + TIMES * self.moved;
+        self.near = if near < NEAR { near } else { NEAR };
+        if root.is_doubtful || !self.at(root.sin_cos)? {
+            self.is_unsound |= !self.without_elimination(root.sin_cos)?;
         }
         self.root = self.root.saturating_add(1);
         Continue(())
@@ -265,7 +314,7 @@ impl Search<'_, '_> {
     /// zero without that: then the ring closes nowhere, and nothing is visited.
     fn family(&mut self) -> ControlFlow<()> {
         let reference = self.value_of(HELD);
-        self.is_doubtful = true;
+        (self.is_doubtful, self.near) = (true, NEAR);
         for distance in ELSEWHERE {
             let angle = reference + distance;
             self.has_members = self.least_at(angle) < CLOSES && self.least_at(angle + ASIDE) < CLOSES;
@@ -308,6 +357,27 @@ impl Search<'_, '_> {
 
     fn bit(&self, place: usize) -> u8 {
         1 << self.closed.elimination.cut.order().get(place).copied().unwrap_or(0)
+    }
+}
+
+/// A joint vector near a solution.
+#[derive(Clone, Copy)]
+struct Near {
+    /// The ring misses to close by this.
+    miss: f64,
+    joints: [f64; 6],
+    /// Joints that may take any value, as bits.
+    free: u8,
+}
+
+/// Inserts a joint vector by its miss. A full list loses its last one. One that repeats a better one is left out.
+fn insert(list: &mut [Near; MOST_NEAR], mut near: Near) {
+    for place in list {
+        if near.miss < place.miss {
+            core::mem::swap(place, &mut near);
+        } else if place.joints.iter().zip(near.joints).all(|(x, y)| wrap(x - y).abs() < SAME) {
+            return;
+        }
     }
 }
 

@@ -21,6 +21,8 @@ pub struct Local {
     middle: (f64, f64),
     /// Values are so far off.
     pub rounding: f64,
+    /// The least magnitude of a sample.
+    pub least: f64,
     /// Distance of the function from the polynomial at a check, as a share of the greatest sample; infinite if a sample
     /// is not finite.
     pub wrong: f64,
@@ -51,15 +53,15 @@ impl Local {
         let [.., out] = &mut samples;
         *out = at_last;
         let mut bernstein = [0.0; SAMPLES];
-        let (mut greatest, mut size) = (0.0_f64, 0.0_f64);
+        let (mut greatest, mut least, mut size) = (0.0_f64, f64::INFINITY, 0.0_f64);
         for (sample, row) in samples.iter().zip(&LAGRANGE) {
-            greatest = greatest.max(sample.abs());
+            (greatest, least) = (greatest.max(sample.abs()), least.min(sample.abs()));
             bernstein.iter_mut().zip(row).for_each(|(sum, entry)| *sum += entry * sample);
         }
         for b in bernstein {
             size = size.max(b.abs());
         }
-        let mut local = Self { bernstein, half, middle, rounding: NOISE * size, wrong: f64::INFINITY };
+        let mut local = Self { bernstein, half, middle, rounding: NOISE * size, least, wrong: f64::INFINITY };
         let error = (local.at(half * CHECK).0 - at_check).abs();
         if error.is_finite() {
             local.wrong = if error > 0.0 { error / greatest } else { 0.0 };

@@ -74,11 +74,19 @@ impl Roots {
 
     /// Returns true for a root that rounding moves by less than a thousandth of its distance from the others.
     pub fn is_apart(&self, root: &Root) -> bool {
-        let mut gap = WIDEST;
-        for other in self.as_slice().iter().filter(|other| *other != root) {
-            gap = gap.min(wrap(other.angle - root.angle).abs());
-        }
-        !root.is_double && self.rounding <= 1e-3 * gap * root.slope.abs()
+        !root.is_double && self.rounding <= 1e-3 * self.gap(root) * root.slope.abs()
+    }
+
+    /// Distance of a root from the others, at most 0.1 rad.
+    fn gap(&self, root: &Root) -> f64 {
+        let others = self.as_slice().iter().filter(|other| *other != root);
+        others.fold(WIDEST, |gap, other| gap.min(wrap(other.angle - root.angle).abs()))
+    }
+
+    /// A root may be off by this, rad. Those in doubt beside each other may be one multiple root.
+    pub fn off(&self, root: &Root) -> f64 {
+        let moved = self.rounding / root.slope.abs();
+        if self.is_apart(root) { moved } else { root.spread.max(self.gap(root)) }
     }
 
     fn push(&mut self, root: Root) {

@@ -187,8 +187,9 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
         Ok(Solution { branch: solution.branch.called(branch), ..*solution })
     }
 
-    /// The first solution on a branch, an exact one if there is any: for arms on which a name may be missing. `gap`: the
-    /// residual of [`Status::Unreachable`] where other branches reach the target.
+    /// The first solution on a branch, an exact one if there is any: for arms on which a name may be missing, or shared by
+    /// solutions with numbers of which the first has none. `gap`: the residual of [`Status::Unreachable`] where other branches
+    /// reach the target.
     ///
     /// # Errors
     /// The status, if there is no solution; [`Status::Unreachable`], if none has the name.
@@ -197,7 +198,8 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
     where
         T: Copy,
     {
-        let named = |solution: &&Solution<T, N>| branch.agrees_with(solution.branch);
+        let has_number = |other: Branch| branch.root().is_none_or(|root| root == other.root().unwrap_or(1));
+        let named = |solution: &&Solution<T, N>| branch.agrees_with(solution.branch) && has_number(solution.branch);
         let missing = if self.is_empty() { self.status } else { Status::Unreachable { residual: gap } };
         let solution = self.exact().find(named).or(self.iter().find(named)).ok_or(missing)?;
         Ok(Solution { branch: solution.branch.called(branch), ..*solution })

@@ -16,6 +16,8 @@ pub(super) struct Verified<T, const N: usize> {
     pub(super) residual: Residual<T>,
     /// True if the joint vector of the closed form was within the tolerance.
     pub(super) close: bool,
+    /// True if the joint vector of a measured arm's table missed by no more than the links are off.
+    pub(super) is_within_slack: bool,
 }
 
 impl<T: Tolerances, const N: usize> Verified<T, N> {
@@ -47,6 +49,7 @@ mod tests {
             q: [0.75, 1.5, 0.375, -2.25],
             residual: Residual { position: 1e-9, orientation: 2e-9 },
             close: true,
+            is_within_slack: false,
         };
         let mut flip = known;
         let start = [0.5, 1.0 - 3.0, -0.25, -2.0 + 3.0];

@@ -1,4 +1,4 @@
-//! Solutions of a measured arm that its equations lose beside a singularity: the other root of a fold.
+//! Solutions that the equations lose beside a singularity: the other root of a fold.
 //!
 //! Where the table's arm is singular, two of its branches meet, and beyond there is none. The arm that was measured is
 //! singular beside that place: between the two it has two solutions where its table has one double root, or none. The
@@ -11,12 +11,16 @@ use super::kernel::tolerances::Tolerances;
 use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
 use super::passes::Missed;
 use super::search::Search;
-use super::verify::coincident;
+use super::verify::{apart, coincident};
 use crate::Solution;
 
 /// A solution at which the joints move the tool by more than this along n, relative to reach and in rad, is not near a
 /// fold.
 const STEEP: f64 = 0.05;
+/// Two solutions that share a root of the equation are nearer to their fold: they move the tool by less.
+const SHARED: f64 = 2e-3;
+/// Joint vectors that are nearer to each other belong to one fold, in rad and reaches.
+const BESIDE: f64 = 1e-3;
 /// The bend is taken between Jacobians so far apart, rad.
 const ASIDE: f64 = 1e-3;
 /// Evaluations kept for the reference of `inverse_near`: the first one, and its steps.
@@ -115,6 +119,25 @@ fn turned<T: Tolerances>(b: T, a: T, missed: T) -> [T; 2] {
 }
 
 impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T, M>> Search<'_, T, N, M, D, P> {
+    /// Returns true if the arm that was measured may have solutions to which no branch of its table leads: a solution is
+    /// nearly singular, or a branch is missed by little.
+    #[inline(never)]
+    pub(super) fn is_near_singular(&mut self) -> bool {
+        if self.is_nearly_missed {
+            return true;
+        }
+        for place in 0..M {
+            let Some(q) = self.solutions.get(place).map(|solution| solution.q) else { break };
+            let Some(evaluations_left) = self.evaluations_left.checked_sub(1 + RESERVED) else { return true };
+            self.evaluations_left = evaluations_left + RESERVED;
+            let singular = self.columns(&q).and_then(|(columns, error)| nearly_singular(&columns, &error));
+            if !singular.is_some_and(|singular| singular.slope.abs() > self.least_slope()) {
+                return true;
+            }
+        }
+        false
+    }
+
     /// Lists what lies on the other side of a fold from the solutions that are listed. One that missed its target was a
     /// start, and leaves the list where it led to solutions.
     #[cold]
@@ -124,40 +147,69 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         // What is found on the way lengthens the list, up to its M places.
         for (place, was_start) in starts.iter_mut().enumerate() {
             let Some(solution) = self.solutions.get(place).copied() else { break };
-            for start in self.beyond(&solution).into_iter().flatten() {
-                *was_start |= self.towards(&solution, &start) && !solution.is_exact();
+            let both = self.beyond(&solution, STEEP);
+            // Where one of them is its own place it is a solution itself.
+            let may_be_start =
+                !self.is_rounding(&solution) && (!solution.is_exact() || both.iter().all(Option::is_some));
+            for start in both.into_iter().flatten() {
+                let found = self.towards(&solution, &start);
+                let is_same = |q: [T; N]| !solution.is_exact() || self.is_beside(&q, &solution.q);
+                *was_start |= may_be_start && found.is_some_and(is_same);
             }
         }
         let mut starts = starts.iter();
-        self.solutions.retain(|solution| {
-            let was_start = starts.next() == Some(&true);
-            solution.is_exact() || !was_start
-        });
+        self.solutions.retain(|_| starts.next() != Some(&true));
     }
 
-    /// Solutions that share a name have numbers, but for the first.
+    /// Returns true for a solution that misses its target by rounding alone. Beside a fold one that misses it by more is off
+    /// by the square root of that.
+    fn is_rounding(&self, solution: &Solution<T, N>) -> bool {
+        self.constants.relative(&solution.residual) <= T::ROUNDING
+    }
+
+    /// Returns true for joint vectors that belong to one fold.
+    fn is_beside(&self, a: &[T; N], b: &[T; N]) -> bool {
+        let constants = self.constants;
+        a.iter().zip(b).enumerate().all(|(joint, (a, b))| {
+            apart(*a - *b, constants.prismatic.contains(joint), constants.reach) <= T::from_f64(BESIDE)
+        })
+    }
+
+    /// Lists the solution on the other side of a fold from an exact one that has a root in common with it.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn unfold_one(&mut self, solution: &Solution<T, N>) {
+        for start in self.beyond(solution, SHARED).into_iter().flatten() {
+            self.towards(solution, &start);
+        }
+    }
+
+    /// Solutions that share a name have numbers, but for the first. Exact ones come first.
     pub(super) fn number_shared(&mut self) {
-        for place in 1..M {
-            let Some(name) = self.solutions.get(place).map(|solution| solution.branch) else { break };
-            let plain = |other: &&Solution<T, N>| other.branch.with_root(0) == name.with_root(0);
-            let before = self.solutions.iter().take(place).filter(plain).count();
+        for place in 0..M {
+            let Some(own) = self.solutions.get(place).copied() else { break };
+            let comes_before = |(other_place, other): &(usize, &Solution<T, N>)| {
+                let is_first = if other.is_exact() == own.is_exact() { *other_place < place } else { other.is_exact() };
+                is_first && other.branch.with_root(0) == own.branch.with_root(0)
+            };
+            let before = self.solutions.iter().enumerate().filter(comes_before).count();
             if let Some(solution) = self.solutions.as_mut_slice().get_mut(place).filter(|_| before > 0) {
-                solution.branch = name.with_root_index(before);
+                solution.branch = own.branch.with_root_index(before);
             }
         }
     }
 
-    /// Returns true if steps from a joint vector lead to a solution. It is listed under the name of that beside it, unless it
+    /// The solution to which steps from a joint vector lead. It is listed under the name of that beside it, unless it
     /// already is.
-    fn towards(&mut self, neighbor: &Solution<T, N>, start: &[T; N]) -> bool {
-        let Some(mut evaluations_left) = self.evaluations_left.checked_sub(RESERVED + 1) else { return false };
+    fn towards(&mut self, neighbor: &Solution<T, N>, start: &[T; N]) -> Option<[T; N]> {
+        let mut evaluations_left = self.evaluations_left.checked_sub(RESERVED + 1)?;
         let constants = self.constants;
         let mut iterate = Iterate::at(*start);
         iterate.evaluate(constants, self.goal, self.arm);
         refine(constants, self.goal, self.arm, &mut iterate, &mut evaluations_left);
         self.evaluations_left = evaluations_left + RESERVED;
         if !(constants.relative(&iterate.residual) <= T::EXACT) {
-            return false;
+            return None;
         }
         let mut q = iterate.q;
         wrap_angles(&mut q, self.goal.given(), constants.prismatic);
@@ -174,17 +226,18 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
                 }
             }
         }
-        true
+        Some(q)
     }
 
-    /// The joint vectors along n from a solution at which the function vanishes.
-    fn beyond(&mut self, solution: &Solution<T, N>) -> [Option<[T; N]>; 2] {
+    /// The joint vectors along n from a solution at which the function vanishes. None if the joints move the tool by more than
+    /// `steep` along n.
+    fn beyond(&mut self, solution: &Solution<T, N>, steep: f64) -> [Option<[T; N]>; 2] {
         let none = [None; 2];
         let Some(evaluations_left) = self.evaluations_left.checked_sub(2 + RESERVED) else { return none };
         self.evaluations_left = evaluations_left + 1 + RESERVED;
         let Some((columns, error)) = self.columns(&solution.q) else { return none };
         let Some(near) = nearly_singular(&columns, &error) else { return none };
-        if !(near.slope.abs() <= T::from_f64(STEEP)) {
+        if !(near.slope.abs() <= T::from_f64(steep)) {
             return none;
         }
         self.evaluations_left = evaluations_left + RESERVED;
@@ -192,7 +245,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         let Some((columns, _)) = self.columns(&self.along(&solution.q, &near, aside)) else { return none };
         let bend = (slope(&columns, &near) - near.slope) / aside;
         // Of a solution one root is its own place.
-        let missed = if solution.is_exact() { T::ZERO } else { near.missed };
+        let missed = if self.is_rounding(solution) { T::ZERO } else { near.missed };
         let rate = self.rate(&near);
         turned(near.slope / rate, bend / (rate * rate), missed).map(|angle| {
             let distance = angle / rate;

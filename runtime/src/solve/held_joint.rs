@@ -75,10 +75,30 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         self.finish(constants, near);
     }
 
-    /// Like [`run_held_joint`](Self::run_held_joint) for a measured arm whose table has names for its branches: `name` gives
-    /// that of a joint vector. The other solution of a fold is listed, and that to which the reference leads. Solutions that
-    /// share a name have numbers, but for the first. The call may begin with
-    /// [`start_from_table`](Search::start_from_table).
+    /// Like [`run_held_joint`](Self::run_held_joint) for a measured arm, whose links are `off` their table, relative to reach and
+    /// in rad. The other solution of a fold is listed, and that to which the reference leads.
+    #[inline]
+    pub fn run_unfolded(
+        &mut self,
+        constants: &ArmConstants<'_, T, N>,
+        near: Option<&[T; N]>,
+        off: T,
+        place: impl Fn([T; 6]) -> [T; N],
+        solve: impl FnOnce(&mut dyn FnMut(&Candidate<T>) -> ControlFlow<()>) -> Outcome,
+    ) {
+        self.slack = off;
+        self.gather(|joints| (place(joints), T::ZERO), solve);
+        if self.is_near_singular() {
+            self.unfold();
+        }
+        self.number_roots();
+        self.finish_measured(constants, near, |_, _| {});
+    }
+
+    /// Like [`run_unfolded`](Self::run_unfolded) where the table has names for its branches: `name` gives that of a joint
+    /// vector. Solutions that share a name have numbers, but for the first. The call may begin with
+    /// [`start_from_table`](Search::start_from_table): then `solve` is called where a solution or a missed branch of the table
+    /// is nearly singular.
     #[inline]
     pub fn run_named(
         &mut self,
@@ -88,8 +108,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         name: impl Fn(&[T; N]) -> Branch,
         solve: impl FnOnce(&mut dyn FnMut(&Candidate<T>) -> ControlFlow<()>) -> Outcome,
     ) {
-        self.gather(|joints| (place(joints), T::ZERO), solve);
-        self.unfold();
+        if self.slack == T::ZERO || self.is_near_singular() {
+            self.gather(|joints| (place(joints), T::ZERO), solve);
+            self.unfold();
+        }
         self.finish_measured(constants, near, |q, branch| *branch = name(q));
     }
 
@@ -126,6 +148,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         };
         let (constants, given) = (self.constants, self.goal.given());
         wrap_angles(&mut q, given, constants.prismatic);
+        // A second cut gives most solutions once more.
+        if candidate.free == 0 && self.solutions.exact().any(|other| coincident(constants, &other.q, &q)) {
+            return ControlFlow::Continue(());
+        }
         let mut iterate = Iterate::at(q);
         iterate.evaluate(constants, self.goal, self.arm);
         if is_near && !(constants.relative(&iterate.residual) <= T::ROUNDING) {
@@ -135,8 +161,14 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         let mut solution = Solution::exact(iterate.q, name(candidate.signs));
         solution.residual = iterate.residual;
         let is_exact = constants.relative(&solution.residual) <= T::EXACT;
+        if !is_exact && evaluations_left == 0 {
+            // Cut short: what it would have become is not known.
+            self.solutions.mark_incomplete();
+            return ControlFlow::Break(());
+        }
         if !is_exact {
             self.misses_by(&solution.residual);
+            self.is_nearly_missed = true;
             if !constants.tolerates(&solution.residual) {
                 return ControlFlow::Continue(());
             }
@@ -155,6 +187,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
             solution.flags |= Flags::BOUNDARY;
         }
         self.keep(solution, twin);
+        // A root that two solutions share leads to one of them. Those of a measured arm are unfolded at the end.
+        if candidate.is_doubtful && is_exact && twin.is_none() && solution.free.is_empty() && self.slack == T::ZERO {
+            self.unfold_one(&solution);
+        }
         ControlFlow::Continue(())
     }
 

@@ -26,7 +26,7 @@ pub(super) const ONE_TICK: f64 = 0.1;
 
 /// A measured arm misses an equation of its table by at most so many times what one of its links is off: there are seven
 /// links.
-const SLACK: f64 = 8.0;
+pub(super) const SLACK: f64 = 8.0;
 
 /// One call of the inverse kinematics of an arm with `N` joints and at most `M` solutions.
 ///
@@ -59,6 +59,8 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize
     pub(super) slack: T,
     /// True if there is a reference.
     pub(super) has_reference: bool,
+    /// A branch of a measured arm's table is missed by little, or leads to no solution.
+    pub(super) is_nearly_missed: bool,
     /// Branches remembered at a pose that needs further passes.
     pub(super) passes: Option<Passes<T, N, M, P>>,
 }
@@ -88,6 +90,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
             doubt: false,
             slack: T::ZERO,
             has_reference: near.is_some(),
+            is_nearly_missed: false,
             passes: None,
         }
     }
@@ -232,9 +235,16 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
     /// its table's misses by about as much as its links are off.
     #[cold]
     #[inline(never)]
-    fn is_beyond_slack(&self, gap: T, angular: bool) -> bool {
+    fn is_beyond_slack(&mut self, gap: T, angular: bool) -> bool {
         let unit = if angular { T::ONE } else { self.constants.reach };
+        self.is_nearly_missed |= gap <= self.least_slope() * unit;
         gap > self.slack * T::from_f64(SLACK) * unit
+    }
+
+    /// The slope above which a measured arm keeps both solutions of a fold of its table. The fold `slope x + bend x^2 / 2` has
+    /// two roots while it is missed by less than `slope^2 / (2 bend)`. The bend is at most about 2, and the miss `SLACK slack`.
+    pub(super) fn least_slope(&self) -> T {
+        (self.slack * T::from_f64(4.0 * SLACK)).sqrt()
     }
 
     /// Notes a branch that misses by `gap`, a length or an angle.
@@ -309,29 +319,32 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
 
     /// As [`run`](Self::run) for a measured arm, whose stages are those of its table: every solution is verified. Solutions
     /// beyond folds of the table's arm, and the one that the reference leads to, are looked for. `off`: how far its links
-    /// are off the table, relative to reach and in rad.
+    /// are off the table, relative to reach and in rad. `name` may change the name of each solution: the branch of the table
+    /// that leads to a solution may be another than that on which it lies.
     #[inline(always)]
     pub fn run_measured(
         &mut self,
         constants: &ArmConstants<'_, T, N>,
         near: Option<&[T; N]>,
         off: T,
+        name: impl Fn(&[T; N], &mut Branch),
         nest: impl FnMut(&mut Self, BranchState),
     ) {
-        self.start_from_table(off, nest);
+        (self.doubt, self.slack) = (true, off);
+        self.cascades(nest);
         self.unfold();
-        self.finish_measured(constants, near, |_, _| {});
+        self.finish_measured(constants, near, name);
     }
 
-    /// Lists the solutions of a measured arm to which the stages of its table lead; `off`: how far its links are off the table,
-    /// relative to reach and in rad. The call goes on with [`run_named`](Self::run_named), where the arm's own equation has too
-    /// few digits for some of its roots.
+    /// Lists the solutions of a measured arm to which the stages of its table lead, in one run of the nest. `off`: how far its
+    /// links are off the table, relative to reach and in rad. The call goes on with [`run_named`](Self::run_named), where the
+    /// arm's own equation has too few digits for some of its roots.
     #[inline(always)]
-    pub fn start_from_table(&mut self, off: T, nest: impl FnMut(&mut Self, BranchState)) {
+    pub fn start_from_table(&mut self, off: T, mut nest: impl FnMut(&mut Self, BranchState)) {
         (self.doubt, self.slack) = (true, off);
-        let defaults = self.defaults;
-        self.cascades(nest);
-        self.defaults = defaults;
+        crate::effort::cascade();
+        nest(self, BranchState::start(true));
+        self.passes = None;
     }
 
     #[inline(always)]

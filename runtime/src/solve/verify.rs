@@ -8,7 +8,7 @@ use super::kernel::branch_state::BranchState;
 use super::kernel::tolerances::Tolerances;
 use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
 use super::passes::Missed;
-use super::search::{Search, VIRTUAL};
+use super::search::{SLACK, Search, VIRTUAL};
 use crate::math::wrap;
 use crate::{Branch, Flags, Solution};
 
@@ -70,11 +70,11 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
     /// counts as the gap of its branch.
     fn verified(&mut self, state: BranchState, doubts: &Doubts<T>, solution: &mut Solution<T, N>) -> Found {
         let constants = self.constants;
-        let Some(Verified { q, residual, close, .. }) = self.refined(&solution.q) else {
+        let Some(Verified { q, residual, close, is_within_slack, .. }) = self.refined(&solution.q) else {
             return Found::Nothing;
         };
         (solution.q, solution.residual) = (*q, *residual);
-        let close = *close;
+        let (close, is_within_slack) = (*close, *is_within_slack);
         let exact = constants.relative(&solution.residual) <= T::EXACT;
         if !exact {
             solution.flags.remove(Flags::EXACT);
@@ -92,10 +92,11 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         let listed = exact || close;
         if !exact {
             self.misses_by(&solution.residual);
+            self.is_nearly_missed = true;
         }
         match listed {
             false => Found::Nothing,
-            true if exact && doubts.free_or_weak().is_empty() && !close => {
+            true if exact && doubts.free_or_weak().is_empty() && !close && !is_within_slack => {
                 // Of a nearly real pair of roots.
                 solution.flags |= Flags::BOUNDARY;
                 Found::Guess
@@ -114,9 +115,11 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
             let mut iterate = Iterate::at(*start);
             iterate.evaluate(self.constants, self.goal, self.arm);
             let close = self.constants.tolerates(&iterate.residual);
+            let is_within_slack = self.constants.relative(&iterate.residual) <= self.slack * T::from_f64(SLACK);
             refine(self.constants, self.goal, self.arm, &mut iterate, &mut evaluations_left);
             self.evaluations_left = evaluations_left + RESERVED;
-            self.verified = Some(Verified { start: *start, q: iterate.q, residual: iterate.residual, close });
+            self.verified =
+                Some(Verified { start: *start, q: iterate.q, residual: iterate.residual, close, is_within_slack });
         }
         self.verified.as_ref()
     }

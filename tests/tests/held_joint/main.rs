@@ -78,21 +78,21 @@ fn every_truth() {
 }
 
 arms! {
-    fanuc_crx10ial 6 Pose losing 1 "../specs/fanuc_crx10ial.yaml";
+    fanuc_crx10ial 6 Pose "../specs/fanuc_crx10ial.yaml";
     kinova_gen3_lite 6 Pose "../specs/kinova_gen3_lite.yaml";
     kinova_jaco 6 Pose "../specs/kinova_jaco.yaml";
     ufactory_xarm6 6 Pose "../specs/ufactory_xarm6.yaml";
     gen6r_a 6 Pose "../specs/gen6r_a.yaml";
-    manseur_doty_16 6 Pose losing 1 "../specs/manseur_doty_16.yaml";
+    manseur_doty_16 6 Pose "../specs/manseur_doty_16.yaml";
     two_parallel_6r 6 Pose losing 1 "../specs/two_parallel_6r.yaml";
     kinova_mico 6 Pose "../specs/kinova_mico.yaml";
-    rethink_sawyer 7 Pose given 3 losing 28 "../specs/rethink_sawyer.yaml";
-    baxter_left 7 Pose given 3 losing 2 "../specs/baxter_left.yaml";
+    rethink_sawyer 7 Pose given 3 losing 5 "../specs/rethink_sawyer.yaml";
+    baxter_left 7 Pose given 3 losing 1 "../specs/baxter_left.yaml";
     slides_rprrpr 6 Pose "arms/held_joint/slides_rprrpr.yaml";
     slide_rrprrr 6 Pose "arms/held_joint/slide_rrprrr.yaml";
     ufactory_xarm7 7 Pose given 3 "../specs/ufactory_xarm7.yaml";
     axis_rrrrr 5 PositionAxis(2) "arms/held_joint/axis_rrrrr.yaml";
-    axis_square_rrrrr 5 PositionAxis(0) losing 4 "arms/held_joint/axis_square_rrrrr.yaml";
+    axis_square_rrrrr 5 PositionAxis(0) "arms/held_joint/axis_square_rrrrr.yaml";
     axis_rrprr 5 PositionAxis(2) "arms/held_joint/axis_rrprr.yaml";
     axis_rprpr 5 PositionAxis(2) "arms/held_joint/axis_rprpr.yaml";
     axis_jaco 5 PositionAxis(2) "arms/held_joint/axis_jaco.yaml";

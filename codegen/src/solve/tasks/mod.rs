@@ -16,11 +16,11 @@ pub use choices::{Choice, Way, choices};
 
 use attempt::attempt;
 
-use super::held_joint::{self, HeldJointPlan, Method};
+use super::held_joint::{self, HeldJointPlan};
 use super::inverse_plan::InversePlan;
 use super::loop_chain::LoopChain;
-use super::margins::{Factor, margins};
-use super::plan::{Branching, Plan};
+use super::margins::naming_table;
+use super::plan::Plan;
 use super::rank;
 use super::swivel;
 use super::unsupported::{self, Alternative, Unsupported};
@@ -38,25 +38,23 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Inverse
         Ok(plan) => Ok(InversePlan::Stages(Box::new(plan))),
         Err(unsupported) => {
             let plan = held_joint::plan(model, chain, geometry, unsupported)?;
-            let names = names_of_the_table(model);
-            let starts = names.is_some() && matches!(plan.method, Method::General { .. });
-            let off_table = off_table(model, geometry).filter(|off| starts && *off <= FEW_DIGITS);
+            let (names, off_table) = (names_of_the_table(model), off_table(model, geometry));
             Ok(InversePlan::HeldJoint(Box::new(HeldJointPlan { names, off_table, ..plan })))
         }
     }
 }
 
-/// Up to this distance from its table, relative to reach and in rad, the equations of the table give starts to the solutions
-/// of a measured arm. The arm's own equation of degree 8 has too few digits there.
-const NEAR_TABLE: f64 = 3e-7;
+/// Up to this distance from its table, relative to reach and in rad, the stages of the table alone give starts to the
+/// solutions of a measured arm. The arm's own equation of degree 8 has too few digits there.
+const NEAR_TABLE: f64 = 1e-9;
 
-/// Up to this distance the table's equations give starts, too: the arm's own equation of degree 8 loses single roots, since
-/// axes of it are nearly parallel.
-const FEW_DIGITS: f64 = 1e-4;
+/// Up to this distance a table that holds a joint gives the only starts.
+const NEAR_HELD_TABLE: f64 = 3e-7;
 
 /// The plan of a measured arm near its table.
 fn of_the_table(model: &Model, geometry: &Geometry) -> Option<InversePlan> {
-    if off_table(model, geometry)? <= NEAR_TABLE { by_the_table(model, geometry) } else { None }
+    let off = off_table(model, geometry).filter(|off| *off <= NEAR_HELD_TABLE)?;
+    by_the_table(model, geometry).filter(|plan| matches!(plan, InversePlan::HeldJoint(_)) || off <= NEAR_TABLE)
 }
 
 /// Distance of a measured arm from its table, relative to reach and in rad.
@@ -77,9 +75,7 @@ fn names_of_the_table(model: &Model) -> Option<Box<Plan>> {
     let table = table(model)?;
     let chain = Chain::of(&table);
     let plan = in_stages(&table, &chain, &geometry::geometry(&table, &chain)).ok()?;
-    let (_, factors) = margins(&plan);
-    let named = |factor: &Factor| !matches!(factor.branching, Branching::None | Branching::Root);
-    (plan.task.goal.task() == Task::Pose && factors.iter().any(named)).then(|| Box::new(plan))
+    naming_table(&plan).map(Box::new)
 }
 
 /// The plan of a measured arm by the equations of its table, with every solution verified on the arm that was measured.
@@ -96,7 +92,7 @@ pub fn by_the_table(model: &Model, geometry: &Geometry) -> Option<InversePlan> {
         Ok(_) => None,
         Err(unsupported) => {
             let plan = held_joint::plan_of_table(&table, &chain, &geometry, unsupported)?;
-            Some(InversePlan::HeldJoint(Box::new(plan)))
+            Some(InversePlan::HeldJoint(Box::new(HeldJointPlan { off_table: Some(off), ..plan })))
         }
     }
 }
