@@ -3,8 +3,8 @@
 //! Where a function is small all over an arc, as near multiple roots, its values are known much better than those of
 //! the polynomial through samples of the whole circle.
 
-use super::roots::{self, Curve, Range, Root, Roots, direction, turned};
-use super::tables::{CHEBYSHEV, LAGRANGE};
+use super::roots::{self, Curve, Piece, Range, Root, Roots, direction, turned};
+use super::tables::{CHEBYSHEV, INNER, OUTER};
 use super::{DEGREE, NOISE, SAMPLES};
 
 /// The check stands here, between two samples, in units of the half arc.
@@ -13,8 +13,8 @@ const CHECK: f64 = 0.53;
 /// A trigonometric polynomial of degree 8 on an arc: in `x = tan(u / 2)` from its middle, times `(1 + x^2)^8`, a
 /// polynomial of degree 16.
 pub struct Local {
-    /// Bernstein coefficients on the arc.
-    bernstein: [f64; SAMPLES],
+    /// Bernstein coefficients on the quarters of the arc.
+    quarters: [[f64; SAMPLES]; 4],
     /// The greatest x.
     half: f64,
     /// Sine and cosine of the middle.
@@ -52,16 +52,20 @@ impl Local {
         let [at_last, at_check] = pair(last, CHECK);
         let [.., out] = &mut samples;
         *out = at_last;
-        let mut bernstein = [0.0; SAMPLES];
+        let mut quarters = [[0.0; SAMPLES]; 4];
+        let [a, b, c, d] = &mut quarters;
         let (mut greatest, mut least, mut size) = (0.0_f64, f64::INFINITY, 0.0_f64);
-        for (sample, row) in samples.iter().zip(&LAGRANGE) {
+        for (((sample, mirrored), outer), inner) in samples.iter().zip(samples.iter().rev()).zip(&OUTER).zip(&INNER) {
             (greatest, least) = (greatest.max(sample.abs()), least.min(sample.abs()));
-            bernstein.iter_mut().zip(row).for_each(|(sum, entry)| *sum += entry * sample);
+            a.iter_mut().zip(outer).for_each(|(sum, entry)| *sum += entry * sample);
+            b.iter_mut().zip(inner).for_each(|(sum, entry)| *sum += entry * sample);
+            c.iter_mut().rev().zip(inner).for_each(|(sum, entry)| *sum += entry * mirrored);
+            d.iter_mut().rev().zip(outer).for_each(|(sum, entry)| *sum += entry * mirrored);
         }
-        for b in bernstein {
-            size = size.max(b.abs());
+        for x in quarters.iter().flatten() {
+            size = size.max(x.abs());
         }
-        let mut local = Self { bernstein, half, middle, rounding: NOISE * size, least, wrong: f64::INFINITY };
+        let mut local = Self { quarters, half, middle, rounding: NOISE * size, least, wrong: f64::INFINITY };
         let error = (local.at(half * CHECK).0 - at_check).abs();
         if error.is_finite() {
             local.wrong = if error > 0.0 { error / greatest } else { 0.0 };
@@ -72,9 +76,13 @@ impl Local {
 
     /// The roots on the arc. Those are doubtful that rounding may move by more than 1e-7 rad.
     pub fn roots(&self) -> Roots {
-        // Of the coefficients on the whole arc some have 16,000 times the rounding of the samples, on a quarter of it 4.
         let mut out = Roots::none(self.rounding);
-        roots::isolate(self, self.bernstein, Range { half: self.half, near: self.half, depth: 2 }, &mut out);
+        let (mut low, width) = (-self.half, 0.5 * self.half);
+        for quarter in self.quarters {
+            let piece = Piece { b: quarter, low, width, depth: 2 };
+            roots::isolate(self, piece, Range { half: self.half, near: self.half }, &mut out);
+            low += width;
+        }
         out
     }
 }
@@ -83,9 +91,16 @@ impl Curve for Local {
     /// De Casteljau's way.
     #[inline(never)]
     fn at(&self, x: f64) -> (f64, f64) {
-        let scale = 0.5 / self.half;
-        let s = (x + self.half) * scale;
-        let mut b = self.bernstein;
+        let scale = 2.0 / self.half;
+        let place = (x + self.half) * scale;
+        let [a, b, c, d] = &self.quarters;
+        let (quarter, s) = match place {
+            ..1.0 => (a, place),
+            ..2.0 => (b, place - 1.0),
+            ..3.0 => (c, place - 2.0),
+            _ => (d, place - 3.0),
+        };
+        let mut b = *quarter;
         let mut slope = 0.0;
         for level in (1..SAMPLES).rev() {
             slope = b[1] - b[0];

@@ -102,13 +102,14 @@ impl Roots {
 
 /// A part of an arc.
 #[derive(Clone, Copy)]
-struct Piece {
+pub(super) struct Piece {
     /// Bernstein coefficients.
-    b: [f64; SAMPLES],
+    pub(super) b: [f64; SAMPLES],
     /// Where it begins, in x.
-    low: f64,
-    width: f64,
-    depth: u8,
+    pub(super) low: f64,
+    pub(super) width: f64,
+    /// So often the arc has been halved.
+    pub(super) depth: u8,
 }
 
 /// A quarter of the circle, with the polynomial in the angle from its middle.
@@ -136,7 +137,8 @@ pub(super) fn roots(polynomial: &TrigPolynomial, rounding: f64) -> Roots {
     let mut out = Roots::none(rounding);
     for quarters in 0..4 {
         let arc = Arc::of(polynomial, quarters, rounding);
-        isolate(&arc, arc.bernstein(), Range { half: HALF_ARC, near: NEAR, depth: 0 }, &mut out);
+        let piece = Piece { b: arc.bernstein(), low: -HALF_ARC, width: 2.0 * HALF_ARC, depth: 0 };
+        isolate(&arc, piece, Range { half: HALF_ARC, near: NEAR }, &mut out);
     }
     out
 }
@@ -148,13 +150,10 @@ pub(super) struct Range {
     pub(super) half: f64,
     /// See [`NEAR`].
     pub(super) near: f64,
-    /// Pieces that have been halved less often have coefficients whose signs are not known.
-    pub(super) depth: u8,
 }
 
-/// Lists the roots in a range, from the Bernstein coefficients there.
-pub(super) fn isolate(curve: &impl Curve, bernstein: [f64; SAMPLES], range: Range, out: &mut Roots) {
-    let first = Piece { b: bernstein, low: -range.half, width: 2.0 * range.half, depth: 0 };
+/// Lists the roots of a piece of a range.
+pub(super) fn isolate(curve: &impl Curve, first: Piece, range: Range, out: &mut Roots) {
     let mut stack = [first; STACK];
     let mut waiting = 1_usize;
     while out.nodes < MOST_NODES
@@ -180,9 +179,6 @@ pub(super) fn isolate(curve: &impl Curve, bernstein: [f64; SAMPLES], range: Rang
 fn look_at(piece: &Piece, curve: &impl Curve, range: Range, out: &mut Roots) -> Option<(Piece, Piece)> {
     let Piece { b, low, width, depth } = piece;
     let (middle, floor) = (low + 0.5 * width, out.rounding);
-    if *depth < range.depth {
-        return Some(piece.halved());
-    }
     let signs = Signs::of(b, floor);
     if signs.is_quiet {
         out.push(curve.root(middle, Some(0.5 * width)));

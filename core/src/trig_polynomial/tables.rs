@@ -130,9 +130,13 @@ pub(super) const CHEBYSHEV: [f64; SAMPLES] = {
     nodes
 };
 
-/// Row j: the Bernstein coefficients on [-1, 1] of the polynomial of degree 16 that is 1 at node j of [`CHEBYSHEV`] and 0
-/// at the others.
-pub(super) const LAGRANGE: [[f64; SAMPLES]; SAMPLES] = {
+/// Row j: the Bernstein coefficients on [-1, -1/2] of the polynomial of degree 16 that is 1 at node j of [`CHEBYSHEV`] and 0
+/// at the others. On [-1, 1] their greatest is 5,700, here 3.
+pub(super) const OUTER: [[f64; SAMPLES]; SAMPLES] = lagrange(-1.0, -0.5);
+/// As [`OUTER`], on [-1/2, 0].
+pub(super) const INNER: [[f64; SAMPLES]; SAMPLES] = lagrange(-0.5, 0.0);
+
+const fn lagrange(low: f64, high: f64) -> [[f64; SAMPLES]; SAMPLES] {
     let mut table = [[0.0; SAMPLES]; SAMPLES];
     let mut j = 0;
     while j < SAMPLES {
@@ -144,14 +148,14 @@ pub(super) const LAGRANGE: [[f64; SAMPLES]; SAMPLES] = {
         while i < SAMPLES {
             if i != j {
                 let scale = 1.0 / (CHEBYSHEV[j] - CHEBYSHEV[i]);
-                let (low, high) = ((-1.0 - CHEBYSHEV[i]) * scale, (1.0 - CHEBYSHEV[i]) * scale);
+                let (at_low, at_high) = ((low - CHEBYSHEV[i]) * scale, (high - CHEBYSHEV[i]) * scale);
                 degree += 1;
                 let mut m = degree;
                 while m > 0 {
-                    row[m] = row[m] * low + row[m - 1] * high;
+                    row[m] = row[m] * at_low + row[m - 1] * at_high;
                     m -= 1;
                 }
-                row[0] *= low;
+                row[0] *= at_low;
             }
             i += 1;
         }
@@ -165,7 +169,7 @@ pub(super) const LAGRANGE: [[f64; SAMPLES]; SAMPLES] = {
         j += 1;
     }
     table
-};
+}
 
 /// Sine and cosine of the sum of two angles.
 const fn sum((s, c): SinCos, (t, d): SinCos) -> SinCos {
@@ -227,16 +231,19 @@ mod tests {
     fn samples_on_an_arc_give_bernstein_coefficients() {
         for power in [0, 1, 2, 7, 16] {
             let value = |x: f64| (0..power).fold(1.0, |y, _| y * (0.3 + 0.7 * x));
-            let mut b = [0.0; SAMPLES];
-            for (node, row) in CHEBYSHEV.iter().zip(LAGRANGE) {
-                b.iter_mut().zip(row).for_each(|(sum, entry)| *sum += entry * value(*node));
-            }
-            // Bernstein coefficients of the power of a linear function on [-1, 1]: products of its values at the ends.
-            assert!((b[0] - value(-1.0)).abs() < 1e-11 && (b[16] - value(1.0)).abs() < 1e-11);
-            if power == 16 {
-                for (i, x) in b.iter().enumerate() {
-                    let low = (0..16 - i).fold(1.0, |y, _| y * -0.4);
-                    assert!((x - low).abs() < 1e-11, "{i} {x} {low}");
+            for (table, low, high) in [(OUTER, -1.0, -0.5), (INNER, -0.5, 0.0)] {
+                let mut b = [0.0; SAMPLES];
+                for (node, row) in CHEBYSHEV.iter().zip(table) {
+                    b.iter_mut().zip(row).for_each(|(sum, entry)| *sum += entry * value(*node));
+                }
+                assert!((b[0] - value(low)).abs() < 1e-14 && (b[16] - value(high)).abs() < 1e-14);
+                if power == 16 {
+                    // Of the power of a linear function: products of its values at the ends.
+                    for (i, x) in b.iter().enumerate() {
+                        let at = |x: f64, count: usize| (0..count).fold(1.0, |y, _| y * (0.3 + 0.7 * x));
+                        let wanted = at(low, 16 - i) * at(high, i);
+                        assert!((x - wanted).abs() < 1e-14, "{i} {x} {wanted}");
+                    }
                 }
             }
         }

@@ -65,7 +65,7 @@ fn kinova_gen3() {
 
 #[test]
 fn baxter() {
-    check("../specs/baxter_left.yaml", [0, 0, 3, 0, 0, 0, 0].map(Some));
+    check("../specs/baxter_left.yaml", [0; 7].map(Some));
 }
 
 #[test]
