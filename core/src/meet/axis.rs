@@ -68,9 +68,11 @@ pub(super) fn on_axes<T: Scalar>(
     for number in [0, 1] {
         let from_x3 = |t: T| distance2(&posed.parts(sin_cos(t)), number);
         if from_x3(t) <= beside {
-            let t = lowest(from_x3, t);
+            // W crosses the axis, or comes to it where v vanishes, beyond which v is imaginary: a parabola or a simple root.
+            let (crossing, end) = (lowest(from_x3, t), lowest(|t| from_x3(t) * from_x3(t), t));
+            let t = if from_x3(crossing).abs() <= from_x3(end).abs() { crossing } else { end };
             nearest = nearest.or(Some((t, false)));
-            if from_x3(t) <= on {
+            if from_x3(t).abs() <= on {
                 on_x3(stream, t, &posed.parts(sin_cos(t)), number)?;
             }
         }
