@@ -147,6 +147,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         // What is found on the way lengthens the list, up to its M places.
         for (place, was_start) in starts.iter_mut().enumerate() {
             let Some(solution) = self.solutions.get(place).copied() else { break };
+            // An exact solution of an arm that was not measured has been unfolded where a root led to it.
+            if self.slack == T::ZERO && solution.is_exact() {
+                continue;
+            }
             let both = self.beyond(&solution, STEEP);
             // Where one of them is its own place it is a solution itself.
             let may_be_start =

@@ -71,6 +71,9 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         solve: impl FnOnce(&mut dyn FnMut(&Candidate<T>) -> ControlFlow<()>) -> Outcome,
     ) {
         self.gather(place, solve);
+        if self.solutions.iter().any(|solution| !solution.is_exact()) {
+            self.unfold();
+        }
         self.number_roots();
         self.finish(constants, near);
     }
@@ -186,9 +189,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         if is_doubtful && twin.is_none() && solution.free.is_empty() && self.is_singular(&solution.q) {
             solution.flags |= Flags::BOUNDARY;
         }
+        let is_new = is_exact && !twin.and_then(|place| self.solutions.get(place)).is_some_and(Solution::is_exact);
         self.keep(solution, twin);
         // A root that two solutions share leads to one of them. Those of a measured arm are unfolded at the end.
-        if candidate.is_doubtful && is_exact && twin.is_none() && solution.free.is_empty() && self.slack == T::ZERO {
+        if candidate.is_doubtful && is_new && solution.free.is_empty() && self.slack == T::ZERO {
             self.unfold_one(&solution);
         }
         ControlFlow::Continue(())
