@@ -84,10 +84,10 @@ arms! {
     ufactory_xarm6 6 Pose "../specs/ufactory_xarm6.yaml";
     gen6r_a 6 Pose "../specs/gen6r_a.yaml";
     manseur_doty_16 6 Pose "../specs/manseur_doty_16.yaml";
-    two_parallel_6r 6 Pose losing 1 "../specs/two_parallel_6r.yaml";
+    two_parallel_6r 6 Pose "../specs/two_parallel_6r.yaml";
     kinova_mico 6 Pose "../specs/kinova_mico.yaml";
-    rethink_sawyer 7 Pose given 3 losing 5 "../specs/rethink_sawyer.yaml";
-    baxter_left 7 Pose given 3 losing 1 "../specs/baxter_left.yaml";
+    rethink_sawyer 7 Pose given 3 losing 2 "../specs/rethink_sawyer.yaml";
+    baxter_left 7 Pose given 3 "../specs/baxter_left.yaml";
     slides_rprrpr 6 Pose "arms/held_joint/slides_rprrpr.yaml";
     slide_rrprrr 6 Pose "arms/held_joint/slide_rrprrr.yaml";
     ufactory_xarm7 7 Pose given 3 "../specs/ufactory_xarm7.yaml";
