@@ -143,6 +143,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
     #[cold]
     #[inline(never)]
     pub(super) fn unfold(&mut self) {
+        // The compiler leaves the rest out for arms of few joints.
+        if N < SIX {
+            return;
+        }
         let mut starts = [false; M];
         // What is found on the way lengthens the list, up to its M places.
         for (place, was_start) in starts.iter_mut().enumerate() {
@@ -183,6 +187,9 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
     #[cold]
     #[inline(never)]
     pub(super) fn unfold_one(&mut self, solution: &Solution<T, N>) {
+        if N < SIX {
+            return;
+        }
         for start in self.beyond(solution, SHARED).into_iter().flatten() {
             self.towards(solution, &start);
         }
@@ -278,7 +285,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
     /// The columns of the joints that move, and the error; `None` if these are not six.
     fn columns(&self, q: &[T; N]) -> Option<([[T; SIX]; SIX], [T; SIX])> {
         let given = self.goal.given();
-        if (0..N).filter(|joint| !given.contains(*joint)).count() != SIX {
+        if N < SIX || (0..N).filter(|joint| !given.contains(*joint)).count() != SIX {
             return None;
         }
         let (pose, mut jacobian) = self.arm.evaluate(q);
