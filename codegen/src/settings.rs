@@ -72,7 +72,7 @@ fn rates(model: &Model) -> Vec<String> {
 /// How far a calibrated arm is from its table, and what is added to which row.
 pub fn calibrated(calibration: &Calibration, model: &Model) -> Vec<String> {
     let unit = model.length_unit.symbol();
-    let Calibration { deltas, displaced, turned, table: _ } = calibration;
+    let Calibration { deltas, displaced, turned, farthest: _, table: _ } = calibration;
     let mut lines = vec![format!(
         "calibrated: links are up to {displaced:.3e} {unit} and {:.3e} deg off the table, to which is added:",
         turned.to_degrees()

@@ -54,8 +54,23 @@ pub struct Calibration {
     pub displaced: f64,
     /// The largest turn of a link, rad.
     pub turned: f64,
+    /// The link that is most off its table.
+    pub farthest: FarthestLink,
     /// The rows of the table alone.
     pub table: Vec<Row>,
+}
+
+/// The link of a measured arm that is most off its table, as a share of what is accepted.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct FarthestLink {
+    /// The joint before the link, from 0.
+    pub joint: usize,
+    /// 1 is the most that is accepted.
+    pub share: f64,
+    /// In the file's length unit.
+    pub displaced: f64,
+    /// In rad.
+    pub turned: f64,
 }
 
 /// A row of the table.

@@ -1,18 +1,20 @@
 //! The arm that was measured: its rows, and how far its links are from those of the table.
 
 use super::angle::Angle;
-use super::arm::{Calibration, Model, Row};
+use super::arm::{Calibration, FarthestLink, Model, Row};
 use super::chain::{Chain, Elementary};
 use super::joint::Joint;
 use super::joint_names::named;
 use super::numeric::{Transform, length};
 use crate::error::Diagnostic;
-use crate::spec::{CalibrationSpec, Length, Spec};
+use crate::spec::{CalibrationSpec, Length, Place, Spec};
 
 /// A link may be displaced by this part of the reach.
 const DISPLACED: f64 = 0.1;
 /// A link may be turned by this, rad.
 const TURNED: f64 = 0.1;
+/// Beyond this share of these it is remarked: 2 % of the reach, 1.1 degrees.
+const IMPLAUSIBLE: f64 = 0.2;
 
 /// The rows with the calibration of the file added, and what was added to which joint.
 pub fn added(
@@ -69,34 +71,51 @@ pub fn compared(
     let own = turned_to(&table, gathered(model));
     let pairs: Vec<[Transform; 2]> = table.into_iter().zip(own).map(|(table, own)| [table, own]).collect();
     let reach: f64 = pairs.iter().map(|[table, _]| length(table.p)).sum();
-    let mut calibration = Calibration { deltas, displaced: 0.0, turned: 0.0, table: nominal.rows.clone() };
-    let (mut farthest, mut most) = (0, 0.0);
+    let mut calibration = Calibration {
+        deltas,
+        displaced: 0.0,
+        turned: 0.0,
+        farthest: FarthestLink::default(),
+        table: nominal.rows.clone(),
+    };
     for (link, [table, own]) in pairs.iter().enumerate() {
         let between = table.inverse().then(own);
         let (by, angle) = (length(between.p), angle(&between.r));
         let share = (by / (DISPLACED * reach)).max(angle / TURNED);
-        if share > most {
-            (farthest, most) = (link, share);
+        if share > calibration.farthest.share {
+            calibration.farthest = FarthestLink { joint: link.saturating_sub(1), share, displaced: by, turned: angle };
         }
         calibration.displaced = calibration.displaced.max(by);
         calibration.turned = calibration.turned.max(angle);
     }
-    let unit = spec.length_unit.symbol();
-    if most > 1.0 {
-        let joint = farthest.saturating_sub(1);
-        let entry = written.deltas.get(calibration.deltas.iter().position(|(own, _)| *own == joint).unwrap_or(0));
-        let place = entry.map_or(&written.place, |entry| &entry.place);
-        let message = format!(
-            "`calibration` moves link {} by {:.3} {unit} and turns it by {:.2} deg: expected a measured arm near its table",
-            joint + 1,
-            calibration.displaced,
-            calibration.turned.to_degrees()
-        );
+    if calibration.farthest.share > 1.0 {
+        let (message, place) = off_the_table(spec, written, &calibration);
         let help = "numbers are in the file's `units`: look for radians among degrees, millimeters among meters, whole rows, or \
                     another arm's calibration";
         mistakes.push(spec.source.mistake(place, message).help(help));
     }
     calibration
+}
+
+/// A warning of an arm that is farther off its table than measured arms are.
+pub fn implausible(spec: &Spec, calibration: &Calibration) -> Option<Diagnostic> {
+    let written = spec.calibration.as_ref().filter(|_| calibration.farthest.share > IMPLAUSIBLE)?;
+    let (message, place) = off_the_table(spec, written, calibration);
+    let help = "measured arms are a few millimeters and tenths of a degree off: look for another unit, or for another arm's numbers";
+    Some(spec.source.warning(place, message).help(help))
+}
+
+/// By how much the arm is off its table, in words, and the entry of the link that is most off.
+fn off_the_table<'a>(spec: &Spec, written: &'a CalibrationSpec, calibration: &Calibration) -> (String, &'a Place) {
+    let FarthestLink { joint, displaced, turned, .. } = calibration.farthest;
+    let entry = written.deltas.get(calibration.deltas.iter().position(|(own, _)| *own == joint).unwrap_or(0));
+    let message = format!(
+        "`calibration` moves link {} by {displaced:.3} {} and turns it by {:.2} deg: expected a measured arm near its table",
+        joint + 1,
+        spec.length_unit.symbol(),
+        turned.to_degrees()
+    );
+    (message, entry.map_or(&written.place, |entry| &entry.place))
 }
 
 /// Links with the frame of each joint turned about its axis, so that each link has nearly the rotation that the table has.

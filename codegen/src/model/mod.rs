@@ -24,7 +24,9 @@ mod weights;
 
 pub use actuator::Actuator;
 pub use angle::Angle;
-pub use arm::{Calibration, DEFAULT_TOLERANCE, Frame, InverseRequest, MOST_JOINTS, Model, Parameter, Row};
+pub use arm::{
+    Calibration, DEFAULT_TOLERANCE, FarthestLink, Frame, InverseRequest, MOST_JOINTS, Model, Parameter, Row,
+};
 pub use check::check;
 pub use combined_limits::CombinedLimit;
 pub use coupling::Coupling;

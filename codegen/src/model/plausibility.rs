@@ -4,6 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::arm::{InverseRequest, Model};
+use super::calibration::implausible;
 use super::far_frames::far_frames;
 use super::joint::{Joint, JointKind};
 use crate::error::Diagnostic;
@@ -24,6 +25,7 @@ pub fn plausibility_warnings(spec: &Spec, model: &Model) -> Vec<Diagnostic> {
     }
     found.extend(limits_in_radians(spec));
     found.extend(measured_twice(spec));
+    found.extend(model.calibration.as_ref().and_then(|calibration| implausible(spec, calibration)));
     found.extend(model.joints.iter().filter_map(|joint| {
         let [low, high] = joint.limits?;
         let row = spec.rows.get(joint.row)?;
@@ -163,6 +165,16 @@ mod tests {
         assert!(found[0].message.contains("off 90 deg by 0.0200 deg") && found[0].help.is_some(), "{found:?}");
         for rows in [rows("90") + calibration, rows("-55") + calibration, rows("90.02")] {
             assert_eq!(of("m", &rows).len(), 0, "{rows}");
+        }
+    }
+
+    #[test]
+    fn a_calibration_of_centimeters_or_degrees_is_remarked() {
+        let rows = format!("{}{}", row("0.5", "null"), row("0.5", "null"));
+        for (delta, is_remarked) in [("a: 0.05", true), ("alpha: 2", true), ("a: 0.005, alpha: 0.3", false)] {
+            let found = of("m", &format!("{rows}calibration:\n  q2: {{{delta}}}\n"));
+            assert_eq!(found.len(), usize::from(is_remarked), "{delta} {found:?}");
+            assert!(found.iter().all(|found| found.message.contains("moves link 2")), "{found:?}");
         }
     }
 
