@@ -1,6 +1,6 @@
 //! The answer of `denhart inverse` to one target, as text and as JSON.
 
-use denhart::{Residual, Status};
+use denhart::{Branch, Residual, Status};
 use denhart_dynamic::{DynamicArm, DynamicSolution, DynamicSolutions, DynamicTarget};
 use denhart_tools::closest::{Closest, Missed, closest};
 use serde_json::{Value, json};
@@ -25,6 +25,8 @@ pub struct Form {
     pub units: Units,
     /// Lists only solutions within the limits.
     pub within_limits: bool,
+    /// Lists only solutions of branches that agree with this one.
+    pub branch: Branch,
 }
 
 /// Solutions and their form.
@@ -57,13 +59,15 @@ impl<'a> Answer<'a> {
 
     /// Tells if a solution of those that are listed is exact.
     pub fn is_exact(&self) -> bool {
-        self.solutions.status().is_reachable() && (!self.form.within_limits || self.listed().next().is_some())
+        self.listed().any(|(_, solution)| solution.is_exact())
     }
 
     /// The solutions to list, each with its number.
     pub fn listed(&self) -> impl Iterator<Item = (usize, &DynamicSolution)> {
-        let listed =
-            |(_, solution): &(usize, &DynamicSolution)| !self.form.within_limits || solution.is_within_limits();
+        let listed = |(_, solution): &(usize, &DynamicSolution)| {
+            let is_wanted = self.form.branch.agrees_with(solution.branch);
+            is_wanted && (!self.form.within_limits || solution.is_within_limits())
+        };
         (1..).zip(self.solutions.iter()).filter(listed)
     }
 
@@ -218,6 +222,9 @@ impl<'a> Answer<'a> {
         if !self.solutions.is_empty() {
             let all = self.solutions.len();
             text = format!("{}\n\n{} of {all} within limits", text.trim_end(), self.within_limits());
+            if self.form.branch != Branch::NONE && self.listed().next().is_none() {
+                text += &format!("\nnone of them on the branch {}", self.form.branch);
+            }
         }
         Ok(text.trim_end().to_owned() + "\n")
     }

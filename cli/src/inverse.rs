@@ -4,6 +4,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::{ArgGroup, Args};
+use denhart::Branch;
 use denhart_codegen::Report;
 use denhart_dynamic::{DynamicArm, DynamicError};
 use serde_json::Value;
@@ -45,6 +46,9 @@ pub struct Options {
     /// List only solutions within the limits of the joints
     #[arg(long)]
     within_limits: bool,
+    /// List only solutions of a branch, by its parts as they are printed, such as "elbow up, wrist flip"
+    #[arg(long, value_name = "BRANCH", default_value = "-", hide_default_value = true)]
+    branch: Branch,
     /// Unit of angles, given and printed
     #[arg(long, value_name = "UNIT", default_value = "deg", value_parser = crate::numbers::units())]
     units: Units,
@@ -66,7 +70,7 @@ pub fn run(options: &Options, out: &mut dyn Write, err: &mut dyn Write) -> Resul
     }
     let arm = arm(&options.file)?;
     let asked = GivenOrNear { given: options.given.as_deref(), near: options.near.as_deref(), units: options.units };
-    let form = Form { units: options.units, within_limits: options.within_limits };
+    let form = Form { units: options.units, within_limits: options.within_limits, branch: options.branch };
     if let Some(file) = &options.batch {
         let Beside { given, near, hints } = beside(&arm, &asked, None)?;
         for hint in hints {

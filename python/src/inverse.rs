@@ -3,7 +3,7 @@
 use std::sync::Mutex;
 
 use denhart::batch::Found as Outcome;
-use denhart::{Branch, Elbow, Flags, Pose, Shoulder, Status, Wrist};
+use denhart::{Branch, Flags, ParseBranchError, Pose, Status};
 use denhart_dynamic::{DynamicArm, DynamicError, DynamicSolutions, DynamicTarget};
 use numpy::{PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
@@ -172,28 +172,13 @@ pub fn drop(limits: &str) -> PyResult<bool> {
 
 /// A branch by its words.
 pub fn branch(text: &str) -> PyResult<Branch> {
-    let mut branch = Branch::NONE;
-    for part in text.split(',').map(str::trim).filter(|part| !matches!(*part, "" | "-")) {
-        branch = match part {
-            "shoulder left" => branch.with_shoulder(Shoulder::Left),
-            "shoulder right" => branch.with_shoulder(Shoulder::Right),
-            "elbow up" => branch.with_elbow(Elbow::Up),
-            "elbow down" => branch.with_elbow(Elbow::Down),
-            "wrist flip" => branch.with_wrist(Wrist::Flip),
-            "wrist no-flip" => branch.with_wrist(Wrist::NoFlip),
-            part => match part.strip_prefix("root ").map(str::parse) {
-                Some(Ok(root @ 1..=16)) => branch.with_root(root),
-                _ => {
-                    return Err(error::value(format!(
-                        "branch: {part:?} is no part of a branch: write such as \"shoulder left, elbow up, wrist flip\": \
-                         shoulder left or right, elbow up or down, wrist flip or no-flip, root 1 to 16; solution.branch \
-                         has these words"
-                    )));
-                }
-            },
-        };
+    if text.is_empty() {
+        return Ok(Branch::NONE);
     }
-    Ok(branch)
+    text.parse().map_err(|wrong: ParseBranchError| {
+        let part = text.split(',').nth(wrong.part()).unwrap_or(text).trim();
+        error::value(format!("branch: {part:?} is no part of a branch: {wrong}; solution.branch has these words"))
+    })
 }
 
 /// Solutions of many targets, as `Arm.inverse_batch` gives them: plain arrays.

@@ -1,6 +1,7 @@
 //! Names of the branches of an inverse.
 
 use core::fmt;
+use core::str::FromStr;
 
 use crate::math::Scalar;
 
@@ -192,7 +193,8 @@ impl Branch {
 
     /// Returns true if two branches agree in every part that both name.
     #[inline]
-    pub(crate) const fn agrees_with(self, other: Self) -> bool {
+    #[must_use]
+    pub const fn agrees_with(self, other: Self) -> bool {
         let labels = (self.labels ^ other.labels) & self.named() & other.named();
         labels == 0 && (self.root == 0 || other.root == 0 || self.root == other.root)
     }
@@ -267,10 +269,87 @@ impl fmt::Debug for Branch {
     }
 }
 
+/// A text is no branch: the error of `str::parse`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ParseBranchError {
+    part: usize,
+}
+
+impl ParseBranchError {
+    /// The number of the part between commas that is wrong, from 0.
+    #[must_use]
+    pub const fn part(&self) -> usize {
+        self.part
+    }
+}
+
+impl fmt::Display for ParseBranchError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(
+            "expected the parts of a branch, such as \"shoulder left, elbow up, wrist flip\": shoulder left or right, elbow up \
+             or down, wrist flip or no-flip, root 1 to 16",
+        )
+    }
+}
+
+impl core::error::Error for ParseBranchError {}
+
+/// Reads what [`Display`](fmt::Display) writes: parts in any order, each at most once.
+impl FromStr for Branch {
+    type Err = ParseBranchError;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let mut branch = Self::NONE;
+        if text.trim() == "-" {
+            return Ok(branch);
+        }
+        for (part, text) in text.split(',').enumerate() {
+            let wrong = Err(ParseBranchError { part });
+            let mut words = text.split_ascii_whitespace();
+            let (Some(name), Some(value), None) = (words.next(), words.next(), words.next()) else {
+                return wrong;
+            };
+            let (named, with) = match (name, value) {
+                ("shoulder", "left") => (branch.shoulder().is_some(), branch.with_shoulder(Shoulder::Left)),
+                ("shoulder", "right") => (branch.shoulder().is_some(), branch.with_shoulder(Shoulder::Right)),
+                ("elbow", "up") => (branch.elbow().is_some(), branch.with_elbow(Elbow::Up)),
+                ("elbow", "down") => (branch.elbow().is_some(), branch.with_elbow(Elbow::Down)),
+                ("wrist", "flip") => (branch.wrist().is_some(), branch.with_wrist(Wrist::Flip)),
+                ("wrist", "no-flip") => (branch.wrist().is_some(), branch.with_wrist(Wrist::NoFlip)),
+                ("root", number) => match number.parse() {
+                    Ok(root @ 1..=16) => (branch.root().is_some(), branch.with_root(root)),
+                    _ => return wrong,
+                },
+                _ => return wrong,
+            };
+            if named {
+                return wrong;
+            }
+            branch = with;
+        }
+        Ok(branch)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use std::format;
+
+    #[test]
+    fn a_branch_reads_what_it_writes() {
+        let full = Branch::NONE.with_shoulder(Shoulder::Right).with_elbow(Elbow::Down).with_wrist(Wrist::NoFlip);
+        for branch in [Branch::NONE, full, full.with_root(16), Branch::NONE.with_root(2)] {
+            assert_eq!(format!("{branch}").parse(), Ok(branch));
+        }
+        assert_eq!("  wrist   flip,elbow up ".parse(), Ok(Branch::NONE.with_elbow(Elbow::Up).with_wrist(Wrist::Flip)));
+        for text in ["", "elbow", "root 0", "root 17", "root -", "Elbow up", "up", "-,"] {
+            assert_eq!(text.parse::<Branch>(), Err(ParseBranchError { part: 0 }), "{text:?}");
+        }
+        for text in ["elbow up,", "elbow up, elbow down", "elbow up, wrist"] {
+            assert_eq!(text.parse::<Branch>(), Err(ParseBranchError { part: 1 }), "{text:?}");
+        }
+    }
 
     #[test]
     fn every_name_is_kept() {

@@ -66,7 +66,7 @@ mod windings;
 pub use actuator::{Actuator, Quantized};
 pub use analytic::AnalyticJacobian;
 pub use arm::{Arm, InverseBranch, InverseKinematics};
-pub use branch::{Branch, Elbow, Shoulder, Wrist};
+pub use branch::{Branch, Elbow, ParseBranchError, Shoulder, Wrist};
 #[cfg(all(feature = "nalgebra", feature = "std"))]
 pub use chain::{Chain, ChainError};
 pub use combined_limit::CombinedLimit;

@@ -7,6 +7,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::{ArgGroup, Args, ValueEnum};
+use denhart::Branch;
 use denhart_draw::{DrawError, Scene, Style, Theme, View, apart, section};
 use denhart_dynamic::{DynamicArm, DynamicError};
 use denhart_tools::closest::{Closest, Missed};
@@ -184,7 +185,8 @@ fn scene(
     let Beside { given, near, hints } = beside(arm, &asked, Some(&target))?;
     target.hints.extend(hints);
     let pose = target.pose;
-    let answer = Answer::new(arm, Asked { target, given, near }, Form { units, within_limits: false })?;
+    let answer =
+        Answer::new(arm, Asked { target, given, near }, Form { units, within_limits: false, branch: Branch::NONE })?;
     for hint in answer.hints() {
         writeln!(err, "hint: {hint}")?;
     }

@@ -49,6 +49,23 @@ fn solutions_outside_the_limits_are_left_out_on_request() {
     assert!(said(&none.stdout).contains("0 of "), "{none:?}");
 }
 
+/// A branch by the words that are printed; parts that are left out match any.
+#[test]
+fn solutions_of_a_branch_alone() {
+    let asked = ["inverse", "specs/ur5.yaml", "--q", "0, -90, 90, 0, 30, 0"];
+    let answer = json(&[&asked[..], &["--branch", "elbow up, shoulder left", "--json"]].concat());
+    let solutions = answer["solutions"].as_array().unwrap();
+    let is_wanted = |branch: &str| branch.starts_with("shoulder left, elbow up, wrist ");
+    assert!(solutions.len() == 2 && solutions.iter().all(|one| is_wanted(one["branch"].as_str().unwrap())), "{answer}");
+    assert_eq!(answer["found"], 8);
+    // Of four solutions none is the sixteenth.
+    let none = denhart(&[&["inverse", "specs/gen6r_a.yaml"], &asked[2..], &["--branch", "root 16"]].concat());
+    assert_eq!(none.status.code(), Some(3), "{none:?}");
+    assert!(said(&none.stdout).contains("none of them on the branch root 16"), "{none:?}");
+    let wrong = denhart(&[&asked[..], &["--branch", "elbow top"]].concat());
+    assert!(wrong.status.code() == Some(2) && said(&wrong.stderr).contains("elbow up or down"), "{wrong:?}");
+}
+
 #[test]
 fn the_closest_approach_has_its_joint_values() {
     let asked = ["inverse", "specs/ur5.yaml", "--pose", "2 0 0 0 0 0"];
