@@ -81,7 +81,8 @@ pub fn compared(
     for (link, [table, own]) in pairs.iter().enumerate() {
         let between = table.inverse().then(own);
         let (by, angle) = (length(between.p), angle(&between.r));
-        let share = (by / (DISPLACED * reach)).max(angle / TURNED);
+        // Slides alone have no links.
+        let share = if reach > 0.0 { by / (DISPLACED * reach) } else { 0.0 }.max(angle / TURNED);
         if share > calibration.farthest.share {
             calibration.farthest = FarthestLink { joint: link.saturating_sub(1), share, displaced: by, turned: angle };
         }

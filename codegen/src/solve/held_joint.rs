@@ -4,9 +4,9 @@
 //! to the solvers of [`denhart_core`], which generated code calls as well. Five joints become six with a virtual one behind
 //! the tool: for a direction it turns about the tool's axis, for a pose its value has to be 0.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
-use denhart_core::general::{Cuts, General};
+use denhart_core::general::{Cut, Cuts, General};
 use denhart_core::meet::{Meet, Structure};
 use denhart_core::slides::Slides;
 use denhart_core::{Chain as NumericChain, Transform as NumericTransform, choice};
@@ -247,6 +247,21 @@ fn can_hold_a_joint(model: &Model, joints: &LoopChain) -> bool {
         && rank::check(joints, ToolMotion::Pose).is_ok()
 }
 
+/// Cuts of a chain of which no cut serves where [`Meet`] has no constants: rings beside the chain's own are solved.
+const LAST: Cuts = Cuts { first: Cut::ALL[0], second: None, third: None, is_special: true };
+
+/// Round values of a given joint, rad.
+const ROUND: [f64; 4] = [0.0, FRAC_PI_2, PI, -FRAC_PI_2];
+
+/// A round value of the given joints with which [`Meet`] has no constants for a structure, as where more axes are parallel.
+fn vanishes_at(six: &SixJoints, structure: &Structure) -> Option<f64> {
+    let has_none = |angle: &f64| {
+        let chain = six.at(&vec![*angle; six.given()]);
+        Meet::of(structure, &structure.ring(&chain.links, &chain.pose(&[GENERIC; 6]))).is_none()
+    };
+    ROUND.into_iter().find(has_none).filter(|_| six.given() > 0)
+}
+
 impl Method {
     /// The solver of a chain; `None` if no joint can be held.
     fn of(six: &SixJoints) -> Option<Self> {
@@ -258,6 +273,11 @@ impl Method {
         }
         let is_constant = six.given() == 0;
         if let Some(structure) = Structure::of(&chain, six.known()) {
+            // With cuts, the call asks for the structure first.
+            if let Some(angle) = vanishes_at(six, &structure) {
+                let cuts = choice::choose_given(&|_| six.at(&vec![angle; six.given()]));
+                return Some(Method::General { cuts: cuts.unwrap_or(LAST), constants: None });
+            }
             let ring = structure.ring(&chain.links, &NumericTransform::IDENTITY);
             let constants = structure.is_constant.then(|| Meet::of(&structure, &ring)).flatten().map(Box::new);
             return Some(Method::Meet { structure, constants });
@@ -278,6 +298,9 @@ impl Method {
 /// of them is nearly singular, the arm's own equation finds what they miss. By itself that equation loses single roots, since
 /// axes of it are nearly parallel.
 const FEW_DIGITS: f64 = 1e-4;
+
+/// Up to this distance a table that holds a joint gives the only starts.
+pub(super) const NEAR_HELD_TABLE: f64 = 3e-7;
 
 impl HeldJointPlan {
     /// The plan in stages of a measured arm's table, where it gives starts to solutions.
@@ -360,8 +383,10 @@ impl HeldJointPlan {
             Method::General { .. } => self.stages_of_table().map(|_| {
                 format!("the table's branches give starts, too: so near the table the equation {few} for some roots")
             }),
+            // An arm that is farther off has this structure itself.
             _ => self
                 .off_table
+                .filter(|off| *off <= NEAR_HELD_TABLE)
                 .map(|_| format!("the equation is that of the table: so near it that of the measured arm {few}")),
         }
     }

@@ -41,6 +41,10 @@ impl Reader<'_> {
     pub fn calibration(&mut self, root: &Fields<'_>, unit: Option<AngleUnit>) -> Option<CalibrationSpec> {
         let field = root.get("calibration")?;
         let named = self.by_joint(&field, "`calibration`", HELP)?;
+        if named.is_empty() {
+            let mistake = self.source.mistake(&field.place, "`calibration` names no joint".to_owned());
+            self.mistakes.push(mistake.help(HELP));
+        }
         let deltas = named.into_iter().filter_map(|joint| self.delta(joint, unit)).collect();
         Some(CalibrationSpec { deltas, place: field.place })
     }

@@ -122,6 +122,10 @@ pub fn mapping(key: &str, written: &str, node: &Node, known: &[&str]) -> Option<
             "write the frame as `{xyz: [x, y, z], rpy: [roll, pitch, yaw]}`, R = Rz(yaw) Ry(pitch) Rx(roll)".to_owned(),
         );
     }
+    // Of the rows' keys a calibration has no `type` and no `limits`.
+    if known == ["a", "alpha", "d", "theta"] {
+        return Some("name what is added to the row: `{a: 0.0003, alpha: -0.01}`".to_owned());
+    }
     let row = "name each value: `{a: 0, alpha: 90, d: 0.4, theta: 0}`";
     let text = written.trim_matches(['"', '\'', ' ']);
     let help = match (key, node) {

@@ -113,7 +113,8 @@ impl Cuts {
     /// where they are needed. Not complete if no cut has constants for this chain.
     ///
     /// A given joint may have a value at which two neighboring axes meet and two are parallel. [`Meet`] solves that chain:
-    /// structured arms lose some of the roots of the determinant.
+    /// structured arms lose some of the roots of the determinant. Where the equation of [`Meet`] vanishes, as if four axes
+    /// meet in one point, the cuts are searched as well.
     pub fn search(
         &self,
         chain: &Chain<f64>,
@@ -121,11 +122,13 @@ impl Cuts {
         reference: &[f64; 6],
         visit: &mut Visitor<'_, f64>,
     ) -> Outcome {
-        if let Some(structure) = Structure::of(chain, [true; 7]) {
+        if let Some(structure) = Structure::posed(chain, target) {
             let ring = structure.ring(&chain.links, target);
             let [k1, ..] = &ring;
-            if let Some(meet) = Meet::of(&structure, &ring) {
-                return meet.search(k1, reference, visit);
+            if let Some(outcome) = Meet::of(&structure, &ring).map(|meet| meet.search(k1, reference, visit))
+                && outcome.is_complete
+            {
+                return outcome;
             }
         }
         let own = [Some(self.first), self.second, self.third];

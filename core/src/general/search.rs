@@ -370,12 +370,14 @@ struct Near {
     free: u8,
 }
 
-/// Inserts a joint vector by its miss. A full list loses its last one. One that repeats a better one is left out.
+/// Inserts a joint vector by its miss. A full list loses its last one. Of two that are one the better stays.
 fn insert(list: &mut [Near; MOST_NEAR], mut near: Near) {
     for place in list {
+        let is_same = place.joints.iter().zip(near.joints).all(|(x, y)| wrap(x - y).abs() < SAME);
         if near.miss < place.miss {
             core::mem::swap(place, &mut near);
-        } else if place.joints.iter().zip(near.joints).all(|(x, y)| wrap(x - y).abs() < SAME) {
+        }
+        if is_same {
             return;
         }
     }

@@ -31,11 +31,11 @@ pub(super) fn on_axes<T: Scalar>(
     turn: (T, T),
 ) -> ControlFlow<(), Option<(T, bool)>> {
     let posed = stream.branches;
-    let square = |share: f64| {
-        let length = T::from_f64(share) * posed.meet.reach;
+    let square = |share: T| {
+        let length = share * posed.meet.reach;
         length * length
     };
-    let beside = square(BESIDE);
+    let beside = square(T::from_f64(BESIDE));
     let parts = posed.parts(turn);
     let distance2 = |parts: &Parts<T>, number: usize| parts.distance2.at(posed.signed(parts, number).v);
     let nearest2 = parts.rho2.min(distance2(&parts, 0)).min(distance2(&parts, 1));
@@ -43,7 +43,7 @@ pub(super) fn on_axes<T: Scalar>(
         return ControlFlow::Continue(None);
     }
     let rounding = T::from_f64(ROUNDINGS) * T::EPSILON * posed.meet.reach;
-    let (on, exact) = (square(ON), rounding * rounding);
+    let (on, exact) = (square(T::from_f64(ON)), rounding * rounding);
     let mut nearest = None;
     let from_x2 = |t: T| posed.parts(sin_cos(t)).rho2;
     let at_root = from_x2(t);

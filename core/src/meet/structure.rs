@@ -32,6 +32,17 @@ impl Structure {
     /// [`general`](crate::general).
     #[must_use]
     pub fn of(chain: &Chain<f64>, known: [bool; 7]) -> Option<Self> {
+        Self::first(chain, known, None)
+    }
+
+    /// As [`Structure::of`], of a chain whose links are all known at a target: the first ring of which [`Meet`] has
+    /// constants there.
+    #[must_use]
+    pub fn posed(chain: &Chain<f64>, target: &Transform<f64>) -> Option<Self> {
+        Self::first(chain, [true; 7], Some(target))
+    }
+
+    fn first(chain: &Chain<f64>, known: [bool; 7], target: Option<&Transform<f64>>) -> Option<Self> {
         if chain.is_prismatic.contains(&true) {
             return None;
         }
@@ -48,7 +59,7 @@ impl Structure {
         [true, false].into_iter().find_map(|is_constant| {
             rings().filter(|ring| is_possible(ring, is_constant)).find_map(|(joints, is_mirrored)| {
                 let structure = Self { joints, is_mirrored, is_antiparallel: false, is_constant };
-                let ring = structure.ring(&chain.links, &Transform::IDENTITY);
+                let ring = structure.ring(&chain.links, target.unwrap_or(&Transform::IDENTITY));
                 let [_, k2, k3, _, k5, _] = &ring;
                 let is_antiparallel = parallel(k3)?;
                 meeting_point(k5, chain.reach)?;
@@ -57,7 +68,8 @@ impl Structure {
                     return None;
                 }
                 // Unknown constants have no say in this.
-                let degenerates = is_constant && Meet::of(&structure, &ring).is_none();
+                let is_known = is_constant || target.is_some();
+                let degenerates = is_known && Meet::of(&structure, &ring).is_none();
                 (!degenerates).then_some(structure)
             })
         })

@@ -155,7 +155,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
             if self.slack == T::ZERO && solution.is_exact() {
                 continue;
             }
-            let both = self.beyond(&solution, STEEP);
+            let both = self.beyond(&solution, T::from_f64(STEEP));
             // Where one of them is its own place it is a solution itself.
             let may_be_start =
                 !self.is_rounding(&solution) && (!solution.is_exact() || both.iter().all(Option::is_some));
@@ -190,7 +190,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         if N < SIX {
             return;
         }
-        for start in self.beyond(solution, SHARED).into_iter().flatten() {
+        for start in self.beyond(solution, T::from_f64(SHARED)).into_iter().flatten() {
             self.towards(solution, &start);
         }
     }
@@ -242,13 +242,13 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
 
     /// The joint vectors along n from a solution at which the function vanishes. None if the joints move the tool by more than
     /// `steep` along n.
-    fn beyond(&mut self, solution: &Solution<T, N>, steep: f64) -> [Option<[T; N]>; 2] {
+    fn beyond(&mut self, solution: &Solution<T, N>, steep: T) -> [Option<[T; N]>; 2] {
         let none = [None; 2];
         let Some(evaluations_left) = self.evaluations_left.checked_sub(2 + RESERVED) else { return none };
         self.evaluations_left = evaluations_left + 1 + RESERVED;
         let Some((columns, error)) = self.columns(&solution.q) else { return none };
         let Some(near) = nearly_singular(&columns, &error) else { return none };
-        if !(near.slope.abs() <= T::from_f64(steep)) {
+        if !(near.slope.abs() <= steep) {
             return none;
         }
         self.evaluations_left = evaluations_left + RESERVED;

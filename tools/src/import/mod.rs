@@ -24,6 +24,7 @@ mod urdf;
 mod walk;
 mod write;
 
+use denhart_codegen::model::Length;
 use serde_json::Value;
 
 use crate::Error;
@@ -43,6 +44,8 @@ const ROUNDED: [f64; 4] = [1e-9, 1e-10, 1e-11, 0.0];
 /// every angle is measured.
 const EXACT_WITHIN: f64 = 1e-6;
 const EXACT_WITHIN_OF_MEASURED: f64 = 1e-9;
+/// Lengths of one maker's table differ by less, m: some have a digit more.
+const SAME_TABLE: f64 = 1e-3;
 
 /// The chain to import, and how its numbers are read.
 #[derive(Debug, Clone, PartialEq)]
@@ -127,6 +130,21 @@ pub fn calibrated(conf: &str, nominal: &str, name: &str) -> Result<String, Error
         )));
     }
     let entry = ur_calibration::entry(conf, program.model.joints.len()).map_err(Error::Text)?;
+    if let Some([a, d]) = ur_calibration::lengths(conf).map_err(Error::Text)? {
+        let joints = program.model.joints.iter().filter_map(|joint| program.model.rows.get(joint.row));
+        for (joint, (row, (a, d))) in joints.zip(a.into_iter().zip(d)).enumerate() {
+            for (key, own, other) in [("a", &row.a, a), ("d", &row.d, d)] {
+                let Length::Constant(own) = own else { continue };
+                if (own - other).abs() > SAME_TABLE {
+                    let joint = joint + 1;
+                    return Err(Error::Text(format!(
+                        "`{name}` is the table of another arm: `{key}` of joint {joint} is {own}, and {other} beside the \
+                         differences"
+                    )));
+                }
+            }
+        }
+    }
     let text = format!("{}\n{entry}", nominal.trim_end());
     // Numbers that belong to another arm are refused with their place.
     denhart_codegen::program(&text, name)?;

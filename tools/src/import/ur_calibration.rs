@@ -16,6 +16,9 @@ const LINKS: [&str; 6] = ["shoulder", "upper_arm", "forearm", "wrist_1", "wrist_
 const JOINTS: [&str; 6] =
     ["shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint", "wrist_1_joint", "wrist_2_joint", "wrist_3_joint"];
 
+/// An angle of the driver's file is within a turn, rad.
+const MOST_ANGLE: f64 = 6.4;
+
 /// The joints of a URDF from the text of a calibration.
 ///
 /// # Errors
@@ -49,6 +52,9 @@ pub fn urdf(text: &str) -> Result<String, String> {
             Ok(values)
         };
         let (xyz, rpy) = (numbers(["x", "y", "z"])?, numbers(["roll", "pitch", "yaw"])?);
+        if let Some(angle) = rpy.iter().find(|angle| angle.abs() > MOST_ANGLE) {
+            return Err(format!("`{link}` is turned by {angle}: angles of this file are rad, at most a turn"));
+        }
         turning(&mut out, joint, [parent, link], xyz, rpy, "0 0 1");
         parent = link;
     }
@@ -82,19 +88,8 @@ pub fn entry(text: &str, joints: usize) -> Result<String, String> {
     }
     let mut lists = Vec::new();
     for key in ["delta_a", "delta_alpha", "delta_d", "delta_theta"] {
-        let line = text.lines().find_map(|line| {
-            let (name, list) = line.split_once('=')?;
-            (name.trim() == key).then_some(list)
-        });
-        let example = format!("expected `{key} = [0, 0, 0, 0, 0, 0]`");
-        let list = line.ok_or_else(|| format!("no `{key}`: {example}"))?;
-        let inside = list.trim().strip_prefix('[').and_then(|list| list.strip_suffix(']'));
-        let words =
-            inside.ok_or_else(|| format!("`{key}` is no list in brackets: {example}"))?.split(',').map(str::trim);
-        let numbers: Option<Vec<f64>> =
-            words.map(|word| word.parse().ok().filter(|number: &f64| number.is_finite())).collect();
-        let numbers = numbers.filter(|numbers| numbers.len() == joints);
-        lists.push(numbers.ok_or_else(|| format!("`{key}` has not six numbers: {example}"))?);
+        let numbers = list(text, key)?;
+        lists.push(numbers.ok_or_else(|| format!("no `{key}`: expected `{key} = [0, 0, 0, 0, 0, 0]`"))?);
     }
     let mut out = "calibration:\n".to_owned();
     for joint in 0..joints {
@@ -105,6 +100,33 @@ pub fn entry(text: &str, joints: usize) -> Result<String, String> {
         out += &format!("  q{}: {{{a}, {alpha}, {d}, {theta}}}\n", joint + 1);
     }
     Ok(out)
+}
+
+/// Lengths of the maker's table that the file may have beside the differences: `a` and `d`. None where it has none.
+///
+/// # Errors
+/// A list that has not six numbers, or stands there twice.
+pub fn lengths(text: &str) -> Result<Option<[Vec<f64>; 2]>, String> {
+    Ok(list(text, "a")?.zip(list(text, "d")?).map(|(a, d)| [a, d]))
+}
+
+/// The six numbers of a line `key = [..]`; None where there is no such line.
+fn list(text: &str, key: &str) -> Result<Option<Vec<f64>>, String> {
+    let mut lines = text.lines().filter_map(|line| {
+        let (name, list) = line.split_once('=')?;
+        (name.trim() == key).then_some(list)
+    });
+    let example = format!("expected `{key} = [0, 0, 0, 0, 0, 0]`");
+    let Some(list) = lines.next() else { return Ok(None) };
+    if lines.next().is_some() {
+        return Err(format!("`{key}` stands there twice: remove one of them"));
+    }
+    let inside = list.trim().strip_prefix('[').and_then(|list| list.strip_suffix(']'));
+    let words = inside.ok_or_else(|| format!("`{key}` is no list in brackets: {example}"))?.split(',').map(str::trim);
+    let numbers: Option<Vec<f64>> =
+        words.map(|word| word.parse().ok().filter(|number: &f64| number.is_finite())).collect();
+    let numbers = numbers.filter(|numbers| numbers.len() == LINKS.len());
+    numbers.map(Some).ok_or_else(|| format!("`{key}` has not six numbers: {example}"))
 }
 
 #[cfg(test)]
@@ -125,6 +147,10 @@ mod tests {
             ),
             ("kinematics: {shoulder: {x: 0, y: 0, z: 0.1, roll: 0, pitch: 0}}", "`shoulder` has no number `yaw`"),
             ("kinematics: {link_7: {x: 0}}", "`link_7` is no link of a UR arm"),
+            (
+                "kinematics: {shoulder: {x: 0, y: 0, z: 0.1, roll: 90.02, pitch: 0, yaw: 0}}",
+                "`shoulder` is turned by 90.02: angles of this file are rad",
+            ),
         ] {
             let error = urdf(text).unwrap_err();
             assert!(error.contains(part), "{error}");
@@ -134,6 +160,9 @@ mod tests {
         assert!(
             entry(&whole, 6).unwrap().ends_with("q6: {a: 0.0001, alpha: 0.0001 rad, d: 0.0001, theta: 0.0001 rad}\n")
         );
+        assert!(entry(&format!("{whole}delta_a = {six}\n"), 6).unwrap_err().contains("`delta_a` stands there twice"));
+        assert_eq!(lengths(&whole).unwrap(), None);
+        assert_eq!(lengths(&format!("a = {six}\nd = {six}")).unwrap().unwrap()[1][5], 1e-4);
         assert!(entry(&whole, 7).unwrap_err().contains("has 7 joints"));
         assert!(entry(&whole.replace("delta_d", "delta_x"), 6).unwrap_err().contains("no `delta_d`"));
         assert!(entry("kinematics: {shoulder: {x: 0}}", 6).unwrap_err().contains("leave out `--nominal`"));

@@ -48,12 +48,9 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Inverse
 /// solutions of a measured arm. The arm's own equation of degree 8 has too few digits there.
 const NEAR_TABLE: f64 = 1e-9;
 
-/// Up to this distance a table that holds a joint gives the only starts.
-const NEAR_HELD_TABLE: f64 = 3e-7;
-
 /// The plan of a measured arm near its table.
 fn of_the_table(model: &Model, geometry: &Geometry) -> Option<InversePlan> {
-    let off = off_table(model, geometry).filter(|off| *off <= NEAR_HELD_TABLE)?;
+    let off = off_table(model, geometry).filter(|off| *off <= held_joint::NEAR_HELD_TABLE)?;
     by_the_table(model, geometry).filter(|plan| matches!(plan, InversePlan::HeldJoint(_)) || off <= NEAR_TABLE)
 }
 
