@@ -139,7 +139,7 @@ impl<'a> Answer<'a> {
             ));
         }
         if !self.solutions.is_complete() {
-            hints.push("the bound of the call was reached: further solutions may exist".to_owned());
+            hints.push("the bound of the call was reached, or its equation has too few digits here: further solutions may exist".to_owned());
         }
         if !self.solutions.status().is_reachable() {
             hints.extend(self.asked.target.hint_of_unit(self.arm));

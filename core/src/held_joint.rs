@@ -36,8 +36,8 @@ pub type Visitor<'a, T> = dyn FnMut(&Candidate<T>) -> ControlFlow<()> + 'a;
 /// The end of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Outcome {
-    /// False if a list was full or a bound was reached, so that solutions may be missing. A search that the visitor
-    /// ended is not complete either.
+    /// False if a list was full, a bound was reached, or no equation has digits enough at this target, so that solutions
+    /// may be missing. A search that the visitor ended is not complete either.
     pub is_complete: bool,
 }
 

@@ -30,7 +30,7 @@ pub fn held_joint(model: &Model, plan: &HeldJointPlan, target: &Target) -> Inver
     let solver = Solver {
         gap: "the least miss of a candidate (the reach if there is none)",
         bound: "The call takes at most 300 evaluations of `forward_and_jacobian`, for any target; `is_complete()` of the\n\
-                solutions is false where that is not enough.",
+                solutions is false where that is not enough, or where the equation has too few digits.",
         method: "one joint is held at the real roots of a polynomial; see the function `solve`.",
         function: ident("solve"),
         arguments: TokenStream::new(),

@@ -112,7 +112,8 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
         self.notes |= AWKWARD;
     }
 
-    /// Returns false if a bound of the call was reached, or the list was full: further solutions may exist.
+    /// Returns false if a bound of the call was reached, the list was full, or the equation of the arm has too few digits
+    /// at this target: further solutions may exist.
     ///
     /// Only an arm whose inverse holds a joint can give such a list. The inverse of an arm with a triple of axes that meet
     /// or are parallel lists every branch within its bound.
