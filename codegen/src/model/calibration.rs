@@ -106,7 +106,7 @@ pub fn implausible(spec: &Spec, calibration: &Calibration) -> Option<Diagnostic>
     Some(spec.source.warning(place, message).help(help))
 }
 
-/// By how much the arm is off its table, in words, and the entry of the link that is most off.
+/// The distance of the arm from its table, in words, and the entry of the link that is most off.
 fn off_the_table<'a>(spec: &Spec, written: &'a CalibrationSpec, calibration: &Calibration) -> (String, &'a Place) {
     let FarthestLink { joint, displaced, turned, .. } = calibration.farthest;
     let entry = written.deltas.get(calibration.deltas.iter().position(|(own, _)| *own == joint).unwrap_or(0));

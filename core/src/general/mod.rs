@@ -179,7 +179,7 @@ fn along(count: usize, is_special: bool, mut search: impl FnMut(Part) -> Option<
             let serves = !rest.is_useless && !rest.is_rough;
             served += usize::from(serves);
             is_sound |= serves && !rest.is_unsound;
-            is_certain |= is_sound && moved == 0.0;
+            is_certain |= !rest.is_useless && moved == 0.0;
             if served == 2 || (served == 1 && !rest.is_doubtful) {
                 break;
             }
