@@ -289,7 +289,9 @@ impl Method {
                 slides.iter().map(|slides| angle() * if *slides { 0.5 * chain.reach / PI } else { 1.0 }).collect();
             six.at(&values)
         })?;
-        let constants = if is_constant { Some(Box::new(General::of(&chain, &cuts)?)) } else { None };
+        // Beside its own ring a special arm is searched on all cuts, whose constants are computed in the call.
+        let constants =
+            if is_constant && !cuts.is_special { Some(Box::new(General::of(&chain, &cuts)?)) } else { None };
         Some(Method::General { cuts, constants })
     }
 }

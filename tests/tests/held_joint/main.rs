@@ -4,6 +4,11 @@
 //! An arm is one line of a list: its name, number of joints, task, the given joint, and file. The arms are of this target alone,
 //! so that `cargo test -p denhart-tests --no-default-features --test held_joint` builds without all others.
 
+#![allow(clippy::unwrap_used)]
+
+use denhart::math::wrap;
+use denhart_dynamic::DynamicArm;
+use denhart_tests::random::Random;
 use denhart_tests::suite::Grids;
 
 /// One module an arm, one test a group of joint vectors. `losing`: the failures that docs/known-gaps.md counts.
@@ -75,6 +80,21 @@ fn every_truth() {
     }
     meet!(fanuc_crx10ial kinova_gen3_lite kinova_jaco ufactory_xarm6 gen6r_a manseur_doty_16 two_parallel_6r);
     assert_eq!(met, 7);
+}
+
+/// No cut of this arm's ring has a polynomial, as most of its links have no length: rings beside it are solved.
+#[test]
+fn an_arm_without_a_polynomial_has_the_solutions_of_its_neighbors() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/arms/held_joint/zero_lengths.yaml");
+    let arm = DynamicArm::from_yaml(&std::fs::read_to_string(file).unwrap()).unwrap();
+    let mut random = Random::named("zero_lengths");
+    for _ in 0..1000 {
+        let q: Vec<f64> = (0..6).map(|_| random.uniform(-3.1, 3.1)).collect();
+        let found = arm.inverse(&arm.target_at(&q).unwrap(), &[]).unwrap();
+        let is_q = |x: &[f64]| x.iter().zip(&q).all(|(a, b)| wrap(a - b).abs() < 1e-6);
+        assert!(found.iter().any(|solution| solution.is_exact() && is_q(&solution.q)), "{q:?}");
+        assert!(!found.is_complete());
+    }
 }
 
 arms! {
