@@ -134,7 +134,7 @@ mod zero_lengths {
             lost += u32::from(!found.iter().any(|solution| solution.is_exact() && is_q(&solution.q)));
             assert!(!found.is_complete());
         }
-        assert!(lost <= 1, "{lost} of 1000 lost");
+        assert!(lost <= 2, "{lost} of 1000 lost");
     }
 }
 
