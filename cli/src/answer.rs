@@ -25,7 +25,7 @@ pub struct Form {
     pub units: Units,
     /// Lists only solutions within the limits.
     pub within_limits: bool,
-    /// Lists only solutions of branches that agree with this one.
+    /// Lists only solutions of branches that this name asks for.
     pub branch: Branch,
 }
 
@@ -65,8 +65,7 @@ impl<'a> Answer<'a> {
     /// The solutions to list, each with its number.
     pub fn listed(&self) -> impl Iterator<Item = (usize, &DynamicSolution)> {
         let listed = |(_, solution): &(usize, &DynamicSolution)| {
-            let is_wanted = self.form.branch.agrees_with(solution.branch);
-            is_wanted && (!self.form.within_limits || solution.is_within_limits())
+            self.form.branch.asks_for(solution.branch) && (!self.form.within_limits || solution.is_within_limits())
         };
         (1..).zip(self.solutions.iter()).filter(listed)
     }
@@ -139,7 +138,10 @@ impl<'a> Answer<'a> {
             ));
         }
         if !self.solutions.is_complete() {
-            hints.push("the bound of the call was reached, or its equation has too few digits here: further solutions may exist".to_owned());
+            hints.push(
+                "the bound of the call was reached, or its equation has too few digits here: further solutions may exist"
+                    .to_owned(),
+            );
         }
         if !self.solutions.status().is_reachable() {
             hints.extend(self.asked.target.hint_of_unit(self.arm));

@@ -172,7 +172,7 @@ pub fn drop(limits: &str) -> PyResult<bool> {
 
 /// A branch by its words.
 pub fn branch(text: &str) -> PyResult<Branch> {
-    if text.is_empty() {
+    if text.trim().is_empty() {
         return Ok(Branch::NONE);
     }
     text.parse().map_err(|wrong: ParseBranchError| {

@@ -191,10 +191,18 @@ impl Branch {
         if self.root == 0 { None } else { Some(self.root) }
     }
 
-    /// Returns true if two branches agree in every part that both name.
+    /// Returns true if this name asks for the branch of a solution: they agree in every part that both name. A solution
+    /// without a number is the first of its name.
     #[inline]
     #[must_use]
-    pub const fn agrees_with(self, other: Self) -> bool {
+    pub const fn asks_for(self, solution: Self) -> bool {
+        let number = if solution.root == 0 { 1 } else { solution.root };
+        self.agrees_with(solution) && (self.root == 0 || self.root == number)
+    }
+
+    /// Returns true if two branches agree in every part that both name.
+    #[inline]
+    pub(crate) const fn agrees_with(self, other: Self) -> bool {
         let labels = (self.labels ^ other.labels) & self.named() & other.named();
         labels == 0 && (self.root == 0 || other.root == 0 || self.root == other.root)
     }
@@ -385,6 +393,14 @@ mod tests {
             assert!(!branch.agrees_with(other) && !other.agrees_with(branch), "{other}");
         }
         assert!(!full.agrees_with(full.with_root(1)) && !full.agrees_with(full.with_shoulder(Shoulder::Left)));
+    }
+
+    #[test]
+    fn a_solution_without_a_number_is_the_first_of_its_name() {
+        let up = Branch::NONE.with_elbow(Elbow::Up);
+        assert!(up.asks_for(up) && up.asks_for(up.with_root(2)) && up.with_root(1).asks_for(up));
+        assert!(!up.with_root(2).asks_for(up) && up.with_root(2).asks_for(up.with_root(2)));
+        assert!(!up.asks_for(Branch::NONE.with_elbow(Elbow::Down)));
     }
 
     #[test]

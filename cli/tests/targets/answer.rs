@@ -62,6 +62,8 @@ fn solutions_of_a_branch_alone() {
     let none = denhart(&[&["inverse", "specs/gen6r_a.yaml"], &asked[2..], &["--branch", "root 16"]].concat());
     assert_eq!(none.status.code(), Some(3), "{none:?}");
     assert!(said(&none.stdout).contains("none of them on the branch root 16"), "{none:?}");
+    // Without numbers each is the first of its name.
+    assert_eq!(denhart(&[&asked[..], &["--branch", "root 2"]].concat()).status.code(), Some(3));
     let wrong = denhart(&[&asked[..], &["--branch", "elbow top"]].concat());
     assert!(wrong.status.code() == Some(2) && said(&wrong.stderr).contains("elbow up or down"), "{wrong:?}");
 }

@@ -250,10 +250,11 @@ fn can_hold_a_joint(model: &Model, joints: &LoopChain) -> bool {
 /// Cuts of a chain of which no cut serves where [`Meet`] has no constants: rings beside the chain's own are solved.
 const LAST: Cuts = Cuts { first: Cut::ALL[0], second: None, third: None, is_special: true };
 
-/// Round values of a given joint, rad.
+/// Round values of a given joint, rad or units of length.
 const ROUND: [f64; 4] = [0.0, FRAC_PI_2, PI, -FRAC_PI_2];
 
-/// A round value of the given joints with which [`Meet`] has no constants for a structure, as where more axes are parallel.
+/// A round value of the given joints with which [`Meet`] has no constants for a structure, as where a third axis passes through
+/// the point in which two meet.
 fn vanishes_at(six: &SixJoints, structure: &Structure) -> Option<f64> {
     let has_none = |angle: &f64| {
         let chain = six.at(&vec![*angle; six.given()]);

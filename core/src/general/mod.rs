@@ -22,7 +22,7 @@ pub use elimination::Elimination;
 pub use line::{COORDINATES, row};
 
 use crate::held_joint::Visitor;
-use crate::meet::{Meet, Structure};
+use crate::meet::Meet;
 use crate::{Chain, Outcome, Transform};
 pub(crate) use search::Part;
 use search::Rest;
@@ -89,7 +89,7 @@ pub struct Cuts {
     pub third: Option<Cut>,
     /// No cut serves on the arm itself: its structure makes the polynomials zero. Arms beside it are solved, 1e-5 away.
     /// Where solutions are nearer to each other than the root of that, some may be missed: up to 1 % of random poses. No
-    /// search of such an arm is complete.
+    /// search along the cuts is complete.
     pub is_special: bool,
 }
 
@@ -114,8 +114,8 @@ impl Cuts {
     /// where they are needed. Not complete if no cut has constants for this chain.
     ///
     /// A given joint may have a value at which two neighboring axes meet and two are parallel. [`Meet`] solves that chain:
-    /// structured arms lose some of the roots of the determinant. Where the equation of [`Meet`] vanishes, as if four axes
-    /// meet in one point, the cuts are searched as well.
+    /// structured arms lose some of the roots of the determinant. Where [`Meet`] has no constants, as if a third axis passes
+    /// through the point in which two meet, the cuts are searched.
     pub fn search(
         &self,
         chain: &Chain<f64>,
@@ -123,14 +123,8 @@ impl Cuts {
         reference: &[f64; 6],
         visit: &mut Visitor<'_, f64>,
     ) -> Outcome {
-        if let Some(structure) = Structure::posed(chain, target) {
-            let ring = structure.ring(&chain.links, target);
-            let [k1, ..] = &ring;
-            if let Some(outcome) = Meet::of(&structure, &ring).map(|meet| meet.search(k1, reference, visit))
-                && outcome.is_complete
-            {
-                return outcome;
-            }
+        if let Some((meet, k1)) = Meet::posed(chain, target) {
+            return meet.search(&k1, reference, visit);
         }
         let own = [Some(self.first), self.second, self.third];
         let others = Cut::ALL.map(Some);
@@ -158,7 +152,7 @@ const RINGS: [f64; 5] = [0.0, MOVED, -MOVED, FAR, -FAR];
 
 /// Searches along the cuts until one serves and leaves no doubt, or two have served. Cuts beyond the arm's own ones are asked
 /// where none of these serves. Where none serves on the arm's own ring, as always of a special arm, those beside it are
-/// solved. A rough cut is searched, but does not serve.
+/// solved: the search is not complete then. A rough cut is searched, but does not serve.
 fn along(count: usize, is_special: bool, mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome {
     let (mut is_complete, mut has_families, mut is_served, mut is_sound, mut is_certain) =
         (true, true, false, false, false);
@@ -179,10 +173,12 @@ fn along(count: usize, is_special: bool, mut search: impl FnMut(Part) -> Option<
             let serves = !rest.is_useless && !rest.is_rough;
             served += usize::from(serves);
             is_sound |= serves && !rest.is_unsound;
-            is_certain |= !rest.is_useless && moved == 0.0;
             if served == 2 || (served == 1 && !rest.is_doubtful) {
                 break;
             }
+        }
+        if moved == 0.0 {
+            is_certain = is_served;
         }
         let is_last_of_pair = moved <= 0.0;
         let is_enough = is_sound || !has_families || (is_served && moved != 0.0);

@@ -6,6 +6,10 @@ use crate::Transform;
 use crate::math::{Scalar, atan2, hypot};
 use crate::transform::{Vector, cross, dot};
 
+/// The links about x3 and x4 are at least this part of the reach: the equation divides by them. With shorter ones
+/// [`general`](crate::general) finds more.
+const SHORTEST: f64 = 1e-4;
+
 /// Constants of the ring `Rz(x1) K1 Rz(x2) K2 Rz(x3) K3 Rz(x4) K4 Rz(u) K5 Rz(v) K6 = 1`: see [`meet`](crate::meet).
 ///
 /// Lengths are in the arm's unit of length, angles in rad. K1 is not part of the constants. Vectors of the plane across
@@ -72,7 +76,7 @@ impl<T: Scalar> Meet<T> {
     /// The constants, of the structure and of the ring K1 to K6 that [`Structure::ring`] gives. K1 is not read.
     ///
     /// `None` where the ring degenerates: u and v do not meet, all three of x2, x3 and x4 are parallel, or one of the two
-    /// links has no length. Everywhere else exact to rounding.
+    /// links is shorter than 1e-4 of the reach. Everywhere else exact to rounding.
     #[must_use]
     pub fn of(structure: &Structure, ring: &[Transform<T>; 6]) -> Option<Self> {
         let [k1, k2, k3, k4, k5, k6] = ring;
@@ -94,7 +98,8 @@ impl<T: Scalar> Meet<T> {
         let [hx, hy, h_z] = h;
         let eta = hypot(hx, hy);
         let zero = T::from_f64(ZERO);
-        if !(eta > zero && upper > zero * reach && lower > zero * reach) {
+        let shortest = T::from_f64(SHORTEST) * reach;
+        if !(eta > zero && upper > shortest && lower > shortest) {
             return None;
         }
         let h_xy = [hx / eta, hy / eta];

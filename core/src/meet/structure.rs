@@ -32,17 +32,20 @@ impl Structure {
     /// [`general`](crate::general).
     #[must_use]
     pub fn of(chain: &Chain<f64>, known: [bool; 7]) -> Option<Self> {
-        Self::first(chain, known, None)
+        Self::first(chain, known, &Transform::IDENTITY, |structure, ring| {
+            // Unknown constants have no say in this.
+            let degenerates = structure.is_constant && Meet::of(&structure, ring).is_none();
+            (!degenerates).then_some(structure)
+        })
     }
 
-    /// As [`Structure::of`], of a chain whose links are all known at a target: the first ring of which [`Meet`] has
-    /// constants there.
-    #[must_use]
-    pub fn posed(chain: &Chain<f64>, target: &Transform<f64>) -> Option<Self> {
-        Self::first(chain, [true; 7], Some(target))
-    }
-
-    fn first(chain: &Chain<f64>, known: [bool; 7], target: Option<&Transform<f64>>) -> Option<Self> {
+    /// The first result of `take` for a ring of the chain closed by the target.
+    fn first<R>(
+        chain: &Chain<f64>,
+        known: [bool; 7],
+        target: &Transform<f64>,
+        take: impl Fn(Self, &[Transform<f64>; 6]) -> Option<R>,
+    ) -> Option<R> {
         if chain.is_prismatic.contains(&true) {
             return None;
         }
@@ -59,7 +62,7 @@ impl Structure {
         [true, false].into_iter().find_map(|is_constant| {
             rings().filter(|ring| is_possible(ring, is_constant)).find_map(|(joints, is_mirrored)| {
                 let structure = Self { joints, is_mirrored, is_antiparallel: false, is_constant };
-                let ring = structure.ring(&chain.links, target.unwrap_or(&Transform::IDENTITY));
+                let ring = structure.ring(&chain.links, target);
                 let [_, k2, k3, _, k5, _] = &ring;
                 let is_antiparallel = parallel(k3)?;
                 meeting_point(k5, chain.reach)?;
@@ -67,10 +70,7 @@ impl Structure {
                 if sine(k5) < LEAST_SINE || sine(k2) < LEAST_SINE {
                     return None;
                 }
-                // Unknown constants have no say in this.
-                let is_known = is_constant || target.is_some();
-                let degenerates = is_known && Meet::of(&structure, &ring).is_none();
-                (!degenerates).then_some(structure)
+                take(structure, &ring)
             })
         })
     }
@@ -99,6 +99,17 @@ impl Structure {
                 if self.is_mirrored { half_turned(&link((joint + 5) % 6).inverse()) } else { link(joint) }
             },
         )
+    }
+}
+
+impl Meet<f64> {
+    /// The constants of a chain whose links are all known, at one target, with K1; `None` if no ring has constants there.
+    #[must_use]
+    pub fn posed(chain: &Chain<f64>, target: &Transform<f64>) -> Option<(Self, Transform<f64>)> {
+        Structure::first(chain, [true; 7], target, |structure, ring| {
+            let [k1, ..] = ring;
+            Some((Self::of(&structure, ring)?, *k1))
+        })
     }
 }
 

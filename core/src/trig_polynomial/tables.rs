@@ -136,6 +136,7 @@ pub(super) const OUTER: [[f64; SAMPLES]; SAMPLES] = lagrange(-1.0, -0.5);
 /// As [`OUTER`], on [-1/2, 0].
 pub(super) const INNER: [[f64; SAMPLES]; SAMPLES] = lagrange(-0.5, 0.0);
 
+/// Bernstein coefficients on [low, high], see [`OUTER`].
 const fn lagrange(low: f64, high: f64) -> [[f64; SAMPLES]; SAMPLES] {
     let mut table = [[0.0; SAMPLES]; SAMPLES];
     let mut j = 0;

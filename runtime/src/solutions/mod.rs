@@ -199,8 +199,7 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
     where
         T: Copy,
     {
-        let has_number = |other: Branch| branch.root().is_none_or(|root| root == other.root().unwrap_or(1));
-        let named = |solution: &&Solution<T, N>| branch.agrees_with(solution.branch) && has_number(solution.branch);
+        let named = |solution: &&Solution<T, N>| branch.asks_for(solution.branch);
         let missing = if self.is_empty() { self.status } else { Status::Unreachable { residual: gap } };
         let solution = self.exact().find(named).or(self.iter().find(named)).ok_or(missing)?;
         Ok(Solution { branch: solution.branch.called(branch), ..*solution })

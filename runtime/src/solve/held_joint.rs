@@ -71,6 +71,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         solve: impl FnOnce(&mut dyn FnMut(&Candidate<T>) -> ControlFlow<()>) -> Outcome,
     ) {
         self.gather(place, solve);
+        // A candidate between the two solutions of a fold may have stayed approximate.
         if self.solutions.iter().any(|solution| !solution.is_exact()) {
             self.unfold();
         }

@@ -79,6 +79,7 @@ arms! {
     iiwa_ten_joints 10 Pose given 1 2 3 6 losing 1, "arms/given/iiwa_ten_joints.yaml";
     crx_on_a_table 8 Pose given 2 1, holding_a_joint, "arms/given/crx_on_a_table.yaml";
     sawyer_on_a_rail 8 Pose given 1 4, holding_a_joint, "arms/given/sawyer_on_a_rail.yaml";
+    third_axis 7 Pose given 4, holding_a_joint, "arms/given/third_axis.yaml";
     slides_between_turns 8 Pose given 1 8, holding_a_joint, "arms/given/slides_between_turns.yaml";
     position_of_five 5 Position given 4 2, "arms/given/position_of_five.yaml";
     welder_on_a_positioner 8 PositionAxis(2) given 3 1 2, "arms/given/welder_on_a_positioner.yaml";
