@@ -109,7 +109,7 @@ fn main() {
                 });
                 best = best.min(start.elapsed().as_nanos() as f64);
                 let start = Instant::now();
-                black_box(arm.general.search(black_box(&target), &[0.0; 6], &mut |c| {
+                black_box(arm.search(black_box(&target), &[0.0; 6], &mut |c| {
                     black_box(c);
                     core::ops::ControlFlow::Continue(())
                 }));

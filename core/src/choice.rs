@@ -5,7 +5,7 @@ use core::ops::ControlFlow::{Break, Continue};
 use core::ops::Range;
 
 use crate::Chain;
-use crate::general::{Cut, Cuts, Elimination, MOVED, Part};
+use crate::general::{Cut, Cuts, Elimination, Part, Rest};
 use crate::math::wrap;
 
 /// Poses at which the cuts are compared.
@@ -53,7 +53,7 @@ impl Random {
 #[derive(Clone, Copy)]
 struct Judgment {
     cut: Cut,
-    /// False for a cut without constants, or one that has been given up.
+    /// False for a cut that has been given up.
     is_open: bool,
     /// The number of poses so far.
     poses: usize,
@@ -117,8 +117,7 @@ type Make<'a> = dyn Fn(&mut dyn FnMut() -> f64) -> Chain<f64> + 'a;
 /// cut is the one that loses the fewest for good, of those that lose few random poses the one that leaves the least residual
 /// before refinement. The second and the third one hold other joints, and find what those before them lose. A
 /// cut is given up as soon as it loses a quarter of the random poses, and if another one that holds the same joint is
-/// better. Where none serves, the cuts are asked for solutions of chains beside the arm's own, as they are at special
-/// targets.
+/// better. Cuts of the arm are taken if they serve, as their constants are known before the call; else cuts of the target.
 pub fn choose(chain: &Chain<f64>) -> Option<Cuts> {
     choose_given(&|_| *chain)
 }
@@ -126,22 +125,24 @@ pub fn choose(chain: &Chain<f64>) -> Option<Cuts> {
 /// As [`choose`] for a chain with given joints: `chain` makes it of their values, and takes each as an angle in rad from
 /// its argument. Every other pose has round angles.
 pub fn choose_given(chain: &Make) -> Option<Cuts> {
-    let own = chosen(chain, 0.0);
-    // What a cut without others loses, nothing finds: cuts of chains beside the arm's own may lose less.
-    match own {
-        Some((cuts, 0)) => Some(cuts),
-        Some((cuts, _)) if cuts.second.is_some() => Some(cuts),
-        own => own.into_iter().chain(chosen(chain, MOVED)).min_by_key(|(_, lost)| *lost).map(|(cuts, _)| cuts),
+    match chosen(Cut::OF_ARM, chain) {
+        Some((cuts, lost)) if lost == 0 || cuts.second.is_some() => Some(cuts),
+        // What a cut without others loses, nothing finds.
+        of_arm => {
+            let all = of_arm.into_iter().chain(chosen(Cut::OF_TARGET, chain));
+            all.min_by_key(|(_, lost)| *lost).map(|(cuts, _)| cuts)
+        }
     }
 }
 
-/// The choice on the chain itself, or on chains beside it, and how many random poses its first cut loses.
-fn chosen(chain: &Make, moved: f64) -> Option<(Cuts, u32)> {
+/// The choice among some cuts, and how many random poses its first cut loses.
+fn chosen(cuts: [Cut; 12], chain: &Make) -> Option<(Cuts, u32)> {
     let none = [f64::INFINITY; POSES];
-    let mut all = Cut::ALL.map(|cut| Judgment { cut, is_open: true, poses: 0, lost: 0, gone: 0, residuals: none });
+    let mut all = cuts.map(|cut| Judgment { cut, is_open: true, poses: 0, lost: 0, gone: 0, residuals: none });
     for (round, poses) in ROUNDS.into_iter().enumerate() {
         for judgment in all.iter_mut().filter(|judgment| judgment.is_open) {
-            judgment.is_open = judge(judgment, poses.clone(), chain, moved).is_some() && judgment.serves();
+            judge(judgment, poses.clone(), chain);
+            judgment.is_open = judgment.serves();
         }
         if round > 0 {
             keep_the_best_of_each_joint(&mut all);
@@ -163,8 +164,7 @@ fn chosen(chain: &Make, moved: f64) -> Option<(Cuts, u32)> {
         at_end.or_else(|| next(lost, &held, false))
     });
     let [second, third] = [second, third].map(|x| x.map(|x| x.cut));
-    let cuts = Cuts { first: first.cut, second, third, is_special: moved != 0.0 };
-    Some((cuts, (first.lost & RANDOM).count_ones()))
+    Some((Cuts { first: first.cut, second, third }, (first.lost & RANDOM).count_ones()))
 }
 
 /// Of two cuts that hold the same joint the worse one is given up.
@@ -178,14 +178,13 @@ fn keep_the_best_of_each_joint(all: &mut [Judgment; 12]) {
     }
 }
 
-/// Asks a cut for the joint vectors of some poses. None if it has no constants for a chain.
-fn judge(judgment: &mut Judgment, poses: Range<usize>, chain: &Make, moved: f64) -> Option<()> {
+/// Asks a cut for the joint vectors of some poses. Those at which it has no constants are lost.
+fn judge(judgment: &mut Judgment, poses: Range<usize>, chain: &Make) {
     // Each cut by itself.
-    let part = Part { number: 0, has_families: true, moved };
+    let part = Part { number: 0, has_families: true, moved: 0.0 };
     for pose in poses {
         let mut random = Random::of(pose);
         let chain = chain(&mut || random.angle()).gathered();
-        let elimination = Elimination::of(&chain, judgment.cut)?;
         let joints = chain
             .is_prismatic
             .map(|slides| random.angle() * if slides { 0.5 * chain.reach / core::f64::consts::PI } else { 1.0 });
@@ -198,13 +197,15 @@ fn judge(judgment: &mut Judgment, poses: Range<usize>, chain: &Make, moved: f64)
         };
         let target = chain.pose(&joints);
         let (mut nearest, mut least, mut count) = (joints, f64::INFINITY, 0);
-        let rest = elimination.search(&target, &joints, part, &mut |candidate| {
-            count += 1;
-            let near = distance(&candidate.joints);
-            if near < least {
-                (nearest, least) = (candidate.joints, near);
-            }
-            if count > MOST { Break(()) } else { Continue(()) }
+        let rest = Elimination::at(&chain, judgment.cut, &target).map_or(Rest::USELESS, |elimination| {
+            elimination.search(&target, &joints, part, &mut |candidate| {
+                count += 1;
+                let near = distance(&candidate.joints);
+                if near < least {
+                    (nearest, least) = (candidate.joints, near);
+                }
+                if count > MOST { Break(()) } else { Continue(()) }
+            })
         });
         let is_near = least < f64::INFINITY;
         let is_found = is_near && distance(&chain.refined(&nearest, &target, EVALUATIONS).joints) < SAME;
@@ -216,5 +217,4 @@ fn judge(judgment: &mut Judgment, poses: Range<usize>, chain: &Make, moved: f64)
             judgment.poses += 1;
         }
     }
-    Some(())
 }

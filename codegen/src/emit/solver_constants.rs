@@ -120,10 +120,7 @@ pub fn cuts(value: &Cuts, target: &Target) -> TokenStream {
     let krate = &target.krate;
     let first = cut(value.first, target);
     let [second, third] = [value.second, value.third].map(|own| option(own.map(|own| cut(own, target))));
-    let is_special = value.is_special;
-    quote! {
-        #krate::held_joint::general::Cuts { first: #first, second: #second, third: #third, is_special: #is_special }
-    }
+    quote!(#krate::held_joint::general::Cuts { first: #first, second: #second, third: #third })
 }
 
 fn option(value: Option<TokenStream>) -> TokenStream {

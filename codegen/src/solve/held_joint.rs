@@ -248,7 +248,7 @@ fn can_hold_a_joint(model: &Model, joints: &LoopChain) -> bool {
 }
 
 /// Cuts of a chain of which no cut serves where [`Meet`] has no constants: rings beside the chain's own are solved.
-const LAST: Cuts = Cuts { first: Cut::ALL[0], second: None, third: None, is_special: true };
+const LAST: Cuts = Cuts { first: Cut::OF_ARM[0], second: None, third: None };
 
 /// Round values of a given joint, rad or units of length.
 const ROUND: [f64; 4] = [0.0, FRAC_PI_2, PI, -FRAC_PI_2];
@@ -290,9 +290,9 @@ impl Method {
                 slides.iter().map(|slides| angle() * if *slides { 0.5 * chain.reach / PI } else { 1.0 }).collect();
             six.at(&values)
         })?;
-        // Beside its own ring a special arm is searched on all cuts, whose constants are computed in the call.
-        let constants =
-            if is_constant && !cuts.is_special { Some(Box::new(General::of(&chain, &cuts)?)) } else { None };
+        // The constants of a cut of the target are computed in the call.
+        let is_constant = is_constant && !cuts.first.is_of_target();
+        let constants = if is_constant { Some(Box::new(General::of(&chain, &cuts)?)) } else { None };
         Some(Method::General { cuts, constants })
     }
 }

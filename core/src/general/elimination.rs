@@ -17,7 +17,7 @@ use crate::{Chain, Transform};
 pub struct Elimination {
     /// How the ring is cut.
     pub cut: Cut,
-    /// K0 to K5, lengths in `unit`. The one with the target, K(5 - d), is not read.
+    /// K0 to K5, lengths in `unit`. The one with the target, K(5 - d), is not read; that of a cut of the target, K(11 - d), is.
     pub ring: [Transform<f64>; 6],
     /// Constants before and behind the target in its own: `K = before T^-1 behind`, or `before T behind` where
     /// the chain is cut backwards. Lengths in `unit`.
@@ -48,12 +48,29 @@ pub(super) struct Closed<'a> {
 }
 
 impl Elimination {
-    /// The constants of a cut. None if joint d or c is prismatic, or if the lines on the side of a and b are too special:
-    /// the coefficients of the eight products depend on each other.
+    /// The constants of a cut that is not [of the target](Cut::is_of_target). None for one that is, if joint d or c is
+    /// prismatic, or if the lines on the side of a and b are too special: the coefficients of the eight products depend on
+    /// each other.
     ///
     /// The frames of the chain should be [gathered](Chain::gathered). The result depends on nothing but its arguments:
     /// the same bits on every processor.
     pub fn of(chain: &Chain<f64>, cut: Cut) -> Option<Self> {
+        if cut.is_of_target() { None } else { Self::cut_at(chain, cut)?.eliminated() }
+    }
+
+    /// As [`Elimination::of`], of any cut. Those of the target are for this target alone.
+    pub(crate) fn at(chain: &Chain<f64>, cut: Cut, target: &Transform<f64>) -> Option<Self> {
+        let mut out = Self::cut_at(chain, cut)?;
+        if cut.is_of_target() {
+            let mut ring = out.ring;
+            out.close(&mut ring, target);
+            out.ring = ring;
+        }
+        out.eliminated()
+    }
+
+    /// The ring without the target, before elimination.
+    fn cut_at(chain: &Chain<f64>, cut: Cut) -> Option<Self> {
         let unit = 0.5 * chain.reach;
         let inverse = 1.0 / unit;
         let links = chain.links.map(|link| scaled(&link, inverse));
@@ -74,7 +91,34 @@ impl Elimination {
         }
         let (null, pseudo) = ([[0.0; COORDINATES]; EQUATIONS], [[0.0; COORDINATES]; SINGLES]);
         let (null_level, pseudo_level) = ([0.0; EQUATIONS], [0.0; SINGLES]);
-        Self { cut, ring, before, behind, is_prismatic, unit, null, null_level, pseudo, pseudo_level }.eliminated()
+        Some(Self { cut, ring, before, behind, is_prismatic, unit, null, null_level, pseudo, pseudo_level })
+    }
+
+    /// The chain of which this is a cut.
+    pub(super) fn chain(&self) -> Chain<f64> {
+        let d = usize::from(self.cut.d);
+        let at = |place: usize| (place + 6 - d) % 6;
+        let mut links = core::array::from_fn(|i| match i {
+            0 => self.behind,
+            6 => self.before,
+            _ => self.ring.get(at(i - 1)).copied().unwrap_or(Transform::IDENTITY),
+        });
+        let mut is_prismatic = core::array::from_fn(|i| self.is_prismatic.get(at(i)).copied().unwrap_or(false));
+        if self.cut.is_backward {
+            links.reverse();
+            links = links.map(|link| link.inverse());
+            is_prismatic.reverse();
+        }
+        Chain { links: links.map(|link| scaled(&link, self.unit)), is_prismatic, reach: 2.0 * self.unit }
+    }
+
+    /// Sets the constant with the target in a ring.
+    fn close(&self, ring: &mut [Transform<f64>; 6], target: &Transform<f64>) {
+        let target = scaled(target, 1.0 / self.unit);
+        let target = if self.cut.is_backward { target } else { target.inverse() };
+        if let Some(place) = ring.get_mut((11 - usize::from(self.cut.d)) % 6) {
+            *place = self.before * target * self.behind;
+        }
     }
 
     /// With null space and pseudo-inverse of the ring's constants.
@@ -115,11 +159,9 @@ impl Elimination {
     /// The equations at a target.
     #[inline]
     pub(super) fn closed(&self, target: &Transform<f64>) -> Closed<'_> {
-        let target = scaled(target, 1.0 / self.unit);
-        let target = if self.cut.is_backward { target } else { target.inverse() };
         let mut ring = self.ring;
-        if let Some(place) = ring.get_mut(5 - usize::from(self.cut.d)) {
-            *place = self.before * target * self.behind;
+        if !self.cut.is_of_target() {
+            self.close(&mut ring, target);
         }
         let [_, _, _, k3, k4, k5] = &ring;
         let [.., slides_e, slides_f] = self.is_prismatic;
@@ -251,4 +293,31 @@ fn cleaned(link: &Transform<f64>) -> Transform<f64> {
 #[inline(always)]
 fn product(row: &[f64; COORDINATES], w: &[f64; COORDINATES]) -> f64 {
     row.iter().zip(w).fold(0.0, |sum, (x, y)| sum + x * y)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::chain::tests::tilted;
+
+    #[test]
+    fn a_cut_has_the_chain() {
+        let links = [0.3, -1.0, 0.7, 1.5, -0.4, 0.9, 2.0].map(|x| tilted(x, [0.2 * x, 0.1, 0.3 - x]));
+        for slide in [None, Some(1), Some(5)] {
+            let chain = Chain::new(links, core::array::from_fn(|joint| Some(joint) == slide)).gathered();
+            let cuts = Cut::OF_ARM.into_iter().filter_map(|cut| Elimination::of(&chain, cut));
+            let mut count = 0;
+            for again in cuts.map(|elimination| elimination.chain()) {
+                count += 1;
+                assert_eq!((again.is_prismatic, again.reach), (chain.is_prismatic, chain.reach));
+                for (one, other) in again.links.iter().zip(&chain.links) {
+                    let entries = |link: &Transform<f64>| {
+                        link.rotation.iter().flatten().chain(&link.translation).copied().collect::<std::vec::Vec<f64>>()
+                    };
+                    assert!(entries(one).iter().zip(entries(other)).all(|(x, y)| (x - y).abs() < 1e-15 * chain.reach));
+                }
+            }
+            assert!(count >= 4, "{count}");
+        }
+    }
 }

@@ -8,6 +8,11 @@
 //! f follow without it (`held.rs`).
 //!
 //! One joint may be prismatic, but neither d nor c. Where a root is doubtful a second cut runs, which holds another joint.
+//!
+//! The link that closes the ring has the target. It stands on the side of joints e and f, and the six combinations are
+//! constants of the arm; or on the side of a and b, and they are constants of the target. Where links of the arm have no
+//! length, or axes fall together at a target, the polynomials of the first kind may be zero everywhere, while those of the
+//! second kind are not.
 
 mod constant_side;
 mod elimination;
@@ -24,13 +29,13 @@ pub use line::{COORDINATES, row};
 use crate::held_joint::Visitor;
 use crate::meet::Meet;
 use crate::{Chain, Outcome, Transform};
-pub(crate) use search::Part;
-use search::Rest;
+pub(crate) use search::{Part, Rest};
 
 /// Where the ring of six joints is cut, and in which direction it is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cut {
-    /// The joint whose axis gives the equations, 0 to 2, counted from the end where the reading begins.
+    /// The joint whose axis gives the equations, 0 to 5, counted from the end where the reading begins. From 3 on the link
+    /// with the target is on the side of joints a and b.
     pub d: u8,
     /// The chain is read from its end to its base.
     pub is_backward: bool,
@@ -39,16 +44,26 @@ pub struct Cut {
 }
 
 impl Cut {
-    /// All cuts.
-    pub const ALL: [Self; 12] = {
+    /// The cuts whose constants are those of the arm.
+    pub const OF_ARM: [Self; 12] = Self::from(0);
+    /// The cuts whose constants depend on the target.
+    pub const OF_TARGET: [Self; 12] = Self::from(3);
+
+    const fn from(least: u8) -> [Self; 12] {
         let mut all = [Self { d: 0, is_backward: false, is_swapped: false }; 12];
         let mut i = 0;
         while i < 12 {
-            all[i] = Self { d: (i % 3) as u8, is_backward: i / 3 % 2 == 1, is_swapped: i >= 6 };
+            all[i] = Self { d: least + (i % 3) as u8, is_backward: i / 3 % 2 == 1, is_swapped: i >= 6 };
             i += 1;
         }
         all
-    };
+    }
+
+    /// Returns true for one of [`Cut::OF_TARGET`].
+    #[inline]
+    pub fn is_of_target(&self) -> bool {
+        self.d > 2
+    }
 
     /// The joints d, a, b, c, e, f as joints of the chain, 0 to 5.
     #[inline]
@@ -87,10 +102,6 @@ pub struct Cuts {
     pub second: Option<Cut>,
     /// See [`General::third`].
     pub third: Option<Cut>,
-    /// No cut serves on the arm itself: its structure makes the polynomials zero. Arms beside it are solved, 1e-5 away.
-    /// Where solutions are nearer to each other than the root of that, some may be missed: up to 1 % of random poses. No
-    /// search along the cuts is complete.
-    pub is_special: bool,
 }
 
 impl General {
@@ -104,8 +115,16 @@ impl General {
     ///
     /// `reference` has the value of a joint that may take any value. A target that is not finite has no candidates.
     pub fn search(&self, target: &Transform<f64>, reference: &[f64; 6], visit: &mut Visitor<'_, f64>) -> Outcome {
-        let cuts = [Some(&self.first), self.second.as_ref(), self.third.as_ref()];
-        along(MOST_CUTS, false, |part| Some(cuts.get(part.number)?.as_ref()?.search(target, reference, part, visit)))
+        let own = [Some(&self.first), self.second.as_ref(), self.third.as_ref()];
+        let [second, third] = [&self.second, &self.third].map(|own| own.as_ref().map(|own| own.cut));
+        let cuts = Cuts { first: self.first.cut, second, third };
+        along(|part| {
+            if let Some(own) = own.get(part.number) {
+                return Some((*own)?.search(target, reference, part, visit));
+            }
+            let cut = cuts.numbered(part.number)?;
+            Some(Elimination::at(&self.first.chain(), cut, target)?.search(target, reference, part, visit))
+        })
     }
 }
 
@@ -126,41 +145,43 @@ impl Cuts {
         if let Some((meet, k1)) = Meet::posed(chain, target) {
             return meet.search(&k1, reference, visit);
         }
-        let own = [Some(self.first), self.second, self.third];
-        let others = Cut::ALL.map(Some);
-        along(MOST_CUTS + others.len(), self.is_special, |part| {
-            let cut = own.into_iter().chain(others).nth(part.number)??;
-            let is_known = own.contains(&Some(cut)) && part.number >= MOST_CUTS;
-            if is_known {
-                return None;
-            }
-            Some(Elimination::of(chain, cut)?.search(target, reference, part, visit))
+        along(|part| {
+            let cut = self.numbered(part.number)?;
+            Some(Elimination::at(chain, cut, target)?.search(target, reference, part, visit))
         })
+    }
+
+    /// The cut that is asked at this place in the order of a search: the arm's own cuts, then those of the target. None at the
+    /// place of an own cut that is missing, or of one that stands before.
+    fn numbered(&self, number: usize) -> Option<Cut> {
+        let own = [Some(self.first), self.second, self.third];
+        if let Some(cut) = own.get(number) {
+            return *cut;
+        }
+        Cut::OF_TARGET.get(number - own.len()).copied().filter(|cut| !own.contains(&Some(*cut)))
     }
 }
 
 /// The most cuts of an arm.
 const MOST_CUTS: usize = 3;
+/// The places in the order of a search: the arm's own cuts, and those of the target.
+const PLACES: usize = MOST_CUTS + Cut::OF_TARGET.len();
 
 /// Rings beside the arm's own differ from it by about this, in rad and in half reaches.
-pub(crate) const MOVED: f64 = 1e-5;
-/// Where no cut serves beside the arm either, rings farther away are solved: the polynomial grows with a power of the
-/// distance, its rounding does not.
-const FAR: f64 = 1e-3;
-/// The arm's own ring and those beside it, in pairs: of two solutions that meet, one side may have none.
-const RINGS: [f64; 5] = [0.0, MOVED, -MOVED, FAR, -FAR];
+const MOVED: f64 = 1e-5;
+/// The arm's own ring, and two beside it: of two solutions that meet, one side may have none.
+const RINGS: [f64; 3] = [0.0, MOVED, -MOVED];
 
-/// Searches along the cuts until one serves and leaves no doubt, or two have served. Cuts beyond the arm's own ones are asked
-/// where none of these serves. Where none serves on the arm's own ring, as always of a special arm, those beside it are
-/// solved: the search is not complete then. A rough cut is searched, but does not serve.
-fn along(count: usize, is_special: bool, mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome {
-    let (mut is_complete, mut has_families, mut is_served, mut is_sound, mut is_certain) =
-        (true, true, false, false, false);
+/// Searches along the cuts until one serves and leaves no doubt, or two have served. Those of the target are asked where none
+/// of the first three serves. Where no cut has a polynomial and no joint is free, as at round targets of an arm whose axes all
+/// meet the next one, rings beside the arm's own are solved: the search is not complete then. A rough cut is searched, but
+/// does not serve.
+fn along(mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome {
+    let (mut is_complete, mut has_families) = (true, true);
     for moved in RINGS {
-        let mut served = 0;
-        let is_hopeless = is_special && moved == 0.0;
-        for number in 0..count {
-            if number == MOST_CUTS && (served > 0 || is_hopeless) {
+        let (mut served, mut is_known, mut is_sound) = (0, false, false);
+        for number in 0..if moved == 0.0 { PLACES } else { MOST_CUTS } {
+            if number == MOST_CUTS && is_sound {
                 break;
             }
             let Some(rest) = search(Part { number, has_families, moved }) else { continue };
@@ -169,22 +190,17 @@ fn along(count: usize, is_special: bool, mut search: impl FnMut(Part) -> Option<
             if rest.is_ended {
                 return Outcome { is_complete };
             }
-            is_served |= !rest.is_useless;
+            is_known |= !rest.is_useless;
             let serves = !rest.is_useless && !rest.is_rough;
             served += usize::from(serves);
             is_sound |= serves && !rest.is_unsound;
-            if served == 2 || (served == 1 && !rest.is_doubtful) {
+            if is_sound && (served > 1 || !rest.is_doubtful) {
                 break;
             }
         }
-        if moved == 0.0 {
-            is_certain = is_served;
-        }
-        let is_last_of_pair = moved <= 0.0;
-        let is_enough = is_sound || !has_families || (is_served && moved != 0.0);
-        if is_last_of_pair && is_enough {
-            break;
+        if moved == 0.0 && (is_known || !has_families) {
+            return Outcome { is_complete };
         }
     }
-    Outcome { is_complete: is_complete && (is_certain || !has_families) }
+    Outcome { is_complete: false }
 }

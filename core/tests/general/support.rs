@@ -7,7 +7,7 @@ use core::ops::ControlFlow::{Break, Continue};
 use denhart_core::choice::{choose, choose_given};
 use denhart_core::general::{Cuts, General};
 use denhart_core::math::{radians, sin_cos, wrap};
-use denhart_core::{Candidate, Chain, Transform, Visitor};
+use denhart_core::{Candidate, Chain, Outcome, Transform, Visitor};
 
 use crate::tables::{TABLES, Table};
 
@@ -92,21 +92,22 @@ pub fn table(name: &str) -> &'static Table {
 pub struct Arm {
     pub chain: Chain<f64>,
     pub cuts: Cuts,
-    pub general: General,
+    /// None where the first cut is one of the target.
+    pub general: Option<General>,
 }
 
 impl Arm {
     pub fn of(chain: &Chain<f64>) -> Option<Self> {
         let chain = chain.gathered();
         let cuts = choose(&chain)?;
-        Some(Self { chain, cuts, general: General::of(&chain, &cuts)? })
+        Some(Self { chain, cuts, general: General::of(&chain, &cuts) })
     }
 
     /// Of a table of seven rows with one joint given.
     pub fn given(table: &Table, joint: usize, value: f64) -> Option<Self> {
         let cuts = choose_given(&|random| chain(table, joint, random()))?;
         let chain = chain(table, joint, value).gathered();
-        Some(Self { chain, cuts, general: General::of(&chain, &cuts)? })
+        Some(Self { chain, cuts, general: General::of(&chain, &cuts) })
     }
 
     pub fn solve(&self, target: &Transform<f64>) -> Solutions {
@@ -114,7 +115,14 @@ impl Arm {
     }
 
     pub fn solve_at(&self, target: &Transform<f64>, reference: &[f64; 6]) -> Solutions {
-        solutions(&self.chain, target, &mut |visit| self.general.search(target, reference, visit).is_complete)
+        solutions(&self.chain, target, &mut |visit| self.search(target, reference, visit).is_complete)
+    }
+
+    pub fn search(&self, target: &Transform<f64>, reference: &[f64; 6], visit: &mut Visitor<'_, f64>) -> Outcome {
+        match &self.general {
+            Some(general) => general.search(target, reference, visit),
+            None => self.cuts.search(&self.chain, target, reference, visit),
+        }
     }
 
     /// As with a given joint: the constants are computed in the call.

@@ -79,65 +79,6 @@ fn every_truth() {
     assert_eq!(met, 7);
 }
 
-/// No cut of this arm's ring has a polynomial, as most of its links have no length: rings beside it are solved. The rate of
-/// random poses that are lost is in docs/known-gaps.md.
-mod zero_lengths {
-    use denhart::math::wrap;
-    use denhart_dynamic::DynamicArm;
-    use denhart_tests::random::Random;
-    use denhart_tests::subject::Subject;
-    use denhart_tests::task::{Kind, Task};
-    use denhart_tests::{bad_targets, suite};
-
-    const FILE: &str = "arms/held_joint/zero_lengths.yaml";
-
-    denhart_tests::arm!(zero_lengths Tested 6 "arms/held_joint/zero_lengths.yaml" Task::new(Kind::Pose).holding_a_joint());
-
-    #[test]
-    fn random_poses() {
-        suite::random_poses(&Subject::new::<Tested>());
-    }
-
-    #[test]
-    fn bad_targets() {
-        bad_targets::check::<Tested, 6>();
-    }
-
-    #[test]
-    fn effort() {
-        denhart_tests::effort::check::<Tested, 6>(denhart_tests::branch_of!(Tested));
-    }
-
-    #[test]
-    fn evaluated() {
-        denhart_tests::evaluated::inverse::<Tested, 6>(
-            FILE,
-            denhart_tests::margins_of!(Tested),
-            denhart_tests::branch_of!(Tested),
-        );
-    }
-
-    #[test]
-    fn residuals() {
-        suite::residuals::<Tested, 6>();
-    }
-
-    #[test]
-    fn little_is_lost_and_no_list_is_complete() {
-        let file = format!("{}/{FILE}", env!("CARGO_MANIFEST_DIR"));
-        let arm = DynamicArm::from_yaml(&std::fs::read_to_string(file).unwrap()).unwrap();
-        let (mut random, mut lost) = (Random::named(FILE), 0);
-        for _ in 0..1000 {
-            let q: Vec<f64> = (0..6).map(|_| random.uniform(-3.1, 3.1)).collect();
-            let found = arm.inverse(&arm.target_at(&q).unwrap(), &[]).unwrap();
-            let is_q = |x: &[f64]| x.iter().zip(&q).all(|(a, b)| wrap(a - b).abs() < 1e-6);
-            lost += u32::from(!found.iter().any(|solution| solution.is_exact() && is_q(&solution.q)));
-            assert!(!found.is_complete());
-        }
-        assert!(lost <= 2, "{lost} of 1000 lost");
-    }
-}
-
 arms! {
     fanuc_crx10ial 6 Pose "../specs/fanuc_crx10ial.yaml";
     kinova_gen3_lite 6 Pose "../specs/kinova_gen3_lite.yaml";
@@ -151,6 +92,9 @@ arms! {
     baxter_left 7 Pose given 3 "../specs/baxter_left.yaml";
     slides_rprrpr 6 Pose "arms/held_joint/slides_rprrpr.yaml";
     slide_rrprrr 6 Pose "arms/held_joint/slide_rrprrr.yaml";
+    slide_on_an_axis 6 Pose "arms/held_joint/slide_on_an_axis.yaml";
+    zero_lengths 6 Pose losing 1 "arms/held_joint/zero_lengths.yaml";
+    four_zero_lengths 6 Pose "arms/held_joint/four_zero_lengths.yaml";
     ufactory_xarm7 7 Pose given 3 "../specs/ufactory_xarm7.yaml";
     axis_rrrrr 5 PositionAxis(2) "arms/held_joint/axis_rrrrr.yaml";
     axis_square_rrrrr 5 PositionAxis(0) "arms/held_joint/axis_square_rrrrr.yaml";
