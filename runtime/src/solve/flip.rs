@@ -16,7 +16,7 @@ pub(super) struct Verified<T, const N: usize> {
     pub(super) residual: Residual<T>,
     /// True if the joint vector of the closed form was within the tolerance.
     pub(super) close: bool,
-    /// True if the joint vector of a measured arm's table missed by no more than the links are off.
+    /// True if the joint vector of a measured arm's table was not, but missed by no more than the links are off.
     pub(super) is_within_slack: bool,
 }
 

@@ -115,7 +115,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
             let mut iterate = Iterate::at(*start);
             iterate.evaluate(self.constants, self.goal, self.arm);
             let close = self.constants.tolerates(&iterate.residual);
-            let is_within_slack = self.constants.relative(&iterate.residual) <= self.slack * T::from_f64(SLACK);
+            let is_within_slack =
+                !close && self.constants.relative(&iterate.residual) <= self.slack * T::from_f64(SLACK);
             refine(self.constants, self.goal, self.arm, &mut iterate, &mut evaluations_left);
             self.evaluations_left = evaluations_left + RESERVED;
             self.verified =
