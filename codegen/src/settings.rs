@@ -58,11 +58,11 @@ pub fn describe(model: &Model, parameters: &[Parameter]) -> Vec<String> {
 /// The greatest velocities and accelerations of the joints that have any.
 fn rates(model: &Model) -> Vec<String> {
     let unit = model.length_unit.symbol();
-    let joints = model.joints.iter().zip(1..).filter_map(|(joint, number)| {
+    let joints = model.joints.iter().filter_map(|joint| {
         let rates = [(joint.max_velocity, "s"), (joint.max_acceleration, "s^2")];
         let rates = rates.iter().filter(|(rate, _)| rate.is_finite());
         let rates: Vec<String> = rates.map(|(rate, per)| format!("{}/{per}", value(*rate, joint.kind, unit))).collect();
-        (!rates.is_empty()).then(|| format!("  q{number}: {}", rates.join(", ")))
+        (!rates.is_empty()).then(|| format!("  {}: {}", joint.name, rates.join(", ")))
     });
     let joints: Vec<String> = joints.collect();
     let title = (!joints.is_empty()).then(|| "greatest rates of the joints:".to_owned());
@@ -87,7 +87,8 @@ pub fn calibrated(calibration: &Calibration, model: &Model) -> Vec<String> {
         let entries = entries.iter().filter(|(_, value, _)| *value != 0.0);
         let entries: Vec<String> =
             entries.map(|(key, value, unit)| format!("{key} {} {unit}", signed(*value))).collect();
-        format!("  q{}: {}", joint + 1, entries.join(", "))
+        let name = model.joints.get(*joint).map_or("", |joint| joint.name.as_str());
+        format!("  {name}: {}", entries.join(", "))
     }));
     lines
 }

@@ -373,8 +373,8 @@ impl HeldJointPlan {
         lines.extend([structure, slower.to_owned()]);
         lines.extend(self.words_on_the_table());
         lines.extend(named);
-        if !self.no_stages.instead.is_empty() {
-            lines.push(format!("in closed form: `{}`", self.no_stages.instead.join("`, `")));
+        if !self.no_stages.closed.is_empty() {
+            lines.push(format!("in closed form: `{}`", self.no_stages.closed.join("`, `")));
         }
         lines
     }

@@ -15,6 +15,8 @@ pub struct Unsupported {
     pub alone: String,
     /// Requests that have an inverse, as the file writes them: `inverse: {task: position}`.
     pub instead: Vec<String>,
+    /// Those that have it in closed form.
+    pub closed: Vec<String>,
 }
 
 /// A request for which the arm has an inverse.
@@ -25,6 +27,8 @@ pub(super) struct Alternative {
     of: Option<Task>,
     /// The request as the file writes it.
     written: String,
+    /// False if the inverse holds a joint.
+    is_closed: bool,
 }
 
 impl Alternative {
@@ -32,7 +36,12 @@ impl Alternative {
         let task = task.map(|task| format!("task: {}", task.name()));
         let redundant = redundant.map(|name| format!("redundant: {name}"));
         let keys: Vec<String> = task.into_iter().chain(redundant).collect();
-        Alternative { words, of: None, written: format!("inverse: {{{}}}", keys.join(", ")) }
+        Alternative { words, of: None, written: format!("inverse: {{{}}}", keys.join(", ")), is_closed: true }
+    }
+
+    /// With an inverse that holds a joint, unless it is closed.
+    pub(super) fn closed_if(self, is_closed: bool) -> Self {
+        Alternative { is_closed, ..self }
     }
 
     /// For another task than the file asks for.
@@ -57,13 +66,14 @@ impl Unsupported {
                 reason += &format!(" for the task `{}`", task.name());
             }
         }
+        let closed = alternatives.iter().filter(|found| found.is_closed).map(|found| found.written.clone()).collect();
         let instead = alternatives.into_iter().map(|found| found.written).collect();
-        Unsupported { reason, instead, ..self }
+        Unsupported { reason, instead, closed, ..self }
     }
 
     pub(super) fn new(reason: impl Into<String>) -> Self {
         let reason = reason.into();
-        Unsupported { alone: reason.clone(), reason, hint: None, instead: Vec::new() }
+        Unsupported { alone: reason.clone(), reason, hint: None, instead: Vec::new(), closed: Vec::new() }
     }
 }
 

@@ -214,6 +214,15 @@ impl Found {
                 .map_or(Value::Null, |task| json!({"task": task, "max_solutions": report.max_solutions})),
         );
         put("no_inverse", json!(report.unsupported));
+        let calibration = model.calibration.as_ref().map(|calibration| {
+            let delta = |(joint, [a, alpha, d, theta]): &(usize, [f64; 4])| {
+                let name = model.joints.get(*joint).map(|joint| &joint.name);
+                json!({"joint": name, "a": a, "alpha": units.of(*alpha), "d": d, "theta": units.of(*theta)})
+            };
+            let deltas: Vec<Value> = calibration.deltas.iter().map(delta).collect();
+            json!({"displaced": calibration.displaced, "turned": units.of(calibration.turned), "deltas": deltas})
+        });
+        put("calibration", json!(calibration));
         let choice =
             |choice: &Choice| json!({"redundant": choice.names, "way": choice.way.name(), "words": choice.words});
         put("choices", report.choices.iter().map(choice).collect());

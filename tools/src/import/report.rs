@@ -49,13 +49,18 @@ pub struct Report<'s> {
 }
 
 impl Report<'_> {
+    /// The kind of the file that was read.
+    fn source(&self) -> &'static str {
+        if self.is_measured { "calibration" } else { "URDF" }
+    }
+
     /// The head comment of the file.
     pub fn head(&self) -> Vec<String> {
         let Self { from, path, coupling, .. } = self;
         let version = env!("CARGO_PKG_VERSION");
         let mut lines = vec![
             format!("Imported from {from}, `{}` to `{}`, by denhart {version}.", path.base, path.tool),
-            "Zero and direction of each joint are those of the URDF.".to_owned(),
+            format!("Zero and direction of each joint are those of the {}.", self.source()),
         ];
         lines.extend(self.proof());
         lines.extend(self.renamed());
@@ -70,15 +75,15 @@ impl Report<'_> {
     }
 
     fn proof(&self) -> Vec<String> {
-        let Difference { position, angle } = self.exact_angles;
+        let (Difference { position, angle }, source) = (self.exact_angles, self.source());
         let mut lines = vec![format!(
-            "At {CONFIGURATIONS} random configurations the pose differs from the URDF's by at most {position:.1e} m and {angle:.1e} rad."
+            "At {CONFIGURATIONS} random configurations the pose differs from the {source}'s by at most {position:.1e} m and {angle:.1e} rad."
         )];
         if let Some(largest) = self.changes.iter().map(Change::size).max_by(f64::total_cmp) {
             let (count, Difference { position, angle }) = (self.changes.len(), self.as_written);
             let were = if count == 1 { "angle was" } else { "angles were" };
             lines.push(format!(
-                "{count} {were} made exact before that, by at most {largest:.1e} rad. From the URDF as written the pose differs by"
+                "{count} {were} made exact before that, by at most {largest:.1e} rad. From the {source} as written the pose differs by"
             ));
             lines.push(format!("at most {position:.1e} m and {angle:.1e} rad."));
         }
@@ -111,10 +116,11 @@ impl Report<'_> {
 
     /// A chain longer than any arm is probably one in millimeters.
     fn in_millimeters(&self) -> Option<String> {
+        let source = self.source();
         (self.reach > LONGEST).then(|| {
             format!(
-                "the chain is {:.0} m long: is this URDF in millimeters?\nhelp: lengths of a URDF are m. Scale the URDF, or \
-                 write `length: mm` under `units` in the arm file",
+                "the chain is {:.0} m long: is this {source} in millimeters?\nhelp: lengths of a {source} are m. Scale the {source}, \
+                 or write `length: mm` under `units` in the arm file",
                 self.reach
             )
         })

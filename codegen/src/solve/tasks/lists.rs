@@ -25,19 +25,22 @@ pub fn alternatives(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<Al
     let mut lists = combinations(model.joints.len(), spare);
     lists.sort_by_key(|list| usize::MAX - shared(list));
     let task = request.task.unwrap_or(Task::Pose);
+    // True in closed form, false for a held joint.
     let works = |given: &Redundant| {
         let joints = LoopChain::new(model, chain, geometry.reach, given);
-        attempt(task, model, geometry, &joints).is_ok() || held_joint::is_covered(model, joints)
+        let is_closed = attempt(task, model, geometry, &joints).is_ok();
+        (is_closed || held_joint::is_covered(model, joints)).then_some(is_closed)
     };
     let given = lists.into_iter().take(MOST_TRIED).map(|list| Redundant::of(&list));
-    let found = given.filter(|given| given.joints().ne(request.redundant.joints()) && works(given));
+    let others = given.filter(|given| given.joints().ne(request.redundant.joints()));
+    let found = others.filter_map(|given| works(&given).map(|is_closed| (given, is_closed)));
     found
         .take(MOST_FOUND)
         .enumerate()
-        .map(|(place, given)| {
+        .map(|(place, (given, is_closed))| {
             let names = given.written(&model.joints);
             let words = if place == 0 { format!("`redundant: {names}`") } else { String::new() };
-            Alternative::new(words, request.task, Some(&names))
+            Alternative::new(words, request.task, Some(&names)).closed_if(is_closed)
         })
         .collect()
 }

@@ -210,7 +210,8 @@ fn givable(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<Alternative
         held_joint::is_covered(model, joints)
     };
     let found = others.filter(|(joint, _)| leaves(joint));
-    found.map(|(_, joint)| Alternative::new(format!("`redundant: {}`", joint.name), None, Some(&joint.name))).collect()
+    let request = |name: &str| Alternative::new(format!("`redundant: {name}`"), None, Some(name)).closed_if(false);
+    found.map(|(_, joint)| request(&joint.name)).collect()
 }
 
 /// The tasks, or the joints to give, with which this arm has an inverse.
