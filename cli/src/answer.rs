@@ -145,8 +145,20 @@ impl<'a> Answer<'a> {
         }
         if !self.solutions.status().is_reachable() {
             hints.extend(self.asked.target.hint_of_unit(self.arm));
+            hints.extend(self.hint_of_given());
         }
         hints
+    }
+
+    /// A target out of reach with the values that are given may be in reach with others.
+    fn hint_of_given(&self) -> Option<String> {
+        let given = self.given().ok().filter(|given| !given.is_empty())?;
+        let sweep = if given.len() == 1 { "--sweep tries some, " } else { "" };
+        let given = given_words(self.arm, &given, self.form.units).ok()?;
+        Some(format!(
+            "this is with {given}; with other values the target may be in reach: --given takes them, {sweep}--near takes \
+             those of a joint vector"
+        ))
     }
 
     /// The lines above the table: count and units, the target as understood, hints, and the reason of no exact solution.

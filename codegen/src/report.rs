@@ -103,15 +103,16 @@ const MOST_CHOICES: usize = 12;
 impl Report {
     /// Adds the joints whose values could be given.
     pub(crate) fn with_choices(mut self, choices: Vec<Choice>) -> Report {
-        if !choices.is_empty() {
-            self.lines.push("values that may be given (`redundant`), the cheapest first:".into());
-        }
         // Choices that are alike share a line.
         let groups: Vec<&[Choice]> = choices.chunk_by(|one, next| one.words == next.words).collect();
+        if !choices.is_empty() {
+            let order = if groups.len() > 1 { ", the cheapest first" } else { "" };
+            self.lines.push(format!("values that may be given (`redundant`){order}:"));
+        }
         for (place, group) in groups.iter().take(MOST_CHOICES).enumerate() {
             let names: Vec<&str> = group.iter().map(|choice| choice.names.as_str()).collect();
             let words = group.first().map_or("", |choice| choice.words.as_str());
-            let cheapest = if place == 0 { " (cheapest)" } else { "" };
+            let cheapest = if place == 0 && groups.len() > 1 { " (cheapest)" } else { "" };
             self.lines.push(format!("  {}: {words}{cheapest}", names.join(", ")));
         }
         let more: usize = groups.iter().skip(MOST_CHOICES).map(|group| group.len()).sum();

@@ -65,7 +65,7 @@ pub enum Method {
     General {
         /// Which joints are held.
         cuts: Cuts,
-        /// The constants; none where a link is known in the call only.
+        /// The constants; none where a link is known in the call only, or the first cut has the target among its constants.
         constants: Option<Box<General>>,
     },
 }
@@ -247,7 +247,8 @@ fn can_hold_a_joint(model: &Model, joints: &LoopChain) -> bool {
         && rank::check(joints, ToolMotion::Pose).is_ok()
 }
 
-/// Cuts of a chain of which no cut serves where [`Meet`] has no constants: rings beside the chain's own are solved.
+/// Cuts of a chain of which no cut serves where [`Meet`] has no constants. A call asks further ones, and rings beside the
+/// chain's own.
 const LAST: Cuts = Cuts { first: Cut::OF_ARM[0], second: None, third: None };
 
 /// Round values of a given joint, rad or units of length.

@@ -15,7 +15,7 @@ pub struct Unsupported {
     pub alone: String,
     /// Requests that have an inverse, as the file writes them: `inverse: {task: position}`.
     pub instead: Vec<String>,
-    /// Those that have it in closed form.
+    /// Requests that have an inverse in closed form.
     pub closed: Vec<String>,
 }
 

@@ -24,6 +24,8 @@ pub(super) struct ConstantSide {
     pub(super) null: [[f64; COORDINATES]; EQUATIONS],
     /// Four rows of the pseudo-inverse of A: `cos b, sin b, cos a, sin a`.
     pub(super) pseudo: [[f64; COORDINATES]; SINGLES],
+    /// The shortest column that the reduction met, as a share of the longest: both are rounded by that much more.
+    pub(super) shortest: f64,
 }
 
 impl ConstantSide {
@@ -34,7 +36,7 @@ impl ConstantSide {
         let mut a = sums.map(in_order);
         let mut reflectors = [([0.0; COORDINATES], 0.0); UNKNOWNS];
         let mut diagonal = [0.0; UNKNOWNS];
-        let mut longest = 0.0_f64;
+        let (mut longest, mut shortest) = (0.0_f64, f64::INFINITY);
         for (k, (reflector, scale)) in reflectors.iter_mut().enumerate() {
             let mut square = 0.0;
             for i in k..COORDINATES {
@@ -42,7 +44,7 @@ impl ConstantSide {
                 square += a[i][k] * a[i][k];
             }
             let length = crate::math::sqrt(square);
-            longest = longest.max(length);
+            (longest, shortest) = (longest.max(length), shortest.min(length));
             let is_independent = length > DEPENDENT * longest;
             if !is_independent {
                 return None;
@@ -81,7 +83,7 @@ impl ConstantSide {
                 pseudo[i][column] = rounded(x[i]);
             }
         }
-        Some(Self { null, pseudo })
+        Some(Self { null, pseudo, shortest: shortest / longest })
     }
 }
 

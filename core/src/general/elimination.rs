@@ -17,7 +17,7 @@ use crate::{Chain, Transform};
 pub struct Elimination {
     /// How the ring is cut.
     pub cut: Cut,
-    /// K0 to K5, lengths in `unit`. The one with the target, K(5 - d), is not read; that of a cut of the target, K(11 - d), is.
+    /// K0 to K5, lengths in `unit`. The one with the target, K(5 - d), is not read, but for a cut of the target.
     pub ring: [Transform<f64>; 6],
     /// Constants before and behind the target in its own: `K = before T^-1 behind`, or `before T behind` where
     /// the chain is cut backwards. Lengths in `unit`.
@@ -38,6 +38,9 @@ pub struct Elimination {
     pub pseudo: [[f64; COORDINATES]; SINGLES],
     /// `pseudo constant`.
     pub pseudo_level: [f64; SINGLES],
+    /// The shortest column of the coefficients of a and b, as a share of the longest, each less its part along those before
+    /// it: `null` and `pseudo` are rounded by that much more.
+    pub shortest: f64,
 }
 
 /// The ring closed by one target.
@@ -90,8 +93,8 @@ impl Elimination {
             return None;
         }
         let (null, pseudo) = ([[0.0; COORDINATES]; EQUATIONS], [[0.0; COORDINATES]; SINGLES]);
-        let (null_level, pseudo_level) = ([0.0; EQUATIONS], [0.0; SINGLES]);
-        Some(Self { cut, ring, before, behind, is_prismatic, unit, null, null_level, pseudo, pseudo_level })
+        let (null_level, pseudo_level, shortest) = ([0.0; EQUATIONS], [0.0; SINGLES], 0.0);
+        Some(Self { cut, ring, before, behind, is_prismatic, unit, null, null_level, pseudo, pseudo_level, shortest })
     }
 
     /// The chain of which this is a cut.
@@ -116,7 +119,7 @@ impl Elimination {
     fn close(&self, ring: &mut [Transform<f64>; 6], target: &Transform<f64>) {
         let target = scaled(target, 1.0 / self.unit);
         let target = if self.cut.is_backward { target } else { target.inverse() };
-        if let Some(place) = ring.get_mut((11 - usize::from(self.cut.d)) % 6) {
+        if let Some(place) = ring.get_mut(5_usize.saturating_sub(self.cut.d.into())) {
             *place = self.before * target * self.behind;
         }
     }
@@ -127,7 +130,7 @@ impl Elimination {
         let [_, slides_a, slides_b, ..] = self.is_prismatic;
         let [a, b] = [slides_a, slides_b].map(|is_prismatic| Move { is_prismatic, sign: -1.0 });
         let sums = moved_twice(&k0.inverse(), a, &k1.inverse(), b, &k2.inverse());
-        let ConstantSide { null, pseudo } = ConstantSide::of(&sums)?;
+        let ConstantSide { null, pseudo, shortest } = ConstantSide::of(&sums)?;
         let mut constant = [0.0; COORDINATES];
         for (entry, [.., last]) in constant.iter_mut().zip(sums) {
             *entry = last;
@@ -138,7 +141,7 @@ impl Elimination {
         for (level, row) in self.pseudo_level.iter_mut().zip(&pseudo) {
             *level = product(row, &constant);
         }
-        (self.null, self.pseudo) = (null, pseudo);
+        (self.null, self.pseudo, self.shortest) = (null, pseudo, shortest);
         Some(self)
     }
 

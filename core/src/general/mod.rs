@@ -169,22 +169,27 @@ const PLACES: usize = MOST_CUTS + Cut::OF_TARGET.len();
 
 /// Rings beside the arm's own differ from it by about this, in rad and in half reaches.
 const MOVED: f64 = 1e-5;
-/// The arm's own ring, and two beside it: of two solutions that meet, one side may have none.
-const RINGS: [f64; 3] = [0.0, MOVED, -MOVED];
+/// Where no cut has a polynomial beside the arm either, rings farther away are solved: the polynomial grows with a power of
+/// the distance, its rounding does not.
+const FAR: f64 = 1e-3;
+/// The arm's own ring and those beside it, in pairs: of two solutions that meet, one side may have none.
+const RINGS: [f64; 5] = [0.0, MOVED, -MOVED, FAR, -FAR];
 
 /// Searches along the cuts until one serves and leaves no doubt, or two have served. Those of the target are asked where none
-/// of the first three serves. Where no cut has a polynomial and no joint is free, as at round targets of an arm whose axes all
-/// meet the next one, rings beside the arm's own are solved: the search is not complete then. A rough cut is searched, but
-/// does not serve.
+/// of the first three serves. Where no cut serves on the arm's own ring and no joint is free, rings beside it are
+/// solved: the search is not complete then. A rough cut is searched, but does not serve; nor does one of which some root has
+/// no joints that close the ring.
 fn along(mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome {
     let (mut is_complete, mut has_families) = (true, true);
     for moved in RINGS {
+        let is_own = moved == 0.0;
         let (mut served, mut is_known, mut is_sound) = (0, false, false);
-        for number in 0..if moved == 0.0 { PLACES } else { MOST_CUTS } {
-            if number == MOST_CUTS && is_sound {
+        for number in 0..PLACES {
+            let is_enough = if is_own { is_sound } else { is_known };
+            if number == MOST_CUTS && is_enough {
                 break;
             }
-            let Some(rest) = search(Part { number, has_families, moved }) else { continue };
+            let Some(rest) = search(Part { number, has_families: has_families && is_own, moved }) else { continue };
             is_complete &= rest.is_complete && !rest.is_ended;
             has_families &= !rest.has_families;
             if rest.is_ended {
@@ -194,12 +199,15 @@ fn along(mut search: impl FnMut(Part) -> Option<Rest>) -> Outcome {
             let serves = !rest.is_useless && !rest.is_rough;
             served += usize::from(serves);
             is_sound |= serves && !rest.is_unsound;
-            if is_sound && (served > 1 || !rest.is_doubtful) {
+            if (is_sound || !is_own) && (served > 1 || (served == 1 && !rest.is_doubtful)) {
                 break;
             }
         }
-        if moved == 0.0 && (is_known || !has_families) {
+        if is_own && (is_sound || !has_families) {
             return Outcome { is_complete };
+        }
+        if moved < 0.0 && is_known {
+            break;
         }
     }
     Outcome { is_complete: false }

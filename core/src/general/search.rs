@@ -159,7 +159,7 @@ impl Elimination {
         };
         let is_known = fit.greatest > 0.0 && fit.wrong <= USELESS;
         // The equations are normalized: a polynomial this small may be that of their rounding.
-        let is_small = fit.polynomial.size() < SMALL;
+        let is_small = fit.polynomial.size() < SMALL.max(f64::EPSILON / self.shortest);
         if !is_known || is_small {
             rest.is_ended = part.has_families && search.family().is_break();
             rest.has_families = search.has_members;
@@ -304,7 +304,8 @@ impl Search<'_, '_> {
 
     /// Solutions at one root, which may be `off` by so much.
     fn one(&mut self, root: &Root, off: f64) -> ControlFlow<()> {
-        self.is_doubtful = root.is_doubtful;
+        // Of a ring beside the arm's own the joints are off anyway.
+        self.is_doubtful = root.is_doubtful || self.moved > 0.0;
         let near = ROOTS * sqrt(OFF + off) + TIMES * self.moved;
         self.near = if near < NEAR { near } else { NEAR };
         if root.is_doubtful || !self.at(root.sin_cos)? {

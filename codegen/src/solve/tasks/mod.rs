@@ -142,7 +142,7 @@ fn in_stages(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Plan, 
         return Err(Unsupported { hint: Some(hint), ..failed });
     }
     let mut alternatives = alternatives(model, chain, geometry);
-    if alternatives.is_empty() && unsupported::is_one_more(model, request.task) {
+    if alternatives.is_empty() && unsupported::spare(model, request.task) == 1 {
         alternatives = givable(model, chain, geometry);
     }
     alternatives.extend(lists::alternatives(model, chain, geometry));
@@ -210,8 +210,8 @@ fn givable(model: &Model, chain: &Chain, geometry: &Geometry) -> Vec<Alternative
         held_joint::is_covered(model, joints)
     };
     let found = others.filter(|(joint, _)| leaves(joint));
-    let request = |name: &str| Alternative::new(format!("`redundant: {name}`"), None, Some(name)).closed_if(false);
-    found.map(|(_, joint)| request(&joint.name)).collect()
+    let request = |name: &str| Alternative::new(format!("`redundant: {name}`"), model.inverse.task, Some(name));
+    found.map(|(_, joint)| request(&joint.name).closed_if(false)).collect()
 }
 
 /// The tasks, or the joints to give, with which this arm has an inverse.
