@@ -182,7 +182,6 @@ fn elimination(value: &Elimination, target: &Target) -> TokenStream {
     let unit = number(value.unit);
     let [null, pseudo] = [&value.null[..], &value.pseudo[..]].map(|rows| coordinate_rows(rows, target));
     let (null_level, pseudo_level) = (numbers(&value.null_level), numbers(&value.pseudo_level));
-    let shortest = number(value.shortest);
     quote! {
         #krate::held_joint::general::Elimination {
             cut: #cut,
@@ -200,8 +199,6 @@ fn elimination(value: &Elimination, target: &Target) -> TokenStream {
             /// Rows that give cos b, sin b, cos a, sin a of these coordinates.
             pseudo: #pseudo,
             pseudo_level: #pseudo_level,
-            /// How well these are conditioned: 1 is best.
-            shortest: #shortest,
         }
     }
 }

@@ -24,8 +24,6 @@ pub(super) struct ConstantSide {
     pub(super) null: [[f64; COORDINATES]; EQUATIONS],
     /// Four rows of the pseudo-inverse of A: `cos b, sin b, cos a, sin a`.
     pub(super) pseudo: [[f64; COORDINATES]; SINGLES],
-    /// The shortest column that the reduction met, as a share of the longest: both are rounded by that much more.
-    pub(super) shortest: f64,
 }
 
 impl ConstantSide {
@@ -36,7 +34,7 @@ impl ConstantSide {
         let mut a = sums.map(in_order);
         let mut reflectors = [([0.0; COORDINATES], 0.0); UNKNOWNS];
         let mut diagonal = [0.0; UNKNOWNS];
-        let (mut longest, mut shortest) = (0.0_f64, f64::INFINITY);
+        let mut longest = 0.0_f64;
         for (k, (reflector, scale)) in reflectors.iter_mut().enumerate() {
             let mut square = 0.0;
             for i in k..COORDINATES {
@@ -44,7 +42,7 @@ impl ConstantSide {
                 square += a[i][k] * a[i][k];
             }
             let length = crate::math::sqrt(square);
-            (longest, shortest) = (longest.max(length), shortest.min(length));
+            longest = longest.max(length);
             let is_independent = length > DEPENDENT * longest;
             if !is_independent {
                 return None;
@@ -83,7 +81,7 @@ impl ConstantSide {
                 pseudo[i][column] = rounded(x[i]);
             }
         }
-        Some(Self { null, pseudo, shortest: shortest / longest })
+        Some(Self { null, pseudo })
     }
 }
 

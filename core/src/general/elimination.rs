@@ -38,9 +38,6 @@ pub struct Elimination {
     pub pseudo: [[f64; COORDINATES]; SINGLES],
     /// `pseudo constant`.
     pub pseudo_level: [f64; SINGLES],
-    /// The shortest column of the coefficients of a and b, as a share of the longest, each less its part along those before
-    /// it: `null` and `pseudo` are rounded by that much more.
-    pub shortest: f64,
 }
 
 /// The ring closed by one target.
@@ -93,8 +90,8 @@ impl Elimination {
             return None;
         }
         let (null, pseudo) = ([[0.0; COORDINATES]; EQUATIONS], [[0.0; COORDINATES]; SINGLES]);
-        let (null_level, pseudo_level, shortest) = ([0.0; EQUATIONS], [0.0; SINGLES], 0.0);
-        Some(Self { cut, ring, before, behind, is_prismatic, unit, null, null_level, pseudo, pseudo_level, shortest })
+        let (null_level, pseudo_level) = ([0.0; EQUATIONS], [0.0; SINGLES]);
+        Some(Self { cut, ring, before, behind, is_prismatic, unit, null, null_level, pseudo, pseudo_level })
     }
 
     /// The chain of which this is a cut.
@@ -130,7 +127,7 @@ impl Elimination {
         let [_, slides_a, slides_b, ..] = self.is_prismatic;
         let [a, b] = [slides_a, slides_b].map(|is_prismatic| Move { is_prismatic, sign: -1.0 });
         let sums = moved_twice(&k0.inverse(), a, &k1.inverse(), b, &k2.inverse());
-        let ConstantSide { null, pseudo, shortest } = ConstantSide::of(&sums)?;
+        let ConstantSide { null, pseudo } = ConstantSide::of(&sums)?;
         let mut constant = [0.0; COORDINATES];
         for (entry, [.., last]) in constant.iter_mut().zip(sums) {
             *entry = last;
@@ -141,7 +138,7 @@ impl Elimination {
         for (level, row) in self.pseudo_level.iter_mut().zip(&pseudo) {
             *level = product(row, &constant);
         }
-        (self.null, self.pseudo, self.shortest) = (null, pseudo, shortest);
+        (self.null, self.pseudo) = (null, pseudo);
         Some(self)
     }
 

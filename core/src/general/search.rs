@@ -159,7 +159,7 @@ impl Elimination {
         };
         let is_known = fit.greatest > 0.0 && fit.wrong <= USELESS;
         // The equations are normalized: a polynomial this small may be that of their rounding.
-        let is_small = fit.polynomial.size() < SMALL.max(f64::EPSILON / self.shortest);
+        let is_small = fit.polynomial.size() < SMALL;
         if !is_known || is_small {
             rest.is_ended = part.has_families && search.family().is_break();
             rest.has_families = search.has_members;
