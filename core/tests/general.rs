@@ -192,33 +192,9 @@ fn given_joints_lose_nothing() {
 /// Cuts whose constants are those of the arm have no polynomial here, as most links have no length. Those of the target have.
 #[test]
 fn links_without_length_lose_nothing() {
-    let three = Table {
-        name: "three",
-        is_modified: true,
-        rows: &[
-            [0.0, 0.0, 0.0, 0.0],
-            [0.1, 0.0, 0.0, 0.0],
-            [0.0, 30.0, 0.1, 0.0],
-            [0.0, 90.0, 0.2, 0.0],
-            [0.0, 90.0, 0.1, 0.0],
-            [0.2, 90.0, 0.0, 0.0],
-        ],
-    };
-    let four = Table {
-        name: "four",
-        is_modified: false,
-        rows: &[
-            [-0.2218, 109.2, 0.04211, -167.1],
-            [0.0, 12.21, -0.313, 61.18],
-            [0.0, -16.93, -0.1524, 57.34],
-            [0.0, -12.9, -0.221, -3.163],
-            [0.0, -23.87, -0.3823, -98.45],
-            [-0.4106, 0.0, 0.1525, 3.699],
-        ],
-    };
-    for table in [three, four] {
-        let arm = Arm::of(&chain(&table, 0, 0.0)).unwrap();
-        assert!(arm.general.is_none() && arm.cuts.first.is_of_target(), "{}", table.name);
+    for name in ["zero_lengths", "four_zero_lengths"] {
+        let arm = Arm::of(&chain(table(name), 0, 0.0)).unwrap();
+        assert!(arm.general.is_none() && arm.cuts.first.is_of_target(), "{name}");
         let mut rng = Random(31);
         for degrees in [0.0, 15.0, 45.0, 90.0] {
             let step = radians::<f64>(degrees);
@@ -228,8 +204,8 @@ fn links_without_length_lose_nothing() {
                     continue;
                 }
                 let found = arm.solve(&arm.chain.pose(&joints));
-                assert!(found.distance(&arm.chain, &joints) < SAME, "{} {joints:?}", table.name);
-                assert!(found.is_complete || step > 0.0, "{} {joints:?}", table.name);
+                assert!(found.distance(&arm.chain, &joints) < SAME, "{name} {joints:?}");
+                assert!(found.is_complete || step > 0.0, "{name} {joints:?}");
             }
         }
     }

@@ -7,7 +7,7 @@ pub struct Table {
     pub rows: &'static [[f64; 4]],
 }
 
-pub const TABLES: [Table; 16] = [
+pub const TABLES: [Table; 18] = [
     Table {
         name: "gen6r_a",
         is_modified: false,
@@ -201,6 +201,31 @@ pub const TABLES: [Table; 16] = [
             [0.0775, 90.0, 0.3425, 0.0],
             [0.0, 90.0, 0.0, 0.0],
             [0.076, -90.0, 0.097, 0.0],
+        ],
+    },
+    // Most links have no length.
+    Table {
+        name: "zero_lengths",
+        is_modified: true,
+        rows: &[
+            [0.0, 0.0, 0.0, 0.0],
+            [0.1, 0.0, 0.0, 0.0],
+            [0.0, 30.0, 0.1, 0.0],
+            [0.0, 90.0, 0.2, 0.0],
+            [0.0, 90.0, 0.1, 0.0],
+            [0.2, 90.0, 0.0, 0.0],
+        ],
+    },
+    Table {
+        name: "four_zero_lengths",
+        is_modified: false,
+        rows: &[
+            [-0.2218, 109.2, 0.04211, -167.1],
+            [0.0, 12.21, -0.313, 61.18],
+            [0.0, -16.93, -0.1524, 57.34],
+            [0.0, -12.9, -0.221, -3.163],
+            [0.0, -23.87, -0.3823, -98.45],
+            [-0.4106, 0.0, 0.1525, 3.699],
         ],
     },
 ];
