@@ -121,7 +121,14 @@ fn every_other_example_is_as_it_is_shown() {
                 (language, Some(_), _) if in_a_crate(fence) => {
                     // pictures.rs follows a path in `csv`.
                     assert!(["yaml", "toml", "rust", "csv"].contains(&language), "{place}: a file in `{language}`");
-                    if language == "yaml" {
+                    if fence.content.starts_with("kinematics:") {
+                        // A calibration, with the arm file that it becomes behind it.
+                        let name = fence.file.clone().unwrap();
+                        let import = ["denhart".to_owned(), "import".to_owned(), "--ur-calibration".to_owned(), name];
+                        let printed = denhart(&pages, page, &import, &place);
+                        let arm = arm_file(&pages, page, "ur_calibrated.yaml");
+                        assert!(in_order(&arm, &printed), "{place}: the arm file is another one:\n{printed}");
+                    } else if language == "yaml" {
                         checked(&fence.content);
                     }
                 }
