@@ -14,6 +14,7 @@ fn main() -> Result<(), Error> {
         ("kuka_iiwa7_r800", Scalar::F32),
         ("jupiter", Scalar::F32),
         ("salman_rrr", Scalar::F32),
+        ("ur5_measured", Scalar::F32),
         ("puma560", Scalar::F64),
     ];
     write("arms.rs", &arms)?;

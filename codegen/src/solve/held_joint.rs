@@ -131,6 +131,11 @@ pub fn plan(
     })
 }
 
+/// The task for which an arm without stages has an inverse.
+pub fn goal(model: &Model, chain: &Chain, geometry: &Geometry) -> Option<Goal> {
+    asked(model, chain, geometry).map(|(task, _)| task.goal)
+}
+
 /// The plan of the table of a measured arm, where two of its axes meet and two are parallel: the other structures take as
 /// long on the arm itself.
 pub fn plan_of_table(

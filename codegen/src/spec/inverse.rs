@@ -40,6 +40,11 @@ impl Axis {
     pub fn column(self) -> usize {
         self as usize
     }
+
+    /// The axis with a column.
+    pub fn of_column(column: usize) -> Option<Self> {
+        [Axis::X, Axis::Y, Axis::Z].get(column).copied()
+    }
 }
 
 /// The request as written.

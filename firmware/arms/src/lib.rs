@@ -22,6 +22,7 @@ macro_rules! each_arm {
         $each!(kuka_iiwa7_r800_f32, f32);
         $each!(jupiter_f32, f32);
         $each!(salman_rrr_f32, f32);
+        $each!(ur5_measured_f32, f32);
         $each!(puma560_f64, f64);
     };
 }

@@ -20,6 +20,8 @@ macro_rules! chosen {
         $each!(jupiter_f32, f32);
         #[cfg(feature = "salman_rrr_f32")]
         $each!(salman_rrr_f32, f32);
+        #[cfg(feature = "ur5_measured_f32")]
+        $each!(ur5_measured_f32, f32);
         #[cfg(feature = "puma560_f64")]
         $each!(puma560_f64, f64);
         #[cfg(feature = "extra")]

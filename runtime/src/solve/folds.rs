@@ -120,10 +120,11 @@ fn turned<T: Tolerances>(b: T, a: T, missed: T) -> [T; 2] {
 
 impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T, M>> Search<'_, T, N, M, D, P> {
     /// Returns true if the arm that was measured may have solutions to which no branch of its table leads: a solution is
-    /// nearly singular, or a branch is missed by little.
+    /// nearly singular, a branch is missed by little, or there is no solution. Several singularities together take a target
+    /// farther out of the table's reach than one.
     #[inline(never)]
     pub(super) fn is_near_singular(&mut self) -> bool {
-        if self.is_nearly_missed {
+        if self.is_nearly_missed || self.solutions.is_empty() {
             return true;
         }
         for place in 0..M {
@@ -195,7 +196,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         }
     }
 
-    /// Solutions that share a name have numbers, but for the first. Exact ones come first.
+    /// Solutions that share a name have numbers, but for the first where it had none. Exact ones come first.
     pub(super) fn number_shared(&mut self) {
         for place in 0..M {
             let Some(own) = self.solutions.get(place).copied() else { break };
@@ -204,7 +205,9 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
                 is_first && other.branch.with_root(0) == own.branch.with_root(0)
             };
             let before = self.solutions.iter().enumerate().filter(comes_before).count();
-            if let Some(solution) = self.solutions.as_mut_slice().get_mut(place).filter(|_| before > 0) {
+            if let Some(solution) =
+                self.solutions.as_mut_slice().get_mut(place).filter(|_| before > 0 || own.branch.root().is_some())
+            {
                 solution.branch = own.branch.with_root_index(before);
             }
         }

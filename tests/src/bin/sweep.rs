@@ -5,10 +5,10 @@ use std::process::ExitCode;
 use std::{fs, io, panic};
 
 use clap::Parser;
-use denhart_tests::sweep::known;
 use denhart_tests::sweep::outcome::Outcome;
 use denhart_tests::sweep::replay::replay;
 use denhart_tests::sweep::run::Sweep;
+use denhart_tests::sweep::{Kind, known};
 
 /// Draws arms of every structure and holds their kinematics against the table and against the rules of the suites.
 ///
@@ -17,6 +17,9 @@ use denhart_tests::sweep::run::Sweep;
 /// `--replay`, any failure gives exit code 1.
 #[derive(Parser)]
 struct Options {
+    /// Which arms.
+    #[arg(long, value_enum, default_value_t = Kind::Common)]
+    kind: Kind,
     /// How many arms.
     #[arg(long, default_value_t = 300)]
     arms: usize,
@@ -77,9 +80,9 @@ fn show(outcome: &Outcome) {
 }
 
 fn sweep(options: &Options) -> io::Result<bool> {
-    let Options { arms, seed, from, threads, failures, .. } = options;
+    let Options { kind, arms, seed, from, threads, failures, .. } = options;
     let known = known::list();
-    let sweep = Sweep { seed: *seed, from: *from, arms: *arms, threads: *threads };
+    let sweep = Sweep { kind: *kind, seed: *seed, from: *from, arms: *arms, threads: *threads };
     let mut written = Ok(());
     let found = sweep.run(&known, |outcome| {
         if !outcome.failures.is_empty() && written.is_ok() {

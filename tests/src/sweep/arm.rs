@@ -20,6 +20,12 @@ pub fn chain(model: &Model) -> (Chain, [DhFrame; 2]) {
     (Chain::new(convention, &rows).with_base(frames[0]).with_tool(frames[1]), frames)
 }
 
+/// The chain of the table, without a calibration.
+pub fn table(model: &Model) -> Chain {
+    let rows = model.calibration.as_ref().map_or(&model.rows, |calibration| &calibration.table);
+    chain(&Model { rows: rows.clone(), ..model.clone() }).0
+}
+
 fn row(row: &model::Row) -> DhRow {
     let kind = match row.kind {
         RowKind::Revolute => JointKind::Revolute,

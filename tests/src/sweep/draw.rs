@@ -1,10 +1,33 @@
 //! Draws the table of an arm whose axes have a structure.
 
+use clap::ValueEnum;
 use denhart::{Convention, JointKind};
 
 use super::structure::{self, Skeleton};
-use super::table::{Frame, Joint, Link, Table};
+use super::table::{Deltas, Frame, Joint, Link, Table};
 use crate::random::Random;
+
+/// Which arms are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Kind {
+    /// Three axes meet or are parallel in most of them.
+    Common,
+    /// Their inverse holds a joint.
+    HeldJoint,
+    /// The arms of both other kinds in turn, with a calibration that moves their links by 1e-8 to 1e-3.
+    Measured,
+}
+
+impl Kind {
+    /// The beginning of the names of its arms. Those of a name are asked at the same joint vectors.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::Common => "sweep",
+            Kind::HeldJoint => "held_joint",
+            Kind::Measured => "measured",
+        }
+    }
+}
 
 /// How the twists of an arm are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -81,14 +104,22 @@ fn digits(length: f64) -> f64 {
     format!("{rounded:.4e}").parse().unwrap_or(rounded)
 }
 
-/// The arm of a seed and an index: the name of its structure and its table.
-pub fn draw(seed: u64, index: usize) -> (&'static str, Table) {
-    let mut random = Random::named(&format!("sweep {seed} {index}"));
+/// The arm of a kind, a seed and an index: the name of its structure and its table.
+pub fn draw(kind: Kind, seed: u64, index: usize) -> (&'static str, Table) {
+    let mut random = Random::named(&format!("{} {seed} {index}", kind.name()));
+    if kind == Kind::Measured {
+        let drawing = if index.is_multiple_of(2) { Kind::Common } else { Kind::HeldJoint };
+        let (structure, table) = draw(drawing, seed, index);
+        return (structure, measured(table, &mut random));
+    }
     let twists = random.pick(&[Twists::Square, Twists::Square, Twists::Fifteen, Twists::Odd, Twists::Odd]);
     let scale = 10.0_f64.powf(random.uniform(-3.0, 3.0));
     let (wide, zeros) = (random.below(8) == 0, random.pick(&[2, 3, 6]));
     let mut style = Style { random: &mut random, twists, scale, wide, zeros };
-    let (name, Skeleton { kinds, links, axes, inverse }) = structure::draw(&mut style, index);
+    let (name, Skeleton { kinds, links, axes, inverse }) = match kind {
+        Kind::HeldJoint => structure::draw_holding(&mut style),
+        _ => structure::draw(&mut style, index),
+    };
     let joints = kinds.iter().zip(axes).map(|(kind, (d, theta))| Joint { kind: *kind, d, theta, limits: None });
     let mut table = Table {
         convention: style.random.pick(&[Convention::Standard, Convention::Modified]),
@@ -99,6 +130,7 @@ pub fn draw(seed: u64, index: usize) -> (&'static str, Table) {
         unit: style.random.pick(&["m", "m", "cm", "mm", "in"]),
         radians: style.random.below(6) == 0,
         inverse,
+        calibration: Vec::new(),
     };
     if table.convention == Convention::Standard {
         // The last row of this convention has a link of its own.
@@ -125,6 +157,17 @@ pub fn draw(seed: u64, index: usize) -> (&'static str, Table) {
         table.tool = (style.random.below(3) == 0).then(|| frame(&mut style));
     }
     (name, table)
+}
+
+/// An arm whose links are off by up to 1e-8 to 1e-3, in rad and in the sum of its lengths.
+fn measured(mut table: Table, random: &mut Random) -> Table {
+    let reach: f64 = table.joints.iter().map(|joint| joint.d.abs()).chain(table.links.iter().map(|l| l.a.abs())).sum();
+    let most = 10.0_f64.powf(random.uniform(-8.0, -3.0));
+    let mut deltas = |unit: f64| most * unit * random.uniform(-1.0, 1.0);
+    table.calibration = (0..table.moving())
+        .map(|_| Deltas { a: deltas(reach), alpha: deltas(1.0), d: deltas(reach), theta: deltas(1.0) })
+        .collect();
+    table
 }
 
 fn frame(style: &mut Style) -> Frame {
@@ -182,9 +225,11 @@ mod tests {
 
     #[test]
     fn drawn_again_it_is_the_same() {
-        let texts = |seed| -> Vec<String> { (0..200).map(|index| draw(seed, index).1.yaml("arm")).collect() };
-        assert_eq!(texts(1), texts(1));
-        assert_ne!(texts(1), texts(2));
+        for kind in [Kind::Common, Kind::HeldJoint, Kind::Measured] {
+            let texts = |seed| -> Vec<String> { (0..200).map(|index| draw(kind, seed, index).1.yaml("arm")).collect() };
+            assert_eq!(texts(1), texts(1));
+            assert_ne!(texts(1), texts(2));
+        }
         assert_eq!(digits(0.123_456), 0.1235);
         assert_eq!(digits(-98_765.4), -98_770.0);
     }
@@ -193,7 +238,7 @@ mod tests {
     fn a_constant_row_leaves_the_axes_where_they_are() {
         let mut random = Random::new(5);
         for index in 0..300 {
-            let (_, table) = draw(7, index);
+            let (_, table) = draw(Kind::Common, 7, index);
             if table.joints.iter().any(|joint| joint.kind == JointKind::Fixed) {
                 continue;
             }

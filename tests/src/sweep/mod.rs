@@ -16,5 +16,5 @@ pub mod run;
 mod structure;
 mod table;
 
-pub use draw::draw;
+pub use draw::{Kind, draw};
 pub use table::Table;

@@ -9,11 +9,12 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::known::{self, Known};
 use super::outcome::Outcome;
-use super::{draw, examine, structure};
+use super::{Kind, draw, examine, structure};
 
 /// Which arms.
 #[derive(Debug, Clone, Copy)]
 pub struct Sweep {
+    pub kind: Kind,
     pub seed: u64,
     /// Index of the first arm.
     pub from: usize,
@@ -22,14 +23,14 @@ pub struct Sweep {
 }
 
 /// The name of an arm.
-fn name(seed: u64, index: usize) -> String {
-    format!("sweep_{seed}_{index}")
+fn name(kind: Kind, seed: u64, index: usize) -> String {
+    format!("{}_{seed}_{index}", kind.name())
 }
 
-/// The arm of a seed and an index, drawn and examined.
-pub fn one(seed: u64, index: usize) -> Outcome {
-    let (structure, table) = draw(seed, index);
-    let name = name(seed, index);
+/// The arm of a kind, a seed and an index, drawn and examined.
+pub fn one(kind: Kind, seed: u64, index: usize) -> Outcome {
+    let (structure, table) = draw(kind, seed, index);
+    let name = name(kind, seed, index);
     let text = table.yaml(&name);
     examine::examine((&name, structure), text, Some(&table.chain()), &[])
 }
@@ -64,7 +65,7 @@ pub struct Tally {
 impl Sweep {
     /// The names of its arms.
     pub fn names(&self) -> Vec<String> {
-        (self.from..self.from + self.arms).map(|index| name(self.seed, index)).collect()
+        (self.from..self.from + self.arms).map(|index| name(self.kind, self.seed, index)).collect()
     }
 
     /// Examines the arms; `each` sees every outcome in order as soon as those before it are known.
@@ -80,7 +81,7 @@ impl Sweep {
                 scope.spawn(move || {
                     loop {
                         let index = next.fetch_add(1, Ordering::Relaxed);
-                        if index >= end || sender.send((index, one(self.seed, index))).is_err() {
+                        if index >= end || sender.send((index, one(self.kind, self.seed, index))).is_err() {
                             break;
                         }
                     }

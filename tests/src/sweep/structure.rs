@@ -1,4 +1,6 @@
 //! The structures that are drawn: which axes meet, are parallel, slide.
+//!
+//! [`draw`] draws those with a closed form for the most part, [`draw_holding`] those whose inverse holds a joint.
 
 use denhart::JointKind::{self, Prismatic, Revolute};
 
@@ -52,6 +54,32 @@ const STRUCTURES: [(&str, usize, Draw); 26] = [
     ("nearly parallel, nearly meeting", 2, nearly),
 ];
 
+/// Structures without three axes that meet or are parallel, but by chance; each with its weight.
+const HOLDING: [(&str, usize, Draw); 12] = [
+    ("two meet and two are parallel", 4, meeting_and_parallel),
+    ("six that turn", 3, |style| random(style, 6, usize::MAX)),
+    ("six, one slides", 3, |style| sliding(style, 6, 1)),
+    ("six, two slide", 3, |style| sliding(style, 6, 2)),
+    ("seven, one given", 3, |style| given(random(style, 7, 12), style, "pose", 1)),
+    ("seven that meet the next, one given", 3, |style| {
+        let skeleton = next_to_next(style, 7);
+        given(skeleton, style, "pose", 1)
+    }),
+    ("eight, two given", 3, |style| given(random(style, 8, 8), style, "pose", 2)),
+    ("five to a point and an axis", 2, |style| {
+        let axis = style.random.pick(&["x", "y", "z"]);
+        Skeleton { inverse: Some(format!("{{task: position_axis, axis: {axis}}}")), ..random(style, 5, 6) }
+    }),
+    ("six to a point and an axis, one given", 1, |style| {
+        let skeleton = random(style, 6, 8);
+        let joint = style.random.below(6) + 1;
+        Skeleton { inverse: Some(format!("{{task: position_axis, axis: z, redundant: q{joint}}}")), ..skeleton }
+    }),
+    ("five to a pose", 2, |style| random(style, 5, 6)),
+    ("three of any kind to a point", 2, |style| asked_for(random(style, 3, 2), "position")),
+    ("five to a point, two given", 2, |style| given(random(style, 5, 5), style, "position", 2)),
+];
+
 /// One arm of so many has this structure, in place of one by weight. The other arms of a seed do not change by it.
 const AXIS_OF: usize = 32;
 const AXIS: &str = "a point and an axis of the tool";
@@ -61,22 +89,32 @@ pub fn draw(style: &mut Style, index: usize) -> (&'static str, Skeleton) {
     if index % AXIS_OF == AXIS_OF - 1 {
         return (AXIS, point_and_axis(style));
     }
-    let total = STRUCTURES.iter().map(|(_, weight, _)| weight).sum();
+    by_weight(style, &STRUCTURES)
+}
+
+/// A structure whose inverse holds a joint, by its weight.
+pub fn draw_holding(style: &mut Style) -> (&'static str, Skeleton) {
+    by_weight(style, &HOLDING)
+}
+
+fn by_weight(style: &mut Style, structures: &[(&'static str, usize, Draw)]) -> (&'static str, Skeleton) {
+    let total = structures.iter().map(|(_, weight, _)| weight).sum();
     let mut left = style.random.below(total);
-    let (name, _, draw) = STRUCTURES
+    let (name, _, draw) = structures
         .iter()
         .find(|(_, weight, _)| {
             let found = left < *weight;
             left = left.saturating_sub(*weight);
             found
         })
-        .unwrap_or(&STRUCTURES[0]);
+        .unwrap_or(&structures[0]);
     (name, draw(style))
 }
 
 /// The names, in the order of the table at the end.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    STRUCTURES.iter().map(|(name, _, _)| *name).chain([AXIS])
+    let name = |(name, _, _): &(&'static str, usize, Draw)| *name;
+    STRUCTURES.iter().map(name).chain([AXIS]).chain(HOLDING.iter().map(name))
 }
 
 fn asked_for(skeleton: Skeleton, task: &str) -> Skeleton {
@@ -85,6 +123,45 @@ fn asked_for(skeleton: Skeleton, task: &str) -> Skeleton {
 
 fn asked(skeleton: Skeleton, task: &str, given: usize) -> Skeleton {
     Skeleton { inverse: Some(format!("{{task: {task}, redundant: q{}}}", given + 1)), ..skeleton }
+}
+
+/// The values of `count` joints, in any order, are given.
+fn given(skeleton: Skeleton, style: &mut Style, task: &str, count: usize) -> Skeleton {
+    let mut left: Vec<usize> = (1..=skeleton.kinds.len()).collect();
+    let given: Vec<String> = (0..count).map(|_| format!("q{}", left.remove(style.random.below(left.len())))).collect();
+    let given = if count == 1 { given.concat() } else { format!("[{}]", given.join(", ")) };
+    Skeleton { inverse: Some(format!("{{task: {task}, redundant: {given}}}")), ..skeleton }
+}
+
+/// Joints of which so many slide.
+fn sliding(style: &mut Style, joints: usize, slides: usize) -> Skeleton {
+    let mut kinds = vec![Revolute; joints];
+    let mut left: Vec<usize> = (0..joints).collect();
+    for _ in 0..slides {
+        kinds[left.remove(style.random.below(left.len()))] = Prismatic;
+    }
+    with(style, kinds)
+}
+
+/// Six joints that turn: two neighbors meet, two others are parallel.
+fn meeting_and_parallel(style: &mut Style) -> Skeleton {
+    let mut skeleton = random(style, 6, usize::MAX);
+    let meet = style.random.below(5);
+    let parallel = (meet + 2 + style.random.below(2)) % 5;
+    skeleton.links[meet + 1] = Link { a: 0.0, alpha: style.twist() };
+    skeleton.links[parallel + 1] = Link { a: style.link(), alpha: style.random.pick(&[0.0, 180.0]) };
+    skeleton
+}
+
+/// Joints that turn; most axes meet the next one.
+fn next_to_next(style: &mut Style, joints: usize) -> Skeleton {
+    let mut skeleton = random(style, joints, usize::MAX);
+    for link in &mut skeleton.links[1..joints] {
+        if style.random.below(4) != 0 {
+            *link = Link { a: 0.0, alpha: style.twist() };
+        }
+    }
+    skeleton
 }
 
 /// Joints of which one in `slides` slides, with links at random.

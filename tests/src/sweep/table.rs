@@ -25,6 +25,15 @@ pub struct Link {
     pub alpha: f64,
 }
 
+/// Deltas of a measured row: lengths in the length unit, angles in rad.
+#[derive(Debug, Clone, Copy)]
+pub struct Deltas {
+    pub a: f64,
+    pub alpha: f64,
+    pub d: f64,
+    pub theta: f64,
+}
+
 /// A constant frame: position in the length unit; roll, pitch, yaw in degrees.
 pub type Frame = [[f64; 3]; 2];
 
@@ -44,6 +53,8 @@ pub struct Table {
     pub radians: bool,
     /// The lines after the head, such as `inverse: {task: position}`.
     pub inverse: Option<String>,
+    /// Deltas of each moving joint's row; empty for an arm that was not measured.
+    pub calibration: Vec<Deltas>,
 }
 
 impl Table {
@@ -73,7 +84,14 @@ impl Table {
         };
         let frame =
             |frame: &Option<Frame>| frame.map_or(DhFrame::IDENTITY, |[xyz, rpy]| DhFrame { xyz, rpy: rpy.map(angle) });
-        let rows: Vec<DhRow> = self.rows().map(row).collect();
+        let mut rows: Vec<DhRow> = self.rows().map(row).collect();
+        let moving = rows.iter_mut().filter(|row| row.kind != JointKind::Fixed);
+        for (row, deltas) in moving.zip(&self.calibration) {
+            row.a += deltas.a;
+            row.alpha += deltas.alpha;
+            row.d += deltas.d;
+            row.theta += deltas.theta;
+        }
         Chain::new(self.convention, &rows).with_base(frame(&self.base)).with_tool(frame(&self.tool))
     }
 
@@ -114,6 +132,12 @@ impl Table {
                 let _ = write!(text, ", limits: {limits}");
             }
             text.push_str("}\n");
+        }
+        if !self.calibration.is_empty() {
+            text.push_str("calibration:\n");
+        }
+        for (joint, Deltas { a, alpha, d, theta }) in (1..).zip(&self.calibration) {
+            let _ = writeln!(text, "  q{joint}: {{a: {a:e}, alpha: {alpha:e} rad, d: {d:e}, theta: {theta:e} rad}}");
         }
         text
     }
@@ -171,6 +195,7 @@ mod tests {
             unit: "m",
             radians: false,
             inverse: None,
+            calibration: Vec::new(),
         };
         let q = [0.4, -1.2];
         let [standard, modified] =

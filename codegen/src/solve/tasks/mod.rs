@@ -23,14 +23,49 @@ use super::margins::naming_table;
 use super::plan::Plan;
 use super::rank;
 use super::swivel;
+use super::task::Goal;
 use super::unsupported::{self, Alternative, Unsupported};
 use crate::model::chain::Chain;
 use crate::model::geometry::{self, Geometry};
-use crate::model::{Convention, Model, Redundant, Task};
+use crate::model::{Axis, Convention, InverseRequest, Model, Redundant, Task};
+
+/// The plan for the task of the file, or for the most specific task the arm can do. A measured arm has the task of its table,
+/// or none.
+///
+/// # Errors
+/// Why there is no inverse. A table that is singular everywhere makes a measured arm nearly so.
+pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<InversePlan, Unsupported> {
+    let Some(table) = table(model) else { return plan_of(model, chain, geometry) };
+    let goal = goal_of_the_table(&table)?;
+    let axis = match goal {
+        Goal::PositionAxis { column } => Axis::of_column(column),
+        _ => model.inverse.axis,
+    };
+    let inverse = InverseRequest { task: Some(goal.task()), axis, ..model.inverse.clone() };
+    let model = &Model { inverse, ..model.clone() };
+    plan_of(model, chain, geometry).map_err(|unsupported| {
+        let task = goal.task().name();
+        let hint = format!(
+            "the table alone has the task `{task}`: leave out of `calibration` what turns its parallel axes (`alpha`); \
+             `denhart::numeric` solves the measured arm by iteration"
+        );
+        Unsupported { hint: unsupported.hint.or(Some(hint)), ..unsupported }
+    })
+}
+
+/// The task of a measured arm's table.
+fn goal_of_the_table(table: &Model) -> Result<Goal, Unsupported> {
+    let chain = Chain::of(table);
+    let geometry = geometry::geometry(table, &chain);
+    match in_stages(table, &chain, &geometry) {
+        Ok(plan) => Ok(plan.task.goal),
+        Err(unsupported) => held_joint::goal(table, &chain, &geometry).ok_or(unsupported),
+    }
+}
 
 /// The plan for the task of the file, or for the most specific task the arm can do. Without stages, six joints, virtual ones
 /// among them, are solved with one joint held.
-pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<InversePlan, Unsupported> {
+fn plan_of(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<InversePlan, Unsupported> {
     if let Some(plan) = of_the_table(model, geometry) {
         return Ok(plan);
     }
@@ -61,15 +96,20 @@ fn off_table(model: &Model, geometry: &Geometry) -> Option<f64> {
 }
 
 /// The table of a measured arm whose six joints are all solved.
+fn table_of_six(model: &Model) -> Option<Model> {
+    let has_all = model.joints.len() == 6 && model.inverse.redundant.is_empty();
+    table(model).filter(|_| has_all)
+}
+
+/// The table of a measured arm.
 fn table(model: &Model) -> Option<Model> {
     let calibration = model.calibration.as_ref()?;
-    let has_all = model.joints.len() == 6 && model.inverse.redundant.is_empty();
-    has_all.then(|| Model { rows: calibration.table.clone(), calibration: None, ..model.clone() })
+    Some(Model { rows: calibration.table.clone(), calibration: None, ..model.clone() })
 }
 
 /// The plan of the table of a measured arm that is solved as it was measured, if the signs of its margins name branches.
 fn names_of_the_table(model: &Model) -> Option<Box<Plan>> {
-    let table = table(model)?;
+    let table = table_of_six(model)?;
     let chain = Chain::of(&table);
     let plan = in_stages(&table, &chain, &geometry::geometry(&table, &chain)).ok()?;
     naming_table(&plan).map(Box::new)
@@ -78,7 +118,7 @@ fn names_of_the_table(model: &Model) -> Option<Box<Plan>> {
 /// The plan of a measured arm by the equations of its table, with every solution verified on the arm that was measured.
 pub fn by_the_table(model: &Model, geometry: &Geometry) -> Option<InversePlan> {
     let off = off_table(model, geometry)?;
-    let table = table(model)?;
+    let table = table_of_six(model)?;
     let chain = Chain::of(&table);
     let geometry = geometry::geometry(&table, &chain);
     match in_stages(&table, &chain, &geometry) {
