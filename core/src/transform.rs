@@ -8,7 +8,8 @@ use crate::math::{Scalar, sin_cos};
 pub type Vector<T> = [T; 3];
 
 /// Scalar product.
-#[inline]
+#[cfg_attr(target_os = "none", inline(never))]
+#[cfg_attr(not(target_os = "none"), inline)]
 pub fn dot<T: Scalar>([ax, ay, az]: Vector<T>, [bx, by, bz]: Vector<T>) -> T {
     ax * bx + ay * by + az * bz
 }
@@ -105,7 +106,8 @@ impl<T: Scalar> Mul for Transform<T> {
     type Output = Self;
 
     /// Maps a point by `other` first.
-    #[inline]
+    #[cfg_attr(target_os = "none", inline(never))]
+    #[cfg_attr(not(target_os = "none"), inline)]
     fn mul(self, other: Self) -> Self {
         let [x, y, z] = other.axes();
         let rotation = self.rotation.map(|row| [dot(row, x), dot(row, y), dot(row, z)]);

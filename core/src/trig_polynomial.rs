@@ -10,7 +10,7 @@ mod tables;
 pub use local::Local;
 pub use roots::{MOST_NODES, MOST_ROOTS, Root, Roots};
 
-use tables::{CHECK_ANGLES, CHECK_NODES, COSINES, NODES, OFFSETS, SINES, TURNS};
+use tables::{ANGLES, CHECK_ANGLES, COSINES, OFFSETS, SINES, TURNS};
 
 /// The highest harmonic.
 pub const DEGREE: usize = 8;
@@ -88,9 +88,11 @@ impl Fit {
         ) -> ([f64; SAMPLES], [f64; tables::CHECKS]),
     ) -> Self {
         let mut best = Self { polynomial: TrigPolynomial::ZERO, greatest: 0.0, wrong: f64::INFINITY };
-        for ((nodes, checks), offset) in NODES.iter().zip(&CHECK_NODES).zip(OFFSETS.into_iter().zip(TURNS)) {
-            let (samples, at_checks) = sample(nodes, checks);
-            let polynomial = TrigPolynomial::through(&samples, offset);
+        for (offset, turn) in OFFSETS.into_iter().zip(TURNS) {
+            let (nodes, checks) =
+                (ANGLES.map(|angle| roots::turned(angle, turn)), CHECK_ANGLES.map(|angle| roots::turned(angle, turn)));
+            let (samples, at_checks) = sample(&nodes, &checks);
+            let polynomial = TrigPolynomial::through(&samples, (offset, turn));
             let greatest = samples.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
             let mut error = 0.0_f64;
             for (angle, value) in CHECK_ANGLES.iter().zip(at_checks) {
@@ -142,10 +144,10 @@ impl TrigPolynomial {
         cosines.copy_from_slice(&row);
         // Samples at opposite angles: their sum belongs to the cosines, their difference to the sines.
         let pairs = others.iter().zip(others.iter().rev()).take(DEGREE);
-        for ((x, y), (even, odd)) in pairs.zip(COSINES.iter().zip(&SINES).skip(1)) {
+        for ((x, y), (even, odd)) in pairs.zip(COSINES.iter().skip(1).zip(&SINES)) {
             let (sum, difference) = (x + y, x - y);
             cosines.iter_mut().zip(even).for_each(|(a, weight)| *a += weight * sum);
-            sines.iter_mut().zip(odd).for_each(|(b, weight)| *b += weight * difference);
+            sines.iter_mut().skip(1).zip(odd).for_each(|(b, weight)| *b += weight * difference);
         }
         Self { cosines, sines, offset, offset_sin_cos }
     }
@@ -171,7 +173,8 @@ impl TrigPolynomial {
 }
 
 /// Value and derivative of a sum of harmonics.
-#[inline(always)]
+#[cfg_attr(target_os = "none", inline(never))]
+#[cfg_attr(not(target_os = "none"), inline(always))]
 fn value_and_slope(cosines: &[f64; DEGREE + 1], sines: &[f64; DEGREE + 1], once: (f64, f64)) -> (f64, f64) {
     // Sine and cosine of the multiples of the angle, by addition of two smaller ones: four steps in all.
     let two = roots::turned(once, once);
@@ -277,7 +280,7 @@ mod tests {
 
     #[test]
     fn a_wrong_sample_moves_the_samples() {
-        let bad = tables::NODES[0][5];
+        let bad = roots::turned(ANGLES[5], TURNS[0]);
         let fit = Fit::sampled(|t| if t == bad { 7.0 } else { product(&core::array::from_fn(|i| i as f64), t) });
         assert!(fit.wrong < 1e-12 && fit.polynomial.offset == OFFSETS[1]);
         let fit = Fit::sampled(|_| f64::NAN);

@@ -30,11 +30,12 @@ impl<T: Scalar> Wave<T> {
 
     /// Returns true if all its numbers are finite.
     pub fn is_finite(&self) -> bool {
-        [self.constant, self.cosine, self.sine].iter().flatten().all(|x| x.is_finite())
+        [&self.constant, &self.cosine, &self.sine].iter().all(|vector| vector.iter().all(|x| x.is_finite()))
     }
 
     /// The vector at an angle, of its sine and cosine.
-    #[inline(always)]
+    #[cfg_attr(target_os = "none", inline(never))]
+    #[cfg_attr(not(target_os = "none"), inline)]
     pub fn at(&self, (sin, cos): (T, T)) -> Vector<T> {
         let ([x, y, z], [cx, cy, cz], [sx, sy, sz]) = (self.constant, self.cosine, self.sine);
         [x + cx * cos + sx * sin, y + cy * cos + sy * sin, z + cz * cos + sz * sin]

@@ -145,14 +145,15 @@ impl<const N: usize, const M: usize, const STARTS: bool> HeldJointSolver<N, M, S
         let chain = self.plan.chain.at(given);
         match &self.plan.method {
             Method::Meet { structure, constants } => {
+                let [base, .., tip] = &chain.links;
+                if let Some(meet) = constants {
+                    return meet.search(&structure.first_of_ring(base, target, tip), reference, visit);
+                }
                 let ring = structure.ring(&chain.links, target);
                 let [k1, ..] = &ring;
-                match constants {
+                match Meet::of(structure, &ring) {
                     Some(meet) => meet.search(k1, reference, visit),
-                    None => match Meet::of(structure, &ring) {
-                        Some(meet) => meet.search(k1, reference, visit),
-                        None => Outcome { is_complete: false },
-                    },
+                    None => Outcome { is_complete: false },
                 }
             }
             Method::Slides { turning, prismatic } => {

@@ -135,7 +135,10 @@ impl Starts {
 /// The constants of the solver, as items.
 fn solver_constants(plan: &HeldJointPlan, target: &Target) -> TokenStream {
     let krate = &target.krate;
-    let links = chain_constants(&plan.chain, target);
+    // The ring's other constants are those of MEET.
+    let is_read =
+        |place: usize| !matches!(plan.method, Method::Meet { constants: Some(_), .. }) || matches!(place, 0 | 6);
+    let links = chain_constants(&plan.chain, is_read, target);
     match &plan.method {
         Method::Meet { structure: found, constants: Some(constants) } => {
             let (value, structure) = (meet(constants, target), structure(found, target));
@@ -244,8 +247,10 @@ fn search(plan: &HeldJointPlan, target: &Target) -> (TokenStream, TokenStream) {
     let links = array(plan.chain.links.iter().enumerate().map(|(place, link)| self::link(place, link)));
     match &plan.method {
         Method::Meet { constants: Some(_), .. } => {
+            let end = |place: usize| plan.chain.links.get(place).map(|link| self::link(place, link));
+            let (base, tip) = (end(0), end(6));
             let prepare = quote! {
-                let [k1, ..] = STRUCTURE.ring(&#links, &target);
+                let k1 = STRUCTURE.first_of_ring(&#base, &target, &#tip);
             };
             (prepare, quote!(MEET.search(&k1, &reference, visit)))
         }

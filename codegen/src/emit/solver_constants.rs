@@ -10,7 +10,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 /// The links of six joints as constants `C0` to `C6`; behind a given joint `C2_1`.
-pub fn chain_constants(six: &SixJoints, target: &Target) -> TokenStream {
+pub fn chain_constants(six: &SixJoints, is_read: impl Fn(usize) -> bool, target: &Target) -> TokenStream {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
     let mut items = TokenStream::new();
     let solved = |place: usize| six.solved.get(place).map(|joint| joint + 1);
@@ -22,7 +22,7 @@ pub fn chain_constants(six: &SixJoints, target: &Target) -> TokenStream {
             const #name: #krate::held_joint::Transform<#scalar> = #value;
         });
     };
-    for (place, link) in six.links.iter().enumerate() {
+    for (place, link) in six.links.iter().enumerate().filter(|(place, _)| is_read(*place)) {
         let before = place.checked_sub(1).and_then(solved);
         let mut behind = before.map_or("The base".to_owned(), |joint| format!("Behind joint {joint}"));
         let next = solved(place).map_or("the tool".to_owned(), |joint| format!("joint {joint}"));

@@ -46,7 +46,7 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
         for (number, square) in B::NARROW.iter().copied() {
             let branches = self.branches;
             let value = |t: f64| branches.branch(number, t).squares.get(square).copied().unwrap_or(0.0);
-            let center = lowest(value, root);
+            let center = lowest(&value, root);
             if value(center).abs() <= NARROW {
                 let found = self.beside(center)?;
                 is_found.iter_mut().zip(found).for_each(|(all, found)| *all |= found);
@@ -127,7 +127,7 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
             if at_from * at_to > T::ZERO {
                 continue;
             }
-            let t = crossing(|t| of(&self.branches.branch(number, t)), (from.0, at_from), (to.0, at_to));
+            let t = crossing(&|t| of(&self.branches.branch(number, t)), (from.0, at_from), (to.0, at_to));
             let branch = self.branches.branch(number, t);
             // The other root may be imaginary here, or 0 to rounding.
             if branch.is_nearly_real() {
@@ -188,7 +188,7 @@ impl<T: Scalar, B: Branches<T>> Stream<'_, '_, T, B> {
     fn change(&mut self, number: usize, from: Place<T>, to: Place<T>) -> ControlFlow<(), bool> {
         let is_found = from.1.miss * to.1.miss <= T::ZERO;
         if is_found {
-            let t = crossing(|t| self.branches.branch(number, t).miss, (from.0, from.1.miss), (to.0, to.1.miss));
+            let t = crossing(&|t| self.branches.branch(number, t).miss, (from.0, from.1.miss), (to.0, to.1.miss));
             self.offer(t, number, true)?;
         }
         ControlFlow::Continue(is_found)
@@ -245,7 +245,8 @@ fn slope<T: Scalar>(from: Place<T>, to: Place<T>) -> T {
 }
 
 /// Where a continuous function changes its sign: regula falsi with halved values (Illinois), at most 20 steps.
-pub(crate) fn crossing<T: Scalar>(value: impl Fn(T) -> T, (mut a, mut at_a): (T, T), (mut b, mut at_b): (T, T)) -> T {
+#[inline(never)]
+pub(crate) fn crossing<T: Scalar>(value: &dyn Fn(T) -> T, (mut a, mut at_a): (T, T), (mut b, mut at_b): (T, T)) -> T {
     let small = T::from_f64(16.0) * T::EPSILON;
     let least = small * at_a.abs().max(at_b.abs());
     for _ in 0..20 {
@@ -268,7 +269,8 @@ pub(crate) fn crossing<T: Scalar>(value: impl Fn(T) -> T, (mut a, mut at_a): (T,
 }
 
 /// Where a function is lowest or highest, near an angle: parabolas through three angles each.
-pub(crate) fn lowest<T: Scalar>(value: impl Fn(T) -> T, mut t: T) -> T {
+#[inline(never)]
+pub(crate) fn lowest<T: Scalar>(value: &dyn Fn(T) -> T, mut t: T) -> T {
     let wide = T::EPSILON.sqrt().sqrt().sqrt();
     let (middle, narrow) = (wide * wide, wide * wide * wide);
     // Far from a double root a parabola is none yet, and each step leaves a part of the distance.

@@ -38,21 +38,21 @@ impl<T: Scalar> Branch<T> {
     pub const NONE: Self = Self { miss: T::MAX, squares: [T::NAN; 2] };
 
     /// Returns true if both roots are real and not 0.
-    #[inline(always)]
+    #[inline]
     pub fn is_real(&self) -> bool {
         let [first, second] = self.squares;
         first > T::ZERO && second > T::ZERO
     }
 
     /// Returns true if both roots are real or 0 to rounding.
-    #[inline(always)]
+    #[inline]
     fn is_nearly_real(&self) -> bool {
         let least = -T::EPSILON.sqrt() / T::from_f64(16.0);
         self.squares.iter().all(|square| *square >= least)
     }
 
     /// Returns true if a root is 0 that has the negative sign: the twin is the same branch here.
-    #[inline(always)]
+    #[inline]
     fn is_repeated(&self, number: usize) -> bool {
         let [first, second] = self.squares;
         (number & 1 != 0 && first <= T::ZERO) || (number & 2 != 0 && second <= T::ZERO)
@@ -118,8 +118,10 @@ pub(crate) struct Stream<'a, 'v, T, B> {
     visit: &'a mut Visitor<'v, T>,
     /// The number of the held joint's root.
     root: u8,
-    /// The last angles and branches that were offered: the neighborhoods of several roots overlap.
-    offered: [(T, usize); REPEATS],
+    /// The last angles that were offered: the neighborhoods of several roots overlap.
+    offered: [T; REPEATS],
+    /// The branches at these angles.
+    offered_branches: [u8; REPEATS],
     /// How many there were.
     count: usize,
     /// The last angles whose neighborhood was looked at, with the branches that have a root there.
@@ -139,7 +141,8 @@ impl<'a, 'v, T: Scalar, B: Branches<T>> Stream<'a, 'v, T, B> {
             reference,
             visit,
             root: 0,
-            offered: [(T::NAN, 0); REPEATS],
+            offered: [T::NAN; REPEATS],
+            offered_branches: [0; REPEATS],
             count: 0,
             centers: [(T::NAN, [false; COUNT]); CENTERS],
             center_count: 0,
@@ -158,11 +161,14 @@ impl<'a, 'v, T: Scalar, B: Branches<T>> Stream<'a, 'v, T, B> {
         if self.is_covered && self.branches.is_singular(t) {
             return ControlFlow::Continue(());
         }
-        if self.offered.iter().any(|(other, branch)| *branch == number && (t - *other).abs() <= least) {
+        let mut offered = self.offered.iter().zip(self.offered_branches);
+        if offered.any(|(other, branch)| usize::from(branch) == number && (t - *other).abs() <= least) {
             return ControlFlow::Continue(());
         }
-        if let Some(slot) = self.offered.get_mut(self.count % REPEATS) {
-            *slot = (t, number);
+        let place = self.count % REPEATS;
+        if let (Some(angle), Some(branch)) = (self.offered.get_mut(place), self.offered_branches.get_mut(place)) {
+            // There are four branches.
+            (*angle, *branch) = (t, (number % COUNT) as u8);
         }
         self.count += 1;
         self.offer_joints(self.branches.joints(number, t), number, 0, is_doubtful)

@@ -4,7 +4,7 @@ use core::ops::ControlFlow;
 
 use super::{Branch, Branches, COUNT, Stream};
 use crate::held_joint::Outcome;
-use crate::trig_polynomial::{Fit, Root};
+use crate::trig_polynomial::{Fit, Root, Roots};
 
 /// A polynomial whose greatest sample is below this share of its usual size is zero everywhere.
 const FREE: f64 = 1e-11;
@@ -24,6 +24,22 @@ const BESIDE: f64 = 1e-4;
 impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
     /// All candidates.
     pub fn search(&mut self) -> Outcome {
+        let roots = self.roots();
+        let Some(roots) = &roots else {
+            return Outcome { is_complete: self.families().is_continue() };
+        };
+        let flow = roots.as_slice().iter().try_for_each(|root| {
+            self.at(root)?;
+            self.root = self.root.saturating_add(1);
+            ControlFlow::Continue(())
+        });
+        Outcome { is_complete: roots.is_complete && flow.is_continue() }
+    }
+
+    /// The roots of the polynomial; `None` if it is zero everywhere. Out of line: its samples are on the stack for as long as it
+    /// takes.
+    #[inline(never)]
+    fn roots(&self) -> Option<Roots> {
         let (mut size, mut samples) = (0.0, 0.0);
         let fit = Fit::sampled(|turn| {
             let (value, scale) = self.branches.product(turn);
@@ -32,17 +48,7 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
             value
         });
         // Not a number counts as zero: the closed form is singular at every angle then.
-        let is_polynomial = fit.greatest > FREE * size / samples;
-        if !is_polynomial {
-            return Outcome { is_complete: self.families().is_continue() };
-        }
-        let roots = fit.roots();
-        let flow = roots.as_slice().iter().try_for_each(|root| {
-            self.at(root)?;
-            self.root = self.root.saturating_add(1);
-            ControlFlow::Continue(())
-        });
-        Outcome { is_complete: roots.is_complete && flow.is_continue() }
+        (fit.greatest > FREE * size / samples).then(|| fit.roots())
     }
 
     /// All branches that close at a root.

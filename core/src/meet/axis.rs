@@ -37,8 +37,7 @@ pub(super) fn on_axes<T: Scalar>(
     };
     let beside = square(T::from_f64(BESIDE));
     let parts = posed.parts(turn);
-    let distance2 = |parts: &Parts<T>, number: usize| parts.distance2.at(posed.signed(parts, number).v);
-    let nearest2 = parts.rho2.min(distance2(&parts, 0)).min(distance2(&parts, 1));
+    let nearest2 = parts.rho2.min(from_axis_of_x3(&parts, 0)).min(from_axis_of_x3(&parts, 1));
     if nearest2 > beside {
         return ControlFlow::Continue(None);
     }
@@ -49,8 +48,7 @@ pub(super) fn on_axes<T: Scalar>(
     let at_root = from_x2(t);
     if at_root <= beside {
         // W crosses the axis, or comes to it and goes back: the distance is an absolute value or a parabola.
-        let (crossing, turning) = (lowest(from_x2, t), lowest(|t| from_x2(t).sqrt(), t));
-        let t = if from_x2(crossing) <= from_x2(turning) { crossing } else { turning };
+        let t = better(&from_x2, &|t| from_x2(t).sqrt(), t);
         let parts = posed.parts(sin_cos(t));
         nearest = Some((t, parts.rho2 <= exact && at_root <= on));
         if parts.rho2 <= on && stream.is_new_place(t) {
@@ -66,11 +64,10 @@ pub(super) fn on_axes<T: Scalar>(
         }
     }
     for number in [0, 1] {
-        let from_x3 = |t: T| distance2(&posed.parts(sin_cos(t)), number);
+        let from_x3 = |t: T| from_axis_of_x3(&posed.parts(sin_cos(t)), number);
         if from_x3(t) <= beside {
             // W crosses the axis, or comes to it where v vanishes, beyond which v is imaginary: a parabola or a simple root.
-            let (crossing, end) = (lowest(from_x3, t), lowest(|t| from_x3(t) * from_x3(t), t));
-            let t = if from_x3(crossing).abs() <= from_x3(end).abs() { crossing } else { end };
+            let t = better(&from_x3, &|t| from_x3(t) * from_x3(t), t);
             nearest = nearest.or(Some((t, false)));
             if from_x3(t).abs() <= on {
                 on_x3(stream, t, &posed.parts(sin_cos(t)), number)?;
@@ -78,6 +75,20 @@ pub(super) fn on_axes<T: Scalar>(
         }
     }
     ControlFlow::Continue(nearest)
+}
+
+/// Distance of W from the axis of x3, squared, for the sign of v of a branch.
+#[inline(never)]
+fn from_axis_of_x3<T: Scalar>(parts: &Parts<T>, number: usize) -> T {
+    let v = parts.v2.max(T::ZERO).sqrt();
+    parts.distance2.at(if number & 1 == 0 { v } else { -v })
+}
+
+/// Where `value` is nearest to 0, of the two places where it and `other` are lowest or highest near an angle.
+#[inline(never)]
+fn better<T: Scalar>(value: &dyn Fn(T) -> T, other: &dyn Fn(T) -> T, t: T) -> T {
+    let (own, other) = (lowest(value, t), lowest(other, t));
+    if value(own).abs() <= value(other).abs() { own } else { other }
 }
 
 /// Returns true if W is on the axis of x2, nearly to rounding.
@@ -107,18 +118,15 @@ fn on_x2<T: Scalar>(
     let ([hx, hy], across) = (m.h_xy, m.eta * m.tilt - m.h_z * e_y);
     let (dx, dy, dz) = (hx * across - hy * e_x, hy * across + hx * e_x, m.eta * e_y + m.h_z * m.tilt);
     let turns = level(nx * dx + ny * dy, ny * dx - nx * dy, m.cos_alpha - nz * dz);
-    let joints = |posed: &Posed<'_, T>, x2: T| posed.joints_about(t, turn, p, branch, x2);
     let [_, joint, ..] = m.joints;
-    match turns {
-        Some(turns) => turns.into_iter().try_for_each(|x2| {
-            let joints = joints(posed, x2);
-            stream.offer_joints(joints, number, 0, true)
-        }),
-        None => {
-            let joints = joints(posed, stream.reference_of(joint));
-            stream.offer_joints(joints, number, bit(joint), true)
-        }
-    }
+    let (angles, free) = match turns {
+        Some(turns) => (turns.map(Some), 0),
+        None => ([Some(stream.reference_of(joint)), None], bit(joint)),
+    };
+    angles.into_iter().flatten().try_for_each(|x2| {
+        let joints = posed.joints_about(t, turn, p, branch, x2);
+        stream.offer_joints(joints, number, free, true)
+    })
 }
 
 fn on_x3<T: Scalar>(stream: &mut Candidates<'_, '_, '_, T>, t: T, p: &Parts<T>, number: usize) -> ControlFlow<()> {
@@ -130,18 +138,15 @@ fn on_x3<T: Scalar>(stream: &mut Candidates<'_, '_, '_, T>, t: T, p: &Parts<T>, 
     // The direction of u across h, turned from that of the lower link, which the elbow of pi turns from the upper one.
     let (qx, qy) = (-m.ratio_x * m.lower, -m.ratio_y * m.lower);
     let turns = level(n_x * qx + n_y * qy, n_y * qx - n_x * qy, m.cos_alpha - n_h * m.tilt);
-    let joints = |posed: &Posed<'_, T>, upper: T| posed.joints_of_elbow(t, turn, x2, upper, T::PI);
     let [_, _, joint, ..] = m.joints;
-    match turns {
-        Some(turns) => turns.into_iter().try_for_each(|upper| {
-            let joints = joints(posed, upper);
-            stream.offer_joints(joints, number, 0, true)
-        }),
-        None => {
-            let joints = joints(posed, stream.reference_of(joint) + m.x3_offset);
-            stream.offer_joints(joints, number, bit(joint), true)
-        }
-    }
+    let (angles, free) = match turns {
+        Some(turns) => (turns.map(Some), 0),
+        None => ([Some(stream.reference_of(joint) + m.x3_offset), None], bit(joint)),
+    };
+    angles.into_iter().flatten().try_for_each(|upper| {
+        let joints = posed.joints_of_elbow(t, turn, x2, upper, T::PI);
+        stream.offer_joints(joints, number, free, true)
+    })
 }
 
 /// The two angles x with `a cos x + b sin x = c`, the nearest ones where there are none; `None` if a and b are 0.

@@ -91,7 +91,7 @@ impl Structure {
     #[must_use]
     pub fn ring<T: Scalar>(&self, links: &[Transform<T>; 7], target: &Transform<T>) -> [Transform<T>; 6] {
         let [base, a, b, c, d, e, tip] = links;
-        let closing = *tip * target.inverse() * *base;
+        let closing = closing(base, target, tip);
         let after = [*a, *b, *c, *d, *e, closing];
         let link = |joint: usize| after.get(joint).copied().unwrap_or(closing);
         self.joints.map(
@@ -100,6 +100,23 @@ impl Structure {
             },
         )
     }
+
+    /// The constant K1 of a ring whose other constants do not depend on the call, of the links C0 and C6 and of the target.
+    #[must_use]
+    pub fn first_of_ring<T: Scalar>(
+        &self,
+        base: &Transform<T>,
+        target: &Transform<T>,
+        tip: &Transform<T>,
+    ) -> Transform<T> {
+        let closing = closing(base, target, tip);
+        if self.is_mirrored { half_turned(&closing.inverse()) } else { closing }
+    }
+}
+
+/// From behind the last joint to before the first one, by way of the target.
+fn closing<T: Scalar>(base: &Transform<T>, target: &Transform<T>, tip: &Transform<T>) -> Transform<T> {
+    *tip * target.inverse() * *base
 }
 
 impl Meet<f64> {

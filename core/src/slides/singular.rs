@@ -35,7 +35,7 @@ pub(super) fn parallel<T: Scalar>(
     if at_root > square(BESIDE) {
         return ControlFlow::Continue(None);
     }
-    let (crossing_at, turning_at) = (lowest(across2, t), lowest(|t| across2(t).sqrt(), t));
+    let (crossing_at, turning_at) = (lowest(&across2, t), lowest(&|t| across2(t).sqrt(), t));
     let t = if across2(crossing_at) <= across2(turning_at) { crossing_at } else { turning_at };
     let nearest = across2(t);
     let rounding = T::from_f64(ROUNDINGS) * T::EPSILON;
@@ -74,7 +74,7 @@ pub(super) fn parallel<T: Scalar>(
     for place in 0..PLACES {
         let [last, next] = [angle(place), angle(place + 1)].map(|x| (x, miss(x)));
         if last.1 * next.1 <= T::ZERO {
-            stream.offer_joints(joints(crossing(miss, last, next)), 0, 0, true)?;
+            stream.offer_joints(joints(crossing(&miss, last, next)), 0, 0, true)?;
         }
     }
     ControlFlow::Continue(Some((t, is_complete)))

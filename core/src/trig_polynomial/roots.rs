@@ -6,7 +6,7 @@
 
 use super::tables::{EVEN, HALF_ARC, ODD};
 use super::{DEGREE, SAMPLES, TrigPolynomial, value_and_slope};
-use crate::math::{angle, wrap};
+use crate::math::wrap;
 
 /// The most roots of a list. A polynomial has 16; a multiple root may be listed in several pieces.
 pub const MOST_ROOTS: usize = 24;
@@ -158,14 +158,11 @@ pub(super) fn isolate(curve: &impl Curve, first: Piece, range: Range, out: &mut 
     let mut waiting = 1_usize;
     while out.nodes < MOST_NODES
         && let Some(top) = waiting.checked_sub(1)
-        && let Some(piece) = stack.get(top)
+        && let Some([piece, left, ..]) = stack.get_mut(top..)
     {
         waiting = top;
         out.nodes += 1;
-        if let Some((left, right)) = look_at(piece, curve, range, out)
-            && let Some([first, second]) = stack.get_mut(top..).and_then(|free| free.first_chunk_mut())
-        {
-            (*first, *second) = (right, left);
+        if look_at(piece, left, curve, range, out) {
             waiting += 2;
         }
     }
@@ -174,49 +171,50 @@ pub(super) fn isolate(curve: &impl Curve, first: Piece, range: Range, out: &mut 
     }
 }
 
-/// Lists the roots of a piece, or gives its halves.
+/// Lists the roots of a piece, or halves it: returns true if it has become its right half, with the other one in `left`.
 #[inline(always)]
-fn look_at(piece: &Piece, curve: &impl Curve, range: Range, out: &mut Roots) -> Option<(Piece, Piece)> {
+fn look_at(piece: &mut Piece, left: &mut Piece, curve: &impl Curve, range: Range, out: &mut Roots) -> bool {
     let Piece { b, low, width, depth } = piece;
-    let (middle, floor) = (low + 0.5 * width, out.rounding);
+    let (low, width, middle, floor) = (*low, *width, *low + 0.5 * *width, out.rounding);
     let signs = Signs::of(b, floor);
-    if signs.is_quiet {
-        out.push(curve.root(middle, Some(0.5 * width)));
-        return None;
-    }
     // A root where two pieces meet has no change of sign in either: the first coefficient tells.
-    let is_narrow = *width < NARROW * range.half;
-    let is_known = !signs.hides && (!signs.ends_quietly || is_narrow);
+    let is_narrow = width < NARROW * range.half;
+    let is_known = !signs.is_quiet && !signs.hides && (!signs.ends_quietly || is_narrow);
     if is_known && signs.changes <= 1 && b[0].abs() <= floor {
-        out.push(curve.root(*low, Some(*width)));
+        out.push(curve.root(low, Some(width)));
     }
-    if is_known {
-        if signs.changes == 0 {
-            return None;
+    if is_known && signs.changes == 0 {
+        return false;
+    }
+    let (mut x, mut spread) = (middle, Some(0.5 * width));
+    if is_known && signs.changes == 1 {
+        (x, spread) = (refined(piece, curve), None);
+    } else if !signs.is_quiet && *depth < DEPTH {
+        piece.halve(left);
+        let is_equal = |half: &Piece| Signs::of(&half.b, floor).are_equal();
+        let is_pair = width < range.near && is_equal(left) && is_equal(piece);
+        if !is_pair {
+            return true;
         }
-        if signs.changes == 1 {
-            out.push(curve.root(refined(piece, curve), None));
-            return None;
-        }
     }
-    if *depth >= DEPTH {
-        out.push(curve.root(middle, Some(0.5 * width)));
-        return None;
-    }
-    let (left, right) = piece.halved();
-    if *width < range.near && [&left, &right].iter().all(|half| Signs::of(&half.b, floor).are_equal()) {
-        out.push(curve.root(middle, Some(0.5 * width)));
-        return None;
-    }
-    Some((left, right))
+    out.push(curve.root(x, spread));
+    false
 }
 
 impl Piece {
+    /// Leaves the right half here (de Casteljau).
     #[inline(always)]
-    fn halved(&self) -> (Self, Self) {
-        let (left, right) = halves(&self.b);
-        let (width, depth) = (0.5 * self.width, self.depth + 1);
-        (Self { b: left, low: self.low, width, depth }, Self { b: right, low: self.low + width, width, depth })
+    fn halve(&mut self, left: &mut Self) {
+        self.width *= 0.5;
+        self.depth += 1;
+        (left.low, left.width, left.depth) = (self.low, self.width, self.depth);
+        self.low += self.width;
+        for (level, first) in left.b.iter_mut().enumerate() {
+            *first = self.b[0];
+            for i in 0..SAMPLES - 1 - level {
+                self.b[i] = 0.5 * (self.b[i] + self.b[i + 1]);
+            }
+        }
     }
 }
 
@@ -257,40 +255,23 @@ impl Signs {
     }
 }
 
-/// Coefficients of the two halves of a piece (de Casteljau).
-#[inline(always)]
-fn halves(b: &[f64; SAMPLES]) -> ([f64; SAMPLES], [f64; SAMPLES]) {
-    let mut left = [0.0; SAMPLES];
-    let mut right = *b;
-    for (level, first) in left.iter_mut().enumerate() {
-        *first = right[0];
-        for i in 0..SAMPLES - 1 - level {
-            right[i] = 0.5 * (right[i] + right[i + 1]);
-        }
-    }
-    (left, right)
-}
-
 impl Arc {
     fn of(polynomial: &TrigPolynomial, quarters: usize, rounding: f64) -> Self {
         let (mut cosines, mut sines) = (polynomial.cosines, polynomial.sines);
         for (k, (a, b)) in cosines.iter_mut().zip(&mut sines).enumerate() {
-            (*a, *b) = match (quarters * k) % 4 {
-                0 => (*a, *b),
-                1 => (*b, -*a),
-                2 => (-*a, -*b),
-                _ => (-*b, *a),
-            };
+            (*a, *b) = turned_by_quarters((*a, *b), quarters * k);
         }
         Self { quarters, cosines, sines, offset_sin_cos: polynomial.offset_sin_cos, rounding }
     }
 
     /// Bernstein coefficients on the whole arc.
     fn bernstein(&self) -> [f64; SAMPLES] {
-        let [mut even, mut odd] = [[0.0; DEGREE + 1]; 2];
-        for ((a, row), (b, odd_row)) in self.cosines.iter().zip(&EVEN).zip(self.sines.iter().zip(&ODD)) {
+        let (mut even, mut odd) = ([0.0; DEGREE + 1], [0.0; DEGREE]);
+        for (a, row) in self.cosines.iter().zip(&EVEN) {
             even.iter_mut().zip(row).for_each(|(sum, entry)| *sum += a * entry);
-            odd.iter_mut().zip(odd_row).for_each(|(sum, entry)| *sum += b * entry);
+        }
+        for (b, row) in self.sines.iter().skip(1).zip(&ODD) {
+            odd.iter_mut().zip(row).for_each(|(sum, entry)| *sum += b * entry);
         }
         let mut out = [0.0; SAMPLES];
         for (place, (x, y)) in even.iter().zip(&odd).enumerate() {
@@ -313,14 +294,17 @@ impl Curve for Arc {
     fn root(&self, x: f64, spread: Option<f64>) -> Root {
         let (sin, cos) = direction(x);
         let (_, slope) = value_and_slope(&self.cosines, &self.sines, (sin, cos));
-        let (sin, cos) = match self.quarters % 4 {
-            0 => (sin, cos),
-            1 => (cos, -sin),
-            2 => (-sin, -cos),
-            _ => (-cos, sin),
-        };
-        Root::new(turned((sin, cos), self.offset_sin_cos), slope, spread, self.rounding)
+        let once = turned_by_quarters((sin, cos), self.quarters);
+        Root::new(turned(once, self.offset_sin_cos), slope, spread, self.rounding)
     }
+}
+
+/// A vector turned back by quarter turns: (x, y), (y, -x), (-x, -y), (-y, x).
+#[cfg_attr(target_os = "none", inline(never))]
+#[cfg_attr(not(target_os = "none"), inline)]
+fn turned_by_quarters((x, y): (f64, f64), quarters: usize) -> (f64, f64) {
+    let (first, second) = if quarters & 1 == 0 { (x, y) } else { (y, -x) };
+    if quarters & 2 == 0 { (first, second) } else { (-first, -second) }
 }
 
 impl Root {
@@ -330,7 +314,7 @@ impl Root {
         let is_double = spread.is_some();
         let is_doubtful = is_double || !is_certain;
         let spread = spread.unwrap_or(0.0);
-        Self { angle: angle(sin, cos), sin_cos: (sin, cos), slope, is_double, spread, is_doubtful }
+        Self { angle: crate::math::atan2(sin, cos), sin_cos: (sin, cos), slope, is_double, spread, is_doubtful }
     }
 }
 

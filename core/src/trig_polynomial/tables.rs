@@ -13,6 +13,8 @@ pub(super) const HALF_ARC: f64 = 0.414_213_562_373_095_03;
 type SinCos = (f64, f64);
 /// A table of all harmonics.
 type Harmonics = [[f64; DEGREE + 1]; DEGREE + 1];
+/// A table of sines, without what is 0.
+type OddHarmonics = [[f64; DEGREE]; DEGREE];
 
 /// Sine and cosine of `2 pi i / 34`, i = 0..33. The even ones belong to the samples, 33 and 15 to the checks.
 const HALVES: [SinCos; 2 * SAMPLES] = {
@@ -28,39 +30,39 @@ const HALVES: [SinCos; 2 * SAMPLES] = {
 /// Sine and cosine of the three offsets.
 pub(super) const TURNS: [SinCos; 3] = [series(OFFSETS[0]), series(OFFSETS[1]), series(OFFSETS[2])];
 
-/// Sine and cosine of the angles of the samples, `2 pi j / 17 + offset`, for each offset.
-pub(super) const NODES: [[SinCos; SAMPLES]; 3] = {
-    let mut nodes = [[(0.0, 1.0); SAMPLES]; 3];
-    let mut place = 0;
-    while place < 3 {
-        let mut j = 0;
-        while j < SAMPLES {
-            nodes[place][j] = sum(HALVES[2 * j], TURNS[place]);
-            j += 1;
-        }
-        place += 1;
+/// Sine and cosine of the angles of the samples, `2 pi j / 17`, without the offset.
+pub(super) const ANGLES: [SinCos; SAMPLES] = {
+    let mut angles = [(0.0, 1.0); SAMPLES];
+    let mut j = 0;
+    while j < SAMPLES {
+        angles[j] = HALVES[2 * j];
+        j += 1;
     }
-    nodes
+    angles
 };
 
 /// Sine and cosine of the angles of the checks, without the offset.
 pub(super) const CHECK_ANGLES: [SinCos; CHECKS] = [HALVES[33], HALVES[15]];
 
-/// Sine and cosine of the angles of the checks, for each offset.
-pub(super) const CHECK_NODES: [[SinCos; CHECKS]; 3] = {
-    let mut nodes = [[(0.0, 1.0); CHECKS]; 3];
-    let mut place = 0;
-    while place < 3 {
-        nodes[place] = [sum(CHECK_ANGLES[0], TURNS[place]), sum(CHECK_ANGLES[1], TURNS[place])];
-        place += 1;
-    }
-    nodes
-};
-
 /// Coefficient of `cos k t`: the sum over j of row j, entry k, times the even part of the samples. Rows are j.
 pub(super) const COSINES: Harmonics = transform(true);
-/// As [`COSINES`], of `sin k t` and the odd part.
-pub(super) const SINES: Harmonics = transform(false);
+/// As [`COSINES`], of `sin k t` and the odd part, without j = 0 and k = 0.
+pub(super) const SINES: OddHarmonics = without_zeros(&transform(false));
+
+/// A table without its first row and its first column.
+const fn without_zeros(all: &Harmonics) -> OddHarmonics {
+    let mut table = [[0.0; DEGREE]; DEGREE];
+    let mut j = 0;
+    while j < DEGREE {
+        let mut k = 0;
+        while k < DEGREE {
+            table[j][k] = all[j + 1][k + 1];
+            k += 1;
+        }
+        j += 1;
+    }
+    table
+}
 
 const fn transform(is_even: bool) -> Harmonics {
     let mut table = [[0.0; DEGREE + 1]; DEGREE + 1];
@@ -81,8 +83,21 @@ const fn transform(is_even: bool) -> Harmonics {
 /// Row k: the first nine Bernstein coefficients of `(1 + x^2)^8 cos k t` on an arc of a quarter turn, with
 /// `x = tan(t / 2)` from `-tan(pi / 8)` to `tan(pi / 8)`. The other eight are these in reverse.
 pub(super) const EVEN: Harmonics = bernstein(true);
-/// As [`EVEN`] for `(1 + x^2)^8 sin k t`; the other eight are these in reverse, negated.
-pub(super) const ODD: Harmonics = bernstein(false);
+/// As [`EVEN`] for `(1 + x^2)^8 sin k t`, k = 1..8, up to the middle one, which is 0; the other eight are these in reverse,
+/// negated.
+pub(super) const ODD: OddHarmonics = {
+    let (all, mut table) = (bernstein(false), [[0.0; DEGREE]; DEGREE]);
+    let mut k = 0;
+    while k < DEGREE {
+        let mut m = 0;
+        while m < DEGREE {
+            table[k][m] = all[k + 1][m];
+            m += 1;
+        }
+        k += 1;
+    }
+    table
+};
 
 /// `(1 + x^2)^8 e^(i k t) = (1 + i x)^(8 + k) (1 - i x)^(8 - k)`: a product of 16 linear factors.
 const fn bernstein(is_even: bool) -> Harmonics {
@@ -172,11 +187,6 @@ const fn lagrange(low: f64, high: f64) -> [[f64; SAMPLES]; SAMPLES] {
     table
 }
 
-/// Sine and cosine of the sum of two angles.
-const fn sum((s, c): SinCos, (t, d): SinCos) -> SinCos {
-    (s * d + c * t, c * d - s * t)
-}
-
 /// Sine and cosine of `2 pi part / whole`, `part < whole`.
 const fn part_of_turn(part: u32, whole: u32) -> SinCos {
     // The angle in eighths of a turn, and the distance from the nearest multiple of a quarter turn.
@@ -220,10 +230,9 @@ mod tests {
 
     #[test]
     fn angles_are_those_of_the_samples() {
-        for (nodes, (checks, offset)) in NODES.iter().zip(CHECK_NODES.iter().zip(OFFSETS)) {
-            assert!(nodes.iter().enumerate().all(|(j, node)| near(*node, TAU * j as f64 / 17.0 + offset)));
-            assert!(near(checks[0], TAU * 16.5 / 17.0 + offset) && near(checks[1], TAU * 7.5 / 17.0 + offset));
-        }
+        assert!(ANGLES.iter().enumerate().all(|(j, angle)| near(*angle, TAU * j as f64 / 17.0)));
+        assert!(near(CHECK_ANGLES[0], TAU * 16.5 / 17.0) && near(CHECK_ANGLES[1], TAU * 7.5 / 17.0));
+        assert!(TURNS.iter().zip(OFFSETS).all(|(turn, offset)| near(*turn, offset)));
         assert!((HALF_ARC - (core::f64::consts::SQRT_2 - 1.0)).abs() < 2e-16);
     }
 
@@ -260,7 +269,11 @@ mod tests {
                 let half_angle = crate::math::atan2(x, 1.0);
                 let weight = (0..DEGREE).fold(1.0, |w, _| w * (1.0 + x * x));
                 let (sin, cos) = sin_cos(2.0 * k as f64 * half_angle);
-                for (row, value, sign) in [(EVEN[k], cos, 1.0), (ODD[k], sin, -1.0)] {
+                let mut odd = [0.0; DEGREE + 1];
+                if k > 0 {
+                    odd[..DEGREE].copy_from_slice(&ODD[k - 1]);
+                }
+                for (row, value, sign) in [(EVEN[k], cos, 1.0), (odd, sin, -1.0)] {
                     // De Casteljau.
                     let mut b: [f64; SAMPLES] =
                         core::array::from_fn(|m| if m <= DEGREE { row[m] } else { sign * row[2 * DEGREE - m] });

@@ -2,7 +2,7 @@
 
 use crate::math::Scalar;
 use crate::pose::Pose;
-use crate::vector::{add, cross, dot, scale};
+use crate::vector::{cross, dot};
 
 impl<T: Scalar> Pose<T> {
     /// Returns the pose with the rotation nearest to its matrix; the position stays.
@@ -50,10 +50,17 @@ pub(crate) fn nearest_rotation<T: Scalar>(rotation: &[[T; 3]; 3]) -> [[T; 3]; 3]
     for _ in 0..STEPS {
         let [x, y, z] = nearest;
         // The cofactors: the inverse transposed, times the determinant.
-        let [a, b, c] = [cross(y, z), cross(z, x), cross(x, y)];
-        let half = T::HALF / dot(x, a);
-        let step = |row, cofactors| add(scale(T::HALF, row), scale(half, cofactors));
-        nearest = [step(x, a), step(y, b), step(z, c)];
+        let mut cofactors = [y, z, x];
+        for (row, next) in cofactors.iter_mut().zip([z, x, y]) {
+            *row = cross(*row, next);
+        }
+        let [of_x, ..] = cofactors;
+        let half = T::HALF / dot(x, of_x);
+        for (row, cofactors) in nearest.iter_mut().zip(cofactors) {
+            for (entry, cofactor) in row.iter_mut().zip(cofactors) {
+                *entry = T::HALF * *entry + half * cofactor;
+            }
+        }
     }
     nearest
 }

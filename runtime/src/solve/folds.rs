@@ -8,7 +8,7 @@
 //! of a wrist that is nearly straight are found, half a turn of its outer joints apart.
 
 use super::kernel::tolerances::Tolerances;
-use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
+use super::least_squares::{MOST_STEPS, wrap_angles};
 use super::passes::Missed;
 use super::search::Search;
 use super::verify::{apart, coincident};
@@ -39,6 +39,7 @@ struct NearlySingular<T> {
 }
 
 /// Elimination with complete pivoting, whose last pivot is taken for 0. None if an earlier one vanishes.
+#[inline(never)]
 fn nearly_singular<T: Tolerances>(columns: &[[T; SIX]; SIX], error: &[T; SIX]) -> Option<NearlySingular<T>> {
     let mut m = [[T::ZERO; SIX]; SIX];
     for (i, row) in m.iter_mut().enumerate() {
@@ -61,7 +62,9 @@ fn nearly_singular<T: Tolerances>(columns: &[[T; SIX]; SIX], error: &[T; SIX]) -
         }
         // Rows and columns of the matrix, as the compiler has to know: nothing here may fail.
         let (row, column) = (pivot.0.min(SIX - 1), pivot.1.min(SIX - 1));
-        m.swap(k, row);
+        for column in 0..SIX {
+            (m[k][column], m[row][column]) = (m[row][column], m[k][column]);
+        }
         rows.swap(k, row);
         m.iter_mut().for_each(|row| row.swap(k, column));
         joints.swap(k, column);
@@ -115,7 +118,11 @@ fn turned<T: Tolerances>(b: T, a: T, missed: T) -> [T; 2] {
     let (square, discriminant) = (a + a - missed, b * b + missed * (a + a - missed));
     let root = discriminant.max(T::ZERO).sqrt();
     let sign = if square < T::ZERO { -T::ONE } else { T::ONE };
-    [root - b, -root - b].map(|tangent| T::TWO * crate::math::atan2(tangent * sign, square.abs()))
+    let mut angles = [root - b, -root - b];
+    for angle in &mut angles {
+        *angle = T::TWO * crate::math::atan2(*angle * sign, square.abs());
+    }
+    angles
 }
 
 impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T, M>> Search<'_, T, N, M, D, P> {
@@ -131,7 +138,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
             let Some(q) = self.solutions.get(place).map(|solution| solution.q) else { break };
             let Some(evaluations_left) = self.evaluations_left.checked_sub(1 + RESERVED) else { return true };
             self.evaluations_left = evaluations_left + RESERVED;
-            let singular = self.columns(&q).and_then(|(columns, error)| nearly_singular(&columns, &error));
+            let singular = self.nearly_singular_at(&q);
             if !singular.is_some_and(|singular| singular.slope.abs() > self.least_slope()) {
                 return true;
             }
@@ -216,22 +223,20 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
     /// The solution to which steps from a joint vector lead. It is listed under the name of that beside it, unless it
     /// already is.
     fn towards(&mut self, neighbor: &Solution<T, N>, start: &[T; N]) -> Option<[T; N]> {
-        let mut evaluations_left = self.evaluations_left.checked_sub(RESERVED + 1)?;
         let constants = self.constants;
-        let mut iterate = Iterate::at(*start);
-        iterate.evaluate(constants, self.goal, self.arm);
-        refine(constants, self.goal, self.arm, &mut iterate, &mut evaluations_left);
-        self.evaluations_left = evaluations_left + RESERVED;
-        if !(constants.relative(&iterate.residual) <= T::EXACT) {
+        if self.evaluations_left <= RESERVED {
             return None;
         }
-        let mut q = iterate.q;
+        let (mut q, residual) = self.settled(start, true);
+        if !(constants.relative(&residual) <= T::EXACT) {
+            return None;
+        }
         wrap_angles(&mut q, self.goal.given(), constants.prismatic);
         let is_listed = self.solutions.exact().any(|other| coincident(constants, &other.q, &q));
         if !is_listed {
             // Apart from the fold: what is free or on the boundary beside it is not so here.
             let mut solution = Solution::exact(q, neighbor.branch);
-            solution.residual = iterate.residual;
+            solution.residual = residual;
             self.solutions.mark_awkward();
             if !self.solutions.push(solution) {
                 match self.solutions.as_mut_slice().iter_mut().find(|other| !other.is_exact()) {
@@ -249,15 +254,13 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         let none = [None; 2];
         let Some(evaluations_left) = self.evaluations_left.checked_sub(2 + RESERVED) else { return none };
         self.evaluations_left = evaluations_left + 1 + RESERVED;
-        let Some((columns, error)) = self.columns(&solution.q) else { return none };
-        let Some(near) = nearly_singular(&columns, &error) else { return none };
+        let Some(near) = self.nearly_singular_at(&solution.q) else { return none };
         if !(near.slope.abs() <= steep) {
             return none;
         }
         self.evaluations_left = evaluations_left + RESERVED;
         let aside = T::from_f64(ASIDE);
-        let Some((columns, _)) = self.columns(&self.along(&solution.q, &near, aside)) else { return none };
-        let bend = (slope(&columns, &near) - near.slope) / aside;
+        let bend = (self.slope_at(&self.along(&solution.q, &near, aside), &near) - near.slope) / aside;
         // Of a solution one root is its own place.
         let missed = if self.is_rounding(solution) { T::ZERO } else { near.missed };
         let rate = self.rate(&near);
@@ -265,6 +268,24 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
             let distance = angle / rate;
             (distance.abs() > T::COINCIDENT).then(|| self.along(&solution.q, &near, distance))
         })
+    }
+
+    /// The directions at a joint vector; `None` if the joints that move are not six, or more than one direction vanishes. Out of
+    /// line, as [`slope_at`](Self::slope_at): a Jacobian is on the stack for as long as it takes.
+    #[inline(never)]
+    fn nearly_singular_at(&self, q: &[T; N]) -> Option<NearlySingular<T>> {
+        if !self.has_six() {
+            return None;
+        }
+        let (columns, error) = &self.columns(q);
+        nearly_singular(columns, error)
+    }
+
+    /// The slope along known directions at another joint vector.
+    #[inline(never)]
+    fn slope_at(&self, q: &[T; N], near: &NearlySingular<T>) -> T {
+        let (columns, _) = &self.columns(q);
+        slope(columns, near)
     }
 
     /// The angle by which the joint that turns most turns along n, for a motion of length 1.
@@ -285,12 +306,15 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         out
     }
 
-    /// The columns of the joints that move, and the error; `None` if these are not six.
-    fn columns(&self, q: &[T; N]) -> Option<([[T; SIX]; SIX], [T; SIX])> {
+    /// Returns true if six joints move.
+    fn has_six(&self) -> bool {
         let given = self.goal.given();
-        if N < SIX || (0..N).filter(|joint| !given.contains(*joint)).count() != SIX {
-            return None;
-        }
+        N >= SIX && (0..N).filter(|joint| !given.contains(*joint)).count() == SIX
+    }
+
+    /// The columns of the first six joints that move, and the error.
+    fn columns(&self, q: &[T; N]) -> ([[T; SIX]; SIX], [T; SIX]) {
+        let given = self.goal.given();
         let (pose, mut jacobian) = self.arm.evaluate(q);
         self.goal.restrict(&pose, &mut jacobian);
         let k = T::ONE / self.constants.reach;
@@ -304,7 +328,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
             }
         }
         let [x, y, z, u, v, w] = self.goal.error(q, &pose);
-        Some((columns, [x * k, y * k, z * k, u, v, w]))
+        (columns, [x * k, y * k, z * k, u, v, w])
     }
 }
 

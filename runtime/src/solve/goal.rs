@@ -82,9 +82,13 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for Pose<T> {
         // The axis of the rotation from `pose` to the goal, times the sine of its angle. This vector is half the sum
         // over the columns of the cross products, the columns of `pose` first. Its entries are half differences of dot
         // products of rows.
-        let ([a, b, c], [d, e, f]) = (pose.rotation, self.rotation);
-        let half = |p, q, r, s| (dot(p, q) - dot(r, s)) * T::HALF;
-        [x, y, z, half(b, f, c, e), half(c, d, a, f), half(a, e, b, d)]
+        let ([a, b, c], [d, e, f]) = (&pose.rotation, &self.rotation);
+        let mut sines = [T::ZERO; 3];
+        for (sine, (p, q, r, s)) in sines.iter_mut().zip([(b, f, c, e), (c, d, a, f), (a, e, b, d)]) {
+            *sine = (dot(*p, *q) - dot(*r, *s)) * T::HALF;
+        }
+        let [u, v, w] = sines;
+        [x, y, z, u, v, w]
     }
 
     fn restrict(&self, _: &Pose<T>, _: &mut Jacobian<T, N>) {}

@@ -16,7 +16,7 @@ use super::search::Search;
 use super::smallest_pivot::smallest_pivot;
 use super::verify::{apart, coincident};
 use crate::effort::{MOST_EVALUATIONS, MOST_HELD_JOINT_EVALUATIONS};
-use crate::{Branch, Elbow, Flags, JointMask, Shoulder, Solution};
+use crate::{Branch, Elbow, Flags, JointMask, Residual, Shoulder, Solution};
 
 /// The search of an arm with `N` joints and at most `M` solutions whose inverse holds a joint.
 pub type HeldJointSearch<'a, T, const N: usize, const M: usize> = Search<'a, T, N, M, 1, Decoupled>;
@@ -146,26 +146,21 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         if !q.iter().all(|value| value.is_finite()) {
             return ControlFlow::Continue(());
         }
-        let Some(mut evaluations_left) = self.evaluations_left.checked_sub(RESERVED + 1) else {
+        if self.evaluations_left <= RESERVED {
             self.solutions.mark_incomplete();
             return ControlFlow::Break(());
-        };
+        }
         let (constants, given) = (self.constants, self.goal.given());
         wrap_angles(&mut q, given, constants.prismatic);
         // A second cut gives most solutions once more.
         if candidate.free == 0 && self.solutions.exact().any(|other| coincident(constants, &other.q, &q)) {
             return ControlFlow::Continue(());
         }
-        let mut iterate = Iterate::at(q);
-        iterate.evaluate(constants, self.goal, self.arm);
-        if is_near && !(constants.relative(&iterate.residual) <= T::ROUNDING) {
-            refine(constants, self.goal, self.arm, &mut iterate, &mut evaluations_left);
-        }
-        self.evaluations_left = evaluations_left + RESERVED;
-        let mut solution = Solution::exact(iterate.q, name(candidate.signs));
-        solution.residual = iterate.residual;
+        let (q, residual) = self.settled(&q, is_near);
+        let mut solution = Solution::exact(q, name(candidate.signs));
+        solution.residual = residual;
         let is_exact = constants.relative(&solution.residual) <= T::EXACT;
-        if !is_exact && evaluations_left == 0 {
+        if !is_exact && self.evaluations_left == RESERVED {
             // Cut short: what it would have become is not known.
             self.solutions.mark_incomplete();
             return ControlFlow::Break(());
@@ -199,8 +194,23 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         ControlFlow::Continue(())
     }
 
+    /// A joint vector, refined if it `is_near` a solution, and its residual. Takes an evaluation at least, which has to be left
+    /// beside those that are reserved. Out of line: an iterate is on the stack for as long as it takes.
+    #[inline(never)]
+    pub(super) fn settled(&mut self, q: &[T; N], is_near: bool) -> ([T; N], Residual<T>) {
+        let mut evaluations_left = self.evaluations_left.saturating_sub(RESERVED + 1);
+        let mut iterate = Iterate::at(*q);
+        iterate.evaluate(self.constants, self.goal, self.arm);
+        if is_near && !(self.constants.relative(&iterate.residual) <= T::ROUNDING) {
+            refine(self.constants, self.goal, self.arm, &mut iterate, &mut evaluations_left);
+        }
+        self.evaluations_left = evaluations_left + RESERVED;
+        (iterate.q, iterate.residual)
+    }
+
     /// The listed solution that a doubtful one cannot be told from: halfway between them the target is missed by no more
     /// than at the two.
+    #[inline(never)]
     fn neighbor(&mut self, solution: &Solution<T, N>) -> Option<usize> {
         let constants = self.constants;
         let mut place = 0;

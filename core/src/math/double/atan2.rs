@@ -39,12 +39,17 @@ pub(in crate::math) const BASE: [(f64, f64); 8] = {
 };
 
 /// Angle of (x, y) in [-pi, pi], at most 1.5 ulp off; signed zeros and infinities as IEEE 754 says.
-#[inline]
+#[cfg_attr(target_os = "none", inline(never))]
+#[cfg_attr(not(target_os = "none"), inline)]
 pub(in crate::math) fn atan2(y: f64, x: f64) -> f64 {
     let (y_bits, x_bits) = (y.to_bits() & MAGNITUDE, x.to_bits() & MAGNITUDE);
     let (less, more) = (y_bits.min(x_bits), y_bits.max(x_bits));
     let inside = less.wrapping_sub(LEAST) <= MOST - LEAST || less == 0;
-    if inside & (more.wrapping_sub(LEAST) <= MOST - LEAST) { octants(y, x) } else { unusual(y, x) }
+    let is_usual = inside & (more.wrapping_sub(LEAST) <= MOST - LEAST);
+    match if is_usual { Ok((y, x)) } else { unusual(y, x) } {
+        Ok((y, x)) => octants(y, x),
+        Err(angle) => angle,
+    }
 }
 
 /// The greater coordinate is within 2^-500 and 2^500, so is the lesser or it is zero.
@@ -88,36 +93,38 @@ fn octants(y: f64, x: f64) -> f64 {
     f64::from_bits(angle.to_bits() ^ (y.to_bits() & SIGN))
 }
 
-/// Zeros, infinities, not a number, and magnitudes that have to be scaled first.
+/// Zeros, infinities, not a number, and magnitudes that have to be scaled first: a vector of the same angle for [`octants`], or
+/// the angle.
 #[cold]
 #[inline(never)]
-fn unusual(y: f64, x: f64) -> f64 {
+fn unusual(y: f64, x: f64) -> Result<(f64, f64), f64> {
     const DOWN: f64 = f64::from_bits((1023 - 600) << 52);
     const UP: f64 = f64::from_bits((1023 + 600) << 52);
     const NEGLIGIBLE: f64 = f64::from_bits((1023 - 60) << 52);
 
-    if y.is_nan() || x.is_nan() {
-        return f64::NAN;
+    // Magnitudes are compared as bits, as routines compare numbers where there is no processor for them.
+    const INFINITY: u64 = f64::INFINITY.to_bits();
+    let (y_bits, x_bits) = (y.to_bits() & MAGNITUDE, x.to_bits() & MAGNITUDE);
+    let more = y_bits.max(x_bits);
+    if more > INFINITY {
+        return Err(f64::NAN);
     }
-    let more = y.abs().max(x.abs());
-    if more == 0.0 {
-        return octants(y, 1.0f64.copysign(x));
-    }
-    if more == f64::INFINITY {
-        let side = |v: f64| if v.is_infinite() { 1.0f64.copysign(v) } else { 0.0f64.copysign(v) };
-        return octants(side(y), side(x));
-    }
-    let scale = if more < 1.0 { UP } else { DOWN };
-    let scaled =
-        if more < f64::from_bits(LEAST) || more > f64::from_bits(MOST) { (y * scale, x * scale) } else { (y, x) };
-    let (less, more) = (scaled.0.abs().min(scaled.1.abs()), scaled.0.abs().max(scaled.1.abs()));
-    if less > NEGLIGIBLE * more {
-        octants(scaled.0, scaled.1)
-    } else if x > 0.0 && y.abs() < x {
-        y / x
-    } else if y.abs() < x.abs() {
-        octants(0.0f64.copysign(y), -1.0)
+    let scale = if more < 1.0f64.to_bits() { UP } else { DOWN };
+    let scaled = if more < LEAST || more > MOST { (y * scale, x * scale) } else { (y, x) };
+    let [y_scaled, x_scaled] = [scaled.0, scaled.1].map(|value: f64| value.to_bits() & MAGNITUDE);
+    let least = f64::from_bits(y_scaled.max(x_scaled)) * NEGLIGIBLE;
+    Ok(if more == 0 {
+        (y, 1.0f64.copysign(x))
+    } else if more == INFINITY {
+        let side = |v: f64, bits: u64| if bits == INFINITY { 1.0f64.copysign(v) } else { 0.0f64.copysign(v) };
+        (side(y, y_bits), side(x, x_bits))
+    } else if y_scaled.min(x_scaled) > least.to_bits() {
+        scaled
+    } else if y_bits < x_bits && x.to_bits() == x_bits {
+        return Err(y / x);
+    } else if y_bits < x_bits {
+        (0.0f64.copysign(y), -1.0)
     } else {
-        octants(1.0f64.copysign(y), 0.0)
-    }
+        (1.0f64.copysign(y), 0.0)
+    })
 }

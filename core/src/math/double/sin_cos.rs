@@ -7,6 +7,8 @@
 use super::far;
 use super::{MAGNITUDE, SIGN};
 
+/// On bare metal `f64` is computed by routines, and a call costs nothing beside it: one copy of the equations serves all.
+const ONE_COPY: bool = cfg!(target_os = "none");
 /// Largest magnitude the three-part reduction is good for: its quotient is below 2^17.
 pub(in crate::math) const LIMIT: f64 = 205_887.0;
 /// 1.5 * 2^52: adding it rounds to an integer, which is then in the low bits.
@@ -54,7 +56,7 @@ impl Reduced {
 /// Sine and cosine, at most 1.1 ulp off; not a number for one that is not finite.
 #[inline]
 pub(in crate::math) fn sin_cos(x: f64) -> (f64, f64) {
-    if f64::from_bits(x.to_bits() & MAGNITUDE) <= LIMIT { near(x) } else { distant(x) }
+    if !ONE_COPY && f64::from_bits(x.to_bits() & MAGNITUDE) <= LIMIT { near(x) } else { distant(x) }
 }
 
 /// Sines and cosines of several angles, the same bits as [`sin_cos`] of each: one range check for all.
@@ -65,7 +67,7 @@ pub(in crate::math) fn sin_cos_array<const N: usize>(angles: [f64; N]) -> ([f64;
     for angle in &angles {
         sum += f64::from_bits(angle.to_bits() & MAGNITUDE);
     }
-    if sum <= LIMIT { near_array(angles) } else { distant_array(angles) }
+    if !ONE_COPY && sum <= LIMIT { near_array(angles) } else { distant_array(angles) }
 }
 
 /// Sines and cosines of angles within [`LIMIT`]. Their results stay in registers because the others are made elsewhere.
