@@ -247,10 +247,14 @@ fn search(plan: &HeldJointPlan, target: &Target) -> (TokenStream, TokenStream) {
     let links = array(plan.chain.links.iter().enumerate().map(|(place, link)| self::link(place, link)));
     match &plan.method {
         Method::Meet { constants: Some(_), .. } => {
-            let end = |place: usize| plan.chain.links.get(place).map(|link| self::link(place, link));
+            let end = |place: usize| {
+                let link = plan.chain.links.get(place)?;
+                let product = self::link(place, link);
+                Some(if link.given.is_empty() { quote!(&#product) } else { quote!(&(#product)) })
+            };
             let (base, tip) = (end(0), end(6));
             let prepare = quote! {
-                let k1 = STRUCTURE.first_of_ring(&#base, &target, &#tip);
+                let k1 = STRUCTURE.first_of_ring(#base, &target, #tip);
             };
             (prepare, quote!(MEET.search(&k1, &reference, visit)))
         }
