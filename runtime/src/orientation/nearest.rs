@@ -68,6 +68,7 @@ pub(crate) fn nearest_rotation<T: Scalar>(rotation: &[[T; 3]; 3]) -> [[T; 3]; 3]
 #[cfg(all(test, feature = "nalgebra", feature = "std"))]
 mod tests {
     use super::*;
+    use crate::vector::scale;
 
     /// Largest entry of `R^T R - 1`.
     fn skewness<T: Scalar>(pose: &Pose<T>) -> f64 {

@@ -62,8 +62,8 @@ fn nearly_singular<T: Tolerances>(columns: &[[T; SIX]; SIX], error: &[T; SIX]) -
         }
         // Rows and columns of the matrix, as the compiler has to know: nothing here may fail.
         let (row, column) = (pivot.0.min(SIX - 1), pivot.1.min(SIX - 1));
-        for column in 0..SIX {
-            (m[k][column], m[row][column]) = (m[row][column], m[k][column]);
+        if let Some([top, .., pivot]) = m.get_mut(k..=row) {
+            core::mem::swap(top, pivot);
         }
         rows.swap(k, row);
         m.iter_mut().for_each(|row| row.swap(k, column));

@@ -110,7 +110,7 @@ fn unusual(y: f64, x: f64) -> Result<(f64, f64), f64> {
         return Err(f64::NAN);
     }
     let scale = if more < 1.0f64.to_bits() { UP } else { DOWN };
-    let scaled = if more < LEAST || more > MOST { (y * scale, x * scale) } else { (y, x) };
+    let scaled = if (LEAST..=MOST).contains(&more) { (y, x) } else { (y * scale, x * scale) };
     let [y_scaled, x_scaled] = [scaled.0, scaled.1].map(|value: f64| value.to_bits() & MAGNITUDE);
     let least = f64::from_bits(y_scaled.max(x_scaled)) * NEGLIGIBLE;
     Ok(if more == 0 {
