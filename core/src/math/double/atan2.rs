@@ -5,7 +5,7 @@
 //! Dekker, Numerische Mathematik 18, 1971). A mask cuts the operands to half their bits. Octants are chosen without a
 //! branch.
 
-use super::{MAGNITUDE, SIGN};
+use super::{MAGNITUDE, ONE_COPY, SIGN};
 
 pub(in crate::math) const TAN_PI_8: f64 = 0.41421356237309503;
 /// 2^-500 and 2^500: between them nothing below overflows or loses bits.
@@ -39,14 +39,25 @@ pub(in crate::math) const BASE: [(f64, f64); 8] = {
 };
 
 /// Angle of (x, y) in [-pi, pi], at most 1.5 ulp off; signed zeros and infinities as IEEE 754 says.
-#[cfg_attr(target_os = "none", inline(never))]
-#[cfg_attr(not(target_os = "none"), inline)]
+#[inline]
 pub(in crate::math) fn atan2(y: f64, x: f64) -> f64 {
+    if !ONE_COPY && is_usual(y, x) { octants(y, x) } else { any(y, x) }
+}
+
+/// Returns true where nothing below overflows or loses bits.
+#[inline(always)]
+fn is_usual(y: f64, x: f64) -> bool {
     let (y_bits, x_bits) = (y.to_bits() & MAGNITUDE, x.to_bits() & MAGNITUDE);
     let (less, more) = (y_bits.min(x_bits), y_bits.max(x_bits));
     let inside = less.wrapping_sub(LEAST) <= MOST - LEAST || less == 0;
-    let is_usual = inside & (more.wrapping_sub(LEAST) <= MOST - LEAST);
-    match if is_usual { Ok((y, x)) } else { unusual(y, x) } {
+    inside & (more.wrapping_sub(LEAST) <= MOST - LEAST)
+}
+
+/// Angle of any vector.
+#[cold]
+#[inline(never)]
+fn any(y: f64, x: f64) -> f64 {
+    match if is_usual(y, x) { Ok((y, x)) } else { unusual(y, x) } {
         Ok((y, x)) => octants(y, x),
         Err(angle) => angle,
     }
@@ -95,8 +106,6 @@ fn octants(y: f64, x: f64) -> f64 {
 
 /// Zeros, infinities, not a number, and magnitudes that have to be scaled first: a vector of the same angle for [`octants`], or
 /// the angle.
-#[cold]
-#[inline(never)]
 fn unusual(y: f64, x: f64) -> Result<(f64, f64), f64> {
     const DOWN: f64 = f64::from_bits((1023 - 600) << 52);
     const UP: f64 = f64::from_bits((1023 + 600) << 52);

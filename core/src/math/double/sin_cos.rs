@@ -5,10 +5,8 @@
 //! angles vectorize; beyond it the reduction of Payne and Hanek.
 
 use super::far;
-use super::{MAGNITUDE, SIGN};
+use super::{MAGNITUDE, ONE_COPY, SIGN};
 
-/// On bare metal `f64` is computed by routines, and a call costs nothing beside it: one copy of the equations serves all.
-const ONE_COPY: bool = cfg!(target_os = "none");
 /// Largest magnitude the three-part reduction is good for: its quotient is below 2^17.
 pub(in crate::math) const LIMIT: f64 = 205_887.0;
 /// 1.5 * 2^52: adding it rounds to an integer, which is then in the low bits.
