@@ -31,7 +31,7 @@ use crate::Error;
 use axes::{Change, exact, exact_origin};
 use candidate::{CandidateTable, MAX_DIFFERENCE, ProvedTable};
 use proof::{Difference, compare};
-use report::Report;
+use report::{Report, Source};
 use rigid::{Transform, V, of_origin, rpy};
 use table::{Row, Table, table};
 use urdf::Robot;
@@ -88,7 +88,7 @@ pub struct Imported {
 /// # Errors
 /// Text that is no URDF, a chain that no arm file can say, a difference of poses above 1e-9 m or rad.
 pub fn urdf(text: &str, options: &Options) -> Result<Imported, Error> {
-    import(text, options, false)
+    import(text, options, Source::Urdf)
 }
 
 /// The arm file of a UR arm as it was measured: from its calibration as the arm's driver extracts it,
@@ -99,7 +99,7 @@ pub fn urdf(text: &str, options: &Options) -> Result<Imported, Error> {
 /// # Errors
 /// Text that is no such calibration, and those of [`urdf()`].
 pub fn ur_calibration(text: &str, options: &Options) -> Result<Imported, Error> {
-    import(&ur_calibration::urdf(text).map_err(Error::Text)?, options, true)
+    import(&ur_calibration::urdf(text).map_err(Error::Text)?, options, Source::Calibration)
 }
 
 /// The arm file of an arm with an orthogonal base and a spherical wrist: from its OPW parameters as ROS-Industrial writes them,
@@ -110,7 +110,7 @@ pub fn ur_calibration(text: &str, options: &Options) -> Result<Imported, Error> 
 /// # Errors
 /// Text without these parameters, and those of [`urdf()`].
 pub fn opw(text: &str, options: &Options) -> Result<Imported, Error> {
-    import(&opw::urdf(text).map_err(Error::Text)?, options, false)
+    import(&opw::urdf(text).map_err(Error::Text)?, options, Source::Opw)
 }
 
 /// The arm file `nominal` with the entry `calibration` of a UR controller's `calibration.conf`: `delta_theta = [..]` and the like.
@@ -151,17 +151,17 @@ pub fn calibrated(conf: &str, nominal: &str, name: &str) -> Result<String, Error
     Ok(text)
 }
 
-fn import(text: &str, options: &Options, is_measured: bool) -> Result<Imported, Error> {
-    let default = if is_measured { EXACT_WITHIN_OF_MEASURED } else { EXACT_WITHIN };
+fn import(text: &str, options: &Options, source: Source) -> Result<Imported, Error> {
+    let default = if source == Source::Calibration { EXACT_WITHIN_OF_MEASURED } else { EXACT_WITHIN };
     let within = options.exact_within.unwrap_or(default);
     if !(0.0..=1e-2).contains(&within) {
         return Err(Error::Option("--exact-within: expected 0 to 1e-2 rad".to_owned()));
     }
-    converted(text, options, within, is_measured).map_err(Error::Text)
+    converted(text, options, within, source).map_err(Error::Text)
 }
 
 /// The arm file with angles made exact that are off by at most `within`, rad.
-fn converted(text: &str, options: &Options, within: f64, is_measured: bool) -> Result<Imported, String> {
+fn converted(text: &str, options: &Options, within: f64, source: Source) -> Result<Imported, String> {
     let written = urdf::read(text)?;
     let path = path::find(&written, options.base.as_deref(), options.tool.as_deref())?;
     let mut in_origins = Vec::new();
@@ -214,7 +214,7 @@ fn converted(text: &str, options: &Options, within: f64, is_measured: bool) -> R
         reach,
         exact_angles,
         as_written,
-        is_measured,
+        source,
         inverse: None,
     };
     let mut text = write::file(&written.name, &report.head(), &table, &coupling)?;

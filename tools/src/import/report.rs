@@ -42,16 +42,31 @@ pub struct Report<'s> {
     pub exact_angles: Difference,
     /// The miss of the file against the URDF as written.
     pub as_written: Difference,
-    /// True for angles that were measured: one that is nearly a round number is not meant to be that.
-    pub is_measured: bool,
+    /// The kind of the file that was read.
+    pub source: Source,
     /// The remark about the inverse.
     pub inverse: Option<String>,
+}
+
+/// The kind of a file that is imported.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// A description of a robot.
+    Urdf,
+    /// Links that were measured: an angle that is nearly a round number is not meant to be that.
+    Calibration,
+    /// The parameters of an orthogonal base and a spherical wrist.
+    Opw,
 }
 
 impl Report<'_> {
     /// The kind of the file that was read.
     fn source(&self) -> &'static str {
-        if self.is_measured { "calibration" } else { "URDF" }
+        match self.source {
+            Source::Urdf => "URDF",
+            Source::Calibration => "calibration",
+            Source::Opw => "OPW file",
+        }
     }
 
     /// The head comment of the file.
@@ -198,7 +213,7 @@ impl Report<'_> {
     }
 
     fn nearly_line(&self, within: f64) -> Option<String> {
-        if self.is_measured {
+        if self.source == Source::Calibration {
             return None;
         }
         let nearly = self.nearly(within);
