@@ -193,6 +193,35 @@ fn branches_have_the_names_of_the_table() {
     }
 }
 
+/// Lengths with names are those of the table, too.
+#[test]
+fn a_table_with_parameters_may_be_measured() {
+    let calibration = "\ncalibration: {q1: {a: 1e-4}, q4: {d: 1e-4, alpha: 1e-4 rad}}\n";
+    let text = spec("ur5").replace("-0.425", "-upper").replace("-0.39225", "-fore");
+    let text = text.replace("joints:", "parameters: {upper: 0.425, fore: 0.39225}\njoints:") + calibration;
+    let (named, plain) =
+        (DynamicArm::from_yaml(&text).unwrap(), DynamicArm::from_yaml(&(spec("ur5") + calibration)).unwrap());
+    let target = plain.target_at(&[0.3, -0.7, 1.1, 0.4, -0.9, 0.2]).unwrap();
+    let [named, plain] = [named, plain].map(|arm| arm.inverse(&target, &[]).unwrap());
+    assert!(named.len() == 8 && named.iter().zip(plain.iter()).all(|(a, b)| a.q == b.q), "{named:?} {plain:?}");
+}
+
+/// A measured arm has the task of its table, or none.
+#[test]
+fn a_calibration_adds_no_task() {
+    let planar = "name: arm\nconvention: standard\nunits: {length: m, angle: deg}\njoints:\n".to_owned()
+        + &"  - {a: 0.3, alpha: 0, d: 0, theta: 0}\n".repeat(3);
+    let task = |calibration: &str| {
+        let arm = DynamicArm::from_yaml(&(planar.clone() + calibration)).unwrap();
+        arm.task().map(str::to_owned).map_err(|error| error.to_string())
+    };
+    assert_eq!(task("calibration: {q2: {a: 1e-4, d: 1e-4, theta: 0.01}}").as_deref(), Ok("planar_pose"));
+    let tilted = task("calibration: {q2: {alpha: 0.01}}").unwrap_err();
+    assert!(tilted.contains("`planar_pose` needs axes parallel"), "{tilted}");
+    let point = task("inverse: {task: position}\ncalibration: {q2: {alpha: 0.01}}").unwrap_err();
+    assert!(point.contains("the table alone is singular everywhere"), "{point}");
+}
+
 /// Along joint paths through the singularities of the table, from the joint vector of one tick `inverse_near` gives that of
 /// the next one, or a solution that is nearer still.
 #[test]

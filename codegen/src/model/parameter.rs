@@ -39,7 +39,8 @@ impl Model {
                 *length = Length::Constant(length.default_value());
             }
         };
-        for row in &mut self.rows {
+        let table = self.calibration.iter_mut().flat_map(|calibration| &mut calibration.table);
+        for row in self.rows.iter_mut().chain(table) {
             fold(&mut row.a);
             fold(&mut row.d);
         }

@@ -46,7 +46,11 @@ fn too_long(spec: &Spec) -> Option<Diagnostic> {
         LengthUnit::Millimeter => (0.001, "mm"),
         LengthUnit::Inch => (0.0254, "in"),
     };
-    let (value, place) = spec.lengths.iter().max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))?;
+    // Deltas of a calibration may be long and cancel: nearly parallel axes have their common normal far away.
+    let deltas = || spec.calibration.iter().flat_map(|calibration| &calibration.deltas);
+    let is_delta = |value: f64| deltas().any(|delta| [delta.a, delta.d].contains(&value));
+    let lengths = spec.lengths.iter().filter(|(value, _)| !is_delta(*value));
+    let (value, place) = lengths.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))?;
     if value.abs() * meter <= LONGEST_LINK {
         return None;
     }
@@ -154,6 +158,14 @@ mod tests {
 
     fn row(a: &str, limits: &str) -> String {
         format!("  - {{a: {a}, alpha: 0, d: 0, theta: 0, limits: {limits}}}\n")
+    }
+
+    /// Axes that are nearly parallel have their common normal far away.
+    #[test]
+    fn deltas_that_cancel_are_not_long() {
+        let far = "calibration:\n  q1: {d: 203.75}\n  q2: {d: -203.75}\n";
+        let found = of("m", &(row("0.4", "[-90, 90]").repeat(2) + far));
+        assert!(found.is_empty(), "{found:?}");
     }
 
     #[test]

@@ -36,7 +36,16 @@ use crate::model::{Axis, Convention, InverseRequest, Model, Redundant, Task};
 /// Why there is no inverse. A table that is singular everywhere makes a measured arm nearly so.
 pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<InversePlan, Unsupported> {
     let Some(table) = table(model) else { return plan_of(model, chain, geometry) };
-    let goal = goal_of_the_table(&table)?;
+    // Requests that would do for the table, or for the measured arm alone, are none.
+    let goal = goal_of_the_table(&table).map_err(|unsupported| {
+        let alone = unsupported.alone;
+        match alone.strip_prefix("the arm is singular everywhere: ") {
+            Some(why) => Unsupported::new(format!(
+                "the table alone is singular everywhere, and what `calibration` adds is too little to move by: {why}"
+            )),
+            None => Unsupported::new(alone),
+        }
+    })?;
     let axis = match goal {
         Goal::PositionAxis { column } => Axis::of_column(column),
         _ => model.inverse.axis,
@@ -46,10 +55,10 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Inverse
     plan_of(model, chain, geometry).map_err(|unsupported| {
         let task = goal.task().name();
         let hint = format!(
-            "the table alone has the task `{task}`: leave out of `calibration` what turns its parallel axes (`alpha`); \
-             `denhart::numeric` solves the measured arm by iteration"
+            "the table alone has the task `{task}`: without `alpha` in `calibration`, which turns its parallel axes, the arm has \
+             it too, off by their tilt"
         );
-        Unsupported { hint: unsupported.hint.or(Some(hint)), ..unsupported }
+        Unsupported { hint: Some(hint), ..Unsupported::new(unsupported.alone) }
     })
 }
 
