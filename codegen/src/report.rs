@@ -2,7 +2,7 @@
 
 use crate::error::Diagnostic;
 use crate::model::geometry::{Geometry, Relation};
-use crate::model::{JointKind, Model, Parameter, Task, joint_sum};
+use crate::model::{JointKind, Model, Parameter, joint_sum};
 use crate::settings::{self, short};
 use crate::solve::{Choice, Goal, InversePlan, PlanTask, Unsupported, describe};
 use crate::symbolic::Cost;
@@ -129,9 +129,15 @@ fn chosen(model: &Model, asked: &PlanTask) -> Option<String> {
     let task = asked.goal.task().name();
     match (model.inverse.task, &asked.passed_over) {
         (_, Some(passed_over)) => Some(passed_over.clone()),
-        (None, None) if model.joints.len() == 5 && asked.goal.task() == Task::PositionAxis => Some(format!(
-            "the file names no task: `{task}` along the tool's z axis, because these five joints have no `pose`"
-        )),
+        (None, None)
+            if model.joints.len() == 5
+                && let Goal::PositionAxis { column } = asked.goal =>
+        {
+            let axis = ["x", "y", "z"].get(column).copied().unwrap_or("z");
+            Some(format!(
+                "the file names no task: `{task}` along the tool's {axis} axis, because these five joints have no `pose`"
+            ))
+        }
         (None, None) if matches!(model.joints.len(), 4 | 5) => {
             Some(format!("the file names no task: `{task}` is the most specific one that the arm can do"))
         }

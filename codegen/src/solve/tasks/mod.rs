@@ -54,11 +54,15 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Inverse
     let model = &Model { inverse, ..model.clone() };
     plan_of(model, chain, geometry).map_err(|unsupported| {
         let task = goal.task().name();
-        let hint = format!(
-            "the table alone has the task `{task}`: without `alpha` in `calibration`, which turns its parallel axes, the arm has \
-             it too, off by their tilt"
-        );
-        Unsupported { hint: Some(hint), ..Unsupported::new(unsupported.alone) }
+        let turns = model.calibration.as_ref().is_some_and(|calibration| calibration.turned > 0.0);
+        // Tasks of fewer joints need axes that are parallel.
+        let hint = (model.joints.len() < 6 && turns).then(|| {
+            format!(
+                "the table alone has the task `{task}`: without `alpha` in `calibration`, which turns its parallel axes, the arm \
+                 has it too, off by their tilt"
+            )
+        });
+        Unsupported { hint, ..Unsupported::new(unsupported.alone) }
     })
 }
 
