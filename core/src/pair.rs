@@ -13,47 +13,47 @@ pub(crate) struct Pair<T> {
 }
 
 impl<T: Scalar> Pair<T> {
-    #[inline]
+    #[inline(always)]
     pub fn new(even: T, odd: T) -> Self {
         Self { even, odd }
     }
 
-    /// The product, of r^2.
-    #[cfg_attr(target_os = "none", inline(never))]
-    #[cfg_attr(not(target_os = "none"), inline)]
+    /// The product, of r^2. Out of line where size counts, see `math::ONE_COPY`.
+    #[cfg_attr(any(target_os = "none", target_family = "wasm"), inline(never))]
+    #[cfg_attr(not(any(target_os = "none", target_family = "wasm")), inline(always))]
     pub fn times(self, other: Self, square: T) -> Self {
         let odd = self.even * other.odd + self.odd * other.even;
         Self { even: self.even * other.even + self.odd * other.odd * square, odd }
     }
 
-    #[inline]
+    #[inline(always)]
     pub fn plus(self, other: Self) -> Self {
         Self { even: self.even + other.even, odd: self.odd + other.odd }
     }
 
-    #[inline]
+    #[inline(always)]
     pub fn minus(self, other: Self) -> Self {
         Self { even: self.even - other.even, odd: self.odd - other.odd }
     }
 
-    #[inline]
+    #[inline(always)]
     pub fn plus_real(self, value: T) -> Self {
         Self { even: self.even + value, odd: self.odd }
     }
 
-    #[inline]
+    #[inline(always)]
     pub fn scaled(self, factor: T) -> Self {
         Self { even: self.even * factor, odd: self.odd * factor }
     }
 
     /// The value for a root that is real.
-    #[inline]
+    #[inline(always)]
     pub fn at(self, root: T) -> T {
         self.even + self.odd * root
     }
 
     /// The product of the values for r and -r, of r^2.
-    #[inline]
+    #[inline(always)]
     pub fn norm(self, square: T) -> T {
         self.even * self.even - self.odd * self.odd * square
     }

@@ -7,9 +7,9 @@ use crate::math::{Scalar, sin_cos};
 /// A vector of three coordinates.
 pub type Vector<T> = [T; 3];
 
-/// Scalar product.
-#[cfg_attr(target_os = "none", inline(never))]
-#[cfg_attr(not(target_os = "none"), inline)]
+/// Scalar product. Out of line where size counts, see `math::ONE_COPY`.
+#[cfg_attr(any(target_os = "none", target_family = "wasm"), inline(never))]
+#[cfg_attr(not(any(target_os = "none", target_family = "wasm")), inline)]
 pub fn dot<T: Scalar>([ax, ay, az]: Vector<T>, [bx, by, bz]: Vector<T>) -> T {
     ax * bx + ay * by + az * bz
 }
@@ -105,9 +105,9 @@ impl<T: Scalar> Transform<T> {
 impl<T: Scalar> Mul for Transform<T> {
     type Output = Self;
 
-    /// Maps a point by `other` first.
-    #[cfg_attr(target_os = "none", inline(never))]
-    #[cfg_attr(not(target_os = "none"), inline)]
+    /// Maps a point by `other` first. Out of line where size counts, see `math::ONE_COPY`.
+    #[cfg_attr(any(target_os = "none", target_family = "wasm"), inline(never))]
+    #[cfg_attr(not(any(target_os = "none", target_family = "wasm")), inline)]
     fn mul(self, other: Self) -> Self {
         let [x, y, z] = other.axes();
         let rotation = self.rotation.map(|row| [dot(row, x), dot(row, y), dot(row, z)]);

@@ -172,9 +172,9 @@ impl TrigPolynomial {
     }
 }
 
-/// Value and derivative of a sum of harmonics.
-#[cfg_attr(target_os = "none", inline(never))]
-#[cfg_attr(not(target_os = "none"), inline(always))]
+/// Value and derivative of a sum of harmonics. Out of line where size counts, see `math::ONE_COPY`.
+#[cfg_attr(any(target_os = "none", target_family = "wasm"), inline(never))]
+#[cfg_attr(not(any(target_os = "none", target_family = "wasm")), inline(always))]
 fn value_and_slope(cosines: &[f64; DEGREE + 1], sines: &[f64; DEGREE + 1], once: (f64, f64)) -> (f64, f64) {
     // Sine and cosine of the multiples of the angle, by addition of two smaller ones: four steps in all.
     let two = roots::turned(once, once);

@@ -33,9 +33,9 @@ impl<T: Scalar> Wave<T> {
         [&self.constant, &self.cosine, &self.sine].iter().all(|vector| vector.iter().all(|x| x.is_finite()))
     }
 
-    /// The vector at an angle, of its sine and cosine.
-    #[cfg_attr(target_os = "none", inline(never))]
-    #[cfg_attr(not(target_os = "none"), inline)]
+    /// The vector at an angle, of its sine and cosine. Out of line where size counts, see `math::ONE_COPY`.
+    #[cfg_attr(any(target_os = "none", target_family = "wasm"), inline(never))]
+    #[cfg_attr(not(any(target_os = "none", target_family = "wasm")), inline(always))]
     pub fn at(&self, (sin, cos): (T, T)) -> Vector<T> {
         let ([x, y, z], [cx, cy, cz], [sx, sy, sz]) = (self.constant, self.cosine, self.sine);
         [x + cx * cos + sx * sin, y + cy * cos + sy * sin, z + cz * cos + sz * sin]

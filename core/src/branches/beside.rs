@@ -270,7 +270,7 @@ pub(crate) fn crossing<T: Scalar>(value: &dyn Fn(T) -> T, (mut a, mut at_a): (T,
 
 /// Where a function is lowest or highest, near an angle: parabolas through three angles each.
 #[inline(never)]
-pub(crate) fn lowest<T: Scalar>(value: &dyn Fn(T) -> T, mut t: T) -> T {
+fn lowest<T: Scalar>(value: &dyn Fn(T) -> T, mut t: T) -> T {
     let wide = T::EPSILON.sqrt().sqrt().sqrt();
     let (middle, narrow) = (wide * wide, wide * wide * wide);
     // Far from a double root a parabola is none yet, and each step leaves a part of the distance.
@@ -283,4 +283,12 @@ pub(crate) fn lowest<T: Scalar>(value: &dyn Fn(T) -> T, mut t: T) -> T {
         }
     }
     t
+}
+
+/// The place near an angle where a function is nearest to 0: where it is lowest or highest itself, or where `other` is, whose
+/// shape is a parabola where that of the function is none.
+#[inline(never)]
+pub(crate) fn nearest_to_zero<T: Scalar>(value: &dyn Fn(T) -> T, other: &dyn Fn(T) -> T, t: T) -> T {
+    let (own, other) = (lowest(value, t), lowest(other, t));
+    if value(own).abs() <= value(other).abs() { own } else { other }
 }

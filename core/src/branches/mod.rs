@@ -12,7 +12,7 @@ mod beside;
 mod scan;
 mod search;
 
-pub(crate) use beside::{crossing, lowest};
+pub(crate) use beside::{crossing, nearest_to_zero};
 
 use core::ops::ControlFlow;
 

@@ -4,7 +4,7 @@ use core::ops::ControlFlow;
 
 use super::branch::{Parts, Posed, Signed};
 use super::joints::turned_back;
-use crate::branches::{Stream, bit, lowest};
+use crate::branches::{Stream, bit, nearest_to_zero};
 use crate::math::{Scalar, atan2, hypot, sin_cos};
 
 /// W is looked for on an axis if it is nearer than this share of the reach.
@@ -48,7 +48,7 @@ pub(super) fn on_axes<T: Scalar>(
     let at_root = from_x2(t);
     if at_root <= beside {
         // W crosses the axis, or comes to it and goes back: the distance is an absolute value or a parabola.
-        let t = better(&from_x2, &|t| from_x2(t).sqrt(), t);
+        let t = nearest_to_zero(&from_x2, &|t| from_x2(t).sqrt(), t);
         let parts = posed.parts(sin_cos(t));
         nearest = Some((t, parts.rho2 <= exact && at_root <= on));
         if parts.rho2 <= on && stream.is_new_place(t) {
@@ -67,7 +67,7 @@ pub(super) fn on_axes<T: Scalar>(
         let from_x3 = |t: T| from_axis_of_x3(&posed.parts(sin_cos(t)), number);
         if from_x3(t) <= beside {
             // W crosses the axis, or comes to it where v vanishes, beyond which v is imaginary: a parabola or a simple root.
-            let t = better(&from_x3, &|t| from_x3(t) * from_x3(t), t);
+            let t = nearest_to_zero(&from_x3, &|t| from_x3(t) * from_x3(t), t);
             nearest = nearest.or(Some((t, false)));
             if from_x3(t).abs() <= on {
                 on_x3(stream, t, &posed.parts(sin_cos(t)), number)?;
@@ -82,13 +82,6 @@ pub(super) fn on_axes<T: Scalar>(
 fn from_axis_of_x3<T: Scalar>(parts: &Parts<T>, number: usize) -> T {
     let v = parts.v2.max(T::ZERO).sqrt();
     parts.distance2.at(if number & 1 == 0 { v } else { -v })
-}
-
-/// Where `value` is nearest to 0, of the two places where it and `other` are lowest or highest near an angle.
-#[inline(never)]
-fn better<T: Scalar>(value: &dyn Fn(T) -> T, other: &dyn Fn(T) -> T, t: T) -> T {
-    let (own, other) = (lowest(value, t), lowest(other, t));
-    if value(own).abs() <= value(other).abs() { own } else { other }
 }
 
 /// Returns true if W is on the axis of x2, nearly to rounding.

@@ -63,10 +63,10 @@ impl<'a, T: Scalar> Posed<'a, T> {
         self.point.is_finite() && self.normal.is_finite() && self.side.is_finite()
     }
 
-    /// The equations of the module's page for one angle, of its sine and cosine. On bare metal one copy: where `f64` is computed by
-    /// routines, that is 2 kB.
-    #[cfg_attr(target_os = "none", inline(never))]
-    #[cfg_attr(not(target_os = "none"), inline(always))]
+    /// The equations of the module's page for one angle, of its sine and cosine. Out of line where size counts, see
+    /// `math::ONE_COPY`.
+    #[cfg_attr(any(target_os = "none", target_family = "wasm"), inline(never))]
+    #[cfg_attr(not(any(target_os = "none", target_family = "wasm")), inline(always))]
     pub fn parts(&self, turn: (T, T)) -> Parts<T> {
         let m = self.meet;
         let ([px, py, pz], [nx, ny, nz]) = (self.point.at(turn), self.normal.at(turn));
@@ -98,7 +98,7 @@ impl<'a, T: Scalar> Posed<'a, T> {
     ///
     /// Degree 8 in t, or the square root of it, of degree 4, for equal pairs. Not finite where W is on the axis of x2 or
     /// of x3.
-    #[inline]
+    #[inline(always)]
     pub fn product_at(&self, turn: (T, T)) -> (T, T) {
         let p = self.parts(turn);
         let squares = p.second.times(p.second, p.v2).times(p.w2, p.v2);
@@ -109,7 +109,7 @@ impl<'a, T: Scalar> Posed<'a, T> {
 
     /// The factor that clears the denominators of the product of the branches: `rho2^2 distance2(v) distance2(-v)`, or its square
     /// root for equal pairs.
-    #[inline]
+    #[inline(always)]
     pub fn cleared(&self, p: &Parts<T>) -> T {
         if self.meet.has_equal_pairs { p.rho2 * p.distance2.even } else { p.rho2 * p.rho2 * p.distance2.norm(p.v2) }
     }

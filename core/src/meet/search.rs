@@ -50,6 +50,7 @@ impl<T: Scalar> Branches<T> for Posed<'_, T> {
         held
     }
 
+    #[inline(always)]
     fn product(&self, turn: (T, T)) -> (T, T) {
         self.product_at(turn)
     }

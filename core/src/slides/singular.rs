@@ -3,7 +3,7 @@
 use core::ops::ControlFlow;
 
 use super::branch::Posed;
-use crate::branches::{Stream, bit, crossing, lowest};
+use crate::branches::{Stream, bit, crossing, nearest_to_zero};
 use crate::math::{Scalar, atan2, sin_cos, wrap};
 use crate::pair::Pair;
 
@@ -35,8 +35,7 @@ pub(super) fn parallel<T: Scalar>(
     if at_root > square(BESIDE) {
         return ControlFlow::Continue(None);
     }
-    let (crossing_at, turning_at) = (lowest(&across2, t), lowest(&|t| across2(t).sqrt(), t));
-    let t = if across2(crossing_at) <= across2(turning_at) { crossing_at } else { turning_at };
+    let t = nearest_to_zero(&across2, &|t| across2(t).sqrt(), t);
     let nearest = across2(t);
     let rounding = T::from_f64(ROUNDINGS) * T::EPSILON;
     let is_complete = nearest <= rounding * rounding && at_root <= square(ON);

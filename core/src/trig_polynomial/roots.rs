@@ -299,9 +299,10 @@ impl Curve for Arc {
     }
 }
 
-/// A vector turned back by quarter turns: (x, y), (y, -x), (-x, -y), (-y, x).
-#[cfg_attr(target_os = "none", inline(never))]
-#[cfg_attr(not(target_os = "none"), inline)]
+/// A vector turned back by quarter turns: (x, y), (y, -x), (-x, -y), (-y, x). Out of line where size counts, see
+/// `math::ONE_COPY`.
+#[cfg_attr(any(target_os = "none", target_family = "wasm"), inline(never))]
+#[cfg_attr(not(any(target_os = "none", target_family = "wasm")), inline)]
 fn turned_by_quarters((x, y): (f64, f64), quarters: usize) -> (f64, f64) {
     let (first, second) = if quarters & 1 == 0 { (x, y) } else { (y, -x) };
     if quarters & 2 == 0 { (first, second) } else { (-first, -second) }

@@ -47,19 +47,19 @@ pub(super) const CHECK_ANGLES: [SinCos; CHECKS] = [HALVES[33], HALVES[15]];
 /// Coefficient of `cos k t`: the sum over j of row j, entry k, times the even part of the samples. Rows are j.
 pub(super) const COSINES: Harmonics = transform(true);
 /// As [`COSINES`], of `sin k t` and the odd part, without j = 0 and k = 0.
-pub(super) const SINES: OddHarmonics = without_zeros(&transform(false));
+pub(super) const SINES: OddHarmonics = without_zeros(&transform(false), 1);
 
-/// A table without its first row and its first column.
-const fn without_zeros(all: &Harmonics) -> OddHarmonics {
+/// The eight rows behind the first of a table, from column `begin` on: the others are 0.
+const fn without_zeros(all: &Harmonics, begin: usize) -> OddHarmonics {
     let mut table = [[0.0; DEGREE]; DEGREE];
-    let mut j = 0;
-    while j < DEGREE {
-        let mut k = 0;
-        while k < DEGREE {
-            table[j][k] = all[j + 1][k + 1];
-            k += 1;
+    let mut row = 0;
+    while row < DEGREE {
+        let mut column = 0;
+        while column < DEGREE {
+            table[row][column] = all[row + 1][begin + column];
+            column += 1;
         }
-        j += 1;
+        row += 1;
     }
     table
 }
@@ -85,19 +85,7 @@ const fn transform(is_even: bool) -> Harmonics {
 pub(super) const EVEN: Harmonics = bernstein(true);
 /// As [`EVEN`] for `(1 + x^2)^8 sin k t`, k = 1..8, up to the middle one, which is 0; the other eight are these in reverse,
 /// negated.
-pub(super) const ODD: OddHarmonics = {
-    let (all, mut table) = (bernstein(false), [[0.0; DEGREE]; DEGREE]);
-    let mut k = 0;
-    while k < DEGREE {
-        let mut m = 0;
-        while m < DEGREE {
-            table[k][m] = all[k + 1][m];
-            m += 1;
-        }
-        k += 1;
-    }
-    table
-};
+pub(super) const ODD: OddHarmonics = without_zeros(&bernstein(false), 0);
 
 /// `(1 + x^2)^8 e^(i k t) = (1 + i x)^(8 + k) (1 - i x)^(8 - k)`: a product of 16 linear factors.
 const fn bernstein(is_even: bool) -> Harmonics {
@@ -218,6 +206,7 @@ const fn series(angle: f64) -> SinCos {
 
 #[cfg(test)]
 mod tests {
+    use super::super::roots::turned;
     use super::*;
     use crate::math::sin_cos;
     use core::f64::consts::TAU;
@@ -230,9 +219,12 @@ mod tests {
 
     #[test]
     fn angles_are_those_of_the_samples() {
-        assert!(ANGLES.iter().enumerate().all(|(j, angle)| near(*angle, TAU * j as f64 / 17.0)));
-        assert!(near(CHECK_ANGLES[0], TAU * 16.5 / 17.0) && near(CHECK_ANGLES[1], TAU * 7.5 / 17.0));
-        assert!(TURNS.iter().zip(OFFSETS).all(|(turn, offset)| near(*turn, offset)));
+        for (turn, offset) in TURNS.into_iter().zip(OFFSETS) {
+            let is_at = |angle: SinCos, wanted: f64| near(turned(angle, turn), wanted + offset);
+            assert!(ANGLES.iter().enumerate().all(|(j, angle)| is_at(*angle, TAU * j as f64 / 17.0)));
+            let [first, second] = CHECK_ANGLES;
+            assert!(is_at(first, TAU * 16.5 / 17.0) && is_at(second, TAU * 7.5 / 17.0));
+        }
         assert!((HALF_ARC - (core::f64::consts::SQRT_2 - 1.0)).abs() < 2e-16);
     }
 
