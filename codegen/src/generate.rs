@@ -146,7 +146,7 @@ fn unmet(spec: &spec::Spec, model: &Model, unsupported: &Unsupported) -> Option<
     let help = match (&unsupported.hint, unsupported.instead.first()) {
         (Some(hint), _) => hint.clone(),
         (None, Some(request)) => format!("write `{request}`"),
-        (None, None) if model.calibration.is_some() && !unsupported.reason.starts_with("the table alone") => {
+        (None, None) if model.calibration.is_some() => {
             "the table without `calibration` may have one; `denhart::numeric` solves any arm by iteration".to_owned()
         }
         (None, None) => "remove `inverse`: `denhart::numeric` solves any arm by iteration".to_owned(),

@@ -2,7 +2,7 @@
 
 use crate::error::Diagnostic;
 use crate::model::geometry::{Geometry, Relation};
-use crate::model::{JointKind, Model, Parameter, joint_sum};
+use crate::model::{Axis, JointKind, Model, Parameter, joint_sum};
 use crate::settings::{self, short};
 use crate::solve::{Choice, Goal, InversePlan, PlanTask, Unsupported, describe};
 use crate::symbolic::Cost;
@@ -133,9 +133,9 @@ fn chosen(model: &Model, asked: &PlanTask) -> Option<String> {
             if model.joints.len() == 5
                 && let Goal::PositionAxis { column } = asked.goal =>
         {
-            let axis = ["x", "y", "z"].get(column).copied().unwrap_or("z");
             Some(format!(
-                "the file names no task: `{task}` along the tool's {axis} axis, because these five joints have no `pose`"
+                "the file names no task: `{task}` along the tool's {} axis, because these five joints have no `pose`",
+                Axis::letter(column)
             ))
         }
         (None, None) if matches!(model.joints.len(), 4 | 5) => {

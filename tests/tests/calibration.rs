@@ -219,7 +219,7 @@ fn a_calibration_adds_no_task() {
     let tilted = task("calibration: {q2: {alpha: 0.01}}").unwrap_err();
     assert!(tilted.contains("`planar_pose` needs axes parallel"), "{tilted}");
     let point = task("inverse: {task: position}\ncalibration: {q2: {alpha: 0.01}}").unwrap_err();
-    assert!(point.contains("the table alone is singular everywhere"), "{point}");
+    assert!(point.contains("without `calibration` the arm is singular everywhere"), "{point}");
 }
 
 /// Along joint paths through the singularities of the table, from the joint vector of one tick `inverse_near` gives that of

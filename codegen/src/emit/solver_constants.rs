@@ -9,7 +9,7 @@ use denhart_core::meet::{Meet, Structure};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-/// The links of six joints as constants `C0` to `C6`; behind a given joint `C2_1`.
+/// The links of six joints as constants `C0` to `C6`, those whose place `is_read`; behind a given joint `C2_1`.
 pub fn chain_constants(six: &SixJoints, is_read: impl Fn(usize) -> bool, target: &Target) -> TokenStream {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
     let mut items = TokenStream::new();

@@ -3,7 +3,7 @@
 use super::tokens::{array, bound, ident, integer, number};
 use super::{Target, angle};
 use crate::lower::{Goal, Inverse};
-use crate::model::Model;
+use crate::model::{Axis, Model};
 use crate::symbolic::Input;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -61,7 +61,7 @@ pub fn task(model: &Model, program: &Inverse, target: &Target) -> TaskCode {
             unpack: quote!(let [#(#position),*] = *target;),
         },
         Goal::PositionAxis { column } => {
-            let letter = ["x", "y", "z"].get(*column).copied().unwrap_or_default();
+            let letter = Axis::letter(*column);
             let column = integer(*column);
             let unpack = frame(quote!(frame));
             TaskCode {

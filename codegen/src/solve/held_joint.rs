@@ -364,7 +364,7 @@ impl HeldJointPlan {
         };
         let addition = (self.chain.solved.len() < 6).then(|| match &self.task.goal {
             Goal::PositionAxis { column } => {
-                format!("a virtual joint turns the tool about its axis {}", axis_name(*column))
+                format!("a virtual joint turns the tool about its axis {}", Axis::letter(*column))
             }
             _ => "a virtual joint turns the tool: solutions are those where its value is 0".to_owned(),
         });
@@ -416,7 +416,7 @@ impl HeldJointPlan {
     fn axes(&self, places: [usize; 2]) -> String {
         let [a, b] = places.map(|place| self.chain.solved.get(place).map(|joint| joint + 1));
         let virtual_axis = match self.task.goal {
-            Goal::PositionAxis { column } => format!("the tool's axis {}", axis_name(column)),
+            Goal::PositionAxis { column } => format!("the tool's axis {}", Axis::letter(column)),
             _ => "the virtual axis".to_owned(),
         };
         match (a, b) {
@@ -506,11 +506,6 @@ impl SixJoints {
     pub fn given_joints(&self) -> impl Iterator<Item = &GivenJoint> {
         self.links.iter().flat_map(|link| &link.given)
     }
-}
-
-/// Letter of a tool axis.
-fn axis_name(column: usize) -> &'static str {
-    ["x", "y", "z"].get(column).copied().unwrap_or_default()
 }
 
 /// A transform as the solvers have it.

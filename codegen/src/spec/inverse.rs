@@ -43,7 +43,12 @@ impl Axis {
 
     /// The axis with a column.
     pub fn of_column(column: usize) -> Option<Self> {
-        [Axis::X, Axis::Y, Axis::Z].get(column).copied()
+        AXES.get(column).map(|(_, axis)| *axis)
+    }
+
+    /// The letter of the axis with a column.
+    pub fn letter(column: usize) -> &'static str {
+        AXES.get(column).map_or("", |(letter, _)| letter)
     }
 }
 

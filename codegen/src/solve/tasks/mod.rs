@@ -38,13 +38,9 @@ pub fn plan(model: &Model, chain: &Chain, geometry: &Geometry) -> Result<Inverse
     let Some(table) = table(model) else { return plan_of(model, chain, geometry) };
     // Requests that would do for the table, or for the measured arm alone, are none.
     let goal = goal_of_the_table(&table).map_err(|unsupported| {
-        let alone = unsupported.alone;
-        match alone.strip_prefix("the arm is singular everywhere: ") {
-            Some(why) => Unsupported::new(format!(
-                "the table alone is singular everywhere, and what `calibration` adds is too little to move by: {why}"
-            )),
-            None => Unsupported::new(alone),
-        }
+        let hint = "what a calibration adds is too little to move by: look at the table, measured or not".to_owned();
+        let reason = format!("without `calibration` {}", unsupported.alone);
+        Unsupported { hint: unsupported.hint.or(Some(hint)), ..Unsupported::new(reason) }
     })?;
     let axis = match goal {
         Goal::PositionAxis { column } => Axis::of_column(column),
