@@ -212,9 +212,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
                 is_first && other.branch.with_root(0) == own.branch.with_root(0)
             };
             let before = self.solutions.iter().enumerate().filter(comes_before).count();
-            if let Some(solution) =
-                self.solutions.as_mut_slice().get_mut(place).filter(|_| before > 0 || own.branch.root().is_some())
-            {
+            let has_number = before > 0 || own.branch.root().is_some();
+            if let Some(solution) = self.solutions.as_mut_slice().get_mut(place).filter(|_| has_number) {
                 solution.branch = own.branch.with_root_index(before);
             }
         }

@@ -12,7 +12,7 @@ use crate::random::Random;
 pub enum Kind {
     /// Three axes meet or are parallel in most of them.
     Common,
-    /// Their inverse holds a joint.
+    /// The inverse holds a joint in most of them.
     HeldJoint,
     /// The arms of both other kinds in turn, with a calibration that moves their links by 1e-8 to 1e-3.
     Measured,

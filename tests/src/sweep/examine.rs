@@ -4,6 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use denhart::effort::Effort;
 use denhart::{Chain, JointKind};
+use denhart_codegen::model::Task;
 use denhart_dynamic::{DynamicArm, DynamicError};
 use nalgebra::Matrix6xX;
 
@@ -99,9 +100,9 @@ fn of_size<const N: usize>(outcome: &mut Outcome, arm: &DynamicArm, drawn: Optio
             }
         }
     }
-    // Where the file names a task, it is the task that the joints leave open.
+    let asks_for_a_pose = arm.model().inverse.task.is_none_or(|task| task == Task::Pose);
     if N == 6
-        && arm.model().inverse.task.is_none()
+        && asks_for_a_pose
         && outcome.refused.as_ref().is_some_and(|reason| reason.contains("singular everywhere"))
     {
         // A measured arm is refused for its table.

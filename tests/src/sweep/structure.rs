@@ -62,7 +62,7 @@ const HOLDING: [(&str, usize, Draw); 12] = [
     ("six, two slide", 3, |style| sliding(style, 6, 2)),
     ("seven, one given", 3, |style| given(random(style, 7, 12), style, "pose", 1)),
     ("seven that meet the next, one given", 3, |style| {
-        let skeleton = next_to_next(style, 7);
+        let skeleton = meeting_the_next(style, 7);
         given(skeleton, style, "pose", 1)
     }),
     ("eight, two given", 3, |style| given(random(style, 8, 8), style, "pose", 2)),
@@ -71,9 +71,7 @@ const HOLDING: [(&str, usize, Draw); 12] = [
         Skeleton { inverse: Some(format!("{{task: position_axis, axis: {axis}}}")), ..random(style, 5, 6) }
     }),
     ("six to a point and an axis, one given", 1, |style| {
-        let skeleton = random(style, 6, 8);
-        let joint = style.random.below(6) + 1;
-        Skeleton { inverse: Some(format!("{{task: position_axis, axis: z, redundant: q{joint}}}")), ..skeleton }
+        given(random(style, 6, 8), style, "position_axis, axis: z", 1)
     }),
     ("five to a pose", 2, |style| random(style, 5, 6)),
     ("three of any kind to a point", 2, |style| asked_for(random(style, 3, 2), "position")),
@@ -154,7 +152,7 @@ fn meeting_and_parallel(style: &mut Style) -> Skeleton {
 }
 
 /// Joints that turn; most axes meet the next one.
-fn next_to_next(style: &mut Style, joints: usize) -> Skeleton {
+fn meeting_the_next(style: &mut Style, joints: usize) -> Skeleton {
     let mut skeleton = random(style, joints, usize::MAX);
     for link in &mut skeleton.links[1..joints] {
         if style.random.below(4) != 0 {
