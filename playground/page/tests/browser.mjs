@@ -970,11 +970,14 @@ const tests = {
   async "an import that ends late takes nothing's place, and no stale text is copied"(browser) {
     const page = await open(browser);
     const puma = readFileSync(join(root, "specs/puma560.yaml"), "utf8");
-    await drop(page, "late.urdf", readFileSync(join(root, "cli/tests/urdf/kuka_kr6_r700.urdf"), "utf8"));
-    const waiting = await page.evaluate(async (text) => {
+    // Both in one script: however busy the machine is, the import has not ended when the text is set.
+    const waiting = await page.evaluate(async ([urdf, text]) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([urdf], "late.urdf"));
+      document.getElementById("view").dispatchEvent(new DragEvent("drop", { bubbles: true, cancelable: true, dataTransfer }));
       await window.denhart.app.setText(text);
       return [document.getElementById("copy").disabled, document.getElementById("save").disabled];
-    }, puma);
+    }, [readFileSync(join(root, "cli/tests/urdf/kuka_kr6_r700.urdf"), "utf8"), puma]);
     assert.deepEqual(waiting, [true, true]);
     await page.waitForSelector(".notice:has-text('late.urdf is not taken')");
     assert.equal((await state(page)).name, "puma560");
