@@ -10,6 +10,7 @@ mod tables;
 pub use local::Local;
 pub use roots::{MOST_NODES, MOST_ROOTS, Root, Roots};
 
+use crate::math::ONE_COPY;
 use tables::{ANGLES, CHECK_ANGLES, COSINES, OFFSETS, SINES, TURNS};
 
 /// The highest harmonic.
@@ -127,7 +128,16 @@ impl Fit {
     /// The real roots. Those are doubtful that [`Fit::rounding`] may move by more than 1e-7 rad.
     #[inline]
     pub fn roots(&self) -> Roots {
-        roots::roots(&self.polynomial, self.rounding())
+        let mut roots = Roots::default();
+        self.find_roots(&mut roots);
+        roots
+    }
+
+    /// As [`Fit::roots`], into a list.
+    #[inline]
+    pub fn find_roots(&self, roots: &mut Roots) {
+        roots.clear(self.rounding());
+        roots::find(&self.polynomial, roots);
     }
 }
 
@@ -140,10 +150,22 @@ impl TrigPolynomial {
     fn through(samples: &[f64; SAMPLES], (offset, offset_sin_cos): (f64, (f64, f64))) -> Self {
         let [first, others @ ..] = samples;
         let [mut cosines, mut sines] = [[0.0; DEGREE + 1]; 2];
-        let row = COSINES[0].map(|weight| weight * first);
-        cosines.copy_from_slice(&row);
         // Samples at opposite angles: their sum belongs to the cosines, their difference to the sines.
         let pairs = others.iter().zip(others.iter().rev()).take(DEGREE);
+        if ONE_COPY {
+            // Without the tables, which take 1 kB.
+            let pairs = core::iter::once((first * 0.5, first * 0.5)).chain(pairs.map(|(x, y)| (*x, *y)));
+            for (j, (x, y)) in pairs.enumerate() {
+                for (k, (a, b)) in cosines.iter_mut().zip(&mut sines).enumerate() {
+                    let (even, odd) = tables::weights(j, k);
+                    *a += even * (x + y);
+                    *b += odd * (x - y);
+                }
+            }
+            return Self { cosines, sines, offset, offset_sin_cos };
+        }
+        let row = COSINES[0].map(|weight| weight * first);
+        cosines.copy_from_slice(&row);
         for ((x, y), (even, odd)) in pairs.zip(COSINES.iter().skip(1).zip(&SINES)) {
             let (sum, difference) = (x + y, x - y);
             cosines.iter_mut().zip(even).for_each(|(a, weight)| *a += weight * sum);

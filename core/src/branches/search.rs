@@ -24,10 +24,10 @@ const BESIDE: f64 = 1e-4;
 impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
     /// All candidates.
     pub fn search(&mut self) -> Outcome {
-        let roots = self.roots();
-        let Some(roots) = &roots else {
+        let mut roots = Roots::default();
+        if !self.find_roots(&mut roots) {
             return Outcome { is_complete: self.families().is_continue() };
-        };
+        }
         let flow = roots.as_slice().iter().try_for_each(|root| {
             self.at(root)?;
             self.root = self.root.saturating_add(1);
@@ -36,10 +36,19 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
         Outcome { is_complete: roots.is_complete && flow.is_continue() }
     }
 
-    /// The roots of the polynomial; `None` if it is zero everywhere. Out of line: its samples are on the stack for as long as it
-    /// takes.
+    /// Lists the roots of the polynomial; false if it is zero everywhere. Out of line, as its parts are: samples and pieces are on
+    /// the stack for as long as they take.
     #[inline(never)]
-    fn roots(&self) -> Option<Roots> {
+    fn find_roots(&self, roots: &mut Roots) -> bool {
+        let fit = self.fit();
+        if let Some(fit) = &fit {
+            fit.find_roots(roots);
+        }
+        fit.is_some()
+    }
+
+    #[inline(never)]
+    fn fit(&self) -> Option<Fit> {
         let (mut size, mut samples) = (0.0, 0.0);
         let fit = Fit::sampled(|turn| {
             let (value, scale) = self.branches.product(turn);
@@ -48,7 +57,7 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
             value
         });
         // Not a number counts as zero: the closed form is singular at every angle then.
-        (fit.greatest > FREE * size / samples).then(|| fit.roots())
+        (fit.greatest > FREE * size / samples).then_some(fit)
     }
 
     /// All branches that close at a root.

@@ -15,7 +15,7 @@
 
 /// True where size counts more than a call: on bare metal, where most processors compute `f64` by routines, and in a module for
 /// browsers. Each equation that long ones are made of has one copy there; elsewhere it is inlined.
-const ONE_COPY: bool = cfg!(any(target_os = "none", target_family = "wasm"));
+pub(crate) const ONE_COPY: bool = cfg!(any(target_os = "none", target_family = "wasm"));
 
 mod double;
 #[cfg(feature = "batch")]

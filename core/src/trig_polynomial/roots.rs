@@ -58,12 +58,30 @@ pub struct Roots {
     pub is_complete: bool,
 }
 
+impl Default for Roots {
+    fn default() -> Self {
+        Self::none(0.0)
+    }
+}
+
 impl Roots {
+    /// All bits zero: making a list is a single fill of memory.
+    const ZERO: Self = {
+        let (angle, sin_cos, slope, spread) = (0.0, (0.0, 0.0), 0.0, 0.0);
+        let none = Root { angle, sin_cos, slope, is_double: false, spread, is_doubtful: false };
+        Self { list: [none; MOST_ROOTS], len: 0, rounding: 0.0, nodes: 0, is_complete: false }
+    };
+
     /// No root yet, of a polynomial whose values are `rounding` off.
+    #[inline]
     pub(super) const fn none(rounding: f64) -> Self {
-        const NONE: Root =
-            Root { angle: 0.0, sin_cos: (0.0, 1.0), slope: 0.0, is_double: false, spread: 0.0, is_doubtful: false };
-        Self { list: [NONE; MOST_ROOTS], len: 0, rounding, nodes: 0, is_complete: true }
+        let mut roots = Self::ZERO;
+        (roots.rounding, roots.is_complete) = (rounding, true);
+        roots
+    }
+
+    pub(super) fn clear(&mut self, rounding: f64) {
+        (self.len, self.rounding, self.nodes, self.is_complete) = (0, rounding, 0, true);
     }
 
     /// The roots that were found.
@@ -119,7 +137,7 @@ struct Arc {
     cosines: [f64; DEGREE + 1],
     sines: [f64; DEGREE + 1],
     offset_sin_cos: (f64, f64),
-    /// See [`roots`].
+    /// See [`find`].
     rounding: f64,
 }
 
@@ -131,16 +149,15 @@ pub(super) trait Curve {
     fn root(&self, x: f64, spread: Option<f64>) -> Root;
 }
 
-/// The roots of a polynomial. Coefficients up to `rounding` have no sign. A root is doubtful if values that are so far
-/// off move it by more than 1e-7 rad.
-pub(super) fn roots(polynomial: &TrigPolynomial, rounding: f64) -> Roots {
-    let mut out = Roots::none(rounding);
+/// Lists the roots of a polynomial. Coefficients up to the `rounding` of the list have no sign. A root is doubtful if values that
+/// are so far off move it by more than 1e-7 rad. Out of line: the pieces are on the stack for as long as it takes.
+#[inline(never)]
+pub(super) fn find(polynomial: &TrigPolynomial, out: &mut Roots) {
     for quarters in 0..4 {
-        let arc = Arc::of(polynomial, quarters, rounding);
+        let arc = Arc::of(polynomial, quarters, out.rounding);
         let piece = Piece { b: arc.bernstein(), low: -HALF_ARC, width: 2.0 * HALF_ARC, depth: 0 };
-        isolate(&arc, piece, Range { half: HALF_ARC, near: NEAR }, &mut out);
+        isolate(&arc, piece, Range { half: HALF_ARC, near: NEAR }, out);
     }
-    out
 }
 
 /// The range that is searched.

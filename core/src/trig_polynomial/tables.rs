@@ -49,6 +49,19 @@ pub(super) const COSINES: Harmonics = transform(true);
 /// As [`COSINES`], of `sin k t` and the odd part, without j = 0 and k = 0.
 pub(super) const SINES: OddHarmonics = without_zeros(&transform(false), 1);
 
+/// The weights of samples j and -j in the coefficients of `cos k t` and `sin k t`: what [`COSINES`] and [`SINES`] have.
+#[inline(always)]
+pub(super) fn weights(j: usize, k: usize) -> (f64, f64) {
+    let (sin, cos) = ANGLES.get(j * k % SAMPLES).copied().unwrap_or_default();
+    (weight(k) * cos, weight(k) * sin)
+}
+
+/// What the sum over all samples is multiplied by to give coefficient k.
+const fn weight(k: usize) -> f64 {
+    let times = if k == 0 { 1.0 } else { 2.0 };
+    times / SAMPLES as f64
+}
+
 /// The eight rows behind the first of a table, from column `begin` on: the others are 0.
 const fn without_zeros(all: &Harmonics, begin: usize) -> OddHarmonics {
     let mut table = [[0.0; DEGREE]; DEGREE];
@@ -68,11 +81,10 @@ const fn transform(is_even: bool) -> Harmonics {
     let mut table = [[0.0; DEGREE + 1]; DEGREE + 1];
     let mut k = 0;
     while k <= DEGREE {
-        let weight = if k == 0 { 1.0 } else { 2.0 } / SAMPLES as f64;
         let mut j = 0;
         while j <= DEGREE {
             let (sin, cos) = HALVES[2 * ((j * k) % SAMPLES)];
-            table[j][k] = weight * if is_even { cos } else { sin };
+            table[j][k] = weight(k) * if is_even { cos } else { sin };
             j += 1;
         }
         k += 1;
@@ -226,6 +238,14 @@ mod tests {
             assert!(is_at(first, TAU * 16.5 / 17.0) && is_at(second, TAU * 7.5 / 17.0));
         }
         assert!((HALF_ARC - (core::f64::consts::SQRT_2 - 1.0)).abs() < 2e-16);
+    }
+
+    #[test]
+    fn weights_are_those_of_the_tables() {
+        for j in 1..=DEGREE {
+            assert_eq!(weights(j, 0), (COSINES[j][0], 0.0));
+            assert!((1..=DEGREE).all(|k| weights(j, k) == (COSINES[j][k], SINES[j - 1][k - 1])));
+        }
     }
 
     /// Bernstein coefficients from samples give back a power.

@@ -240,7 +240,9 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         None
     }
 
-    /// Returns true if the target leaves a combination of the joints undetermined at `q`.
+    /// Returns true if the target leaves a combination of the joints undetermined at `q`. Out of line: the Jacobian is on the
+    /// stack for as long as it takes.
+    #[inline(never)]
     fn is_singular(&mut self, q: &[T; N]) -> bool {
         if self.evaluations_left <= RESERVED {
             return false;
