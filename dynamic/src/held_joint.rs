@@ -41,7 +41,8 @@ impl<const N: usize, const M: usize, const STARTS: bool> HeldJointSolver<N, M, S
     }
 
     fn solutions(&self, asked: &Asked) -> Solutions<f64, N, M> {
-        let mut solutions = Solutions::new(Status::BadTarget);
+        let mut solutions = Solutions::default();
+        solutions.reset_near(Status::BadTarget, asked.keeps_place);
         // The arm has compared the tasks.
         match (asked.target, &self.plan.task.goal) {
             (DynamicTarget::Pose(target), _) => {

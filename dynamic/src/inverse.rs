@@ -92,7 +92,8 @@ impl DynamicArm {
         solutions: &mut DynamicSolutions,
     ) -> Result<(), DynamicError> {
         let given = &self.beside(given)?;
-        self.solver(target)?.solve(&Asked { target, given, near: None, branch: None, trace: None }, solutions);
+        self.solver(target)?
+            .solve(&Asked { target, given, near: None, branch: None, keeps_place: true, trace: None }, solutions);
         Ok(())
     }
 
@@ -120,7 +121,10 @@ impl DynamicArm {
         self.counted(q_ref)?;
         let solver = self.solver(target)?;
         let given = &self.held(q_ref)?;
-        solver.solve(&Asked { target, given, near: Some(q_ref), branch: None, trace: None }, solutions);
+        solver.solve(
+            &Asked { target, given, near: Some(q_ref), branch: None, keeps_place: true, trace: None },
+            solutions,
+        );
         Ok(())
     }
 
@@ -138,13 +142,17 @@ impl DynamicArm {
     ) -> Result<(), DynamicError> {
         self.counted(q_ref)?;
         let given = &self.beside(given)?;
-        self.solver(target)?.solve(&Asked { target, given, near: Some(q_ref), branch: None, trace: None }, solutions);
+        self.solver(target)?.solve(
+            &Asked { target, given, near: Some(q_ref), branch: None, keeps_place: true, trace: None },
+            solutions,
+        );
         Ok(())
     }
 
     /// Like [`inverse_given_near_into`](Self::inverse_given_near_into), without computing the branches that differ from
     /// `branch`. Components unset in it match any. The other solution of a spherical wrist, which comes from the first, is
-    /// listed too. An arm whose inverse holds a joint lists every branch.
+    /// listed too. An arm whose inverse holds a joint lists every branch. `keeps_place`: of a family of solutions the member at
+    /// `q_ref` is looked for, as in every list next to a reference; false: any member will do.
     ///
     /// # Errors
     /// As of [`inverse_given_near_into`](Self::inverse_given_near_into).
@@ -154,12 +162,14 @@ impl DynamicArm {
         given: &[f64],
         branch: Branch,
         q_ref: &[f64],
+        keeps_place: bool,
         solutions: &mut DynamicSolutions,
     ) -> Result<(), DynamicError> {
         self.counted(q_ref)?;
         let given = &self.beside(given)?;
         let branch = self.inverse_program()?.follows_single_branches().then_some(branch);
-        self.solver(target)?.solve(&Asked { target, given, near: Some(q_ref), branch, trace: None }, solutions);
+        self.solver(target)?
+            .solve(&Asked { target, given, near: Some(q_ref), branch, keeps_place, trace: None }, solutions);
         Ok(())
     }
 
@@ -177,7 +187,14 @@ impl DynamicArm {
             return Err(DynamicError::NoBranches);
         }
         let given = &self.beside(given)?;
-        Ok(self.solver(target)?.one(&Asked { target, given, near: None, branch: Some(branch), trace: None }))
+        Ok(self.solver(target)?.one(&Asked {
+            target,
+            given,
+            near: None,
+            branch: Some(branch),
+            keeps_place: true,
+            trace: None,
+        }))
     }
 
     /// The values as the solver takes them.

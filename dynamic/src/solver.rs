@@ -30,6 +30,8 @@ pub struct Asked<'a> {
     pub near: Option<&'a [f64]>,
     /// The branch; none for all of them.
     pub branch: Option<Branch>,
+    /// True if of a family of solutions the member at the reference is wanted.
+    pub keeps_place: bool,
     /// Notes where branches end.
     pub trace: Option<&'a RefCell<Trace>>,
 }
@@ -148,7 +150,8 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
     }
 
     fn solutions(&self, asked: &Asked) -> Solutions<f64, N, M> {
-        let mut solutions = Solutions::new(Status::BadTarget);
+        let mut solutions = Solutions::default();
+        solutions.reset_near(Status::BadTarget, asked.keeps_place);
         match (&self.nest.program.goal, asked.target) {
             (lower::Goal::Pose, DynamicTarget::Pose(target)) => {
                 let mut nearest = None;

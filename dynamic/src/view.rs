@@ -334,10 +334,13 @@ impl<const N: usize> InverseKinematics<f64, N> for DynamicView<'_, N> {
         target: &WholeTarget,
         branch: Branch,
         q_ref: &[f64; N],
+        keeps_place: bool,
         solutions: &mut ViewSolutions<N>,
     ) {
         let WholeTarget { target, given, .. } = target;
-        solutions.fill(|found| self.arm.inverse_branch_near_into(target, given, branch, self.own(q_ref), found));
+        solutions.fill(|found| {
+            self.arm.inverse_branch_near_into(target, given, branch, self.own(q_ref), keeps_place, found)
+        });
     }
 
     fn factors(&self, q: &[f64; N], factors: &mut [f64]) -> usize {
@@ -530,9 +533,11 @@ mod tests {
             generated.inverse_given_near_into(&whole(&target), &near, &mut lists.1);
             same(lists.0.as_ref(), lists.1.as_ref());
             let branch = lists.1.as_ref().first().map_or(Branch::NONE, |solution| solution.branch);
-            view.inverse_branch_near_into(&target, branch, &near, &mut lists.0);
-            generated.inverse_branch_near_into(&whole(&target), branch, &near, &mut lists.1);
-            same(lists.0.as_ref(), lists.1.as_ref());
+            for keeps_place in [true, false] {
+                view.inverse_branch_near_into(&target, branch, &near, keeps_place, &mut lists.0);
+                generated.inverse_branch_near_into(&whole(&target), branch, &near, keeps_place, &mut lists.1);
+                same(lists.0.as_ref(), lists.1.as_ref());
+            }
         }
         assert!(view.factors(&[0.3; N], &mut [0.0; 4]) > 0);
     }

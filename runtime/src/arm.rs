@@ -284,7 +284,7 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
     /// Like [`inverse_near_into`](Self::inverse_near_into), but values that come with the target, of redundant joints or of
     /// the arm angle, are the target's and not those of `q_ref`.
     fn inverse_given_near_into(&self, target: &Self::Target, q_ref: &[T; N], solutions: &mut Self::Solutions) {
-        self.inverse_branch_near_into(target, Branch::NONE, q_ref, solutions);
+        self.inverse_branch_near_into(target, Branch::NONE, q_ref, true, solutions);
     }
 
     /// Like [`inverse_given_near_into`](Self::inverse_given_near_into), without computing the branches that differ from
@@ -294,15 +294,19 @@ pub trait InverseKinematics<T, const N: usize>: Arm<T, N> {
     /// Beside a singularity a solution may go by another name than in the whole list: where the branch has none that is of
     /// use, ask for all.
     ///
+    /// `keeps_place`: as in every list next to a reference, of a family of solutions the member at `q_ref` is looked for. False
+    /// where `q_ref` is no solution of a target nearby: any member will do, which saves up to 17 evaluations.
+    ///
     /// The default is for an arm whose target comes without values.
     fn inverse_branch_near_into(
         &self,
         target: &Self::Target,
         branch: Branch,
         q_ref: &[T; N],
+        keeps_place: bool,
         solutions: &mut Self::Solutions,
     ) {
-        let _ = branch;
+        let _ = (branch, keeps_place);
         self.inverse_near_into(target, q_ref, solutions);
     }
 

@@ -138,10 +138,11 @@ macro_rules! delegate_branch_near {
             target: &Self::Target,
             branch: $crate::Branch,
             q_ref: &[$scalar; $n],
+            keeps_place: bool,
             solutions: &mut Self::Solutions,
         ) {
             $(let (target, $given) = (&target.0, target.1);)?
-            solutions.reset($crate::Status::BadTarget);
+            solutions.reset_near($crate::Status::BadTarget, keeps_place);
             $branches(self, target, $($values,)? ::core::option::Option::Some(q_ref), branch, solutions);
         }
     };

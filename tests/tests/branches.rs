@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use denhart::effort::effort_of;
 use denhart::{Branch, Elbow, Flags, InverseBranch, InverseKinematics, Pose, Shoulder, Solution, Status, Wrist};
 use denhart_tests::arms::*;
 use denhart_tests::poses::Space;
@@ -85,7 +86,7 @@ where
             wide = branch.shoulder().map_or(wide, |side| wide.with_shoulder(side));
             wide = branch.elbow().map_or(wide, |side| wide.with_elbow(side));
             for asked in [*branch, wide] {
-                arm.inverse_branch_near_into(&target, asked, &near, &mut some);
+                arm.inverse_branch_near_into(&target, asked, &near, true, &mut some);
                 let agrees = |s: &&Solution<f64, 6>| {
                     let wrist = asked.wrist().is_none_or(|wrist| Some(wrist) == s.branch.wrist());
                     (s.branch.shoulder(), s.branch.elbow()) == (branch.shoulder(), branch.elbow())
@@ -129,6 +130,29 @@ fn one_branch_is_the_same_as_among_all() {
 #[test]
 fn a_branch_next_to_a_reference_is_the_part_of_the_list_that_agrees() {
     for_each_kind!(the_part_that_agrees);
+}
+
+/// Beside a straight wrist joints 4 and 6 turn against each other, and miss the target by little: a family of solutions. The
+/// member at the reference is in the list that keeps its place; the other list takes no evaluation to find it.
+#[test]
+fn a_list_keeps_the_place_of_its_reference_if_asked() {
+    let straight = [0.3, -0.6, 0.4, 0.5, 1e-6, 0.2];
+    let turned = 2e-9;
+    let near = [0.3, -0.6, 0.4, 0.5 + turned, 1e-6, 0.2 - turned];
+    let target = AbbIrb2400.forward(&straight);
+    let mut found = AbbIrb2400.inverse(&target);
+    let mut effort = |keeps_place| {
+        let call = || AbbIrb2400.inverse_branch_near_into(&target, Branch::NONE, &near, keeps_place, &mut found);
+        let ((), effort) = effort_of(call);
+        let nearest = found.first().copied().expect("a solution");
+        assert!(nearest.is_exact() && (nearest.q[3] - 0.5).abs() < 1e-7, "{nearest}");
+        (effort.evaluations, (nearest.q[3] - near[3]).abs())
+    };
+    let ((kept, at_reference), (any, beside)) = (effort(true), effort(false));
+    assert!(at_reference < 1e-12, "{at_reference}");
+    assert!(beside > 1e-9 && any < kept, "{beside}, {any} of {kept} evaluations");
+    let as_always = AbbIrb2400.inverse_near(&target, &near);
+    assert!(as_always.first().is_some_and(|nearest| (nearest.q[3] - near[3]).abs() == at_reference));
 }
 
 #[test]

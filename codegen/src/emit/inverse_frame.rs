@@ -560,10 +560,11 @@ fn following(
                 target: &Self::Target,
                 _branch: #krate::Branch,
                 q_ref: &[#scalar; #n],
+                keeps_place: bool,
                 solutions: &mut Self::Solutions,
             ) {
                 #unpack
-                solutions.reset(#krate::Status::BadTarget);
+                solutions.reset_near(#krate::Status::BadTarget, keeps_place);
                 #function(self, target, #wrapped, ::core::option::Option::Some(q_ref), solutions);
             }
         }),

@@ -35,7 +35,7 @@ impl Aspect {
         found: &mut A::Solutions,
     ) -> Self {
         let target = arm.target_at(q);
-        arm.inverse_branch_near_into(&target, Branch::NONE, q, found);
+        arm.inverse_branch_near_into(&target, Branch::NONE, q, true, found);
         let solutions = found.as_ref();
         let nearest = solutions.iter().find(|solution| solution.is_exact()).or(solutions.first());
         let signs = Signs::at(arm, q, Some(&target));

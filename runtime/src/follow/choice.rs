@@ -43,6 +43,12 @@ impl<T: Scalar, const N: usize> Choice<T, N> {
     /// No candidate.
     pub(super) const NONE: Self = Self { own: None, other: None };
 
+    /// Returns true if a solution that is so many ticks away is nearer than one that is known, or one is not known.
+    pub(super) fn takes(&self, ticks: T) -> bool {
+        let is_nearer = |known: &Option<Candidate<T, N>>| known.as_ref().is_none_or(|known| ticks < known.ticks);
+        is_nearer(&self.own) || is_nearer(&self.other)
+    }
+
     /// Notes a solution at joint values that are so many ticks away.
     pub(super) fn note(&mut self, solution: &Solution<T, N>, q: &[T; N], ticks: T, own: bool) {
         let place = if own { &mut self.own } else { &mut self.other };

@@ -106,6 +106,13 @@ impl<T: Scalar, const N: usize> Weights<T, N> {
         &self.units
     }
 
+    /// The largest entry of a twist, relative to reach and in rad.
+    pub(super) fn largest(&self, [x, y, z, turns @ ..]: [T; 6]) -> T {
+        let [length, ..] = self.rows;
+        let strokes = [x, y, z].iter().fold(T::ZERO, |most, entry| most.max(entry.abs()));
+        turns.iter().fold(strokes * length, |most, entry| most.max(entry.abs()))
+    }
+
     fn twist(&self, mut twist: [T; 6]) -> [T; 6] {
         for (entry, weight) in twist.iter_mut().zip(self.rows) {
             *entry *= weight;

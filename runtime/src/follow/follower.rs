@@ -231,6 +231,13 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         self.left == Some([T::ZERO; 6])
     }
 
+    /// Returns true if the last tick left no more than a solution may miss by: 1e-12 in `f64`, 2e-5 in `f32`, relative to reach
+    /// and in rad. An arm that is farther off has no place in a family of solutions to keep.
+    fn is_on_target(&self) -> bool {
+        let exact = if T::EPSILON < T::from_f64(1e-10) { T::from_f64(1e-12) } else { T::from_f64(2e-5) };
+        self.left.is_some_and(|left| self.weights.largest(left) <= exact)
+    }
+
     /// Where the joints would be if they went on as they go. Of a family of solutions the accelerations reach the member that is
     /// nearest to it, and not the one at which a free joint stands still.
     fn expected(&self) -> [T; N] {
@@ -275,7 +282,7 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         if A::TAKES_VALUES && self.held {
             arm.inverse_near_into(target, from, found);
         } else {
-            arm.inverse_branch_near_into(target, sought.branch(), from, found);
+            arm.inverse_branch_near_into(target, sought.branch(), from, self.is_on_target(), found);
         }
         match (self.exact(arm, target, found.as_ref(), interval), sought) {
             (Some((solution, signs)), _) => Seen::Reached(solution, signs),
@@ -402,21 +409,29 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
     ) -> Choice<T, N> {
         let followed = self.wanted.branch;
         let mut choice = Choice::NONE;
-        for by_name in [true, false] {
+        let has_name = self.sent.is_none() && followed != Branch::NONE;
+        for by_name in [true, false].into_iter().skip(usize::from(!has_name)) {
             choice = Choice::NONE;
             for solution in solutions.iter().filter(|solution| solution.is_exact()) {
                 let asked = match self.sent {
                     Some(sent) => sent.agrees_with(solution.branch),
                     None => !by_name || solution.branch.with_root(0) == followed,
                 };
+                let allowed = self.crossing.allows(self.wanted.branch, solution.branch);
+                let may_be_other = self.sent.is_none() && solution.is_within_limits() && (allowed || self.has_waited());
+                if !asked && !may_be_other {
+                    continue;
+                }
+                let q = self.on_the_turn_of_the_goal(arm, &solution.q);
+                let ticks = self.bounds.ticks(&self.way(&q));
+                if !choice.takes(ticks) {
+                    continue;
+                }
                 let signs = || Signs::at(arm, &solution.q, Some(target));
                 let own = asked && (self.sent.is_some() || !signs().differ(self.wanted.signs));
                 // An arm that is beyond a singularity against its settings may stay there rather than wait for ever.
-                let is_here = || self.has_waited() && !signs().differ(self.here.signs);
-                let allowed = || self.crossing.allows(self.wanted.branch, solution.branch) || is_here();
-                if own || (self.sent.is_none() && solution.is_within_limits() && allowed()) {
-                    let q = self.on_the_turn_of_the_goal(arm, &solution.q);
-                    choice.note(solution, &q, self.bounds.ticks(&self.way(&q)), own);
+                if own || may_be_other && (allowed || !signs().differ(self.here.signs)) {
+                    choice.note(solution, &q, ticks, own);
                 }
             }
             if choice.own.is_some() {

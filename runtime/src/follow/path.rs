@@ -170,7 +170,7 @@ impl<T: Scalar, const N: usize> PathFollower<T, N> {
         if A::TAKES_VALUES && self.settings.held {
             arm.inverse_near_into(target, &self.q, found);
         } else {
-            arm.inverse_branch_near_into(target, Branch::NONE, &self.q, found);
+            arm.inverse_branch_near_into(target, Branch::NONE, &self.q, true, found);
         }
     }
 

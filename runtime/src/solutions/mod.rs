@@ -16,6 +16,8 @@ mod sort;
 const AWKWARD: u8 = 1;
 /// A bound was reached before every place was looked at.
 const INCOMPLETE: u8 = 2;
+/// Of a family of solutions any member will do, not the one at the reference alone.
+const ANY_PLACE: u8 = 4;
 
 /// The solutions of one call, at most `M`, of an arm with `N` joints, and the status of the call.
 ///
@@ -27,7 +29,7 @@ pub struct Solutions<T, const N: usize, const M: usize> {
     items: [Solution<T, N>; M],
     len: usize,
     status: Status<T>,
-    /// Bits: [`AWKWARD`], [`INCOMPLETE`].
+    /// Bits: [`AWKWARD`], [`INCOMPLETE`], [`ANY_PLACE`].
     notes: u8,
     deviation: T,
 }
@@ -51,6 +53,16 @@ impl<T: Scalar, const N: usize, const M: usize> Solutions<T, N, M> {
     #[inline]
     pub const fn reset(&mut self, status: Status<T>) {
         (self.len, self.status, self.notes, self.deviation) = (0, status, 0, T::ZERO);
+    }
+
+    /// Like [`reset`](Self::reset), for a list next to a reference. `keeps_place`: of a family of solutions the member at the
+    /// reference is wanted; false: any member will do.
+    #[inline]
+    pub const fn reset_near(&mut self, status: Status<T>, keeps_place: bool) {
+        self.reset(status);
+        if !keeps_place {
+            self.notes = ANY_PLACE;
+        }
     }
 
     /// The residual of every solution, in order, from the arm's own `forward`.
@@ -104,6 +116,12 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
     #[inline]
     pub(crate) const fn is_awkward(&self) -> bool {
         self.notes & AWKWARD != 0
+    }
+
+    /// Returns true if of a family of solutions the member at the reference is wanted.
+    #[inline]
+    pub(crate) const fn keeps_place(&self) -> bool {
+        self.notes & ANY_PLACE == 0
     }
 
     /// Notes that a branch needs more than the closed form.

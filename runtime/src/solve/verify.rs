@@ -158,7 +158,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
     /// kept.
     #[inline(never)]
     pub(super) fn next_to(&mut self, near: &[T; N]) {
-        if self.solutions.is_awkward() {
+        if self.solutions.is_awkward() && self.solutions.keeps_place() {
             self.hold(near, T::DOUBTFUL);
         }
         self.unwind(near);
