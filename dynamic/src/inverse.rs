@@ -151,8 +151,8 @@ impl DynamicArm {
 
     /// Like [`inverse_given_near_into`](Self::inverse_given_near_into), without computing the branches that differ from
     /// `branch`. Components unset in it match any. The other solution of a spherical wrist, which comes from the first, is
-    /// listed too. An arm whose inverse holds a joint lists every branch. `keeps_place`: of a family of solutions the member at
-    /// `q_ref` is looked for, as in every list next to a reference; false: any member will do.
+    /// listed too. An arm whose inverse holds a joint lists every branch. `keeps_place`: see
+    /// [`InverseKinematics::inverse_branch_near_into`](denhart::InverseKinematics::inverse_branch_near_into).
     ///
     /// # Errors
     /// As of [`inverse_given_near_into`](Self::inverse_given_near_into).

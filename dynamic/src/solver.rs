@@ -30,7 +30,7 @@ pub struct Asked<'a> {
     pub near: Option<&'a [f64]>,
     /// The branch; none for all of them.
     pub branch: Option<Branch>,
-    /// True if of a family of solutions the member at the reference is wanted.
+    /// True if the member of a family of solutions to which the reference leads is wanted, however far.
     pub keeps_place: bool,
     /// Notes where branches end.
     pub trace: Option<&'a RefCell<Trace>>,

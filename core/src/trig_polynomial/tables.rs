@@ -56,7 +56,7 @@ pub(super) fn weights(j: usize, k: usize) -> (f64, f64) {
     (weight(k) * cos, weight(k) * sin)
 }
 
-/// What the sum over all samples is multiplied by to give coefficient k.
+/// The factor of the sum over all samples in coefficient k.
 const fn weight(k: usize) -> f64 {
     let times = if k == 0 { 1.0 } else { 2.0 };
     times / SAMPLES as f64

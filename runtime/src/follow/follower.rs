@@ -231,11 +231,11 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         self.left == Some([T::ZERO; 6])
     }
 
-    /// Returns true if the last tick left no more than a solution may miss by: 1e-12 in `f64`, 2e-5 in `f32`, relative to reach
-    /// and in rad. An arm that is farther off has no place in a family of solutions to keep.
+    /// Returns true if the arm may be at a solution: the last tick left no more than one may miss by, 1e-12 in `f64` and 2e-5 in
+    /// `f32`, relative to reach and in rad, or it had no target.
     fn is_on_target(&self) -> bool {
         let exact = if T::EPSILON < T::from_f64(1e-10) { T::from_f64(1e-12) } else { T::from_f64(2e-5) };
-        self.left.is_some_and(|left| self.weights.largest(left) <= exact)
+        self.left.is_none_or(|left| self.weights.largest(left) <= exact)
     }
 
     /// Where the joints would be if they went on as they go. Of a family of solutions the accelerations reach the member that is

@@ -16,7 +16,7 @@ mod sort;
 const AWKWARD: u8 = 1;
 /// A bound was reached before every place was looked at.
 const INCOMPLETE: u8 = 2;
-/// Of a family of solutions any member will do, not the one at the reference alone.
+/// The member of a family of solutions to which the reference leads is wanted only if it is much nearer than those listed.
 const ANY_PLACE: u8 = 4;
 
 /// The solutions of one call, at most `M`, of an arm with `N` joints, and the status of the call.
@@ -55,8 +55,8 @@ impl<T: Scalar, const N: usize, const M: usize> Solutions<T, N, M> {
         (self.len, self.status, self.notes, self.deviation) = (0, status, 0, T::ZERO);
     }
 
-    /// Like [`reset`](Self::reset), for a list next to a reference. `keeps_place`: of a family of solutions the member at the
-    /// reference is wanted; false: any member will do.
+    /// Like [`reset`](Self::reset), for generated code whose list is next to a reference. `keeps_place`, until the next reset: see
+    /// [`inverse_branch_near_into`](crate::InverseKinematics::inverse_branch_near_into).
     #[inline]
     pub const fn reset_near(&mut self, status: Status<T>, keeps_place: bool) {
         self.reset(status);
@@ -118,7 +118,7 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
         self.notes & AWKWARD != 0
     }
 
-    /// Returns true if of a family of solutions the member at the reference is wanted.
+    /// Returns true if the member of a family of solutions to which the reference leads is wanted, however far.
     #[inline]
     pub(crate) const fn keeps_place(&self) -> bool {
         self.notes & ANY_PLACE == 0

@@ -70,6 +70,16 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
         }
     }
 
+    /// The squared length of the first step from here; infinite if by its linear model it leaves more than a tenth of the error.
+    pub(super) fn first_step(&self, held: JointMask) -> T {
+        if self.is_rounding() {
+            return T::ZERO;
+        }
+        let damping = self.size + T::EPSILON * T::EPSILON * T::from_f64(16.0);
+        let step = damped_step(held, &self.columns, &self.error, damping);
+        if step.remaining_error * T::from_f64(100.0) <= self.size { step.square } else { T::INFINITY }
+    }
+
     /// Returns true if the error is rounding, and so tells nothing about where the solution is. No step starts there.
     #[inline]
     fn is_rounding(&self) -> bool {

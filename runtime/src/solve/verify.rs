@@ -158,7 +158,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
     /// kept.
     #[inline(never)]
     pub(super) fn next_to(&mut self, near: &[T; N]) {
-        if self.solutions.is_awkward() && self.solutions.keeps_place() {
+        if self.solutions.is_awkward() {
             self.hold(near, T::DOUBTFUL);
         }
         self.unwind(near);
@@ -184,7 +184,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
 
     /// Near a singularity a whole family of joint vectors closes within rounding. The member next to the reference is
     /// what a controller wants. This member is found from the reference itself, if that misses the target by at most `most`,
-    /// relative to reach and in rad, and listed if no solution lies there yet.
+    /// relative to reach and in rad, and listed if no solution lies there yet. Where the list keeps no place
+    /// (`Solutions::keeps_place`), the first step has to promise a member much nearer than what is listed.
     #[cold]
     #[inline(never)]
     pub(super) fn hold(&mut self, near: &[T; N], most: T) {
@@ -197,17 +198,24 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         if !(constants.relative(&iterate.residual) <= most) {
             return;
         }
+        let apart = |other: &Solution<T, N>, q: &[T; N]| {
+            other.q.iter().zip(q).fold(T::ZERO, |sum, (a, b)| sum + wrap(*a - *b) * wrap(*a - *b))
+        };
+        if !self.solutions.keeps_place() {
+            // Worth looking for if the first step closes the target, less than half of the way to a solution that is listed.
+            let nearest = self.solutions.exact().map(|other| apart(other, &iterate.q)).fold(T::INFINITY, T::min);
+            if iterate.first_step(self.goal.given()) * T::from_f64(4.0) > nearest {
+                return;
+            }
+        }
         let mut rest = self.evaluations_left.saturating_sub(1);
         refine(constants, self.goal, self.arm, &mut iterate, &mut rest);
         let (q, residual) = (iterate.q, iterate.residual);
         if !(constants.relative(&residual) <= T::EXACT) {
             return;
         }
-        let apart = |other: &Solution<T, N>| {
-            other.q.iter().zip(&q).fold(T::ZERO, |sum, (a, b)| sum + wrap(*a - *b) * wrap(*a - *b))
-        };
         let nearer = |a: &&mut Solution<T, N>, b: &&mut Solution<T, N>| {
-            apart(a).partial_cmp(&apart(b)).unwrap_or(core::cmp::Ordering::Equal)
+            apart(a, &q).partial_cmp(&apart(b, &q)).unwrap_or(core::cmp::Ordering::Equal)
         };
         let same = self.solutions.as_mut_slice().iter_mut();
         if let Some(same) = same.filter(|other| coincident(constants, &other.q, &q)).min_by(nearer) {
