@@ -47,6 +47,7 @@ impl<B: Branches<f64>> Stream<'_, '_, f64, B> {
         fit.is_some()
     }
 
+    /// The polynomial; `None` if it is zero everywhere.
     #[inline(never)]
     fn fit(&self) -> Option<Fit> {
         let (mut size, mut samples) = (0.0, 0.0);

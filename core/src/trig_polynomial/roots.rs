@@ -80,6 +80,7 @@ impl Roots {
         roots
     }
 
+    /// Empties the list, for a polynomial whose values are `rounding` off.
     pub(super) fn clear(&mut self, rounding: f64) {
         (self.len, self.rounding, self.nodes, self.is_complete) = (0, rounding, 0, true);
     }

@@ -240,14 +240,6 @@ mod tests {
         assert!((HALF_ARC - (core::f64::consts::SQRT_2 - 1.0)).abs() < 2e-16);
     }
 
-    #[test]
-    fn weights_are_those_of_the_tables() {
-        for j in 1..=DEGREE {
-            assert_eq!(weights(j, 0), (COSINES[j][0], 0.0));
-            assert!((1..=DEGREE).all(|k| weights(j, k) == (COSINES[j][k], SINES[j - 1][k - 1])));
-        }
-    }
-
     /// Bernstein coefficients from samples give back a power.
     #[test]
     fn samples_on_an_arc_give_bernstein_coefficients() {
