@@ -410,7 +410,8 @@ impl<T: Scalar, const N: usize> Follower<T, N> {
         let followed = self.wanted.branch;
         let mut choice = Choice::NONE;
         let has_name = self.sent.is_none() && followed != Branch::NONE;
-        for by_name in [true, false].into_iter().skip(usize::from(!has_name)) {
+        let ways: &[bool] = if has_name { &[true, false] } else { &[false] };
+        for by_name in ways.iter().copied() {
             choice = Choice::NONE;
             for solution in solutions.iter().filter(|solution| solution.is_exact()) {
                 let asked = match self.sent {

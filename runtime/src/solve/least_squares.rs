@@ -26,6 +26,12 @@ const FALL: f64 = 0.25;
 /// that would remove such residuals leads far away.
 const NOISE: f64 = 20.0;
 
+/// A step closes a target if by its linear model it leaves at most this part of the squared error. Measured in `f32` with
+/// followers off their targets beside singularities. Of 83,833 ticks of followers that dwell there, iteration from the joint
+/// values led to a solution less than half as far as those listed in 17,347. In 17,010 of these the first step closed the target
+/// and went less than half of the way. Of 1,775 ticks of followers that swing past none led to one; the first step did so in 11.
+const CLOSES: f64 = 0.01;
+
 /// A joint vector with what it misses the target by. Lengths are relative to reach throughout.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Iterate<T, const N: usize> {
@@ -70,14 +76,13 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
         }
     }
 
-    /// The squared length of the first step from here; infinite if by its linear model it leaves more than a tenth of the error.
+    /// The squared length of the first step from here; infinite if the step does not close the target ([`CLOSES`]).
     pub(super) fn first_step(&self, held: JointMask) -> T {
         if self.is_rounding() {
             return T::ZERO;
         }
-        let damping = self.size + T::EPSILON * T::EPSILON * T::from_f64(16.0);
-        let step = damped_step(held, &self.columns, &self.error, damping);
-        if step.remaining_error * T::from_f64(100.0) <= self.size { step.square } else { T::INFINITY }
+        let step = damped_step(held, &self.columns, &self.error, damping(self.size));
+        if step.remaining_error <= self.size * T::from_f64(CLOSES) { step.square } else { T::INFINITY }
     }
 
     /// Returns true if the error is rounding, and so tells nothing about where the solution is. No step starts there.
@@ -135,7 +140,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
         if place.is_rounding() || done {
             break;
         }
-        let damping = (size + T::EPSILON * T::EPSILON * T::from_f64(16.0)) * boost;
+        let damping = damping(size) * boost;
         let step = damped_step(held, &place.columns, &place.error, damping);
         if !step.square.is_finite() {
             break;
@@ -209,6 +214,12 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
         (start.q, start.residual) = (other.q, other.residual);
     }
     wrap_angles(&mut start.q, held, constants.prismatic);
+}
+
+/// The damping of a step from a place with this squared error.
+#[inline(always)]
+fn damping<T: Tolerances>(size: T) -> T {
+    size + T::EPSILON * T::EPSILON * T::from_f64(16.0)
 }
 
 /// Change of the error by a step to first order, `-J step`.

@@ -198,12 +198,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         if !(constants.relative(&iterate.residual) <= most) {
             return;
         }
-        let apart = |other: &Solution<T, N>, q: &[T; N]| {
-            other.q.iter().zip(q).fold(T::ZERO, |sum, (a, b)| sum + wrap(*a - *b) * wrap(*a - *b))
-        };
         if !self.solutions.keeps_place() {
             // Worth looking for if the first step closes the target, less than half of the way to a solution that is listed.
-            let nearest = self.solutions.exact().map(|other| apart(other, &iterate.q)).fold(T::INFINITY, T::min);
+            let ways = self.solutions.exact().map(|other| square_apart(&other.q, &iterate.q));
+            let nearest = ways.fold(T::INFINITY, T::min);
             if iterate.first_step(self.goal.given()) * T::from_f64(4.0) > nearest {
                 return;
             }
@@ -215,7 +213,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
             return;
         }
         let nearer = |a: &&mut Solution<T, N>, b: &&mut Solution<T, N>| {
-            apart(a, &q).partial_cmp(&apart(b, &q)).unwrap_or(core::cmp::Ordering::Equal)
+            square_apart(&a.q, &q).partial_cmp(&square_apart(&b.q, &q)).unwrap_or(core::cmp::Ordering::Equal)
         };
         let same = self.solutions.as_mut_slice().iter_mut();
         if let Some(same) = same.filter(|other| coincident(constants, &other.q, &q)).min_by(nearer) {
@@ -241,6 +239,12 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
             *nearest = held;
         }
     }
+}
+
+/// The squared distance of two joint vectors, each joint on the turn that is nearest.
+#[inline(never)]
+fn square_apart<T: Tolerances, const N: usize>(a: &[T; N], b: &[T; N]) -> T {
+    a.iter().zip(b).fold(T::ZERO, |sum, (a, b)| sum + wrap(*a - *b) * wrap(*a - *b))
 }
 
 /// Returns true if two joint vectors are one solution.
