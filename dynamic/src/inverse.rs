@@ -92,8 +92,7 @@ impl DynamicArm {
         solutions: &mut DynamicSolutions,
     ) -> Result<(), DynamicError> {
         let given = &self.beside(given)?;
-        self.solver(target)?
-            .solve(&Asked { target, given, near: None, branch: None, keeps_place: true, trace: None }, solutions);
+        self.solver(target)?.solve(&Asked::all(target, given), solutions);
         Ok(())
     }
 
@@ -121,10 +120,7 @@ impl DynamicArm {
         self.counted(q_ref)?;
         let solver = self.solver(target)?;
         let given = &self.held(q_ref)?;
-        solver.solve(
-            &Asked { target, given, near: Some(q_ref), branch: None, keeps_place: true, trace: None },
-            solutions,
-        );
+        solver.solve(&Asked { near: Some(q_ref), ..Asked::all(target, given) }, solutions);
         Ok(())
     }
 
@@ -142,10 +138,7 @@ impl DynamicArm {
     ) -> Result<(), DynamicError> {
         self.counted(q_ref)?;
         let given = &self.beside(given)?;
-        self.solver(target)?.solve(
-            &Asked { target, given, near: Some(q_ref), branch: None, keeps_place: true, trace: None },
-            solutions,
-        );
+        self.solver(target)?.solve(&Asked { near: Some(q_ref), ..Asked::all(target, given) }, solutions);
         Ok(())
     }
 
@@ -168,8 +161,8 @@ impl DynamicArm {
         self.counted(q_ref)?;
         let given = &self.beside(given)?;
         let branch = self.inverse_program()?.follows_single_branches().then_some(branch);
-        self.solver(target)?
-            .solve(&Asked { target, given, near: Some(q_ref), branch, keeps_place, trace: None }, solutions);
+        let asked = Asked { near: Some(q_ref), branch, keeps_place, ..Asked::all(target, given) };
+        self.solver(target)?.solve(&asked, solutions);
         Ok(())
     }
 
@@ -187,14 +180,7 @@ impl DynamicArm {
             return Err(DynamicError::NoBranches);
         }
         let given = &self.beside(given)?;
-        Ok(self.solver(target)?.one(&Asked {
-            target,
-            given,
-            near: None,
-            branch: Some(branch),
-            keeps_place: true,
-            trace: None,
-        }))
+        Ok(self.solver(target)?.one(&Asked { branch: Some(branch), ..Asked::all(target, given) }))
     }
 
     /// The values as the solver takes them.

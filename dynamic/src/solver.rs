@@ -36,6 +36,13 @@ pub struct Asked<'a> {
     pub trace: Option<&'a RefCell<Trace>>,
 }
 
+impl<'a> Asked<'a> {
+    /// Every branch of a target.
+    pub const fn all(target: &'a DynamicTarget, given: &'a [f64]) -> Self {
+        Self { target, given, near: None, branch: None, keeps_place: true, trace: None }
+    }
+}
+
 /// An inverse without the number of joints in its type.
 pub trait Solve: std::fmt::Debug + Send + Sync {
     /// Every branch, or the one asked for; overwrites `solutions`.

@@ -64,10 +64,7 @@ impl DynamicArm {
     pub fn why(&self, target: &DynamicTarget, given: &[f64]) -> Result<Option<DynamicMiss>, DynamicError> {
         let given = &self.beside(given)?;
         let (trace, mut solutions) = (RefCell::new(Trace::default()), DynamicSolutions::default());
-        self.solver(target)?.solve(
-            &Asked { target, given, near: None, branch: None, keeps_place: true, trace: Some(&trace) },
-            &mut solutions,
-        );
+        self.solver(target)?.solve(&Asked { trace: Some(&trace), ..Asked::all(target, given) }, &mut solutions);
         let Some((stage, gap)) = trace.into_inner().ended.filter(|_| !solutions.status().is_reachable()) else {
             return Ok(None);
         };

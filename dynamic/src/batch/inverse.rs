@@ -234,8 +234,7 @@ impl<'a> Single<'a> {
             }
             let Some(target) = target(&self.program.goal, numbers) else { continue };
             let near = references.get(lane * joints..(lane + 1) * joints).filter(|_| !self.all);
-            let asked =
-                Asked { target: &target, given: &self.given, near, branch: None, keeps_place: true, trace: None };
+            let asked = Asked { near, ..Asked::all(&target, &self.given) };
             self.solver.solve(&asked, &mut self.list);
             *found = Found { status: self.list.status(), deviation: self.list.deviation(), ..Found::NOTHING };
             found.scalar = true;
