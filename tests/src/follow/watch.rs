@@ -153,8 +153,9 @@ impl<'a, A: InverseKinematics<T, N>, T: Scalar, const N: usize> Watch<'a, A, T, 
         let renamed = self.last.is_some_and(|last| !agree(last.branch, step.branch));
         run.expect(!renamed || step.crossed.is_some(), "the branch changed without a word");
         self.ticks += 1;
-        let regular = self.arm.factors(&step.q, &mut []) > 0
-            && now.iter().all(|factor| *factor == 0.0 || factor.abs() > beside::<T>());
+        // A joint value may be that of a singularity to the bit, where the inverse gives either name.
+        let count = self.arm.factors(&step.q, &mut []);
+        let regular = count > 0 && now.iter().take(count).all(|factor| factor.abs() > beside::<T>());
         if regular && self.ticks.is_multiple_of(16) {
             let there = self.arm.inverse_near(&self.arm.target_at(&step.q), &step.q);
             let at = |q: &[T; N]| q.iter().zip(&step.q).all(|(a, b)| (*a - *b).to_f64().abs() < 0.1 * beside::<T>());
