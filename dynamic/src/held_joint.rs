@@ -3,7 +3,7 @@
 use denhart::held_joint::meet::Meet;
 use denhart::held_joint::slides::Slides;
 use denhart::held_joint::{HeldJointSearch, Outcome, Transform, Visitor};
-use denhart::solve::{AllLocked, Goal, Levels, Missed, Pointing, Search, nearest_rotation};
+use denhart::solve::{AllLocked, Goal, Pointing, Search, nearest_rotation};
 use denhart::{Pose, Residual, Solutions, Status};
 use denhart_codegen::lower::{Goal as Task, HeldJointPlan, Inverse, Method};
 
@@ -29,7 +29,7 @@ pub struct HeldJointSolver<const N: usize, const M: usize, const STARTS: bool = 
 }
 
 /// The search of a measured arm that starts from its table.
-type SearchFromTable<'a, const N: usize, const M: usize> = Search<'a, f64, N, M, MOST_DOUBTS, Levels<f64, M>>;
+type SearchFromTable<'a, const N: usize, const M: usize> = Search<'a, f64, N, M, MOST_DOUBTS, M>;
 
 impl<const N: usize, const M: usize, const STARTS: bool> HeldJointSolver<N, M, STARTS> {
     /// The solver of a program; `None` if its arm has another number of joints.
@@ -97,9 +97,9 @@ impl<const N: usize, const M: usize, const STARTS: bool> HeldJointSolver<N, M, S
     }
 
     /// Solves what a search has begun.
-    fn run<const D: usize, P: Missed<f64, M>>(
+    fn run<const D: usize, const S: usize>(
         &self,
-        mut search: Search<'_, f64, N, M, D, P>,
+        mut search: Search<'_, f64, N, M, D, S>,
         goal: &dyn Goal<f64, N>,
         pose: &Pose<f64>,
         near: Option<&[f64; N]>,

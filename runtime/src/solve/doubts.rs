@@ -21,10 +21,18 @@ pub(super) struct Doubts<T> {
     pub(super) missed: bool,
     /// A stage is missed by more than rounding, and the joints before it are what they have to be.
     pub(super) clamped: bool,
-    /// The first joint that is free or weak.
-    pub(super) first: JointMask,
-    /// The level of the last stage, if a joint before it is free or weak.
-    pub(super) level: LevelOf<T>,
+    /// The way to the last stage: tells the stages on the branches of one run apart, and is the same in every run.
+    pub(super) way: u32,
+    /// The way to the first stage that is missed, and the joints before it that may be elsewhere.
+    pub(super) missed_at: u32,
+    pub(super) missed_for: JointMask,
+    /// Its level, see [`level_behind`](Self::level_behind), and the largest level for which it has roots.
+    pub(super) level: [T; 2],
+    pub(super) range: T,
+    /// A slide is solved between these joints and that stage.
+    pub(super) behind_slide: bool,
+    /// The product of the squared coefficients of the slides behind a joint that is free or weak, if there is one.
+    pub(super) slides: Option<T>,
 }
 
 impl<T: Tolerances> Doubts<T> {
@@ -38,8 +46,13 @@ impl<T: Tolerances> Doubts<T> {
         closes: true,
         missed: false,
         clamped: false,
-        first: JointMask::NONE,
-        level: LevelOf::Nothing,
+        way: 1,
+        missed_at: 0,
+        missed_for: JointMask::NONE,
+        level: [T::NAN; 2],
+        range: T::ONE,
+        behind_slide: false,
+        slides: None,
     };
 
     /// The joints so far that may be elsewhere.
@@ -54,9 +67,21 @@ impl<T: Tolerances> Doubts<T> {
         self.closes && self.free.is_empty() && self.amplitude >= T::VANISHING * T::DOUBTFUL
     }
 
+    /// The level of the stage that follows the joints `free_or_weak`, times a square, and the square: the product of the squared
+    /// coefficients of slides before it. NaN if the stage has no level, or follows no such joint.
+    pub(super) fn level_behind(&mut self, free_or_weak: JointMask, level: LevelOf<T>) -> [T; 2] {
+        let square = self.slides.unwrap_or(T::ONE);
+        match level {
+            _ if free_or_weak.is_empty() => {}
+            LevelOf::Cosine(level) | LevelOf::Zero(level) => return [level * square, square],
+            LevelOf::Slide(coefficient) => self.slides = Some(square * coefficient * coefficient),
+            LevelOf::Nothing => {}
+        }
+        [T::NAN; 2]
+    }
+
     /// Adds the doubt of a stage.
-    pub(super) fn note(&mut self, doubt: Option<Doubt<T>>, level: LevelOf<T>) {
-        self.level = if self.free_or_weak().is_empty() { LevelOf::Nothing } else { level };
+    pub(super) fn note(&mut self, doubt: Option<Doubt<T>>) {
         let Some(Doubt { gap, angular, amplitude, closes, weak, boundary, free }) = doubt else { return };
         self.closes &= closes;
         // The next stage magnifies the uncertainty that a stage leaves. Where nothing but uncertainty is left of an
@@ -67,9 +92,6 @@ impl<T: Tolerances> Doubts<T> {
         let free = if settled && product < T::VANISHING * T::DOUBTFUL { weak } else { free };
         self.amplitude = product.max(T::EPSILON * T::EPSILON);
         self.weak |= weak;
-        if self.first.is_empty() {
-            self.first = free | weak;
-        }
         if angular {
             self.gap.orientation += gap;
         } else {

@@ -24,7 +24,6 @@
 #![allow(clippy::neg_cmp_op_on_partial_ord, reason = "a value that is not a number must take the safe branch")]
 
 mod arm_constants;
-mod best_part;
 mod damped_step;
 mod doubts;
 mod drift;
@@ -34,17 +33,12 @@ mod goal;
 mod held_joint;
 mod kernel;
 mod least_squares;
-mod levels;
 mod locked;
-mod open;
-mod passes;
-mod place;
-mod range;
+mod open_branch;
+mod retry;
 mod search;
-mod second_level;
 mod select;
 mod smallest_pivot;
-mod two_joints;
 mod verify;
 
 #[cfg(feature = "batch")]
@@ -81,9 +75,7 @@ pub use kernel::swivel::{Swivel, swivel};
 pub use kernel::tolerances::Tolerances;
 pub use kernel::turn::{DefaultValue, Turn};
 pub use kernel::wrist::{flip, wrist};
-pub use levels::Levels;
 pub use locked::{AllLocked, Locked};
-pub use passes::{Decoupled, Missed};
 pub use search::Search;
 pub use select::{Every, Select};
 

@@ -6,12 +6,11 @@ use super::flip::Verified;
 use super::goal::Goal;
 use super::kernel::branch_state::BranchState;
 use super::kernel::doubt::Doubt;
-use super::kernel::level::{Behind, Level, LevelOf};
+use super::kernel::level::LevelOf;
 use super::kernel::roots::{Measure, Roots};
 use super::kernel::tolerances::Tolerances;
 use super::kernel::turn::DefaultValue;
-use super::open::LEVELS;
-use super::passes::{Missed, Passes};
+use super::retry::Retry;
 use crate::effort::{MOST_CASCADES, MOST_EVALUATIONS};
 use crate::limits::within;
 use crate::vector::norm;
@@ -31,9 +30,9 @@ pub(super) const SLACK: f64 = 8.0;
 /// One call of the inverse kinematics of an arm with `N` joints and at most `M` solutions.
 ///
 /// `D`: the most doubts on one branch, one for each call of [`follow`](Self::follow) and [`directed`](Self::directed) on
-/// the way. `P` remembers the branches that are missed with a free joint at its default: [`Levels`](super::Levels). An
-/// arm that has none takes [`Decoupled`](super::Decoupled).
-pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize, P> {
+/// the way. `S`: the most branches that a free joint at its default may keep from closing. With `S = 0`, for an arm on
+/// which no later stage sees where a free joint is, the code for such branches is not linked.
+pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize, const S: usize> {
     pub(super) constants: &'a ArmConstants<'a, T, N>,
     pub(super) arm: &'a dyn Evaluate<T, N>,
     pub(super) goal: &'a dyn Goal<T, N>,
@@ -51,7 +50,7 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize
     pub(super) verified: Option<Verified<T, N>>,
     /// The doubts of the branch that is followed, one entry for each stage in doubt. Branches are followed depth first,
     /// so an entry stays until the branches behind it have ended.
-    doubts: Option<[Option<Doubts<T>>; D]>,
+    pub(super) doubts: Option<[Option<Doubts<T>>; D]>,
     /// Every branch is verified. The arm misses its structure by more than rounding, or the target is so far away that
     /// its rounding alone can exceed what closes. A long slide may reach such a target.
     doubt: bool,
@@ -61,11 +60,11 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize
     pub(super) has_reference: bool,
     /// A branch of a measured arm's table is missed by little, or leads to no solution.
     pub(super) is_nearly_missed: bool,
-    /// Branches remembered at a pose that needs further passes.
-    pub(super) passes: Option<Passes<T, N, M, P>>,
+    /// What a pose needs further runs for, if it does.
+    pub(super) retry: Option<Retry<T, N, M, S>>,
 }
 
-impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T, M>> Search<'a, T, N, M, D, P> {
+impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'a, T, N, M, D, S> {
     /// A search that fills `solutions`.
     #[inline(always)]
     pub fn new(
@@ -91,7 +90,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
             slack: T::ZERO,
             has_reference: near.is_some(),
             is_nearly_missed: false,
-            passes: None,
+            retry: None,
         }
     }
 
@@ -140,7 +139,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         self.default_at(joint, self.defaults.get(joint).copied().unwrap_or(T::ZERO))
     }
 
-    /// The default value of a virtual joint: 0, or in a further pass another one.
+    /// The default value of a virtual joint: 0, or in a further run another one.
     #[inline]
     pub fn virtual_default(&self) -> DefaultValue<T> {
         self.default_at(VIRTUAL, self.virtual_default)
@@ -164,22 +163,12 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         self.known_doubts(state).copied().unwrap_or(Doubts::START)
     }
 
-    /// The levels of the first stages behind the first joint of a branch that is free or weak, one for each stage,
-    /// known or not.
-    pub(super) fn levels(&self, state: BranchState) -> [Behind<T>; LEVELS] {
-        let mut levels = [Behind::NONE; LEVELS];
-        let (mut pole, mut slides) = (T::ONE, false);
-        let (mut places, mut behind) = (levels.iter_mut(), false);
-        for doubts in self.doubts.iter().flatten().take(state.depth()).flatten() {
-            if behind && let Some(place) = places.next() {
-                let level = Level::from(doubts.level);
-                pole *= level.pole;
-                slides |= level.is_slide();
-                *place = Behind { level: Level { pole, ..level }, slides };
-            }
-            behind = !doubts.free_or_weak().is_empty();
-        }
-        levels
+    /// The way to the stage that follows `before`, a number of one digit for each stage in doubt: how many branches have
+    /// come to this stage from the one before.
+    fn way(&self, state: BranchState, before: u32) -> u32 {
+        let last = self.doubts.as_ref().and_then(|doubts| *doubts.get(state.depth())?);
+        let last = last.map(|doubts| doubts.way).filter(|way| way >> 4 == before & (u32::MAX >> 4));
+        last.map_or(before << 4, |way| way.wrapping_add(1))
     }
 
     /// The state of a branch with further doubts.
@@ -212,7 +201,8 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         }
         let mut next = self.doubts(state);
         let (amplitude, free, free_or_weak) = (next.amplitude, next.free, next.free_or_weak());
-        next.note(doubt, level);
+        next.note(doubt);
+        let level = if S > 0 { self.level(state, &mut next, free_or_weak, level) } else { [T::NAN; 2] };
         let mut ended = false;
         let Doubt { gap, angular, .. } = doubt.unwrap_or(Doubt::NOTHING);
         let measure = if angular { Measure::DIRECTION } else { Measure::length(self.constants.reach) };
@@ -222,6 +212,10 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         next.clamped |= gap > rounding && free_or_weak.is_empty();
         // With a joint earlier on the branch that is free, or nearly, the gap may close by moving that joint.
         if gap > tolerance.max(rounding) && (self.slack == T::ZERO || self.is_beyond_slack(gap, angular)) {
+            if S > 0 && !free.is_empty() && !next.missed {
+                (next.missed_at, next.missed_for, next.level) = (next.way, free_or_weak, level);
+                next.behind_slide = next.slides.is_some();
+            }
             next.missed |= !free.is_empty();
             if free_or_weak.is_empty() {
                 ended = true;
@@ -245,6 +239,25 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
     /// two roots while it is missed by less than `slope^2 / (2 bend)`. The bend is at most about 2, and the miss `SLACK slack`.
     pub(super) fn least_slope(&self) -> T {
         (self.slack * T::from_f64(4.0 * SLACK)).sqrt()
+    }
+
+    /// The level of a stage that follows the joints `free_or_weak`, noted where this run samples it; NaN if unknown.
+    fn level(
+        &mut self,
+        state: BranchState,
+        doubts: &mut Doubts<T>,
+        free_or_weak: JointMask,
+        level: LevelOf<T>,
+    ) -> [T; 2] {
+        doubts.way = self.way(state, doubts.way);
+        let known = doubts.level_behind(free_or_weak, level);
+        if !doubts.missed {
+            doubts.range = if matches!(level, LevelOf::Zero(_)) { T::ZERO } else { T::ONE };
+        }
+        if self.retry.is_some() && known.iter().all(|x| x.is_finite()) {
+            self.sample(doubts.way, known);
+        }
+        known
     }
 
     /// Notes a branch that misses by `gap`, a length or an angle.
@@ -285,9 +298,10 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         }
         let mut doubts = self.doubts(*state);
         doubts.free |= first.joint | second.joint;
-        doubts.first = first.joint;
         doubts.flags |= Flags::FREE;
-        doubts.level = LevelOf::Nothing;
+        if S > 0 {
+            doubts.way = self.way(*state, doubts.way);
+        }
         self.with_doubts(*state, doubts, false)
     }
 
@@ -344,7 +358,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         (self.doubt, self.slack) = (true, off);
         crate::effort::cascade();
         nest(self, BranchState::start(true));
-        self.passes = None;
+        self.retry = None;
     }
 
     #[inline(always)]
@@ -352,9 +366,9 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         // One place of the call: the nest is inlined into it.
         for _ in 0..MOST_CASCADES {
             crate::effort::cascade();
-            let start = BranchState::start(self.doubt || self.passes.is_some());
+            let start = BranchState::start(self.doubt || self.retry.is_some());
             nest(self, start);
-            if self.passes.is_none() || !self.next_pass() {
+            if self.retry.is_none() || !self.again() {
                 break;
             }
         }

@@ -7,7 +7,7 @@ use super::flip::Verified;
 use super::kernel::branch_state::BranchState;
 use super::kernel::tolerances::Tolerances;
 use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
-use super::passes::Missed;
+use super::open_branch::Start;
 use super::search::{SLACK, Search, VIRTUAL};
 use crate::math::wrap;
 use crate::{Branch, Flags, Solution};
@@ -29,7 +29,7 @@ enum Found {
 /// Evaluations kept for the reference of `inverse_near`: the first one, and its steps.
 const RESERVED: usize = MOST_STEPS + 1;
 
-impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T, M>> Search<'_, T, N, M, D, P> {
+impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'_, T, N, M, D, S> {
     /// The end of a branch at an awkward pose.
     #[cold]
     #[inline(never)]
@@ -49,26 +49,43 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
             let doubts = self.doubts(state);
             solution.flags |= doubts.flags;
             (solution.free, solution.residual) = (doubts.free, doubts.gap);
-            if !self.is_candidate(state, &doubts, &mut solution) {
+            if !self.is_candidate(&doubts, &solution) {
                 return;
             }
-            found = self.verified(state, &doubts, &mut solution);
+            let movable = !doubts.free_or_weak().is_empty();
+            found = self.verified(movable, &mut solution);
+            if movable && !(solution.is_exact() || doubts.clamped || self.is_again()) {
+                self.open(&doubts, branch, Start { miss: T::MAX, q: solution.q });
+            }
         }
-        // What a further pass does not close is no better than what is there.
-        let again = self.passes.as_ref().is_some_and(|passes| passes.again());
-        let worse = again && !solution.is_exact() && self.solutions.exact().next().is_some();
+        // What a further run does not close is no better than what is there.
+        let worse = self.is_again() && !solution.is_exact() && self.solutions.exact().next().is_some();
         if found == Found::Nothing || worse {
             return;
         }
+        self.finished(&mut solution, found);
+    }
+
+    /// Lists the solution to which steps from a joint vector of an open branch lead.
+    pub(super) fn iterated(&mut self, solution: &mut Solution<T, N>) {
+        self.verified = None;
+        let found = self.verified(true, solution);
+        if found != Found::Nothing && solution.is_exact() {
+            self.finished(solution, found);
+        }
+    }
+
+    /// Names the joints of a solution, and lists it.
+    fn finished(&mut self, solution: &mut Solution<T, N>, found: Found) {
         if solution.free.contains(VIRTUAL) {
             solution.free = solution.free.without(VIRTUAL) | self.constants.stands_for;
         }
-        self.list(&solution, found);
+        self.list(solution, found);
     }
 
     /// Verifies a solution; refines it if that closes it. What stays beyond the tolerance is no solution; its residual
     /// counts as the gap of its branch.
-    fn verified(&mut self, state: BranchState, doubts: &Doubts<T>, solution: &mut Solution<T, N>) -> Found {
+    fn verified(&mut self, movable: bool, solution: &mut Solution<T, N>) -> Found {
         let constants = self.constants;
         let Some(Verified { q, residual, close, is_within_slack, .. }) = self.refined(&solution.q) else {
             return Found::Nothing;
@@ -79,13 +96,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         if !exact {
             solution.flags.remove(Flags::EXACT);
             solution.flags |= Flags::APPROXIMATE;
-            if !doubts.free_or_weak().is_empty() && !doubts.clamped {
-                let slack =
-                    if doubts.free.is_empty() { T::HALF * T::HALF * T::EXACT / doubts.amplitude } else { T::INFINITY };
-                self.seek(state, doubts, solution, slack);
-            }
         }
-        if exact || !doubts.free_or_weak().is_empty() {
+        if exact || movable {
             self.solutions.mark_awkward();
         }
         // A guess that comes near by its steps alone, without closing, is no branch of this target.
@@ -96,7 +108,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         }
         match listed {
             false => Found::Nothing,
-            true if exact && doubts.free_or_weak().is_empty() && !close && !is_within_slack => {
+            true if exact && !movable && !close && !is_within_slack => {
                 // Of a nearly real pair of roots.
                 solution.flags |= Flags::BOUNDARY;
                 Found::Guess
@@ -128,24 +140,25 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
     /// Lists a solution, or the better one of two that coincide.
     fn list(&mut self, solution: &Solution<T, N>, found: Found) {
         let constants = self.constants;
-        let again = self.passes.as_ref().is_some_and(|passes| passes.again());
-        let coincides = |other: &&mut Solution<T, N>| {
+        let again = self.is_again();
+        let coincides = |(_, other): &(usize, &Solution<T, N>)| {
             coincident(constants, &other.q, &solution.q)
                 // What did not close with the free joint at its default.
                 || again && other.branch == solution.branch && other.flags.contains(Flags::APPROXIMATE | Flags::FREE)
         };
-        let twin = match found {
-            Found::Distinct => None,
-            _ => self.solutions.as_mut_slice().iter_mut().find(coincides),
-        };
-        let Some(twin) = twin else {
+        let mut twins = self.solutions.iter().enumerate().filter(coincides).map(|(index, _)| index);
+        let first = if found == Found::Distinct { None } else { twins.next() };
+        // In the place of one of two solutions that are just apart it would coincide with the other.
+        let several = first.is_some() && twins.next().is_some();
+        let Some(twin) = first.and_then(|index| self.solutions.as_mut_slice().get_mut(index)) else {
             self.solutions.push(*solution);
             return;
         };
         if found == Found::Guess && twin.is_exact() {
             return;
         }
-        if constants.relative(&solution.residual) < constants.relative(&twin.residual) {
+        let stays = several && twin.is_exact();
+        if !stays && constants.relative(&solution.residual) < constants.relative(&twin.residual) {
             *twin = *solution;
         }
         // One branch that is found again is no two roots.

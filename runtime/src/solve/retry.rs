@@ -1,0 +1,288 @@
+//! Further runs of the cascade, with free joints at other places, and iterations from where these come near.
+//!
+//! A singular target is a regular one with the free joint given. With that joint at a wrong place a later stage of the
+//! branch has no root, and the closed form misses by a gap. So the cascade runs again with the free joints at a few
+//! places. The joint vectors that miss by least are the starts of an iteration.
+
+use super::doubts::Doubts;
+use super::kernel::tolerances::Tolerances;
+use super::open_branch::{MOST_SAMPLES, Open, Start};
+use super::search::{Search, VIRTUAL};
+use crate::effort::MOST_CASCADES;
+use crate::math::wrap;
+use crate::{Branch, JointMask, Solution};
+
+/// The step of a free joint, rad, if so many `before` it move too. In turns it is the inverse root of `x^k = x + 1`, for
+/// k = 2 the golden number: multiples of the first few fill a torus evenly.
+fn step<T: Tolerances>(before: usize) -> T {
+    T::TAU
+        * match before {
+            0 => T::from_f64(0.618_033_988_749_895),
+            1 => T::from_f64(0.754_877_666_246_693),
+            2 => T::from_f64(0.819_172_513_396_164),
+            _ => T::from_f64(0.856_674_883_854_503),
+        }
+}
+
+/// A slide is moved by up to half of so many reaches either way.
+const STROKE: f64 = 1.75;
+
+/// Memory of a call whose target needs further runs: at most `S` open branches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Retry<T, const N: usize, const M: usize, const S: usize> {
+    /// Index of this run; 0 with every joint at its default.
+    run: usize,
+    /// The free joints are moved by so many steps.
+    multiple: usize,
+    /// The joints that move, and where they are at their defaults.
+    moving: JointMask,
+    defaults: [T; N],
+    /// The open branches, the first `len`.
+    opens: [Open<T, N>; S],
+    len: usize,
+    /// Index of the open branch whose level has told the place of this run, and that level.
+    told: Option<(usize, T)>,
+    /// Branches with two joints free or weak, and these joints; the first `crossed`. Two families of solutions may cross.
+    crossings: [(Branch, JointMask); M],
+    crossed: usize,
+    /// The number of solutions after the run at the defaults.
+    at_defaults: usize,
+}
+
+impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Retry<T, N, M, S> {
+    /// The joints that are free or weak on a branch at the defaults, where families may cross.
+    fn crossing(&self, branch: Branch) -> Option<JointMask> {
+        let known = self.crossings.iter().take(self.crossed).find(|(name, _)| *name == branch);
+        known.map(|(_, joints)| *joints)
+    }
+
+    fn opens(&mut self) -> &mut [Open<T, N>] {
+        self.opens.get_mut(..self.len).unwrap_or(&mut [])
+    }
+}
+
+impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'_, T, N, M, D, S> {
+    #[inline(never)]
+    #[allow(clippy::unnecessary_lazy_evaluations, reason = "the memory is large, and most calls find it made")]
+    fn retry(&mut self) -> &mut Retry<T, N, M, S> {
+        let defaults = self.defaults;
+        self.retry.get_or_insert_with(|| Retry {
+            run: 0,
+            multiple: 0,
+            moving: JointMask::NONE,
+            defaults,
+            opens: [Open::NONE; S],
+            len: 0,
+            told: None,
+            crossings: [(Branch::NONE, JointMask::NONE); M],
+            crossed: 0,
+            at_defaults: 0,
+        })
+    }
+
+    /// Returns true in every run but the first.
+    pub(super) fn is_again(&self) -> bool {
+        self.retry.as_ref().is_some_and(|retry| retry.run > 0)
+    }
+
+    /// Returns true if the solution at the end of a doubtful branch is to be verified in this run. A branch that is
+    /// missed is remembered, and so is one on which families of solutions may cross.
+    pub(super) fn is_candidate(&mut self, doubts: &Doubts<T>, solution: &Solution<T, N>) -> bool {
+        let (again, free_or_weak) = (self.is_again(), doubts.free_or_weak());
+        if doubts.missed {
+            self.misses_by(&doubts.gap);
+        } else if !again && !doubts.free.is_empty() && free_or_weak.len() > 1 {
+            self.cross(doubts, solution.branch);
+        }
+        if again {
+            let crosses = !doubts.missed && self.crosses(doubts, solution);
+            if crosses || free_or_weak.is_empty() || self.lists(solution.branch) && !self.tells_again(solution.branch) {
+                return crosses;
+            }
+        }
+        if doubts.missed {
+            let miss = if again { self.constants.relative(&doubts.gap) } else { T::MAX };
+            self.open(doubts, solution.branch, Start { miss, q: solution.q });
+        }
+        !doubts.missed
+    }
+
+    /// Returns true if this run is at the second root of an equation that determines the free joint of a branch.
+    fn tells_again(&self, branch: Branch) -> bool {
+        let told = self.retry.as_ref().and_then(|retry| retry.opens.get(retry.told?.0));
+        told.is_some_and(|open| open.branch == branch && open.told == 2)
+    }
+
+    /// Returns true if a branch has an exact solution.
+    fn lists(&self, branch: Branch) -> bool {
+        self.solutions.exact().any(|solution| solution.branch == branch)
+    }
+
+    /// Remembers a branch that is missed, and a joint vector on it. At the defaults the miss is often stationary: any
+    /// other start is a better one, and `miss` is the largest number.
+    #[inline(never)]
+    pub(super) fn open(&mut self, doubts: &Doubts<T>, branch: Branch, start: Start<T, N>) {
+        if S == 0 {
+            return;
+        }
+        let prismatic = self.constants.prismatic;
+        let retry = self.retry();
+        let len = retry.len;
+        let index = retry.opens().iter().position(|open| open.branch == branch).unwrap_or(len);
+        let Some(open) = retry.opens.get_mut(index) else { return };
+        if index == len {
+            *open = Open { branch, flags: doubts.flags, free: doubts.free, ..Open::NONE };
+            if retry.run == 0 {
+                retry.moving |= doubts.free_or_weak();
+            }
+            retry.len += 1;
+        }
+        if !open.tells {
+            open.joint = if doubts.missed { doubts.missed_for } else { doubts.free_or_weak() };
+            open.tells = open.joint.len() == 1 && !open.joint.meets(prismatic);
+        }
+        // Where a slide is free too, the equation that is missed is another one.
+        let slot = retry.multiple.checked_sub(open.first).and_then(|slot| open.levels.get(slot));
+        let is_sampled = slot.is_none_or(|[level, _]| level.is_finite()) || retry.told.is_some() || open.told > 0;
+        if open.tells && doubts.missed && (open.way == 0 || !is_sampled) {
+            (open.way, open.range, open.behind_slide) = (doubts.missed_at, doubts.range, doubts.behind_slide);
+            (open.first, open.levels) = (retry.multiple, [[T::NAN; 2]; MOST_SAMPLES]);
+            open.levels[0] = doubts.level;
+        }
+        open.keep(start);
+    }
+
+    /// Notes the level of a stage, by the way there, on the open branches that miss this stage.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn sample(&mut self, way: u32, level: [T; 2]) {
+        let Some(retry) = &mut self.retry else { return };
+        let (multiple, told) = (retry.multiple, retry.told.is_some());
+        for open in retry.opens().iter_mut().filter(|open| open.way == way) {
+            if told {
+                let [level, square] = level;
+                open.level = level / square;
+            } else if let Some(slot) = multiple.checked_sub(open.first).and_then(|slot| open.levels.get_mut(slot)) {
+                *slot = level;
+            }
+        }
+    }
+
+    /// Remembers a branch on which families may cross.
+    fn cross(&mut self, doubts: &Doubts<T>, branch: Branch) {
+        let retry = self.retry();
+        let known = retry.crossing(branch).is_some();
+        if let Some(slot) = retry.crossings.get_mut(retry.crossed).filter(|_| !known) {
+            *slot = (branch, doubts.free_or_weak());
+            retry.crossed += 1;
+            retry.moving |= doubts.free;
+        }
+    }
+
+    /// Returns true if a solution is of another family than the one at the defaults, and is not listed yet.
+    fn crosses(&self, doubts: &Doubts<T>, solution: &Solution<T, N>) -> bool {
+        let branch = solution.branch;
+        let listed = |s: &Solution<T, N>| s.branch == branch && s.free == doubts.free && s.is_exact();
+        let Some(retry) = &self.retry else { return false };
+        retry.crossing(branch).is_some_and(|joints| joints != doubts.free_or_weak())
+            && !self.solutions.iter().skip(retry.at_defaults).any(listed)
+    }
+
+    /// Moves the free joints to their places in the next run. False if there is none; then what is still open has been
+    /// iterated on.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn again(&mut self) -> bool {
+        let listed = self.solutions.len();
+        let Some(retry) = &mut self.retry else { return false };
+        if retry.run == 0 {
+            retry.at_defaults = listed;
+            // A weak joint stays at its default in a run of its own.
+            let weak = retry.opens().iter().any(|open| open.way == 0 && open.tells);
+            retry.multiple = usize::from(!weak);
+        } else if retry.told.is_none() {
+            retry.multiple += 1;
+        }
+        // A second run looks for a third family only if the first has found a second one.
+        let crosses = retry.crossed > 0 && (retry.run == 0 || retry.run == 1 && listed > retry.at_defaults);
+        if let Some((index, level)) = retry.told.take()
+            && let Some(open) = retry.opens.get_mut(index)
+        {
+            open.closed = open.is_beyond(level);
+            self.iterate(Some(index));
+        }
+        let any = self.next_open(None).is_some();
+        let Some(retry) = &mut self.retry else { return false };
+        // An equation that determines the free joint of a branch has a second root.
+        let any = any || retry.opens().iter().any(|open| open.range == T::ZERO && open.told == 1);
+        retry.run += 1;
+        if retry.run == MOST_CASCADES || !(any || crosses) {
+            self.iterate(None);
+            return false;
+        }
+        self.doubts = None;
+        self.place();
+        true
+    }
+
+    /// The index of the open branch whose start misses by least, or `only` this one if it has a start.
+    fn next_open(&self, only: Option<usize>) -> Option<usize> {
+        let (mut next, mut least) = (None, T::INFINITY);
+        for (index, open) in self.retry.as_ref()?.opens.iter().enumerate() {
+            let [Start { miss, .. }, _] = open.starts;
+            let asked = only.is_none_or(|only| only == index);
+            if asked && miss < least && !open.closed && !self.lists(open.branch) {
+                (next, least) = (Some(index), miss);
+            }
+        }
+        next
+    }
+
+    /// Moves the free joints to their places in this run.
+    fn place(&mut self) {
+        let (constants, mut told) = (self.constants, None);
+        let Some(retry) = &mut self.retry else { return };
+        for index in 0..retry.len {
+            if let Some(open) = retry.opens.get_mut(index)
+                && let listed = self.solutions.exact().any(|solution| solution.branch == open.branch)
+                && let before = retry.moving.iter().position(|joint| open.joint.contains(joint)).unwrap_or(0)
+                && let Some([x, level]) = open.next_place(step(before), retry.multiple, listed)
+            {
+                (retry.told, told) = (Some((index, level)), Some((open.joint, x)));
+                break;
+            }
+        }
+        let multiple = T::from_i32(retry.multiple as i32);
+        self.nearly_free = retry.moving;
+        for (before, joint) in retry.moving.iter().enumerate() {
+            let turn = wrap(step::<T>(before) * multiple);
+            let turn = told.map_or(turn, |(moved, x)| if moved.contains(joint) { x } else { T::ZERO });
+            if joint == VIRTUAL {
+                self.virtual_default = turn;
+            } else if let Some((slot, default)) = self.defaults.get_mut(joint).zip(retry.defaults.get(joint)) {
+                *slot = if constants.prismatic.contains(joint) {
+                    *default + constants.reach * T::from_f64(STROKE) * turn / T::TAU
+                } else {
+                    wrap(*default + turn)
+                };
+            }
+        }
+    }
+
+    /// Iterates from the start of an open branch, or from those of all of them: those of least miss first.
+    fn iterate(&mut self, only: Option<usize>) {
+        for _ in 0..2 * S {
+            let next = self.next_open(only);
+            let Some(open) = next.and_then(|index| self.retry.as_mut()?.opens.get_mut(index)) else { return };
+            let [first, second] = &mut open.starts;
+            let mut solution = Solution::exact(first.q, open.branch);
+            solution.flags |= open.flags;
+            solution.free = open.free;
+            (*first, second.miss) = (*second, T::INFINITY);
+            self.iterated(&mut solution);
+            if only.is_some() {
+                return;
+            }
+        }
+    }
+}
