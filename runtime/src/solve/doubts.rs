@@ -26,13 +26,15 @@ pub(super) struct Doubts<T> {
     /// The way to the first stage that is missed, and the joints before it that may be elsewhere.
     pub(super) missed_at: u32,
     pub(super) missed_for: JointMask,
-    /// Its level, see [`level_behind`](Self::level_behind), and the largest level for which it has roots.
+    /// Its level, see [`level_behind`](Self::level_behind).
     pub(super) level: [T; 2],
-    pub(super) range: T,
+    /// That stage is an equation without a joint of its own.
+    pub(super) is_jointless: bool,
     /// A slide is solved between these joints and that stage.
-    pub(super) behind_slide: bool,
-    /// The product of the squared coefficients of the slides behind a joint that is free or weak, if there is one.
-    pub(super) slides: Option<T>,
+    pub(super) is_behind_slide: bool,
+    /// The product of the squared coefficients of the slides so far behind a joint that is free or weak, and true if there is one.
+    square: T,
+    has_slide: bool,
 }
 
 impl<T: Tolerances> Doubts<T> {
@@ -50,9 +52,10 @@ impl<T: Tolerances> Doubts<T> {
         missed_at: 0,
         missed_for: JointMask::NONE,
         level: [T::NAN; 2],
-        range: T::ONE,
-        behind_slide: false,
-        slides: None,
+        is_jointless: false,
+        is_behind_slide: false,
+        square: T::ONE,
+        has_slide: false,
     };
 
     /// The joints so far that may be elsewhere.
@@ -68,16 +71,27 @@ impl<T: Tolerances> Doubts<T> {
     }
 
     /// The level of the stage that follows the joints `free_or_weak`, times a square, and the square: the product of the squared
-    /// coefficients of slides before it. NaN if the stage has no level, or follows no such joint.
+    /// coefficients of slides before the stage. NaN if the stage has no level, or follows no such joint.
     pub(super) fn level_behind(&mut self, free_or_weak: JointMask, level: LevelOf<T>) -> [T; 2] {
-        let square = self.slides.unwrap_or(T::ONE);
         match level {
             _ if free_or_weak.is_empty() => {}
-            LevelOf::Cosine(level) | LevelOf::Zero(level) => return [level * square, square],
-            LevelOf::Slide(coefficient) => self.slides = Some(square * coefficient * coefficient),
+            LevelOf::Cosine(level) | LevelOf::Zero(level) => return [level * self.square, self.square],
+            LevelOf::Slide(coefficient) => {
+                self.square *= coefficient * coefficient;
+                self.has_slide = true;
+            }
             LevelOf::Nothing => {}
         }
         [T::NAN; 2]
+    }
+
+    /// Notes that the stage `way` is missed, and may close with the joints `free_or_weak` elsewhere. The first such stage of a
+    /// branch counts.
+    pub(super) fn miss(&mut self, free_or_weak: JointMask, level: LevelOf<T>, known: [T; 2]) {
+        if !self.missed {
+            (self.missed_at, self.missed_for, self.level) = (self.way, free_or_weak, known);
+            (self.is_jointless, self.is_behind_slide) = (matches!(level, LevelOf::Zero(_)), self.has_slide);
+        }
     }
 
     /// Adds the doubt of a stage.

@@ -23,31 +23,42 @@ pub(super) struct Start<T, const N: usize> {
     pub(super) q: [T; N],
 }
 
+/// How the place of an open branch's joint is known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Place {
+    /// No level tells the place: several joints are free or weak, or one that slides.
+    Untold,
+    /// The levels of the runs so far do not tell the place yet.
+    Sampled,
+    /// The levels have told the place.
+    Told,
+    /// They have told the second place of an equation without a joint of its own, or that there is none.
+    ToldTwice,
+    /// The level at the place says that the branch has no solution.
+    Nowhere,
+}
+
 /// A branch without a solution so far.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Open<T, const N: usize> {
     pub(super) branch: Branch,
     pub(super) flags: Flags,
     pub(super) free: JointMask,
-    /// The joints that are free or weak before the stage that is missed. If it `tells`, there is one, and it turns: the
-    /// level of that stage tells its place.
+    /// The joints that are free or weak before the stage that is missed. Where there is one, and it turns, the level of that
+    /// stage tells its place.
     pub(super) joint: JointMask,
-    pub(super) tells: bool,
+    pub(super) place: Place,
     /// The way to the stage that is missed with the joints at their defaults, see [`Doubts`](super::doubts::Doubts).
     pub(super) way: u32,
     /// The levels of that stage, times a square, and the square, with the joint at its default and one to four steps
     /// further, all by `first` more. NaN if unknown. So many of them tell all others.
     pub(super) levels: [[T; 2]; MOST_SAMPLES],
-    pub(super) first: usize,
-    pub(super) behind_slide: bool,
-    /// The stage has roots for levels up to this, of either sign: 1, or 0 for an equation without a joint of its own.
-    pub(super) range: T,
-    /// The level of that stage at the place that the levels tell.
-    pub(super) level: T,
-    /// The number of places that the levels have told.
-    pub(super) told: u8,
-    /// True if the branch has no solution.
-    pub(super) closed: bool,
+    pub(super) first: u8,
+    /// A slide is solved between the joint and that stage.
+    pub(super) is_behind_slide: bool,
+    /// That stage is an equation without a joint of its own: it has roots where the level is 0. Another one has them where the level
+    /// is between -1 and 1.
+    pub(super) is_jointless: bool,
     /// The starts of least miss, the least first.
     pub(super) starts: [Start<T, N>; STARTS],
 }
@@ -58,15 +69,12 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
         flags: Flags::NONE,
         free: JointMask::NONE,
         joint: JointMask::NONE,
-        tells: false,
+        place: Place::Untold,
         way: 0,
         levels: [[T::NAN; 2]; MOST_SAMPLES],
         first: 0,
-        behind_slide: false,
-        range: T::ONE,
-        level: T::NAN,
-        told: 0,
-        closed: false,
+        is_behind_slide: false,
+        is_jointless: false,
         starts: [Start { miss: T::INFINITY, q: [T::ZERO; N] }; STARTS],
     };
 
@@ -80,19 +88,26 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
         }
     }
 
-    /// The next place of the joint that the levels tell, see [`place`](Self::place). An equation without a joint of its
-    /// own has a second root, the first one mirrored, also where the branch is `listed` by the first.
-    /// None before so many `multiples` of the step that the levels are known.
+    /// The next place of the joint that the levels tell, rad from its default, and the level there, see
+    /// [`turning_place`](Self::turning_place). An equation without a joint of its own has a second root, the first one mirrored,
+    /// also where the branch is `listed` by the first. None before so many `multiples` of the step that the levels are known.
     pub(super) fn next_place(&mut self, step: T, multiples: usize, listed: bool) -> Option<[T; 2]> {
-        let mirror = self.told == 1 && self.range == T::ZERO;
-        let samples = if self.behind_slide { MOST_SAMPLES } else { SAMPLES };
-        if multiples < self.first + samples || !mirror && (listed || self.told > 0) {
+        let mirror = self.has_second_place();
+        let samples = if self.is_behind_slide { MOST_SAMPLES } else { SAMPLES };
+        let first = self.place == Place::Sampled && !listed;
+        if multiples < usize::from(self.first) + samples || !(first || mirror) {
             return None;
         }
-        self.told += 1;
-        let [x, level, phi] = if self.behind_slide { self.place_behind_slide(step)? } else { self.place(step)? };
+        self.place = if mirror { Place::ToldTwice } else { Place::Told };
+        let [x, level, phi] =
+            if self.is_behind_slide { self.place_behind_slide(step)? } else { self.turning_place(step)? };
         let apart = wrap((x - phi) * T::TWO).abs() > T::WEAK;
         (!mirror || apart).then_some([if mirror { wrap(phi + phi - x) } else { x }, level])
+    }
+
+    /// Returns true if a second place is still to be told.
+    pub(super) fn has_second_place(&self) -> bool {
+        self.place == Place::Told && self.is_jointless
     }
 
     /// The place of the joint, rad from its default, the level there, and phi below. `step`: how far the joint was moved.
@@ -101,8 +116,8 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
     /// the level is in its range, between -1 and 1. Of the interval next to the default the place is the point that is nearest to the
     /// default, a quarter of the interval inside. Without an interval it is where the level exceeds its range by least.
     #[inline(never)]
-    pub(super) fn place(&self, step: T) -> Option<[T; 3]> {
-        let start = T::from_i32(self.first as i32) * step;
+    fn turning_place(&self, step: T) -> Option<[T; 3]> {
+        let start = T::from_i32(self.first.into()) * step;
         let [[at, _], [one, _], [two, _], ..] = self.levels;
         let ((sin, cos), (half_sin, half_cos)) = (sin_cos(step), sin_cos(step * T::HALF));
         // `c cos x + s sin x` at the places less that at the first one, over `-2 sin(x / 2)`.
@@ -114,7 +129,7 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
         }
         let phi = wrap(angle(s / b, c / b) + start);
         // The angles from phi at which the range ends; beyond the turning points of the level there is no end.
-        let [near, far] = [(self.range - a) / b, (-self.range - a) / b];
+        let [near, far] = [(self.range() - a) / b, (-self.range() - a) / b];
         let end = |cos: T| angle(((T::ONE - cos) * (T::ONE + cos)).max(T::ZERO).sqrt(), cos);
         let (no_near, no_far) = (near >= T::ONE, far <= -T::ONE);
         let from_phi = if near <= -T::ONE {
@@ -140,7 +155,7 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
     /// interpolation with sines of half angles). The place is where the level is nearest to 0, the middle of its range.
     #[inline(never)]
     fn place_behind_slide(&self, step: T) -> Option<[T; 3]> {
-        let half = |multiple: usize| T::from_i32((self.first + multiple) as i32) * step * T::HALF;
+        let half = |multiple: usize| T::from_i32(i32::from(self.first) + multiple as i32) * step * T::HALF;
         let others = |node: usize| (0..MOST_SAMPLES).filter(move |other| *other != node);
         let sine = |angle: T| sin_cos(angle).0;
         let most = self.levels.iter().fold(T::ZERO, |most, [_, square]| most.max(*square));
@@ -180,10 +195,20 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
         level.is_finite().then_some([x, level, x])
     }
 
-    /// Returns true if the level at the place is what it was told to be, and the stage has no root there by more than
+    /// The largest level for which the stage has roots.
+    fn range(&self) -> T {
+        if self.is_jointless { T::ZERO } else { T::ONE }
+    }
+
+    /// The level, times a square, and the square of a run that moves the free joints by so many steps.
+    pub(super) fn sample(&mut self, multiple: usize) -> Option<&mut [T; 2]> {
+        self.levels.get_mut(multiple.checked_sub(self.first.into())?)
+    }
+
+    /// Returns true if the `level` at the place is what it was `told` to be, and the stage has no root there by more than
     /// steps could close.
-    pub(super) fn is_beyond(&self, told: T) -> bool {
-        (self.level - told).abs() <= T::COINCIDENT * (T::ONE + told.abs()) && told.abs() - self.range > T::DOUBTFUL
+    pub(super) fn is_beyond(&self, told: T, level: T) -> bool {
+        (level - told).abs() <= T::COINCIDENT * (T::ONE + told.abs()) && told.abs() - self.range() > T::DOUBTFUL
     }
 }
 
@@ -200,7 +225,7 @@ mod tests {
         let level = |x: f64| a + b * (x - phi).cos();
         let levels = [0.0, 1.0, 2.0, 3.0, 4.0].map(|k| [level(k * STEP), 1.0]);
         let open = Open::<f64, 1> { levels, ..Open::NONE };
-        let [x, told, _] = open.place(STEP).expect("a level that moves");
+        let [x, told, _] = open.turning_place(STEP).expect("a level that moves");
         assert!((level(x) - told).abs() < 1e-12, "{a} {b} {phi}: {x}");
         (x, told)
     }
@@ -233,8 +258,8 @@ mod tests {
     #[test]
     fn a_level_that_does_not_move_tells_no_place() {
         let open = Open::<f64, 1> { levels: [[1.5, 1.0]; 5], ..Open::NONE };
-        assert_eq!(open.place(STEP), None);
-        assert_eq!(Open::<f64, 1>::NONE.place(STEP), None);
+        assert_eq!(open.turning_place(STEP), None);
+        assert_eq!(Open::<f64, 1>::NONE.turning_place(STEP), None);
     }
 
     /// A vector of lengths 0.1 and u, whose component along a slide vanishes: with another component it is stretched by
@@ -249,7 +274,7 @@ mod tests {
                     let square = coefficient(k * STEP).powi(2);
                     [level(k * STEP) * square, square]
                 });
-                let open = Open::<f64, 1> { levels, behind_slide: true, ..Open::NONE };
+                let open = Open::<f64, 1> { levels, is_behind_slide: true, ..Open::NONE };
                 let [x, told, _] = open.place_behind_slide(STEP).expect("a level");
                 assert!((told - 1.0).abs() < 1e-12 && (level(x) - 1.0).abs() < 1e-12, "{turned} {u}: {x} {told}");
             }

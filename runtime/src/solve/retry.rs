@@ -6,7 +6,7 @@
 
 use super::doubts::Doubts;
 use super::kernel::tolerances::Tolerances;
-use super::open_branch::{MOST_SAMPLES, Open, Start};
+use super::open_branch::{MOST_SAMPLES, Open, Place, Start};
 use super::search::{Search, VIRTUAL};
 use crate::effort::MOST_CASCADES;
 use crate::math::wrap;
@@ -27,6 +27,16 @@ fn step<T: Tolerances>(before: usize) -> T {
 /// A slide is moved by up to half of so many reaches either way.
 const STROKE: f64 = 1.75;
 
+/// A place that the levels of an open branch have told.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Told<T> {
+    /// Index of the branch.
+    index: usize,
+    /// The level to be expected there, and that of the run; NaN before.
+    expected: T,
+    level: T,
+}
+
 /// Memory of a call whose target needs further runs: at most `S` open branches.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Retry<T, const N: usize, const M: usize, const S: usize> {
@@ -34,14 +44,13 @@ pub(super) struct Retry<T, const N: usize, const M: usize, const S: usize> {
     run: usize,
     /// The free joints are moved by so many steps.
     multiple: usize,
-    /// The joints that move, and where they are at their defaults.
+    /// The joints that move.
     moving: JointMask,
-    defaults: [T; N],
     /// The open branches, the first `len`.
     opens: [Open<T, N>; S],
     len: usize,
-    /// Index of the open branch whose level has told the place of this run, and that level.
-    told: Option<(usize, T)>,
+    /// The place of this run, if a level has told it.
+    told: Option<Told<T>>,
     /// Branches with two joints free or weak, and these joints; the first `crossed`. Two families of solutions may cross.
     crossings: [(Branch, JointMask); M],
     crossed: usize,
@@ -65,12 +74,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     #[inline(never)]
     #[allow(clippy::unnecessary_lazy_evaluations, reason = "the memory is large, and most calls find it made")]
     fn retry(&mut self) -> &mut Retry<T, N, M, S> {
-        let defaults = self.defaults;
         self.retry.get_or_insert_with(|| Retry {
             run: 0,
             multiple: 0,
             moving: JointMask::NONE,
-            defaults,
             opens: [Open::NONE; S],
             len: 0,
             told: None,
@@ -109,8 +116,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
 
     /// Returns true if this run is at the second root of an equation that determines the free joint of a branch.
     fn tells_again(&self, branch: Branch) -> bool {
-        let told = self.retry.as_ref().and_then(|retry| retry.opens.get(retry.told?.0));
-        told.is_some_and(|open| open.branch == branch && open.told == 2)
+        let told = self.retry.as_ref().and_then(|retry| retry.opens.get(retry.told?.index));
+        told.is_some_and(|open| open.branch == branch && open.place == Place::ToldTwice)
     }
 
     /// Returns true if a branch has an exact solution.
@@ -137,16 +144,19 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             }
             retry.len += 1;
         }
-        if !open.tells {
+        if open.place == Place::Untold {
             open.joint = if doubts.missed { doubts.missed_for } else { doubts.free_or_weak() };
-            open.tells = open.joint.len() == 1 && !open.joint.meets(prismatic);
+            if open.joint.len() == 1 && !open.joint.meets(prismatic) {
+                open.place = Place::Sampled;
+            }
         }
         // Where a slide is free too, the equation that is missed is another one.
-        let slot = retry.multiple.checked_sub(open.first).and_then(|slot| open.levels.get(slot));
-        let is_sampled = slot.is_none_or(|[level, _]| level.is_finite()) || retry.told.is_some() || open.told > 0;
-        if open.tells && doubts.missed && (open.way == 0 || !is_sampled) {
-            (open.way, open.range, open.behind_slide) = (doubts.missed_at, doubts.range, doubts.behind_slide);
-            (open.first, open.levels) = (retry.multiple, [[T::NAN; 2]; MOST_SAMPLES]);
+        let is_known = open.sample(retry.multiple).is_none_or(|[level, _]| level.is_finite());
+        let is_sampled = is_known || retry.told.is_some() || open.place != Place::Sampled;
+        if open.place != Place::Untold && doubts.missed && (open.way == 0 || !is_sampled) {
+            open.way = doubts.missed_at;
+            (open.is_jointless, open.is_behind_slide) = (doubts.is_jointless, doubts.is_behind_slide);
+            (open.first, open.levels) = (retry.multiple as u8, [[T::NAN; 2]; MOST_SAMPLES]);
             open.levels[0] = doubts.level;
         }
         open.keep(start);
@@ -157,13 +167,17 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     #[inline(never)]
     pub(super) fn sample(&mut self, way: u32, level: [T; 2]) {
         let Some(retry) = &mut self.retry else { return };
-        let (multiple, told) = (retry.multiple, retry.told.is_some());
+        let multiple = retry.multiple;
+        if let Some(told) = &mut retry.told {
+            let [product, square] = level;
+            if retry.opens.get(told.index).is_some_and(|open| open.way == way) {
+                told.level = product / square;
+            }
+            return;
+        }
         for open in retry.opens().iter_mut().filter(|open| open.way == way) {
-            if told {
-                let [level, square] = level;
-                open.level = level / square;
-            } else if let Some(slot) = multiple.checked_sub(open.first).and_then(|slot| open.levels.get_mut(slot)) {
-                *slot = level;
+            if let Some(sample) = open.sample(multiple) {
+                *sample = level;
             }
         }
     }
@@ -198,23 +212,25 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         if retry.run == 0 {
             retry.at_defaults = listed;
             // A weak joint stays at its default in a run of its own.
-            let weak = retry.opens().iter().any(|open| open.way == 0 && open.tells);
+            let weak = retry.opens().iter().any(|open| open.way == 0 && open.place == Place::Sampled);
             retry.multiple = usize::from(!weak);
         } else if retry.told.is_none() {
             retry.multiple += 1;
         }
         // A second run looks for a third family only if the first has found a second one.
         let crosses = retry.crossed > 0 && (retry.run == 0 || retry.run == 1 && listed > retry.at_defaults);
-        if let Some((index, level)) = retry.told.take()
+        if let Some(Told { index, expected, level }) = retry.told.take()
             && let Some(open) = retry.opens.get_mut(index)
         {
-            open.closed = open.is_beyond(level);
+            if open.is_beyond(expected, level) {
+                open.place = Place::Nowhere;
+            }
             self.iterate(Some(index));
         }
         let any = self.next_open(None).is_some();
         let Some(retry) = &mut self.retry else { return false };
         // An equation that determines the free joint of a branch has a second root.
-        let any = any || retry.opens().iter().any(|open| open.range == T::ZERO && open.told == 1);
+        let any = any || retry.opens().iter().any(|open| open.has_second_place());
         retry.run += 1;
         if retry.run == MOST_CASCADES || !(any || crosses) {
             self.iterate(None);
@@ -231,7 +247,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         for (index, open) in self.retry.as_ref()?.opens.iter().enumerate() {
             let [Start { miss, .. }, _] = open.starts;
             let asked = only.is_none_or(|only| only == index);
-            if asked && miss < least && !open.closed && !self.lists(open.branch) {
+            if asked && miss < least && open.place != Place::Nowhere && !self.lists(open.branch) {
                 (next, least) = (Some(index), miss);
             }
         }
@@ -241,6 +257,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     /// Moves the free joints to their places in this run.
     fn place(&mut self) {
         let (constants, mut told) = (self.constants, None);
+        let defaults = constants.defaults(self.near);
         let Some(retry) = &mut self.retry else { return };
         for index in 0..retry.len {
             if let Some(open) = retry.opens.get_mut(index)
@@ -248,7 +265,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
                 && let before = retry.moving.iter().position(|joint| open.joint.contains(joint)).unwrap_or(0)
                 && let Some([x, level]) = open.next_place(step(before), retry.multiple, listed)
             {
-                (retry.told, told) = (Some((index, level)), Some((open.joint, x)));
+                retry.told = Some(Told { index, expected: level, level: T::NAN });
+                told = Some((open.joint, x));
                 break;
             }
         }
@@ -259,7 +277,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             let turn = told.map_or(turn, |(moved, x)| if moved.contains(joint) { x } else { T::ZERO });
             if joint == VIRTUAL {
                 self.virtual_default = turn;
-            } else if let Some((slot, default)) = self.defaults.get_mut(joint).zip(retry.defaults.get(joint)) {
+            } else if let Some((slot, default)) = self.defaults.get_mut(joint).zip(defaults.get(joint)) {
                 *slot = if constants.prismatic.contains(joint) {
                     *default + constants.reach * T::from_f64(STROKE) * turn / T::TAU
                 } else {

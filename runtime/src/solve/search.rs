@@ -56,8 +56,8 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize
     doubt: bool,
     /// Distance of the links of a measured arm from the table whose equations are solved, relative to reach and in rad.
     pub(super) slack: T,
-    /// True if there is a reference.
-    pub(super) has_reference: bool,
+    /// The reference, if there is one.
+    pub(super) near: Option<&'a [T; N]>,
     /// A branch of a measured arm's table is missed by little, or leads to no solution.
     pub(super) is_nearly_missed: bool,
     /// What a pose needs further runs for, if it does.
@@ -71,7 +71,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
         constants: &'a ArmConstants<'a, T, N>,
         arm: &'a dyn Evaluate<T, N>,
         goal: &'a dyn Goal<T, N>,
-        near: Option<&[T; N]>,
+        near: Option<&'a [T; N]>,
         solutions: &'a mut Solutions<T, N, M>,
     ) -> Self {
         Self {
@@ -88,7 +88,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
             doubts: None,
             doubt: false,
             slack: T::ZERO,
-            has_reference: near.is_some(),
+            near,
             is_nearly_missed: false,
             retry: None,
         }
@@ -202,7 +202,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
         let mut next = self.doubts(state);
         let (amplitude, free, free_or_weak) = (next.amplitude, next.free, next.free_or_weak());
         next.note(doubt);
-        let level = if S > 0 { self.level(state, &mut next, free_or_weak, level) } else { [T::NAN; 2] };
+        let known = if S > 0 { self.level(state, &mut next, free_or_weak, level) } else { [T::NAN; 2] };
         let mut ended = false;
         let Doubt { gap, angular, .. } = doubt.unwrap_or(Doubt::NOTHING);
         let measure = if angular { Measure::DIRECTION } else { Measure::length(self.constants.reach) };
@@ -212,9 +212,8 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
         next.clamped |= gap > rounding && free_or_weak.is_empty();
         // With a joint earlier on the branch that is free, or nearly, the gap may close by moving that joint.
         if gap > tolerance.max(rounding) && (self.slack == T::ZERO || self.is_beyond_slack(gap, angular)) {
-            if S > 0 && !free.is_empty() && !next.missed {
-                (next.missed_at, next.missed_for, next.level) = (next.way, free_or_weak, level);
-                next.behind_slide = next.slides.is_some();
+            if S > 0 && !free.is_empty() {
+                next.miss(free_or_weak, level, known);
             }
             next.missed |= !free.is_empty();
             if free_or_weak.is_empty() {
@@ -251,9 +250,6 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
     ) -> [T; 2] {
         doubts.way = self.way(state, doubts.way);
         let known = doubts.level_behind(free_or_weak, level);
-        if !doubts.missed {
-            doubts.range = if matches!(level, LevelOf::Zero(_)) { T::ZERO } else { T::ONE };
-        }
         if self.retry.is_some() && known.iter().all(|x| x.is_finite()) {
             self.sample(doubts.way, known);
         }

@@ -38,7 +38,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let mut found = Found::Branch;
         let doubts = self.known_doubts(state);
         if !state.verify() && doubts.is_none_or(Doubts::are_settled) {
-            if self.has_reference && doubts.is_some() {
+            if self.near.is_some() && doubts.is_some() {
                 // The reference may be another member of a narrow family.
                 self.solutions.mark_awkward();
             }

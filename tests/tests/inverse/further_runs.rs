@@ -6,7 +6,7 @@ use denhart::Pose;
 use denhart::effort::{Effort, MOST_CASCADES, MOST_EVALUATIONS, effort_of};
 use denhart_tests::arms::{KukaIiwa7R800, Ur5};
 
-fn is_bounded(Effort { cascades, evaluations }: Effort) {
+fn is_bounded(Effort { cascades, evaluations, .. }: Effort) {
     assert!(cascades <= MOST_CASCADES && evaluations <= MOST_EVALUATIONS, "{cascades} {evaluations}");
 }
 
