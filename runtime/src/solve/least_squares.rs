@@ -129,7 +129,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
     // Every turn takes an evaluation, or is the last one.
     while taken < most {
         let from = if onward { &*tried } else { &*best };
-        let (size, q) = (from.size, from.q);
+        let size = from.size;
         let exact = constants.relative(&best.residual) <= T::EXACT;
         if from.is_rounding() || stalls >= if exact { 1 } else { MOST_STALLS } {
             break;
@@ -146,8 +146,11 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
         }
         last_gain = gain;
         let part = if step.square > longest { (longest / step.square).sqrt() } else { times };
-        for (joint, ((value, from), change)) in tried.q.iter_mut().zip(&q).zip(&step.changes).enumerate() {
-            *value = *from + *change * part * constants.unit(joint);
+        if !onward {
+            tried.q = best.q;
+        }
+        for (joint, (value, change)) in tried.q.iter_mut().zip(&step.changes).enumerate() {
+            *value += *change * part * constants.unit(joint);
         }
         tried.evaluate(constants, goal, arm);
         taken += 1;
