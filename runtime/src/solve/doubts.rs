@@ -17,13 +17,12 @@ pub(super) struct Doubts<T> {
     pub(super) weak: JointMask,
     /// Every stage closes its own equation to rounding, see [`Doubt::closes`].
     closes: bool,
-    /// A stage has no root near the branch, but a joint before it is free and may be elsewhere.
-    pub(super) missed: bool,
     /// A stage is missed by more than rounding, and the joints before it are what they have to be.
     pub(super) clamped: bool,
     /// The way to the last stage: tells the stages on the branches of one run apart, and is the same in every run.
     pub(super) way: u32,
-    /// The way to the first stage that is missed, and the joints before it that may be elsewhere.
+    /// The way to the first stage that is missed, 0 without any: it has no root near the branch, but a joint before it is free.
+    /// And the joints before it that may be elsewhere.
     pub(super) missed_at: u32,
     pub(super) missed_for: JointMask,
     /// Its level, see [`level_behind`](Self::level_behind).
@@ -46,7 +45,6 @@ impl<T: Tolerances> Doubts<T> {
         amplitude: T::ONE,
         weak: JointMask::NONE,
         closes: true,
-        missed: false,
         clamped: false,
         way: 1,
         missed_at: 0,
@@ -85,10 +83,15 @@ impl<T: Tolerances> Doubts<T> {
         [T::NAN; 2]
     }
 
+    /// Returns true if a stage is missed, and may close with a joint before it elsewhere.
+    pub(super) fn is_missed(&self) -> bool {
+        self.missed_at != 0
+    }
+
     /// Notes that the stage `way` is missed, and may close with the joints `free_or_weak` elsewhere. The first such stage of a
     /// branch counts.
     pub(super) fn miss(&mut self, free_or_weak: JointMask, level: LevelOf<T>, known: [T; 2]) {
-        if !self.missed {
+        if !self.is_missed() {
             (self.missed_at, self.missed_for, self.level) = (self.way, free_or_weak, known);
             (self.is_jointless, self.is_behind_slide) = (matches!(level, LevelOf::Zero(_)), self.has_slide);
         }

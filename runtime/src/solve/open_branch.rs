@@ -91,11 +91,11 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
     /// The next place of the joint that the levels tell, rad from its default, and the level there, see
     /// [`turning_place`](Self::turning_place). An equation without a joint of its own has a second root, the first one mirrored,
     /// also where the branch is `listed` by the first. None before so many `multiples` of the step that the levels are known.
-    pub(super) fn next_place(&mut self, step: T, multiples: usize, listed: bool) -> Option<[T; 2]> {
+    pub(super) fn next_place(&mut self, step: T, multiples: u8, listed: bool) -> Option<[T; 2]> {
         let mirror = self.has_second_place();
         let samples = if self.is_behind_slide { MOST_SAMPLES } else { SAMPLES };
         let first = self.place == Place::Sampled && !listed;
-        if multiples < usize::from(self.first) + samples || !(first || mirror) {
+        if usize::from(multiples) < usize::from(self.first) + samples || !(first || mirror) {
             return None;
         }
         self.place = if mirror { Place::ToldTwice } else { Place::Told };
@@ -201,8 +201,8 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
     }
 
     /// The level, times a square, and the square of a run that moves the free joints by so many steps.
-    pub(super) fn sample(&mut self, multiple: usize) -> Option<&mut [T; 2]> {
-        self.levels.get_mut(multiple.checked_sub(self.first.into())?)
+    pub(super) fn sample(&mut self, multiple: u8) -> Option<&mut [T; 2]> {
+        self.levels.get_mut(usize::from(multiple.checked_sub(self.first)?))
     }
 
     /// Returns true if the `level` at the place is what it was `told` to be, and the stage has no root there by more than

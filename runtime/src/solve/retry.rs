@@ -41,9 +41,9 @@ struct Told<T> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Retry<T, const N: usize, const M: usize, const S: usize> {
     /// Index of this run; 0 with every joint at its default.
-    run: usize,
+    run: u8,
     /// The free joints are moved by so many steps.
-    multiple: usize,
+    multiple: u8,
     /// The joints that move.
     moving: JointMask,
     /// The open branches, the first `len`.
@@ -51,20 +51,14 @@ pub(super) struct Retry<T, const N: usize, const M: usize, const S: usize> {
     len: usize,
     /// The place of this run, if a level has told it.
     told: Option<Told<T>>,
-    /// Branches with two joints free or weak, and these joints; the first `crossed`. Two families of solutions may cross.
+    /// Branches on which two families of solutions may cross, and the joints that are free or weak there: two at least, none of an
+    /// entry that is not used.
     crossings: [(Branch, JointMask); M],
-    crossed: usize,
     /// The number of solutions after the run at the defaults.
     at_defaults: usize,
 }
 
 impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Retry<T, N, M, S> {
-    /// The joints that are free or weak on a branch at the defaults, where families may cross.
-    fn crossing(&self, branch: Branch) -> Option<JointMask> {
-        let known = self.crossings.iter().take(self.crossed).find(|(name, _)| *name == branch);
-        known.map(|(_, joints)| *joints)
-    }
-
     fn opens(&mut self) -> &mut [Open<T, N>] {
         self.opens.get_mut(..self.len).unwrap_or(&mut [])
     }
@@ -82,7 +76,6 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             len: 0,
             told: None,
             crossings: [(Branch::NONE, JointMask::NONE); M],
-            crossed: 0,
             at_defaults: 0,
         })
     }
@@ -96,22 +89,22 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     /// missed is remembered, and so is one on which families of solutions may cross.
     pub(super) fn is_candidate(&mut self, doubts: &Doubts<T>, solution: &Solution<T, N>) -> bool {
         let (again, free_or_weak) = (self.is_again(), doubts.free_or_weak());
-        if doubts.missed {
+        if doubts.is_missed() {
             self.misses_by(&doubts.gap);
         } else if !again && !doubts.free.is_empty() && free_or_weak.len() > 1 {
             self.cross(doubts, solution.branch);
         }
         if again {
-            let crosses = !doubts.missed && self.crosses(doubts, solution);
+            let crosses = !doubts.is_missed() && self.crosses(doubts, solution);
             if crosses || free_or_weak.is_empty() || self.lists(solution.branch) && !self.tells_again(solution.branch) {
                 return crosses;
             }
         }
-        if doubts.missed {
+        if doubts.is_missed() {
             let miss = if again { self.constants.relative(&doubts.gap) } else { T::MAX };
             self.open(doubts, solution.branch, Start { miss, q: solution.q });
         }
-        !doubts.missed
+        !doubts.is_missed()
     }
 
     /// Returns true if this run is at the second root of an equation that determines the free joint of a branch.
@@ -145,7 +138,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             retry.len += 1;
         }
         if open.place == Place::Untold {
-            open.joint = if doubts.missed { doubts.missed_for } else { doubts.free_or_weak() };
+            open.joint = if doubts.is_missed() { doubts.missed_for } else { doubts.free_or_weak() };
             if open.joint.len() == 1 && !open.joint.meets(prismatic) {
                 open.place = Place::Sampled;
             }
@@ -153,10 +146,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         // Where a slide is free too, the equation that is missed is another one.
         let is_known = open.sample(retry.multiple).is_none_or(|[level, _]| level.is_finite());
         let is_sampled = is_known || retry.told.is_some() || open.place != Place::Sampled;
-        if open.place != Place::Untold && doubts.missed && (open.way == 0 || !is_sampled) {
+        if open.place != Place::Untold && doubts.is_missed() && (open.way == 0 || !is_sampled) {
             open.way = doubts.missed_at;
             (open.is_jointless, open.is_behind_slide) = (doubts.is_jointless, doubts.is_behind_slide);
-            (open.first, open.levels) = (retry.multiple as u8, [[T::NAN; 2]; MOST_SAMPLES]);
+            (open.first, open.levels) = (retry.multiple, [[T::NAN; 2]; MOST_SAMPLES]);
             open.levels[0] = doubts.level;
         }
         open.keep(start);
@@ -185,10 +178,11 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     /// Remembers a branch on which families may cross.
     fn cross(&mut self, doubts: &Doubts<T>, branch: Branch) {
         let retry = self.retry();
-        let known = retry.crossing(branch).is_some();
-        if let Some(slot) = retry.crossings.get_mut(retry.crossed).filter(|_| !known) {
-            *slot = (branch, doubts.free_or_weak());
-            retry.crossed += 1;
+        let entry = retry.crossings.iter_mut().find(|(name, joints)| *name == branch || joints.is_empty());
+        if let Some((name, joints)) = entry
+            && joints.is_empty()
+        {
+            (*name, *joints) = (branch, doubts.free_or_weak());
             retry.moving |= doubts.free;
         }
     }
@@ -198,7 +192,9 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let branch = solution.branch;
         let listed = |s: &Solution<T, N>| s.branch == branch && s.free == doubts.free && s.is_exact();
         let Some(retry) = &self.retry else { return false };
-        retry.crossing(branch).is_some_and(|joints| joints != doubts.free_or_weak())
+        let of_branch = |(name, joints): &(Branch, JointMask)| *name == branch && !joints.is_empty();
+        let at_defaults = retry.crossings.iter().find(|crossing| of_branch(crossing));
+        at_defaults.is_some_and(|(_, joints)| *joints != doubts.free_or_weak())
             && !self.solutions.iter().skip(retry.at_defaults).any(listed)
     }
 
@@ -213,12 +209,13 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             retry.at_defaults = listed;
             // A weak joint stays at its default in a run of its own.
             let weak = retry.opens().iter().any(|open| open.way == 0 && open.place == Place::Sampled);
-            retry.multiple = usize::from(!weak);
+            retry.multiple = u8::from(!weak);
         } else if retry.told.is_none() {
             retry.multiple += 1;
         }
         // A second run looks for a third family only if the first has found a second one.
-        let crosses = retry.crossed > 0 && (retry.run == 0 || retry.run == 1 && listed > retry.at_defaults);
+        let crosses = retry.crossings.iter().any(|(_, joints)| !joints.is_empty());
+        let crosses = crosses && (retry.run == 0 || retry.run == 1 && listed > retry.at_defaults);
         if let Some(Told { index, expected, level }) = retry.told.take()
             && let Some(open) = retry.opens.get_mut(index)
         {
@@ -232,7 +229,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         // An equation that determines the free joint of a branch has a second root.
         let any = any || retry.opens().iter().any(|open| open.has_second_place());
         retry.run += 1;
-        if retry.run == MOST_CASCADES || !(any || crosses) {
+        if usize::from(retry.run) == MOST_CASCADES || !(any || crosses) {
             self.iterate(None);
             return false;
         }
@@ -270,7 +267,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
                 break;
             }
         }
-        let multiple = T::from_i32(retry.multiple as i32);
+        let multiple = T::from_i32(retry.multiple.into());
         self.nearly_free = retry.moving;
         for (before, joint) in retry.moving.iter().enumerate() {
             let turn = wrap(step::<T>(before) * multiple);

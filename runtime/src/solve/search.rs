@@ -212,10 +212,9 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
         next.clamped |= gap > rounding && free_or_weak.is_empty();
         // With a joint earlier on the branch that is free, or nearly, the gap may close by moving that joint.
         if gap > tolerance.max(rounding) && (self.slack == T::ZERO || self.is_beyond_slack(gap, angular)) {
-            if S > 0 && !free.is_empty() {
+            if !free.is_empty() {
                 next.miss(free_or_weak, level, known);
             }
-            next.missed |= !free.is_empty();
             if free_or_weak.is_empty() {
                 ended = true;
                 self.misses(gap);
