@@ -84,6 +84,12 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
         if step.remaining_error <= self.size * T::from_f64(CLOSES) { step.square } else { T::INFINITY }
     }
 
+    /// The change of each joint by a step from here, of a prismatic joint relative to reach. `None` if it overflows.
+    pub(super) fn step(&self, held: JointMask) -> Option<[T; N]> {
+        let step = damped_step(held, &self.columns, &self.error, damping(self.size));
+        step.square.is_finite().then_some(step.changes)
+    }
+
     /// Returns true if the error is rounding, and so tells nothing about where the solution is. No step starts there.
     #[inline]
     fn is_rounding(&self) -> bool {

@@ -6,8 +6,10 @@
 
 use super::doubts::Doubts;
 use super::kernel::tolerances::Tolerances;
+use super::least_squares::{Iterate, wrap_angles};
 use super::open_branch::{MOST_SAMPLES, Open, Place, Start};
 use super::search::{Search, VIRTUAL};
+use super::verify::RESERVED;
 use crate::effort::MOST_CASCADES;
 use crate::math::wrap;
 use crate::{Branch, JointMask, Solution};
@@ -24,17 +26,22 @@ fn step<T: Tolerances>(before: usize) -> T {
         }
 }
 
+/// So many runs after the first one may hold the joints at multiples of their steps, before steps from starts tell where.
+const MULTIPLES: u8 = 5;
+
 /// A slide is moved by up to half of so many reaches either way.
 const STROKE: f64 = 1.75;
 
-/// A place that the levels of an open branch have told.
+/// Where the free joints are in a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Told<T> {
-    /// Index of the branch.
-    index: usize,
-    /// The level to be expected there, and that of the run; NaN before.
-    expected: T,
-    level: T,
+enum Held<T> {
+    /// At multiples of their steps from the defaults.
+    Multiple,
+    /// The joint of the open branch `index` at the place that its levels tell. `expected`: the level there; `level`: that of the
+    /// run, NaN before.
+    Told { index: usize, expected: T, level: T },
+    /// Where a step from a start leads, which misses by this much.
+    Step(T),
 }
 
 /// Memory of a call whose target needs further runs: at most `S` open branches.
@@ -49,8 +56,7 @@ pub(super) struct Retry<T, const N: usize, const M: usize, const S: usize> {
     /// The open branches, the first `len`.
     opens: [Open<T, N>; S],
     len: usize,
-    /// The place of this run, if a level has told it.
-    told: Option<Told<T>>,
+    held: Held<T>,
     /// Branches on which two families of solutions may cross, and the joints that are free or weak there: two at least, none of an
     /// entry that is not used.
     crossings: [(Branch, JointMask); M],
@@ -74,7 +80,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             moving: JointMask::NONE,
             opens: [Open::NONE; S],
             len: 0,
-            told: None,
+            held: Held::Multiple,
             crossings: [(Branch::NONE, JointMask::NONE); M],
             at_defaults: 0,
         })
@@ -96,7 +102,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         }
         if again {
             let crosses = !doubts.is_missed() && self.crosses(doubts, solution);
-            if crosses || free_or_weak.is_empty() || self.lists(solution.branch) && !self.tells_again(solution.branch) {
+            if crosses
+                || free_or_weak.is_empty()
+                || self.lists(solution.branch) && !self.is_at_second_place(solution.branch)
+            {
                 return crosses;
             }
         }
@@ -107,10 +116,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         !doubts.is_missed()
     }
 
-    /// Returns true if this run is at the second root of an equation that determines the free joint of a branch.
-    fn tells_again(&self, branch: Branch) -> bool {
-        let told = self.retry.as_ref().and_then(|retry| retry.opens.get(retry.told?.index));
-        told.is_some_and(|open| open.branch == branch && open.place == Place::ToldTwice)
+    /// Returns true if this run is at the second place of an equation without a joint of its own.
+    fn is_at_second_place(&self, branch: Branch) -> bool {
+        let Some(Retry { held: Held::Told { index, .. }, opens, .. }) = &self.retry else { return false };
+        opens.get(*index).is_some_and(|open| open.branch == branch && open.place == Place::ToldTwice)
     }
 
     /// Returns true if a branch has an exact solution.
@@ -145,7 +154,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         }
         // Where a slide is free too, the equation that is missed is another one.
         let is_known = open.sample(retry.multiple).is_none_or(|[level, _]| level.is_finite());
-        let is_sampled = is_known || retry.told.is_some() || open.place != Place::Sampled;
+        let is_sampled = is_known || retry.held != Held::Multiple || open.place != Place::Sampled;
         if open.place != Place::Untold && doubts.is_missed() && (open.way == 0 || !is_sampled) {
             open.way = doubts.missed_at;
             (open.is_jointless, open.is_behind_slide) = (doubts.is_jointless, doubts.is_behind_slide);
@@ -161,17 +170,18 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     pub(super) fn sample(&mut self, way: u32, level: [T; 2]) {
         let Some(retry) = &mut self.retry else { return };
         let multiple = retry.multiple;
-        if let Some(told) = &mut retry.told {
-            let [product, square] = level;
-            if retry.opens.get(told.index).is_some_and(|open| open.way == way) {
-                told.level = product / square;
+        match &mut retry.held {
+            Held::Multiple => {
+                let samples = retry.opens().iter_mut().filter(|open| open.way == way);
+                samples.filter_map(|open| open.sample(multiple)).for_each(|sample| *sample = level);
             }
-            return;
-        }
-        for open in retry.opens().iter_mut().filter(|open| open.way == way) {
-            if let Some(sample) = open.sample(multiple) {
-                *sample = level;
+            Held::Told { index, level: of_run, .. } => {
+                let [product, square] = level;
+                if retry.opens.get(*index).is_some_and(|open| open.way == way) {
+                    *of_run = product / square;
+                }
             }
+            Held::Step(_) => {}
         }
     }
 
@@ -202,7 +212,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     /// iterated on.
     #[cold]
     #[inline(never)]
-    pub(super) fn again(&mut self) -> bool {
+    pub(super) fn next_run(&mut self) -> bool {
         let listed = self.solutions.len();
         let Some(retry) = &mut self.retry else { return false };
         if retry.run == 0 {
@@ -210,13 +220,13 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             // A weak joint stays at its default in a run of its own.
             let weak = retry.opens().iter().any(|open| open.way == 0 && open.place == Place::Sampled);
             retry.multiple = u8::from(!weak);
-        } else if retry.told.is_none() {
+        } else if retry.held == Held::Multiple {
             retry.multiple += 1;
         }
         // A second run looks for a third family only if the first has found a second one.
         let crosses = retry.crossings.iter().any(|(_, joints)| !joints.is_empty());
         let crosses = crosses && (retry.run == 0 || retry.run == 1 && listed > retry.at_defaults);
-        if let Some(Told { index, expected, level }) = retry.told.take()
+        if let Held::Told { index, expected, level } = retry.held
             && let Some(open) = retry.opens.get_mut(index)
         {
             if open.is_beyond(expected, level) {
@@ -253,35 +263,67 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
 
     /// Moves the free joints to their places in this run.
     fn place(&mut self) {
-        let (constants, mut told) = (self.constants, None);
-        let defaults = constants.defaults(self.near);
+        let constants = self.constants;
+        let (mut turned, mut stepped) = (None, None);
         let Some(retry) = &mut self.retry else { return };
+        let last = retry.held;
+        retry.held = Held::Multiple;
         for index in 0..retry.len {
             if let Some(open) = retry.opens.get_mut(index)
                 && let listed = self.solutions.exact().any(|solution| solution.branch == open.branch)
                 && let before = retry.moving.iter().position(|joint| open.joint.contains(joint)).unwrap_or(0)
-                && let Some([x, level]) = open.next_place(step(before), retry.multiple, listed)
+                && let Some([x, expected]) = open.next_place(step(before), retry.multiple, listed)
             {
-                retry.told = Some(Told { index, expected: level, level: T::NAN });
-                told = Some((open.joint, x));
+                retry.held = Held::Told { index, expected, level: T::NAN };
+                turned = Some((open.joint, x));
                 break;
             }
         }
+        if turned.is_none() && retry.run > MULTIPLES {
+            stepped = self.stepped(last);
+        }
+        let defaults = constants.defaults(self.near);
+        let Some(retry) = &mut self.retry else { return };
         let multiple = T::from_i32(retry.multiple.into());
         self.nearly_free = retry.moving;
         for (before, joint) in retry.moving.iter().enumerate() {
             let turn = wrap(step::<T>(before) * multiple);
-            let turn = told.map_or(turn, |(moved, x)| if moved.contains(joint) { x } else { T::ZERO });
+            let turn = turned.map_or(turn, |(moved, x)| if moved.contains(joint) { x } else { T::ZERO });
             if joint == VIRTUAL {
                 self.virtual_default = turn;
             } else if let Some((slot, default)) = self.defaults.get_mut(joint).zip(defaults.get(joint)) {
-                *slot = if constants.prismatic.contains(joint) {
+                *slot = if let Some(q) = stepped {
+                    q.get(joint).copied().unwrap_or(*default)
+                } else if constants.prismatic.contains(joint) {
                     *default + constants.reach * T::from_f64(STROKE) * turn / T::TAU
                 } else {
                     wrap(*default + turn)
                 };
             }
         }
+    }
+
+    /// The joint vector to which a step from an open branch's start leads.
+    fn stepped(&mut self, last: Held<T>) -> Option<[T; N]> {
+        let from = if let Held::Step(miss) = last { miss } else { T::INFINITY };
+        let index = self.next_open(None)?;
+        let open = self.retry.as_ref()?.opens.get(index)?;
+        let [Start { miss, q }, _] = open.starts;
+        if !(miss < from) || self.evaluations_left <= RESERVED {
+            return None;
+        }
+        let times = if open.is_jointless { T::ONE } else { T::TWO };
+        let mut iterate = Iterate::at(q);
+        iterate.evaluate(self.constants, self.goal, self.arm);
+        self.evaluations_left -= 1;
+        let step = iterate.step(self.goal.given())?;
+        let mut q = q;
+        for (joint, (value, change)) in q.iter_mut().zip(&step).enumerate() {
+            *value += *change * times * self.constants.unit(joint);
+        }
+        wrap_angles(&mut q, self.goal.given(), self.constants.prismatic);
+        self.retry.as_mut()?.held = Held::Step(miss);
+        Some(q)
     }
 
     /// Iterates from the start of an open branch, or from those of all of them: those of least miss first.

@@ -363,7 +363,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
             crate::effort::cascade();
             let start = BranchState::start(self.doubt || self.retry.is_some());
             nest(self, start);
-            if self.retry.is_none() || !self.again() {
+            if self.retry.is_none() || !self.next_run() {
                 break;
             }
         }

@@ -27,7 +27,7 @@ enum Found {
 }
 
 /// Evaluations kept for the reference of `inverse_near`: the first one, and its steps.
-const RESERVED: usize = MOST_STEPS + 1;
+pub(super) const RESERVED: usize = MOST_STEPS + 1;
 
 impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'_, T, N, M, D, S> {
     /// The end of a branch at an awkward pose.
@@ -54,8 +54,14 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             }
             let movable = !doubts.free_or_weak().is_empty();
             found = self.verified(movable, &mut solution);
-            if movable && !(solution.is_exact() || doubts.clamped || self.is_again()) {
-                self.open(&doubts, branch, Start { miss: T::MAX, q: solution.q });
+            if movable && !(solution.is_exact() || doubts.clamped) {
+                let again = self.is_again();
+                let start = if again {
+                    Start { miss: self.constants.relative(&doubts.gap), q }
+                } else {
+                    Start { miss: T::MAX, q: solution.q }
+                };
+                self.open(&doubts, branch, start);
             }
         }
         // What a further run does not close is no better than what is there.
@@ -141,24 +147,23 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     fn list(&mut self, solution: &Solution<T, N>, found: Found) {
         let constants = self.constants;
         let again = self.is_again();
-        let coincides = |(_, other): &(usize, &Solution<T, N>)| {
-            coincident(constants, &other.q, &solution.q)
-                // What did not close with the free joint at its default.
-                || again && other.branch == solution.branch && other.flags.contains(Flags::APPROXIMATE | Flags::FREE)
-        };
-        let mut twins = self.solutions.iter().enumerate().filter(coincides).map(|(index, _)| index);
-        let first = if found == Found::Distinct { None } else { twins.next() };
-        // In the place of one of two solutions that are just apart it would coincide with the other.
-        let several = first.is_some() && twins.next().is_some();
-        let Some(twin) = first.and_then(|index| self.solutions.as_mut_slice().get_mut(index)) else {
+        if again && solution.is_exact() {
+            // What did not close with the free joint at its default.
+            let nearly = Flags::APPROXIMATE | Flags::FREE;
+            self.solutions.retain(|other| !(other.branch == solution.branch && other.flags.contains(nearly)));
+        }
+        let mut others = self.solutions.as_mut_slice().iter_mut();
+        let twin = others.find(|other| found != Found::Distinct && coincident(constants, &other.q, &solution.q));
+        let Some(twin) = twin else {
             self.solutions.push(*solution);
             return;
         };
         if found == Found::Guess && twin.is_exact() {
             return;
         }
-        let stays = several && twin.is_exact();
-        if !stays && constants.relative(&solution.residual) < constants.relative(&twin.residual) {
+        // A root of its own is no guess from another one.
+        let names = twin.flags.contains(Flags::BOUNDARY) && !solution.flags.contains(Flags::BOUNDARY);
+        if names || constants.relative(&solution.residual) < constants.relative(&twin.residual) {
             *twin = *solution;
         }
         // One branch that is found again is no two roots.
