@@ -59,6 +59,8 @@ pub(super) struct Open<T, const N: usize> {
     /// That stage is an equation without a joint of its own: it has roots where the level is 0. Another one has them where the level
     /// is between -1 and 1.
     pub(super) is_jointless: bool,
+    /// A step from the first start has been taken.
+    pub(super) stepped: bool,
     /// The starts of least miss, the least first.
     pub(super) starts: [Start<T, N>; STARTS],
 }
@@ -75,6 +77,7 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
         first: 0,
         is_behind_slide: false,
         is_jointless: false,
+        stepped: false,
         starts: [Start { miss: T::INFINITY, q: [T::ZERO; N] }; STARTS],
     };
 
@@ -83,6 +86,7 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
         let [first, second] = &mut self.starts;
         if start.miss < first.miss {
             (*second, *first) = (*first, start);
+            self.stepped = false;
         } else if start.miss < second.miss {
             *second = start;
         }

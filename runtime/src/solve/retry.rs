@@ -40,8 +40,8 @@ enum Held<T> {
     /// The joint of the open branch `index` at the place that its levels tell. `expected`: the level there; `level`: that of the
     /// run, NaN before.
     Told { index: usize, expected: T, level: T },
-    /// Where a step from a start leads, which misses by this much.
-    Step(T),
+    /// Where a step from a start leads.
+    Step,
 }
 
 /// Memory of a call whose target needs further runs: at most `S` open branches.
@@ -111,7 +111,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         }
         if doubts.is_missed() {
             let miss = if again { self.constants.relative(&doubts.gap) } else { T::MAX };
-            self.open(doubts, solution.branch, Start { miss, q: solution.q });
+            self.open(doubts, solution.branch, miss, &solution.q);
         }
         !doubts.is_missed()
     }
@@ -130,7 +130,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     /// Remembers a branch that is missed, and a joint vector on it. At the defaults the miss is often stationary: any
     /// other start is a better one, and `miss` is the largest number.
     #[inline(never)]
-    pub(super) fn open(&mut self, doubts: &Doubts<T>, branch: Branch, start: Start<T, N>) {
+    pub(super) fn open(&mut self, doubts: &Doubts<T>, branch: Branch, miss: T, q: &[T; N]) {
         if S == 0 {
             return;
         }
@@ -161,7 +161,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             (open.first, open.levels) = (retry.multiple, [[T::NAN; 2]; MOST_SAMPLES]);
             open.levels[0] = doubts.level;
         }
-        open.keep(start);
+        open.keep(Start { miss, q: *q });
     }
 
     /// Notes the level of a stage, by the way there, on the open branches that miss this stage.
@@ -181,7 +181,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
                     *of_run = product / square;
                 }
             }
-            Held::Step(_) => {}
+            Held::Step => {}
         }
     }
 
@@ -234,7 +234,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             }
             self.iterate(Some(index));
         }
-        let any = self.next_open(None).is_some();
+        let any = self.next_open(|_, _| true).is_some();
         let Some(retry) = &mut self.retry else { return false };
         // An equation that determines the free joint of a branch has a second root.
         let any = any || retry.opens().iter().any(|open| open.has_second_place());
@@ -248,13 +248,12 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         true
     }
 
-    /// The index of the open branch whose start misses by least, or `only` this one if it has a start.
-    fn next_open(&self, only: Option<usize>) -> Option<usize> {
+    /// The index of the open branch whose start misses by least, of those that are `asked` for.
+    fn next_open(&self, asked: impl Fn(usize, &Open<T, N>) -> bool) -> Option<usize> {
         let (mut next, mut least) = (None, T::INFINITY);
         for (index, open) in self.retry.as_ref()?.opens.iter().enumerate() {
             let [Start { miss, .. }, _] = open.starts;
-            let asked = only.is_none_or(|only| only == index);
-            if asked && miss < least && open.place != Place::Nowhere && !self.lists(open.branch) {
+            if miss < least && open.place != Place::Nowhere && asked(index, open) && !self.lists(open.branch) {
                 (next, least) = (Some(index), miss);
             }
         }
@@ -266,7 +265,6 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let constants = self.constants;
         let (mut turned, mut stepped) = (None, None);
         let Some(retry) = &mut self.retry else { return };
-        let last = retry.held;
         retry.held = Held::Multiple;
         for index in 0..retry.len {
             if let Some(open) = retry.opens.get_mut(index)
@@ -280,7 +278,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             }
         }
         if turned.is_none() && retry.run > MULTIPLES {
-            stepped = self.stepped(last);
+            stepped = self.stepped();
         }
         let defaults = constants.defaults(self.near);
         let Some(retry) = &mut self.retry else { return };
@@ -304,12 +302,12 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     }
 
     /// The joint vector to which a step from an open branch's start leads.
-    fn stepped(&mut self, last: Held<T>) -> Option<[T; N]> {
-        let from = if let Held::Step(miss) = last { miss } else { T::INFINITY };
-        let index = self.next_open(None)?;
-        let open = self.retry.as_ref()?.opens.get(index)?;
-        let [Start { miss, q }, _] = open.starts;
-        if !(miss < from) || self.evaluations_left <= RESERVED {
+    fn stepped(&mut self) -> Option<[T; N]> {
+        let index = self.next_open(|_, open| !open.stepped)?;
+        let open = self.retry.as_mut()?.opens.get_mut(index)?;
+        open.stepped = true;
+        let [Start { mut q, .. }, _] = open.starts;
+        if self.evaluations_left <= RESERVED {
             return None;
         }
         let times = if open.is_jointless { T::ONE } else { T::TWO };
@@ -317,19 +315,18 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         iterate.evaluate(self.constants, self.goal, self.arm);
         self.evaluations_left -= 1;
         let step = iterate.step(self.goal.given())?;
-        let mut q = q;
         for (joint, (value, change)) in q.iter_mut().zip(&step).enumerate() {
             *value += *change * times * self.constants.unit(joint);
         }
         wrap_angles(&mut q, self.goal.given(), self.constants.prismatic);
-        self.retry.as_mut()?.held = Held::Step(miss);
+        self.retry.as_mut()?.held = Held::Step;
         Some(q)
     }
 
     /// Iterates from the start of an open branch, or from those of all of them: those of least miss first.
     fn iterate(&mut self, only: Option<usize>) {
         for _ in 0..2 * S {
-            let next = self.next_open(only);
+            let next = self.next_open(|index, _| only.is_none_or(|only| only == index));
             let Some(open) = next.and_then(|index| self.retry.as_mut()?.opens.get_mut(index)) else { return };
             let [first, second] = &mut open.starts;
             let mut solution = Solution::exact(first.q, open.branch);

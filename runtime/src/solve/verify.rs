@@ -7,7 +7,6 @@ use super::flip::Verified;
 use super::kernel::branch_state::BranchState;
 use super::kernel::tolerances::Tolerances;
 use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
-use super::open_branch::Start;
 use super::search::{SLACK, Search, VIRTUAL};
 use crate::math::wrap;
 use crate::{Branch, Flags, Solution};
@@ -55,13 +54,11 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             let movable = !doubts.free_or_weak().is_empty();
             found = self.verified(movable, &mut solution);
             if movable && !(solution.is_exact() || doubts.clamped) {
-                let again = self.is_again();
-                let start = if again {
-                    Start { miss: self.constants.relative(&doubts.gap), q }
+                if self.is_again() {
+                    self.open(&doubts, branch, self.constants.relative(&doubts.gap), &q);
                 } else {
-                    Start { miss: T::MAX, q: solution.q }
-                };
-                self.open(&doubts, branch, start);
+                    self.open(&doubts, branch, T::MAX, &solution.q);
+                }
             }
         }
         // What a further run does not close is no better than what is there.
