@@ -84,10 +84,15 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
         if step.remaining_error <= self.size * T::from_f64(CLOSES) { step.square } else { T::INFINITY }
     }
 
-    /// The change of each joint by a step from here, of a prismatic joint relative to reach. `None` if it overflows.
-    pub(super) fn step(&self, held: JointMask) -> Option<[T; N]> {
+    /// The joint vector to which a step from here leads that is taken so many times. `None` if the step overflows.
+    pub(super) fn step(&self, constants: &ArmConstants<T, N>, held: JointMask, times: T) -> Option<[T; N]> {
         let step = damped_step(held, &self.columns, &self.error, damping(self.size));
-        step.square.is_finite().then_some(step.changes)
+        let mut q = self.q;
+        for (joint, (value, change)) in q.iter_mut().zip(&step.changes).enumerate() {
+            *value += *change * times * constants.unit(joint);
+        }
+        wrap_angles(&mut q, held, constants.prismatic);
+        step.square.is_finite().then_some(q)
     }
 
     /// Returns true if the error is rounding, and so tells nothing about where the solution is. No step starts there.

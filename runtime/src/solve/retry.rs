@@ -6,7 +6,7 @@
 
 use super::doubts::Doubts;
 use super::kernel::tolerances::Tolerances;
-use super::least_squares::{Iterate, wrap_angles};
+use super::least_squares::Iterate;
 use super::open_branch::{MOST_SAMPLES, Open, Place, Start};
 use super::search::{Search, VIRTUAL};
 use super::verify::RESERVED;
@@ -26,7 +26,7 @@ fn step<T: Tolerances>(before: usize) -> T {
         }
 }
 
-/// So many runs after the first one may hold the joints at multiples of their steps, before steps from starts tell where.
+/// So many runs after the first one hold the joints at multiples of their steps, before steps from starts tell their places.
 const MULTIPLES: u8 = 5;
 
 /// A slide is moved by up to half of so many reaches either way.
@@ -260,33 +260,20 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         next
     }
 
-    /// Moves the free joints to their places in this run.
+    /// Moves the free joints to their places in the next run.
     fn place(&mut self) {
-        let constants = self.constants;
-        let (mut turned, mut stepped) = (None, None);
+        let told = self.told();
+        let stepped = if told.is_none() { self.stepped() } else { None };
+        let (constants, defaults) = (self.constants, self.constants.defaults(self.near));
         let Some(retry) = &mut self.retry else { return };
-        retry.held = Held::Multiple;
-        for index in 0..retry.len {
-            if let Some(open) = retry.opens.get_mut(index)
-                && let listed = self.solutions.exact().any(|solution| solution.branch == open.branch)
-                && let before = retry.moving.iter().position(|joint| open.joint.contains(joint)).unwrap_or(0)
-                && let Some([x, expected]) = open.next_place(step(before), retry.multiple, listed)
-            {
-                retry.held = Held::Told { index, expected, level: T::NAN };
-                turned = Some((open.joint, x));
-                break;
-            }
-        }
-        if turned.is_none() && retry.run > MULTIPLES {
-            stepped = self.stepped();
-        }
-        let defaults = constants.defaults(self.near);
-        let Some(retry) = &mut self.retry else { return };
-        let multiple = T::from_i32(retry.multiple.into());
         self.nearly_free = retry.moving;
+        let multiple = T::from_i32(retry.multiple.into());
         for (before, joint) in retry.moving.iter().enumerate() {
-            let turn = wrap(step::<T>(before) * multiple);
-            let turn = turned.map_or(turn, |(moved, x)| if moved.contains(joint) { x } else { T::ZERO });
+            let turn = match told {
+                None => wrap(step::<T>(before) * multiple),
+                Some((turned, x)) if turned.contains(joint) => x,
+                Some(_) => T::ZERO,
+            };
             if joint == VIRTUAL {
                 self.virtual_default = turn;
             } else if let Some((slot, default)) = self.defaults.get_mut(joint).zip(defaults.get(joint)) {
@@ -299,28 +286,43 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
                 };
             }
         }
+        retry.held = match (told, stepped) {
+            (None, None) => Held::Multiple,
+            (None, Some(_)) => Held::Step,
+            (Some(_), _) => retry.held,
+        };
     }
 
-    /// The joint vector to which a step from an open branch's start leads.
+    /// The joint that an open branch's levels tell next, and its place, rad from the default.
+    fn told(&mut self) -> Option<(JointMask, T)> {
+        let retry = self.retry.as_mut()?;
+        for (index, open) in retry.opens.iter_mut().take(retry.len).enumerate() {
+            let listed = self.solutions.exact().any(|solution| solution.branch == open.branch);
+            let before = retry.moving.iter().position(|joint| open.joint.contains(joint)).unwrap_or(0);
+            if let Some([x, expected]) = open.next_place(step(before), retry.multiple, listed) {
+                retry.held = Held::Told { index, expected, level: T::NAN };
+                return Some((open.joint, x));
+            }
+        }
+        None
+    }
+
+    /// The joint vector to which a step from the start of least miss leads that has not been stepped from. The stages that the branch
+    /// does not miss hold at a start, so the next run needs of the step the places of the free joints alone. There the missed
+    /// stage has a double root, as an elbow that just reaches. A step goes half of the way to such a root, so it is taken twice.
+    #[inline(never)]
     fn stepped(&mut self) -> Option<[T; N]> {
-        let index = self.next_open(|_, open| !open.stepped)?;
+        let retry = self.retry.as_ref()?;
+        let begins = retry.run > MULTIPLES && !retry.moving.contains(VIRTUAL) && self.evaluations_left > RESERVED;
+        let index = if begins { self.next_open(|_, open| !open.stepped)? } else { return None };
         let open = self.retry.as_mut()?.opens.get_mut(index)?;
         open.stepped = true;
-        let [Start { mut q, .. }, _] = open.starts;
-        if self.evaluations_left <= RESERVED {
-            return None;
-        }
+        let [Start { q, .. }, _] = open.starts;
         let times = if open.is_jointless { T::ONE } else { T::TWO };
         let mut iterate = Iterate::at(q);
         iterate.evaluate(self.constants, self.goal, self.arm);
         self.evaluations_left -= 1;
-        let step = iterate.step(self.goal.given())?;
-        for (joint, (value, change)) in q.iter_mut().zip(&step).enumerate() {
-            *value += *change * times * self.constants.unit(joint);
-        }
-        wrap_angles(&mut q, self.goal.given(), self.constants.prismatic);
-        self.retry.as_mut()?.held = Held::Step;
-        Some(q)
+        iterate.step(self.constants, self.goal.given(), times)
     }
 
     /// Iterates from the start of an open branch, or from those of all of them: those of least miss first.
