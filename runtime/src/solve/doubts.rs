@@ -25,14 +25,11 @@ pub(super) struct Doubts<T> {
     /// And the joints before it that may be elsewhere.
     pub(super) missed_at: u32,
     pub(super) missed_for: JointMask,
-    /// Its level, see [`level_behind`](Self::level_behind).
-    pub(super) level: [T; 2],
+    /// The level of that stage, NaN if it has none, or follows no such joint.
+    pub(super) level: T,
     /// That stage is an equation without a joint of its own.
     pub(super) is_jointless: bool,
-    /// A slide is solved between these joints and that stage.
-    pub(super) is_behind_slide: bool,
-    /// The product of the squared coefficients of the slides so far behind a joint that is free or weak, and true if there is one.
-    square: T,
+    /// A slide is solved behind a joint that is free or weak: what that joint does to later levels is not known.
     has_slide: bool,
 }
 
@@ -49,10 +46,8 @@ impl<T: Tolerances> Doubts<T> {
         way: 1,
         missed_at: 0,
         missed_for: JointMask::NONE,
-        level: [T::NAN; 2],
+        level: T::NAN,
         is_jointless: false,
-        is_behind_slide: false,
-        square: T::ONE,
         has_slide: false,
     };
 
@@ -68,19 +63,14 @@ impl<T: Tolerances> Doubts<T> {
         self.closes && self.free.is_empty() && self.amplitude >= T::VANISHING * T::DOUBTFUL
     }
 
-    /// The level of the stage that follows the joints `free_or_weak`, times a square, and the square: the product of the squared
-    /// coefficients of slides before the stage. NaN if the stage has no level, or follows no such joint.
-    pub(super) fn level_behind(&mut self, free_or_weak: JointMask, level: LevelOf<T>) -> [T; 2] {
+    /// The level of the stage that follows the joints `free_or_weak`. NaN if the stage has none, follows no such joint, or a slide
+    /// is solved in between.
+    pub(super) fn level_behind(&mut self, free_or_weak: JointMask, level: LevelOf<T>) -> T {
+        self.has_slide |= matches!(level, LevelOf::Slide) && !free_or_weak.is_empty();
         match level {
-            _ if free_or_weak.is_empty() => {}
-            LevelOf::Cosine(level) | LevelOf::Zero(level) => return [level * self.square, self.square],
-            LevelOf::Slide(coefficient) => {
-                self.square *= coefficient * coefficient;
-                self.has_slide = true;
-            }
-            LevelOf::Nothing => {}
+            LevelOf::Cosine(level) | LevelOf::Zero(level) if !(free_or_weak.is_empty() || self.has_slide) => level,
+            _ => T::NAN,
         }
-        [T::NAN; 2]
     }
 
     /// Returns true if a stage is missed, and may close with a joint before it elsewhere.
@@ -90,10 +80,10 @@ impl<T: Tolerances> Doubts<T> {
 
     /// Notes that the stage `way` is missed, and may close with the joints `free_or_weak` elsewhere. The first such stage of a
     /// branch counts.
-    pub(super) fn miss(&mut self, free_or_weak: JointMask, level: LevelOf<T>, known: [T; 2]) {
+    pub(super) fn miss(&mut self, free_or_weak: JointMask, level: LevelOf<T>, known: T) {
         if !self.is_missed() {
             (self.missed_at, self.missed_for, self.level) = (self.way, free_or_weak, known);
-            (self.is_jointless, self.is_behind_slide) = (matches!(level, LevelOf::Zero(_)), self.has_slide);
+            self.is_jointless = matches!(level, LevelOf::Zero(_));
         }
     }
 

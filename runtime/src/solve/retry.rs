@@ -7,7 +7,7 @@
 use super::doubts::Doubts;
 use super::kernel::tolerances::Tolerances;
 use super::least_squares::Iterate;
-use super::open_branch::{MOST_SAMPLES, Open, Place, Start};
+use super::open_branch::{Open, Place, SAMPLES, Start};
 use super::search::{Search, VIRTUAL};
 use super::verify::RESERVED;
 use crate::effort::MOST_CASCADES;
@@ -153,12 +153,12 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             }
         }
         // Where a slide is free too, the equation that is missed is another one.
-        let is_known = open.sample(retry.multiple).is_none_or(|[level, _]| level.is_finite());
+        let is_known = open.sample(retry.multiple).is_none_or(|level| level.is_finite());
         let is_sampled = is_known || retry.held != Held::Multiple || open.place != Place::Sampled;
         if open.place != Place::Untold && doubts.is_missed() && (open.way == 0 || !is_sampled) {
             open.way = doubts.missed_at;
-            (open.is_jointless, open.is_behind_slide) = (doubts.is_jointless, doubts.is_behind_slide);
-            (open.first, open.levels) = (retry.multiple, [[T::NAN; 2]; MOST_SAMPLES]);
+            open.is_jointless = doubts.is_jointless;
+            (open.first, open.levels) = (retry.multiple, [T::NAN; SAMPLES]);
             open.levels[0] = doubts.level;
         }
         open.keep(Start { miss, q: *q });
@@ -167,7 +167,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     /// Notes the level of a stage, by the way there, on the open branches that miss this stage.
     #[cold]
     #[inline(never)]
-    pub(super) fn sample(&mut self, way: u32, level: [T; 2]) {
+    pub(super) fn sample(&mut self, way: u32, level: T) {
         let Some(retry) = &mut self.retry else { return };
         let multiple = retry.multiple;
         match &mut retry.held {
@@ -176,9 +176,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
                 samples.filter_map(|open| open.sample(multiple)).for_each(|sample| *sample = level);
             }
             Held::Told { index, level: of_run, .. } => {
-                let [product, square] = level;
                 if retry.opens.get(*index).is_some_and(|open| open.way == way) {
-                    *of_run = product / square;
+                    *of_run = level;
                 }
             }
             Held::Step => {}

@@ -202,7 +202,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
         let mut next = self.doubts(state);
         let (amplitude, free, free_or_weak) = (next.amplitude, next.free, next.free_or_weak());
         next.note(doubt);
-        let known = if S > 0 { self.level(state, &mut next, free_or_weak, level) } else { [T::NAN; 2] };
+        let known = if S > 0 { self.level(state, &mut next, free_or_weak, level) } else { T::NAN };
         let mut ended = false;
         let Doubt { gap, angular, .. } = doubt.unwrap_or(Doubt::NOTHING);
         let measure = if angular { Measure::DIRECTION } else { Measure::length(self.constants.reach) };
@@ -240,16 +240,10 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
     }
 
     /// The level of a stage that follows the joints `free_or_weak`, noted where this run samples it; NaN if unknown.
-    fn level(
-        &mut self,
-        state: BranchState,
-        doubts: &mut Doubts<T>,
-        free_or_weak: JointMask,
-        level: LevelOf<T>,
-    ) -> [T; 2] {
+    fn level(&mut self, state: BranchState, doubts: &mut Doubts<T>, free_or_weak: JointMask, level: LevelOf<T>) -> T {
         doubts.way = self.way(state, doubts.way);
         let known = doubts.level_behind(free_or_weak, level);
-        if self.retry.is_some() && known.iter().all(|x| x.is_finite()) {
+        if self.retry.is_some() && known.is_finite() {
             self.sample(doubts.way, known);
         }
         known

@@ -12,7 +12,6 @@ pub(in crate::solve) enum LevelOf<T> {
     /// A value that has to vanish, of an equation without a joint of its own. A joint before the stage moves it in the same
     /// way.
     Zero(T),
-    /// The joint of the stage slides, by a number over this coefficient. A joint before the stage moves both in the same
-    /// way. Not a number for a slide that solves another equation.
-    Slide(T),
+    /// The joint of the stage slides: what a joint before the stage does to later levels is not known.
+    Slide,
 }

@@ -20,11 +20,11 @@ use crate::JointMask;
 pub fn slide<T: Tolerances>(measure: Measure<T>, rho: T, across: T, middle: T) -> Roots<T, 1, 2> {
     let beyond = rho - across;
     if !(beyond > measure.rounding()) {
-        return Roots::edge([Turn::position(middle)], (-beyond).max(T::ZERO), measure).at_level(LevelOf::Slide(T::NAN));
+        return Roots::edge([Turn::position(middle)], (-beyond).max(T::ZERO), measure).at_level(LevelOf::Slide);
     }
     let half = (beyond * (rho + across)).sqrt();
     let roots = [[Turn::position(middle + half)], [Turn::position(middle - half)]];
-    Roots::determined(roots, measure, LevelOf::Slide(T::NAN), half / measure.scale, JointMask::NONE)
+    Roots::determined(roots, measure, LevelOf::Slide, half / measure.scale, JointMask::NONE)
 }
 
 /// Solves `denominator x = numerator`. One root. With the denominator (dimensionless) vanishing the joint is free.
@@ -41,7 +41,7 @@ pub fn slide_to<T: Tolerances>(
         return stage.at_level(LevelOf::Zero(numerator / measure.scale));
     }
     let root = [Turn::position(numerator / denominator)];
-    Roots::determined([root], measure, LevelOf::Slide(denominator), denominator.abs(), default.joint)
+    Roots::determined([root], measure, LevelOf::Slide, denominator.abs(), default.joint)
 }
 
 /// Solves `a x^2 + b x + c = 0` (`a` dimensionless, `b` a length, `c` its square) without cancellation. Two roots; one
@@ -59,12 +59,12 @@ pub fn quadratic<T: Tolerances>(measure: Measure<T>, [a, b, c]: [T; 3]) -> Roots
     if !(discriminant > close) {
         // The equation is a difference of two squared distances, at its extremum off by `discriminant / a`.
         let gap = (-discriminant).max(T::ZERO) / (a.abs() * measure.scale);
-        return Roots::edge([Turn::position(-half / a)], gap, measure).at_level(LevelOf::Slide(T::NAN));
+        return Roots::edge([Turn::position(-half / a)], gap, measure).at_level(LevelOf::Slide);
     }
     let root = discriminant.sqrt();
     let larger = if half < T::ZERO { root - half } else { -half - root };
     let roots = [[Turn::position(larger / a)], [Turn::position(c / larger)]];
-    Roots::determined(roots, measure, LevelOf::Slide(T::NAN), root / measure.scale, JointMask::NONE)
+    Roots::determined(roots, measure, LevelOf::Slide, root / measure.scale, JointMask::NONE)
 }
 
 /// [`slide`] over lanes.
