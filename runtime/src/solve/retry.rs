@@ -217,7 +217,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         if retry.run == 0 {
             retry.at_defaults = listed;
             // A weak joint stays at its default in a run of its own.
-            let weak = retry.opens().iter().any(|open| open.way == 0 && open.place == Place::Sampled);
+            let weak = retry.opens().iter().any(|open| open.joint.iter().any(|joint| !open.free.contains(joint)));
             retry.multiple = u8::from(!weak);
         } else if retry.held == Held::Multiple {
             retry.multiple += 1;
@@ -266,7 +266,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let (constants, defaults) = (self.constants, self.constants.defaults(self.near));
         let Some(retry) = &mut self.retry else { return };
         self.nearly_free = retry.moving;
-        let multiple = T::from_i32(retry.multiple.into());
+        // A step does not tell where a virtual joint is to be.
+        let multiple = T::from_i32(if stepped.is_some() { retry.run } else { retry.multiple }.into());
         for (before, joint) in retry.moving.iter().enumerate() {
             let turn = match told {
                 None => wrap(step::<T>(before) * multiple),
@@ -312,7 +313,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     #[inline(never)]
     fn stepped(&mut self) -> Option<[T; N]> {
         let retry = self.retry.as_ref()?;
-        let begins = retry.run > MULTIPLES && !retry.moving.contains(VIRTUAL) && self.evaluations_left > RESERVED;
+        let begins = retry.run > MULTIPLES && self.evaluations_left > RESERVED;
         let index = if begins { self.next_open(|_, open| !open.stepped)? } else { return None };
         let open = self.retry.as_mut()?.opens.get_mut(index)?;
         open.stepped = true;
