@@ -266,10 +266,14 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let (constants, defaults) = (self.constants, self.constants.defaults(self.near));
         let Some(retry) = &mut self.retry else { return };
         self.nearly_free = retry.moving;
+        // Where no step leads on, one joint moves alone: a family may need the others at their defaults.
+        let ends = retry.run > MULTIPLES && stepped.is_none();
+        let alone = if ends { usize::from(retry.run).checked_rem(retry.moving.len()) } else { None };
         // A step does not tell where a virtual joint is to be.
         let multiple = T::from_i32(if stepped.is_some() { retry.run } else { retry.multiple }.into());
         for (before, joint) in retry.moving.iter().enumerate() {
             let turn = match told {
+                None if alone.is_some_and(|alone| alone != before) => T::ZERO,
                 None => wrap(step::<T>(before) * multiple),
                 Some((turned, x)) if turned.contains(joint) => x,
                 Some(_) => T::ZERO,
