@@ -45,7 +45,6 @@ found! {
     sweep_1_714 6 "arms/found/sweep_1_714.yaml";
     sweep_1_1142 6 "arms/found/sweep_1_1142.yaml";
     // Two free joints that have to move together.
-    sweep_1_3184 6 "arms/found/sweep_1_3184.yaml";
     // A given slide of 1e308.
     sweep_1_433 7 "arms/found/sweep_1_433.yaml";
     // Axes that miss the structure by 1e-11: every branch is verified.
