@@ -12,7 +12,7 @@ use super::search::{Search, VIRTUAL};
 use super::verify::RESERVED;
 use crate::effort::MOST_CASCADES;
 use crate::math::wrap;
-use crate::{Branch, JointMask, Solution};
+use crate::{Branch, Flags, JointMask, Solution};
 
 /// The step of a free joint, rad, if so many `before` it move too. In turns it is the inverse root of `x^k = x + 1`, for
 /// k = 2 the golden number: multiples of the first few fill a torus evenly.
@@ -40,8 +40,8 @@ enum Held<T> {
     /// The joint of the open branch `index` at the place that its levels tell. `expected`: the level there; `level`: that of the
     /// run, NaN before.
     Told { index: usize, expected: T, level: T },
-    /// Where a step from a start leads.
-    Step,
+    /// Where a step from a start leads, or one joint alone off its default.
+    Other,
 }
 
 /// Memory of a call whose target needs further runs: at most `S` open branches.
@@ -127,6 +127,17 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         self.solutions.exact().any(|solution| solution.branch == branch)
     }
 
+    /// Drops the solution of a branch that closes only within the tolerance with its free joint at the default.
+    pub(super) fn drop_near_miss(&mut self, branch: Branch) {
+        let listed = self.solutions.len();
+        let near_miss = Flags::APPROXIMATE | Flags::FREE;
+        self.solutions.retain(|other| !(other.branch == branch && other.flags.contains(near_miss)));
+        let dropped = listed - self.solutions.len();
+        if let Some(retry) = &mut self.retry {
+            retry.at_defaults = retry.at_defaults.saturating_sub(dropped);
+        }
+    }
+
     /// Remembers a branch that is missed, and a joint vector on it. At the defaults the miss is often stationary: any
     /// other start is a better one, and `miss` is the largest number.
     #[inline(never)]
@@ -180,7 +191,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
                     *of_run = level;
                 }
             }
-            Held::Step => {}
+            Held::Other => {}
         }
     }
 
@@ -266,11 +277,12 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let (constants, defaults) = (self.constants, self.constants.defaults(self.near));
         let Some(retry) = &mut self.retry else { return };
         self.nearly_free = retry.moving;
-        // Where no step leads on, one joint moves alone: a family may need the others at their defaults.
-        let ends = retry.run > MULTIPLES && stepped.is_none();
+        // Where no step leads on, one of several joints moves alone: a family may need the others at their defaults.
+        let ends = retry.run > MULTIPLES && stepped.is_none() && retry.moving.len() > 1;
         let alone = if ends { usize::from(retry.run).checked_rem(retry.moving.len()) } else { None };
+        let is_multiple = stepped.is_none() && alone.is_none();
         // A step does not tell where a virtual joint is to be.
-        let multiple = T::from_i32(if stepped.is_some() { retry.run } else { retry.multiple }.into());
+        let multiple = T::from_i32(if is_multiple { retry.multiple } else { retry.run }.into());
         for (before, joint) in retry.moving.iter().enumerate() {
             let turn = match told {
                 None if alone.is_some_and(|alone| alone != before) => T::ZERO,
@@ -290,11 +302,9 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
                 };
             }
         }
-        retry.held = match (told, stepped) {
-            (None, None) => Held::Multiple,
-            (None, Some(_)) => Held::Step,
-            (Some(_), _) => retry.held,
-        };
+        if told.is_none() {
+            retry.held = if is_multiple { Held::Multiple } else { Held::Other };
+        }
     }
 
     /// The joint that an open branch's levels tell next, and its place, rad from the default.
@@ -313,7 +323,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
 
     /// The joint vector to which a step from the start of least miss leads that has not been stepped from. The stages that the branch
     /// does not miss hold at a start, so the next run needs of the step the places of the free joints alone. There the missed
-    /// stage has a double root, as an elbow that just reaches. A step goes half of the way to such a root, so it is taken twice.
+    /// stage has a double root, as an elbow that just reaches. A step goes half of the way to such a root, so it is made twice as long.
     #[inline(never)]
     fn stepped(&mut self) -> Option<[T; N]> {
         let retry = self.retry.as_ref()?;
@@ -339,6 +349,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             solution.flags |= open.flags;
             solution.free = open.free;
             (*first, second.miss) = (*second, T::INFINITY);
+            open.stepped = false;
             self.iterated(&mut solution);
             if only.is_some() {
                 return;

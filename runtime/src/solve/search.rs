@@ -168,7 +168,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
     fn way(&self, state: BranchState, before: u32) -> u32 {
         let last = self.doubts.as_ref().and_then(|doubts| *doubts.get(state.depth())?);
         let last = last.map(|doubts| doubts.way).filter(|way| way >> 4 == before & (u32::MAX >> 4));
-        last.map_or(before << 4, |way| way.wrapping_add(1))
+        last.map_or(before << 4, |way| way.wrapping_add(1)).max(1)
     }
 
     /// The state of a branch with further doubts.

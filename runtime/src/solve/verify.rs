@@ -145,9 +145,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let constants = self.constants;
         let again = self.is_again();
         if again && solution.is_exact() {
-            // What did not close with the free joint at its default.
-            let nearly = Flags::APPROXIMATE | Flags::FREE;
-            self.solutions.retain(|other| !(other.branch == solution.branch && other.flags.contains(nearly)));
+            self.drop_near_miss(solution.branch);
         }
         let mut others = self.solutions.as_mut_slice().iter_mut();
         let twin = others.find(|other| found != Found::Distinct && coincident(constants, &other.q, &solution.q));
