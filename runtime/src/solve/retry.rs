@@ -163,10 +163,11 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
                 open.place = Place::Sampled;
             }
         }
-        // Where a slide is free too, the equation that is missed is another one.
-        let is_known = open.sample(retry.multiple).is_none_or(|level| level.is_finite());
-        let is_sampled = is_known || retry.held != Held::Multiple || open.place != Place::Sampled;
-        if open.place != Place::Untold && doubts.is_missed() && (open.way == 0 || !is_sampled) {
+        // Where a slide is free too, the equation that is missed may be another one: a sample of its level lacks.
+        let lacks = retry.held == Held::Multiple
+            && open.place == Place::Sampled
+            && open.sample(retry.multiple).is_some_and(|level| !level.is_finite());
+        if open.place != Place::Untold && doubts.is_missed() && (open.way == 0 || lacks) {
             open.way = doubts.missed_at;
             open.is_jointless = doubts.is_jointless;
             (open.first, open.levels) = (retry.multiple, [T::NAN; SAMPLES]);

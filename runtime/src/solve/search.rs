@@ -42,7 +42,7 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize
     pub(super) virtual_default: T,
     /// Least stage residual at which a branch ended, or least residual of a branch that went on.
     pub(super) least: Option<T>,
-    /// The joints that already an amplitude near zero leaves free: those on open branches, on the way there.
+    /// The joints of open branches that are free or weak. In a further run an amplitude below `WEAK` leaves them free.
     pub(super) nearly_free: JointMask,
     /// How many evaluations of the arm are left.
     pub(super) evaluations_left: usize,
@@ -163,8 +163,8 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
         self.known_doubts(state).copied().unwrap_or(Doubts::START)
     }
 
-    /// The way to the stage that follows `before`, a number of one digit for each stage in doubt: how many branches have
-    /// come to this stage from the one before.
+    /// The way to the stage that follows the way `before`: a number with one hexadecimal digit for each stage in doubt, which counts
+    /// the branches that have come to this stage from the one before. The slot at this depth still has the last of these.
     fn way(&self, state: BranchState, before: u32) -> u32 {
         let last = self.doubts.as_ref().and_then(|doubts| *doubts.get(state.depth())?);
         let last = last.map(|doubts| doubts.way).filter(|way| way >> 4 == before & (u32::MAX >> 4));

@@ -54,6 +54,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             let movable = !doubts.free_or_weak().is_empty();
             found = self.verified(movable, &mut solution);
             if movable && !(solution.is_exact() || doubts.clamped) {
+                // At the defaults the miss says little, and refinement may have led away from there. In a further run the
+                // closed form is the start of a step.
                 if self.is_again() {
                     self.open(&doubts, branch, self.constants.relative(&doubts.gap), &q);
                 } else {
