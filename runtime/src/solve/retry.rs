@@ -109,7 +109,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
                 return crosses;
             }
         }
-        if doubts.is_missed() {
+        if S > 0 && doubts.is_missed() {
             let miss = if again { self.constants.relative(&doubts.gap) } else { T::MAX };
             self.open(doubts, solution.branch, miss, &solution.q);
         }
@@ -142,9 +142,6 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     /// other start is a better one, and `miss` is the largest number.
     #[inline(never)]
     pub(super) fn open(&mut self, doubts: &Doubts<T>, branch: Branch, miss: T, q: &[T; N]) {
-        if S == 0 {
-            return;
-        }
         let prismatic = self.constants.prismatic;
         let retry = self.retry();
         let len = retry.len;
@@ -237,7 +234,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         // A second run looks for a third family only if the first has found a second one.
         let crosses = retry.crossings.iter().any(|(_, joints)| !joints.is_empty());
         let crosses = crosses && (retry.run == 0 || retry.run == 1 && listed > retry.at_defaults);
-        if let Held::Told { index, expected, level } = retry.held
+        if S > 0
+            && let Held::Told { index, expected, level } = retry.held
             && let Some(open) = retry.opens.get_mut(index)
         {
             if open.is_beyond(expected, level) {
@@ -273,13 +271,14 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
 
     /// Moves the free joints to their places in the next run.
     fn place(&mut self) {
-        let told = self.told();
-        let stepped = if told.is_none() { self.stepped() } else { None };
+        // Without open branches only families that cross need further runs.
+        let told = if S > 0 { self.told() } else { None };
+        let stepped = if S > 0 && told.is_none() { self.stepped() } else { None };
         let (constants, defaults) = (self.constants, self.constants.defaults(self.near));
         let Some(retry) = &mut self.retry else { return };
         self.nearly_free = retry.moving;
         // Where no step leads on, one of several joints moves alone: a family may need the others at their defaults.
-        let ends = retry.run > MULTIPLES && stepped.is_none() && retry.moving.len() > 1;
+        let ends = S > 0 && retry.run > MULTIPLES && stepped.is_none() && retry.moving.len() > 1;
         let alone = if ends { usize::from(retry.run).checked_rem(retry.moving.len()) } else { None };
         let is_multiple = stepped.is_none() && alone.is_none();
         // A step does not tell where a virtual joint is to be.

@@ -53,7 +53,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             }
             let movable = !doubts.free_or_weak().is_empty();
             found = self.verified(movable, &mut solution);
-            if movable && !(solution.is_exact() || doubts.clamped) {
+            if S > 0 && movable && !(solution.is_exact() || doubts.clamped) {
                 // At the defaults the miss says little, and refinement may have led away from there. In a further run the
                 // closed form is the start of a step.
                 if self.is_again() {
@@ -146,7 +146,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     fn list(&mut self, solution: &Solution<T, N>, found: Found) {
         let constants = self.constants;
         let again = self.is_again();
-        if again && solution.is_exact() {
+        if S > 0 && again && solution.is_exact() {
             self.drop_near_miss(solution.branch);
         }
         let mut others = self.solutions.as_mut_slice().iter_mut();
