@@ -83,8 +83,7 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
         }
     }
 
-    /// The next place of the joint that the levels tell, rad from its default, and the level there, see
-    /// [`turning_place`](Self::turning_place). An equation without a joint of its own has a second root, the first one mirrored,
+    /// The next place of the joint that the levels tell, rad from its default, and the level there, see [`turning_place`]. An equation without a joint of its own has a second root, the first one mirrored,
     /// also where the branch is `listed` by the first. None before so many `multiples` of the step that the levels are known.
     pub(super) fn next_place(&mut self, step: T, multiples: u8, listed: bool) -> Option<[T; 2]> {
         let mirror = self.has_second_place();
@@ -93,7 +92,8 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
             return None;
         }
         self.place = if mirror { Place::ToldTwice } else { Place::Told };
-        let [x, level, phi] = self.turning_place(step)?;
+        let start = T::from_i32(self.first.into()) * step;
+        let [x, level, phi] = turning_place(self.levels, start, step, self.range())?;
         let apart = wrap((x - phi) * T::TWO).abs() > T::WEAK;
         (!mirror || apart).then_some([if mirror { wrap(phi + phi - x) } else { x }, level])
     }
@@ -101,43 +101,6 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
     /// Returns true if a second place is still to be told.
     pub(super) fn has_second_place(&self) -> bool {
         self.place == Place::Told && self.is_jointless
-    }
-
-    /// The place of the joint, rad from its default, the level there, and phi below. `step`: how far the joint was moved.
-    ///
-    /// The level is `a + b cos(x - phi)`: the joint moves a point or a direction on a circle. The stage has roots where
-    /// the level is in its range, between -1 and 1. Of the interval next to the default the place is the point that is nearest to the
-    /// default, a quarter of the interval inside. Without an interval it is where the level exceeds its range by least.
-    #[inline(never)]
-    fn turning_place(&self, step: T) -> Option<[T; 3]> {
-        let start = T::from_i32(self.first.into()) * step;
-        let [at, one, two] = self.levels;
-        let ((sin, cos), (half_sin, half_cos)) = (sin_cos(step), sin_cos(step * T::HALF));
-        // `c cos x + s sin x` at the places less that at the first one, over `-2 sin(x / 2)`.
-        let (p, q) = ((at - one) / (T::TWO * half_sin), (at - two) / (T::TWO * sin));
-        let (c, s) = ((q * half_cos - p * cos) / half_sin, (q * half_sin - p * sin) / half_sin);
-        let (a, b) = (at - c, (c * c + s * s).sqrt());
-        if !(b > T::ROUNDING * (T::ONE + a.abs())) {
-            return None;
-        }
-        let phi = wrap(angle(s / b, c / b) + start);
-        // The angles from phi at which the range ends; beyond the turning points of the level there is no end.
-        let [near, far] = [(self.range() - a) / b, (-self.range() - a) / b];
-        let end = |cos: T| angle(((T::ONE - cos) * (T::ONE + cos)).max(T::ZERO).sqrt(), cos);
-        let (no_near, no_far) = (near >= T::ONE, far <= -T::ONE);
-        let from_phi = if near <= -T::ONE {
-            T::PI
-        } else if far >= T::ONE {
-            T::ZERO
-        } else {
-            let least = if no_near { -end(far) } else { end(near) };
-            let most = if no_far { T::TAU - end(near) } else { end(far) };
-            let inside = (most - least) * T::HALF * T::HALF;
-            if no_near && no_far { wrap(phi).abs() } else { wrap(phi).abs().max(least + inside).min(most - inside) }
-        };
-        let x = if wrap(phi) > T::ZERO { phi - from_phi } else { phi + from_phi };
-        let (_, cos) = sin_cos(from_phi);
-        Some([wrap(x), a + b * cos, phi])
     }
 
     /// The largest level for which the stage has roots.
@@ -157,6 +120,42 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
     }
 }
 
+/// The place of the joint, rad from its default, the level there, and phi below. The samples are at `start` and one and two
+/// times `step` further, rad from the default; `range`: the largest level for which the stage has roots.
+///
+/// The level is `a + b cos(x - phi)`: the joint moves a point or a direction on a circle. The stage has roots where
+/// the level is in its range, between -1 and 1. Of the interval next to the default the place is the point that is nearest to the
+/// default, a quarter of the interval inside. Without an interval it is where the level exceeds its range by least.
+#[inline(never)]
+fn turning_place<T: Tolerances>([at, one, two]: [T; SAMPLES], start: T, step: T, range: T) -> Option<[T; 3]> {
+    let ((sin, cos), (half_sin, half_cos)) = (sin_cos(step), sin_cos(step * T::HALF));
+    // `c cos x + s sin x` at the places less that at the first one, over `-2 sin(x / 2)`.
+    let (p, q) = ((at - one) / (T::TWO * half_sin), (at - two) / (T::TWO * sin));
+    let (c, s) = ((q * half_cos - p * cos) / half_sin, (q * half_sin - p * sin) / half_sin);
+    let (a, b) = (at - c, (c * c + s * s).sqrt());
+    if !(b > T::ROUNDING * (T::ONE + a.abs())) {
+        return None;
+    }
+    let phi = wrap(angle(s / b, c / b) + start);
+    // The angles from phi at which the range ends; beyond the turning points of the level there is no end.
+    let [near, far] = [(range - a) / b, (-range - a) / b];
+    let end = |cos: T| angle(((T::ONE - cos) * (T::ONE + cos)).max(T::ZERO).sqrt(), cos);
+    let (no_near, no_far) = (near >= T::ONE, far <= -T::ONE);
+    let from_phi = if near <= -T::ONE {
+        T::PI
+    } else if far >= T::ONE {
+        T::ZERO
+    } else {
+        let least = if no_near { -end(far) } else { end(near) };
+        let most = if no_far { T::TAU - end(near) } else { end(far) };
+        let inside = (most - least) * T::HALF * T::HALF;
+        if no_near && no_far { wrap(phi).abs() } else { wrap(phi).abs().max(least + inside).min(most - inside) }
+    };
+    let x = if wrap(phi) > T::ZERO { phi - from_phi } else { phi + from_phi };
+    let (_, cos) = sin_cos(from_phi);
+    Some([wrap(x), a + b * cos, phi])
+}
+
 #[cfg(test)]
 mod tests {
     #![allow(clippy::expect_used)]
@@ -169,8 +168,7 @@ mod tests {
     fn place(a: f64, b: f64, phi: f64) -> (f64, f64) {
         let level = |x: f64| a + b * (x - phi).cos();
         let levels = [0.0, 1.0, 2.0].map(|k| level(k * STEP));
-        let open = Open::<f64, 1> { levels, ..Open::NONE };
-        let [x, told, _] = open.turning_place(STEP).expect("a level that moves");
+        let [x, told, _] = turning_place(levels, 0.0, STEP, 1.0).expect("a level that moves");
         assert!((level(x) - told).abs() < 1e-12, "{a} {b} {phi}: {x}");
         (x, told)
     }
@@ -202,9 +200,8 @@ mod tests {
 
     #[test]
     fn a_level_that_does_not_move_tells_no_place() {
-        let open = Open::<f64, 1> { levels: [1.5; 3], ..Open::NONE };
-        assert_eq!(open.turning_place(STEP), None);
-        assert_eq!(Open::<f64, 1>::NONE.turning_place(STEP), None);
+        assert_eq!(turning_place([1.5; 3], 0.0, STEP, 1.0), None);
+        assert_eq!(turning_place([f64::NAN; 3], 0.0, STEP, 1.0), None);
     }
 
     #[test]
