@@ -83,8 +83,9 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
         }
     }
 
-    /// The next place of the joint that the levels tell, rad from its default, and the level there, see [`turning_place`]. An equation without a joint of its own has a second root, the first one mirrored,
-    /// also where the branch is `listed` by the first. None before so many `multiples` of the step that the levels are known.
+    /// The next place of the joint that the levels tell, rad from its default, and the level there, see [`turning_place`]. An
+    /// equation without a joint of its own has a second root, the first one mirrored, also where the branch is `listed` by the
+    /// first. `None` before so many `multiples` of the step that the levels are known.
     pub(super) fn next_place(&mut self, step: T, multiples: u8, listed: bool) -> Option<[T; 2]> {
         let mirror = self.has_second_place();
         let first = self.place == Place::Sampled && !listed;
