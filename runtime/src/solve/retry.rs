@@ -123,6 +123,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     }
 
     /// Returns true if a branch has an exact solution.
+    #[inline(never)]
     fn lists(&self, branch: Branch) -> bool {
         self.solutions.exact().any(|solution| solution.branch == branch)
     }
@@ -243,7 +244,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             }
             self.iterate(Some(index));
         }
-        let any = self.next_open(|_, _| true).is_some();
+        let any = self.next_open(None, false).is_some();
         let Some(retry) = &mut self.retry else { return false };
         // An equation that determines the free joint of a branch has a second root.
         let any = any || retry.opens().iter().any(|open| open.has_second_place());
@@ -257,12 +258,15 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         true
     }
 
-    /// The index of the open branch whose start misses by least, of those that are `asked` for.
-    fn next_open(&self, asked: impl Fn(usize, &Open<T, N>) -> bool) -> Option<usize> {
+    /// The index of the open branch whose start misses by least. `only`: of this one. `unstepped`: of those whose first start has not
+    /// been stepped from.
+    #[inline(never)]
+    fn next_open(&self, only: Option<usize>, unstepped: bool) -> Option<usize> {
         let (mut next, mut least) = (None, T::INFINITY);
         for (index, open) in self.retry.as_ref()?.opens.iter().enumerate() {
             let [Start { miss, .. }, _] = open.starts;
-            if miss < least && open.place != Place::Nowhere && asked(index, open) && !self.lists(open.branch) {
+            let asked = only.is_none_or(|only| only == index) && !(unstepped && open.stepped);
+            if asked && miss < least && open.place != Place::Nowhere && !self.lists(open.branch) {
                 (next, least) = (Some(index), miss);
             }
         }
@@ -328,7 +332,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     fn stepped(&mut self) -> Option<[T; N]> {
         let retry = self.retry.as_ref()?;
         let begins = retry.run > MULTIPLES && self.evaluations_left > RESERVED;
-        let index = if begins { self.next_open(|_, open| !open.stepped)? } else { return None };
+        let index = if begins { self.next_open(None, true)? } else { return None };
         let open = self.retry.as_mut()?.opens.get_mut(index)?;
         open.stepped = true;
         let [Start { q, .. }, _] = open.starts;
@@ -342,7 +346,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     /// Iterates from the start of an open branch, or from those of all of them: those of least miss first.
     fn iterate(&mut self, only: Option<usize>) {
         for _ in 0..2 * S {
-            let next = self.next_open(|index, _| only.is_none_or(|only| only == index));
+            let next = self.next_open(only, false);
             let Some(open) = next.and_then(|index| self.retry.as_mut()?.opens.get_mut(index)) else { return };
             let [first, second] = &mut open.starts;
             let mut solution = Solution::exact(first.q, open.branch);
