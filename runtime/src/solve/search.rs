@@ -60,7 +60,7 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize
     pub(super) near: Option<&'a [T; N]>,
     /// A branch of a measured arm's table is missed by little, or leads to no solution.
     pub(super) is_nearly_missed: bool,
-    /// What a pose needs further runs for, if it does.
+    /// Memory of further runs, if the pose needs any.
     pub(super) retry: Option<Retry<T, N, M, S>>,
 }
 
