@@ -1,7 +1,7 @@
 //! The runtime's search without the numbers of joints and solutions in its type.
 
 use denhart::Branch;
-use denhart::solve::{BranchState, DefaultValue, Measure, Missed, Search};
+use denhart::solve::{BranchState, DefaultValue, Measure, Search};
 use denhart_codegen::model::MOST_JOINTS;
 
 use crate::kernel::{AnyRoots, MOST_DOUBTS, with_roots};
@@ -29,7 +29,7 @@ pub trait Branches {
     fn push(&mut self, state: &BranchState, q: &[f64; MOST_JOINTS], branch: Branch);
 }
 
-impl<const N: usize, const M: usize, P: Missed<f64, M>> Branches for Search<'_, f64, N, M, MOST_DOUBTS, P> {
+impl<const N: usize, const M: usize, const S: usize> Branches for Search<'_, f64, N, M, MOST_DOUBTS, S> {
     fn default(&self, joint: usize) -> DefaultValue<f64> {
         Search::default(self, joint)
     }

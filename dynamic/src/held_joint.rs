@@ -2,8 +2,8 @@
 
 use denhart::held_joint::meet::Meet;
 use denhart::held_joint::slides::Slides;
-use denhart::held_joint::{HeldJointSearch, Outcome, Transform, Visitor};
-use denhart::solve::{AllLocked, Goal, Levels, Missed, Pointing, Search, nearest_rotation};
+use denhart::held_joint::{Outcome, Transform, Visitor};
+use denhart::solve::{AllLocked, Goal, Pointing, Search, nearest_rotation};
 use denhart::{Pose, Residual, Solutions, Status};
 use denhart_codegen::lower::{Goal as Task, HeldJointPlan, Inverse, Method};
 
@@ -28,8 +28,9 @@ pub struct HeldJointSolver<const N: usize, const M: usize, const STARTS: bool = 
     starts: Option<Nest>,
 }
 
-/// The search of a measured arm that starts from its table.
-type SearchFromTable<'a, const N: usize, const M: usize> = Search<'a, f64, N, M, MOST_DOUBTS, Levels<f64, M>>;
+/// The search of an arm that holds a joint, of the same type as that of stages: both are compiled once. A measured arm starts from the
+/// stages of its table.
+type HeldJointSearch<'a, const N: usize, const M: usize> = Search<'a, f64, N, M, MOST_DOUBTS, M>;
 
 impl<const N: usize, const M: usize, const STARTS: bool> HeldJointSolver<N, M, STARTS> {
     /// The solver of a program; `None` if its arm has another number of joints.
@@ -78,7 +79,7 @@ impl<const N: usize, const M: usize, const STARTS: bool> HeldJointSolver<N, M, S
         let constants = self.constants.get();
         match &self.starts {
             Some(nest) if STARTS => {
-                let mut search = SearchFromTable::<N, M>::new(&constants, &self.both, goal, near, solutions).in_doubt();
+                let mut search = HeldJointSearch::<N, M>::new(&constants, &self.both, goal, near, solutions).in_doubt();
                 if search.begins(near) {
                     let mut run = Run::new(nest, &[], &|input| entry(pose, input), None);
                     search.start_from_table(nest.program.off_table.unwrap_or(0.0), |search, start| {
@@ -88,7 +89,7 @@ impl<const N: usize, const M: usize, const STARTS: bool> HeldJointSolver<N, M, S
                 }
             }
             _ => {
-                let mut search = HeldJointSearch::<f64, N, M>::new(&constants, &self.both, goal, near, solutions);
+                let mut search = HeldJointSearch::<N, M>::new(&constants, &self.both, goal, near, solutions);
                 if search.begins(near) {
                     self.run(search, goal, pose, near, &constants);
                 }
@@ -97,9 +98,9 @@ impl<const N: usize, const M: usize, const STARTS: bool> HeldJointSolver<N, M, S
     }
 
     /// Solves what a search has begun.
-    fn run<const D: usize, P: Missed<f64, M>>(
+    fn run(
         &self,
-        mut search: Search<'_, f64, N, M, D, P>,
+        mut search: HeldJointSearch<'_, N, M>,
         goal: &dyn Goal<f64, N>,
         pose: &Pose<f64>,
         near: Option<&[f64; N]>,

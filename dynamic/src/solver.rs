@@ -1,12 +1,9 @@
 //! The inverse of an arm with `N` joints and at most `M` solutions.
 
 use std::cell::RefCell;
-use std::marker::PhantomData;
 
 use denhart::math;
-use denhart::solve::{
-    AllLocked, Decoupled, Evaluate, Goal, InPlane, Levels, Missed, Pointing, Search, nearest_rotation,
-};
+use denhart::solve::{AllLocked, Evaluate, Goal, InPlane, Pointing, Search, nearest_rotation};
 use denhart::{Branch, Jacobian, Pose, Residual, Solutions, Status};
 use denhart_codegen::lower::{self, Given, GivenValues, Input, Inverse};
 
@@ -60,12 +57,12 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
         DynamicError::Unsupported(format!("an inverse of {joints} joints with up to {capacity} solutions"))
     };
     macro_rules! sizes {
-        // `Missed` may name the capacity as `M`.
-        ($Missed:ty; $($joints:literal: $($capacity:literal)*;)*) => {
+        // `open` may name the capacity as `M`.
+        ($open:expr; $($joints:literal: $($capacity:literal)*;)*) => {
             match (program.joints, program.capacity) {
                 $($(($joints, $capacity) => {
                     const M: usize = $capacity;
-                    Solver::<$joints, M, $Missed>::boxed(program, both)
+                    Solver::<$joints, M, { $open }>::boxed(program, both)
                 })*)*
                 _ => None,
             }
@@ -97,17 +94,17 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
         return Err(unsupported());
     }
     let solver = match program.decoupled {
-        true => sizes! { Decoupled;
+        true => sizes! { 0;
             3: 1 2 4;
             4: 2 4;
             5: 4 8;
             6: 4 8;
         },
         #[cfg(not(target_family = "wasm"))]
-        false if program.joints > 9 => sizes! { Levels<f64, M>;
+        false if program.joints > 9 => sizes! { M;
             10: 1 2 3 4 6 8 16;
         },
-        false => sizes! { Levels<f64, M>;
+        false => sizes! { M;
             2: 1 2;
             3: 1 2 4;
             4: 1 2 4 8;
@@ -121,15 +118,14 @@ pub fn solver(program: &Inverse, both: &Straight) -> Result<Box<dyn Solve>, Dyna
     solver.ok_or_else(unsupported)
 }
 
-/// `P`: what the search remembers of branches that are missed, [`Levels`] or [`Decoupled`].
+/// `S`: the most branches that the search remembers as missed; 0 for an arm that has none.
 #[derive(Debug)]
-struct Solver<const N: usize, const M: usize, P> {
+struct Solver<const N: usize, const M: usize, const S: usize> {
     nest: Nest,
     constants: ArmConstants<N>,
     both: Evaluator<N>,
     /// The margins of a measured arm's table, which name its branches.
     names: Option<Factors>,
-    missed: PhantomData<P>,
 }
 
 /// Pose and Jacobian for the verification of solutions.
@@ -147,13 +143,13 @@ impl<const N: usize> Evaluate<f64, N> for Evaluator<N> {
     }
 }
 
-impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send + Sync + 'static> Solver<N, M, P> {
+impl<const N: usize, const M: usize, const S: usize> Solver<N, M, S> {
     fn boxed(program: &Inverse, both: &Straight) -> Option<Box<dyn Solve>> {
         let constants = ArmConstants::of(&program.constants)?;
         let reach = program.constants.reach;
         let names = program.table_margins.as_ref().map(|margins| Factors::new(margins, reach));
         let both = Evaluator(both.clone());
-        Some(Box::new(Self { nest: Nest::new(program), constants, both, names, missed: PhantomData }))
+        Some(Box::new(Self { nest: Nest::new(program), constants, both, names }))
     }
 
     fn solutions(&self, asked: &Asked) -> Solutions<f64, N, M> {
@@ -233,7 +229,7 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
     ) {
         let Ok(near) = asked.near.map(<&[f64; N]>::try_from).transpose() else { return };
         let constants = self.constants.get();
-        let search = Search::<f64, N, M, MOST_DOUBTS, P>::new(&constants, &self.both, goal, near, solutions);
+        let search = Search::<f64, N, M, MOST_DOUBTS, S>::new(&constants, &self.both, goal, near, solutions);
         let mut search = if self.nest.program.in_doubt { search.in_doubt() } else { search };
         if !search.begins(near) {
             return;
@@ -258,9 +254,7 @@ impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send 
     }
 }
 
-impl<const N: usize, const M: usize, P: Missed<f64, M> + std::fmt::Debug + Send + Sync + 'static> Solve
-    for Solver<N, M, P>
-{
+impl<const N: usize, const M: usize, const S: usize> Solve for Solver<N, M, S> {
     fn solve(&self, asked: &Asked, solutions: &mut DynamicSolutions) {
         solutions.set(&self.solutions(asked));
     }

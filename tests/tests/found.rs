@@ -36,7 +36,6 @@ found! {
     // Three parallel axes behind a free joint: the first stage does not depend on it.
     sweep_1_229 6 "arms/found/sweep_1_229.yaml";
     sweep_1_544 7 "arms/found/sweep_1_544.yaml";
-    sweep_1_1612 5 "arms/found/sweep_1_1612.yaml";
     // The roots of the first stage lie in two intervals.
     sweep_1_780 6 "arms/found/sweep_1_780.yaml";
     // A slide between the free joint and the stage.
@@ -45,7 +44,6 @@ found! {
     sweep_1_714 6 "arms/found/sweep_1_714.yaml";
     sweep_1_1142 6 "arms/found/sweep_1_1142.yaml";
     // Two free joints that have to move together.
-    sweep_1_3184 6 "arms/found/sweep_1_3184.yaml";
     // A given slide of 1e308.
     sweep_1_433 7 "arms/found/sweep_1_433.yaml";
     // Axes that miss the structure by 1e-11: every branch is verified.

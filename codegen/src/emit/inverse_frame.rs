@@ -204,17 +204,21 @@ pub(super) fn function(
 /// The type of a search that follows stages, `doubts` of which may be in doubt.
 pub(super) fn search_type(target: &Target, outline: &Outline, doubts: usize, decoupled: bool) -> TokenStream {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
-    let [n, m, doubts] = [outline.joints, outline.capacity, doubts].map(integer);
-    let (missed, doc) = if decoupled {
-        (quote!(#krate::solve::Decoupled), "The search of an arm on which no later stage sees where a free joint is.")
+    let (open, doc) = if decoupled {
+        (0, "The search of an arm on which no later stage sees where a free joint is.")
     } else {
-        let doc = "The search; it remembers the branches that are missed with a free joint at its default value.";
-        (quote!(#krate::solve::Levels<#scalar, #m>), doc)
+        (
+            outline.capacity,
+            "The search; it remembers the branches that are missed with a free joint at its default value.",
+        )
     };
-    let doc = docs::lines(&format!("{doc} Its numbers: joints, solutions, stages that may be in doubt."));
+    let [n, m, doubts, open] = [outline.joints, outline.capacity, doubts, open].map(integer);
+    let doc = docs::lines(&format!(
+        "{doc} Its numbers: joints, solutions, stages that may be in doubt, branches that may be missed."
+    ));
     quote! {
         #doc
-        type InverseSearch<'a> = #krate::solve::Search<'a, #scalar, #n, #m, #doubts, #missed>;
+        type InverseSearch<'a> = #krate::solve::Search<'a, #scalar, #n, #m, #doubts, #open>;
     }
 }
 

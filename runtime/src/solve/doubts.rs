@@ -1,7 +1,6 @@
 //! The doubts of the stages of a branch, taken together.
 
 use super::kernel::doubt::Doubt;
-use super::kernel::level::LevelOf;
 use super::kernel::tolerances::Tolerances;
 use crate::{Flags, JointMask, Residual};
 
@@ -17,14 +16,14 @@ pub(super) struct Doubts<T> {
     pub(super) weak: JointMask,
     /// Every stage closes its own equation to rounding, see [`Doubt::closes`].
     closes: bool,
-    /// A stage has no root near the branch, but a joint before it is free and may be elsewhere.
-    pub(super) missed: bool,
     /// A stage is missed by more than rounding, and the joints before it are what they have to be.
     pub(super) clamped: bool,
-    /// The first joint that is free or weak.
-    pub(super) first: JointMask,
-    /// The level of the last stage, if a joint before it is free or weak.
-    pub(super) level: LevelOf<T>,
+    /// The order of the root of the first stage that is missed, where that stage just reaches: a double root, as an elbow has,
+    /// or a simple one of an equation that leaves its own joint free. 0 if none is missed. A missed stage has no root near
+    /// the branch, but a joint before it is free.
+    pub(super) missed_order: u8,
+    /// The joints before that stage that are free or weak.
+    pub(super) missed_for: JointMask,
 }
 
 impl<T: Tolerances> Doubts<T> {
@@ -36,10 +35,9 @@ impl<T: Tolerances> Doubts<T> {
         amplitude: T::ONE,
         weak: JointMask::NONE,
         closes: true,
-        missed: false,
         clamped: false,
-        first: JointMask::NONE,
-        level: LevelOf::Nothing,
+        missed_order: 0,
+        missed_for: JointMask::NONE,
     };
 
     /// The joints so far that may be elsewhere.
@@ -54,10 +52,21 @@ impl<T: Tolerances> Doubts<T> {
         self.closes && self.free.is_empty() && self.amplitude >= T::VANISHING * T::DOUBTFUL
     }
 
+    /// Returns true if a stage is missed, and may close with a joint before it elsewhere.
+    pub(super) fn is_missed(&self) -> bool {
+        self.missed_order > 0
+    }
+
+    /// Notes that the stage of this doubt is missed, behind the joints `free_or_weak`. The first such stage of a branch counts.
+    pub(super) fn miss(&mut self, doubt: &Doubt<T>, free_or_weak: JointMask) {
+        if !self.is_missed() {
+            (self.missed_order, self.missed_for) = (if doubt.free.is_empty() { 2 } else { 1 }, free_or_weak);
+        }
+    }
+
     /// Adds the doubt of a stage.
-    pub(super) fn note(&mut self, doubt: Option<Doubt<T>>, level: LevelOf<T>) {
-        self.level = if self.free_or_weak().is_empty() { LevelOf::Nothing } else { level };
-        let Some(Doubt { gap, angular, amplitude, closes, weak, boundary, free }) = doubt else { return };
+    pub(super) fn note(&mut self, doubt: &Doubt<T>) {
+        let Doubt { gap, angular, amplitude, closes, weak, boundary, free } = *doubt;
         self.closes &= closes;
         // The next stage magnifies the uncertainty that a stage leaves. Where nothing but uncertainty is left of an
         // amplitude between directions, any value of the joint is as good. Where two roots coincide, refinement still
@@ -67,9 +76,6 @@ impl<T: Tolerances> Doubts<T> {
         let free = if settled && product < T::VANISHING * T::DOUBTFUL { weak } else { free };
         self.amplitude = product.max(T::EPSILON * T::EPSILON);
         self.weak |= weak;
-        if self.first.is_empty() {
-            self.first = free | weak;
-        }
         if angular {
             self.gap.orientation += gap;
         } else {

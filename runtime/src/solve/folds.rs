@@ -9,7 +9,6 @@
 
 use super::kernel::tolerances::Tolerances;
 use super::least_squares::{MOST_STEPS, wrap_angles};
-use super::passes::Missed;
 use super::search::Search;
 use super::verify::{apart, coincident};
 use crate::Solution;
@@ -125,7 +124,7 @@ fn turned<T: Tolerances>(b: T, a: T, missed: T) -> [T; 2] {
     angles
 }
 
-impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T, M>> Search<'_, T, N, M, D, P> {
+impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'_, T, N, M, D, S> {
     /// Returns true if the arm that was measured may have solutions to which no branch of its table leads: a solution is
     /// nearly singular, a branch is missed by little, or there is no solution. Several singularities together take a target
     /// farther out of the table's reach than one.

@@ -35,6 +35,12 @@ pub trait Goal<T, const N: usize> {
         self.error(q, pose)
     }
 
+    /// The value of the virtual joint for the tool's `pose` near the target, rad: the turn about the tool's axis that leads from its
+    /// frame to that of the target. `None` for other targets.
+    fn virtual_value(&self, _: &Pose<T>) -> Option<T> {
+        None
+    }
+
     /// The joints whose value is given and that nothing may move.
     #[inline]
     fn given(&self) -> JointMask {
@@ -204,6 +210,16 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for Pointing<T> {
         }
     }
 
+    fn virtual_value(&self, pose: &Pose<T>) -> Option<T> {
+        // The axis across that the generator takes for x, see `onto_z` there.
+        let across = match self.column {
+            0 => column(&pose.rotation, 2).map(|part| -part),
+            _ => column(&pose.rotation, 0),
+        };
+        let Pose { rotation, .. } = self.frame();
+        Some(atan2(-dot(across, column(&rotation, 1)), dot(across, column(&rotation, 0))))
+    }
+
     fn twist(&self, q: &[T; N], pose: &Pose<T>) -> [T; 6] {
         let [x, y, z, turns @ ..] = self.error(q, pose);
         let sine = norm(turns);
@@ -332,5 +348,37 @@ impl<T: Tolerances, const N: usize> Goal<T, N> for [T; 2] {
     fn restrict(&self, _: &Pose<T>, jacobian: &mut Jacobian<T, N>) {
         let [_, _, rest @ ..] = &mut jacobian.rows;
         *rest = [[T::ZERO; N]; 4];
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::sin_cos;
+
+    #[test]
+    fn a_virtual_joint_turns_the_tool_to_the_frame_of_the_target() {
+        for direction in [[0.0, 0.0, 1.0], [0.6, -0.8, 0.0], [0.1, 0.2, -0.7]] {
+            for value in [-2.0, -0.5, 0.0, 1.0, 3.0] {
+                let frame = Pointing::new(&PointAxis { point: [0.0; 3], axis: direction }, 2).frame();
+                let [x, y, z] = [0, 1, 2].map(|k| column(&frame.rotation, k));
+                let (sin, cos) = sin_cos(value);
+                // The frame turned back by the value: the tool's frame with the axis as z.
+                let across = [0, 1, 2].map(|k| x[k] * cos - y[k] * sin);
+                let other = [0, 1, 2].map(|k| x[k] * sin + y[k] * cos);
+                let negative = |v: [f64; 3]| v.map(|part| -part);
+                let tools = [[z, other, negative(across)], [across, z, negative(other)], [across, other, z]];
+                for (index, tool) in tools.into_iter().enumerate() {
+                    let rotation = [0, 1, 2].map(|row| tool.map(|axis| axis[row]));
+                    let goal = Pointing::new(&PointAxis { point: [0.0; 3], axis: direction }, index);
+                    let pose = Pose { rotation, translation: [0.0; 3] };
+                    let told = Goal::<f64, 1>::virtual_value(&goal, &pose);
+                    assert!(
+                        told.is_some_and(|told| (told - value).abs() < 1e-12),
+                        "{index} {direction:?} {value} {told:?}"
+                    );
+                }
+            }
+        }
     }
 }

@@ -11,7 +11,6 @@ use denhart_core::held_joint::{Candidate, Outcome};
 use super::arm_constants::ArmConstants;
 use super::kernel::tolerances::Tolerances;
 use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
-use super::passes::{Decoupled, Missed};
 use super::search::Search;
 use super::smallest_pivot::smallest_pivot;
 use super::verify::{apart, coincident};
@@ -19,7 +18,7 @@ use crate::effort::{MOST_EVALUATIONS, MOST_HELD_JOINT_EVALUATIONS};
 use crate::{Branch, Elbow, Flags, JointMask, Residual, Shoulder, Solution};
 
 /// The search of an arm with `N` joints and at most `M` solutions whose inverse holds a joint.
-pub type HeldJointSearch<'a, T, const N: usize, const M: usize> = Search<'a, T, N, M, 1, Decoupled>;
+pub type HeldJointSearch<'a, T, const N: usize, const M: usize> = Search<'a, T, N, M, 1, 0>;
 
 /// Evaluations kept for the reference of `inverse_near`: the first one, and its steps.
 const RESERVED: usize = MOST_STEPS + 1;
@@ -32,7 +31,7 @@ const NEIGHBORS: f64 = 0.01;
 /// fourfold root, known to the fourth root of rounding, turns by far less.
 const TURNED: f64 = 0.1;
 
-impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T, M>> Search<'_, T, N, M, D, P> {
+impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'_, T, N, M, D, S> {
     /// Where each joint stays if the target leaves it free: its reference value; without one 0, or the limit nearest to 0.
     #[inline]
     pub fn defaults(&self) -> [T; N] {

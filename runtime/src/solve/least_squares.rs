@@ -85,6 +85,23 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
         if step.remaining_error <= self.size * T::from_f64(CLOSES) { step.square } else { T::INFINITY }
     }
 
+    /// The joint vector to which a step from here leads that is taken so many times, angles on any turn. `None` if the step overflows.
+    pub(super) fn step(
+        &self,
+        constants: &ArmConstants<T, N>,
+        held: JointMask,
+        times: T,
+        is_damped: bool,
+    ) -> Option<[T; N]> {
+        let damping = damping(if is_damped { self.size } else { T::ZERO });
+        let step = damped_step(held, &self.columns, &self.error, damping);
+        let mut q = self.q;
+        for (joint, (value, change)) in q.iter_mut().zip(&step.changes).enumerate() {
+            *value += *change * times * constants.unit(joint);
+        }
+        step.square.is_finite().then_some(q)
+    }
+
     /// Returns true if the error is rounding, and so tells nothing about where the solution is. No step starts there.
     #[inline]
     fn is_rounding(&self) -> bool {

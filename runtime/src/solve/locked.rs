@@ -47,6 +47,10 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize> Goal<T, N> for Locked<'_, T, 
         self.goal.twist(q, pose)
     }
 
+    fn virtual_value(&self, pose: &Pose<T>) -> Option<T> {
+        self.goal.virtual_value(pose)
+    }
+
     fn restrict(&self, pose: &Pose<T>, jacobian: &mut Jacobian<T, N>) {
         self.goal.restrict(pose, jacobian);
         for entry in jacobian.rows.iter_mut().filter_map(|row| row.get_mut(self.joint)) {
@@ -107,6 +111,10 @@ impl<T: Tolerances, G: Goal<T, N>, const N: usize> Goal<T, N> for AllLocked<'_, 
 
     fn twist(&self, q: &[T; N], pose: &Pose<T>) -> [T; 6] {
         self.goal.twist(q, pose)
+    }
+
+    fn virtual_value(&self, pose: &Pose<T>) -> Option<T> {
+        self.goal.virtual_value(pose)
     }
 
     fn restrict(&self, pose: &Pose<T>, jacobian: &mut Jacobian<T, N>) {

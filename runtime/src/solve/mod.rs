@@ -34,17 +34,12 @@ mod goal;
 mod held_joint;
 mod kernel;
 mod least_squares;
-mod levels;
 mod locked;
-mod open;
-mod passes;
-mod place;
-mod range;
+mod open_branch;
+mod retry;
 mod search;
-mod second_level;
 mod select;
 mod smallest_pivot;
-mod two_joints;
 mod verify;
 
 #[cfg(feature = "batch")]
@@ -81,9 +76,7 @@ pub use kernel::swivel::{Swivel, swivel};
 pub use kernel::tolerances::Tolerances;
 pub use kernel::turn::{DefaultValue, Turn};
 pub use kernel::wrist::{flip, wrist};
-pub use levels::Levels;
 pub use locked::{AllLocked, Locked};
-pub use passes::{Decoupled, Missed};
 pub use search::Search;
 pub use select::{Every, Select};
 

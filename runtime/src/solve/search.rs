@@ -6,12 +6,10 @@ use super::flip::Verified;
 use super::goal::Goal;
 use super::kernel::branch_state::BranchState;
 use super::kernel::doubt::Doubt;
-use super::kernel::level::{Behind, Level, LevelOf};
 use super::kernel::roots::{Measure, Roots};
 use super::kernel::tolerances::Tolerances;
 use super::kernel::turn::DefaultValue;
-use super::open::LEVELS;
-use super::passes::{Missed, Passes};
+use super::retry::Retry;
 use crate::effort::{MOST_CASCADES, MOST_EVALUATIONS};
 use crate::limits::within;
 use crate::vector::norm;
@@ -31,9 +29,9 @@ pub(super) const SLACK: f64 = 8.0;
 /// One call of the inverse kinematics of an arm with `N` joints and at most `M` solutions.
 ///
 /// `D`: the most doubts on one branch, one for each call of [`follow`](Self::follow) and [`directed`](Self::directed) on
-/// the way. `P` remembers the branches that are missed with a free joint at its default: [`Levels`](super::Levels). An
-/// arm that has none takes [`Decoupled`](super::Decoupled).
-pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize, P> {
+/// the way. `S`: the most branches that a free joint at its default may keep from closing. With `S = 0`, for an arm on
+/// which no later stage sees where a free joint is, the code for such branches is not linked.
+pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize, const S: usize> {
     pub(super) constants: &'a ArmConstants<'a, T, N>,
     pub(super) arm: &'a dyn Evaluate<T, N>,
     pub(super) goal: &'a dyn Goal<T, N>,
@@ -43,7 +41,7 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize
     pub(super) virtual_default: T,
     /// Least stage residual at which a branch ended, or least residual of a branch that went on.
     pub(super) least: Option<T>,
-    /// The joints that already an amplitude near zero leaves free: those on open branches, on the way there.
+    /// The joints that further runs hold elsewhere. In such a run they are free where their amplitude is below `WEAK`.
     pub(super) nearly_free: JointMask,
     /// How many evaluations of the arm are left.
     pub(super) evaluations_left: usize,
@@ -51,28 +49,28 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize
     pub(super) verified: Option<Verified<T, N>>,
     /// The doubts of the branch that is followed, one entry for each stage in doubt. Branches are followed depth first,
     /// so an entry stays until the branches behind it have ended.
-    doubts: Option<[Option<Doubts<T>>; D]>,
+    pub(super) doubts: Option<[Option<Doubts<T>>; D]>,
     /// Every branch is verified. The arm misses its structure by more than rounding, or the target is so far away that
     /// its rounding alone can exceed what closes. A long slide may reach such a target.
     doubt: bool,
     /// Distance of the links of a measured arm from the table whose equations are solved, relative to reach and in rad.
     pub(super) slack: T,
-    /// True if there is a reference.
-    pub(super) has_reference: bool,
+    /// The reference, if there is one.
+    pub(super) near: Option<&'a [T; N]>,
     /// A branch of a measured arm's table is missed by little, or leads to no solution.
     pub(super) is_nearly_missed: bool,
-    /// Branches remembered at a pose that needs further passes.
-    pub(super) passes: Option<Passes<T, N, M, P>>,
+    /// Memory of further runs, if the pose needs any.
+    pub(super) retry: Option<Retry<T, N, M, S>>,
 }
 
-impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T, M>> Search<'a, T, N, M, D, P> {
+impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'a, T, N, M, D, S> {
     /// A search that fills `solutions`.
     #[inline(always)]
     pub fn new(
         constants: &'a ArmConstants<'a, T, N>,
         arm: &'a dyn Evaluate<T, N>,
         goal: &'a dyn Goal<T, N>,
-        near: Option<&[T; N]>,
+        near: Option<&'a [T; N]>,
         solutions: &'a mut Solutions<T, N, M>,
     ) -> Self {
         Self {
@@ -89,9 +87,9 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
             doubts: None,
             doubt: false,
             slack: T::ZERO,
-            has_reference: near.is_some(),
+            near,
             is_nearly_missed: false,
-            passes: None,
+            retry: None,
         }
     }
 
@@ -140,7 +138,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         self.default_at(joint, self.defaults.get(joint).copied().unwrap_or(T::ZERO))
     }
 
-    /// The default value of a virtual joint: 0, or in a further pass another one.
+    /// The default value of a virtual joint: 0, or in a further run another one.
     #[inline]
     pub fn virtual_default(&self) -> DefaultValue<T> {
         self.default_at(VIRTUAL, self.virtual_default)
@@ -164,24 +162,6 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         self.known_doubts(state).copied().unwrap_or(Doubts::START)
     }
 
-    /// The levels of the first stages behind the first joint of a branch that is free or weak, one for each stage,
-    /// known or not.
-    pub(super) fn levels(&self, state: BranchState) -> [Behind<T>; LEVELS] {
-        let mut levels = [Behind::NONE; LEVELS];
-        let (mut pole, mut slides) = (T::ONE, false);
-        let (mut places, mut behind) = (levels.iter_mut(), false);
-        for doubts in self.doubts.iter().flatten().take(state.depth()).flatten() {
-            if behind && let Some(place) = places.next() {
-                let level = Level::from(doubts.level);
-                pole *= level.pole;
-                slides |= level.is_slide();
-                *place = Behind { level: Level { pole, ..level }, slides };
-            }
-            behind = !doubts.free_or_weak().is_empty();
-        }
-        levels
-    }
-
     /// The state of a branch with further doubts.
     fn with_doubts(&mut self, state: BranchState, doubts: Doubts<T>, ended: bool) -> BranchState {
         if let Some(slot) = self.doubts.get_or_insert([None; D]).get_mut(state.depth()) {
@@ -198,23 +178,19 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         state: &BranchState,
         stage: &Roots<T, K, R>,
     ) -> BranchState {
-        if stage.doubt.is_some() | state.doubt() { self.doubtful(*state, stage.doubt, stage.level) } else { *state }
+        if stage.doubt.is_some() | state.doubt() { self.doubtful(*state, stage.doubt) } else { *state }
     }
 
     #[cold]
     #[inline(never)]
-    fn doubtful(&mut self, state: BranchState, doubt: Option<Doubt<T>>, level: LevelOf<T>) -> BranchState {
+    fn doubtful(&mut self, state: BranchState, doubt: Option<Doubt<T>>) -> BranchState {
         self.verified = None;
-        let before = self.known_doubts(state);
-        // The level of a stage counts behind a joint that may be elsewhere.
-        if doubt.is_none() && before.is_none_or(|before| before.free_or_weak().is_empty()) {
-            return state;
-        }
+        let Some(doubt) = doubt else { return state };
         let mut next = self.doubts(state);
         let (amplitude, free, free_or_weak) = (next.amplitude, next.free, next.free_or_weak());
-        next.note(doubt, level);
+        next.note(&doubt);
         let mut ended = false;
-        let Doubt { gap, angular, .. } = doubt.unwrap_or(Doubt::NOTHING);
+        let Doubt { gap, angular, .. } = doubt;
         let measure = if angular { Measure::DIRECTION } else { Measure::length(self.constants.reach) };
         let tolerance = if angular { self.constants.tolerance.orientation } else { self.constants.tolerance.position };
         // What an earlier stage of small amplitude leaves uncertain shows up here magnified.
@@ -222,7 +198,9 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         next.clamped |= gap > rounding && free_or_weak.is_empty();
         // With a joint earlier on the branch that is free, or nearly, the gap may close by moving that joint.
         if gap > tolerance.max(rounding) && (self.slack == T::ZERO || self.is_beyond_slack(gap, angular)) {
-            next.missed |= !free.is_empty();
+            if !free.is_empty() {
+                next.miss(&doubt, free_or_weak);
+            }
             if free_or_weak.is_empty() {
                 ended = true;
                 self.misses(gap);
@@ -285,9 +263,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         }
         let mut doubts = self.doubts(*state);
         doubts.free |= first.joint | second.joint;
-        doubts.first = first.joint;
         doubts.flags |= Flags::FREE;
-        doubts.level = LevelOf::Nothing;
         self.with_doubts(*state, doubts, false)
     }
 
@@ -344,7 +320,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         (self.doubt, self.slack) = (true, off);
         crate::effort::cascade();
         nest(self, BranchState::start(true));
-        self.passes = None;
+        self.retry = None;
     }
 
     #[inline(always)]
@@ -352,9 +328,9 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, P: Misse
         // One place of the call: the nest is inlined into it.
         for _ in 0..MOST_CASCADES {
             crate::effort::cascade();
-            let start = BranchState::start(self.doubt || self.passes.is_some());
+            let start = BranchState::start(self.doubt || self.retry.is_some());
             nest(self, start);
-            if self.passes.is_none() || !self.next_pass() {
+            if self.retry.is_none() || !self.next_run() {
                 break;
             }
         }

@@ -7,7 +7,6 @@ use super::flip::Verified;
 use super::kernel::branch_state::BranchState;
 use super::kernel::tolerances::Tolerances;
 use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
-use super::passes::Missed;
 use super::search::{SLACK, Search, VIRTUAL};
 use crate::math::wrap;
 use crate::{Branch, Flags, Solution};
@@ -27,9 +26,9 @@ enum Found {
 }
 
 /// Evaluations kept for the reference of `inverse_near`: the first one, and its steps.
-const RESERVED: usize = MOST_STEPS + 1;
+pub(super) const RESERVED: usize = MOST_STEPS + 1;
 
-impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T, M>> Search<'_, T, N, M, D, P> {
+impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'_, T, N, M, D, S> {
     /// The end of a branch at an awkward pose.
     #[cold]
     #[inline(never)]
@@ -38,7 +37,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         let mut found = Found::Branch;
         let doubts = self.known_doubts(state);
         if !state.verify() && doubts.is_none_or(Doubts::are_settled) {
-            if self.has_reference && doubts.is_some() {
+            if self.near.is_some() && doubts.is_some() {
                 // The reference may be another member of a narrow family.
                 self.solutions.mark_awkward();
             }
@@ -49,26 +48,50 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
             let doubts = self.doubts(state);
             solution.flags |= doubts.flags;
             (solution.free, solution.residual) = (doubts.free, doubts.gap);
-            if !self.is_candidate(state, &doubts, &mut solution) {
+            if !self.is_candidate(&doubts, &solution) {
                 return;
             }
-            found = self.verified(state, &doubts, &mut solution);
+            let movable = !doubts.free_or_weak().is_empty();
+            found = self.verified(movable, &mut solution);
+            if S > 0 && movable && !(solution.is_exact() || doubts.clamped) {
+                // At the defaults the miss says little, and refinement may have led away from there. In a further run the
+                // closed form is the start of a step.
+                if self.is_again() {
+                    let miss = self.constants.relative(&doubts.gap);
+                    self.open(&doubts, branch, miss, &q);
+                } else {
+                    self.open(&doubts, branch, T::MAX, &solution.q);
+                }
+            }
         }
-        // What a further pass does not close is no better than what is there.
-        let again = self.passes.as_ref().is_some_and(|passes| passes.again());
-        let worse = again && !solution.is_exact() && self.solutions.exact().next().is_some();
+        // What a further run does not close is no better than what is there.
+        let worse = self.is_again() && !solution.is_exact() && self.solutions.exact().next().is_some();
         if found == Found::Nothing || worse {
             return;
         }
+        self.finished(&mut solution, found);
+    }
+
+    /// Lists the solution to which steps from a joint vector of an open branch lead.
+    pub(super) fn iterated(&mut self, solution: &mut Solution<T, N>) {
+        self.verified = None;
+        let found = self.verified(true, solution);
+        if found != Found::Nothing && solution.is_exact() {
+            self.finished(solution, found);
+        }
+    }
+
+    /// Names the joints of a solution, and lists it.
+    fn finished(&mut self, solution: &mut Solution<T, N>, found: Found) {
         if solution.free.contains(VIRTUAL) {
             solution.free = solution.free.without(VIRTUAL) | self.constants.stands_for;
         }
-        self.list(&solution, found);
+        self.list(solution, found);
     }
 
     /// Verifies a solution; refines it if that closes it. What stays beyond the tolerance is no solution; its residual
     /// counts as the gap of its branch.
-    fn verified(&mut self, state: BranchState, doubts: &Doubts<T>, solution: &mut Solution<T, N>) -> Found {
+    fn verified(&mut self, movable: bool, solution: &mut Solution<T, N>) -> Found {
         let constants = self.constants;
         let Some(Verified { q, residual, close, is_within_slack, .. }) = self.refined(&solution.q) else {
             return Found::Nothing;
@@ -79,13 +102,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         if !exact {
             solution.flags.remove(Flags::EXACT);
             solution.flags |= Flags::APPROXIMATE;
-            if !doubts.free_or_weak().is_empty() && !doubts.clamped {
-                let slack =
-                    if doubts.free.is_empty() { T::HALF * T::HALF * T::EXACT / doubts.amplitude } else { T::INFINITY };
-                self.seek(state, doubts, solution, slack);
-            }
         }
-        if exact || !doubts.free_or_weak().is_empty() {
+        if exact || movable {
             self.solutions.mark_awkward();
         }
         // A guess that comes near by its steps alone, without closing, is no branch of this target.
@@ -96,7 +114,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         }
         match listed {
             false => Found::Nothing,
-            true if exact && doubts.free_or_weak().is_empty() && !close && !is_within_slack => {
+            true if exact && !movable && !close && !is_within_slack => {
                 // Of a nearly real pair of roots.
                 solution.flags |= Flags::BOUNDARY;
                 Found::Guess
@@ -125,19 +143,15 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         self.verified.as_ref()
     }
 
-    /// Lists a solution, or the better one of two that coincide.
+    /// Lists a solution, or the better one of two that coincide. An exact root of its own replaces a guess from another one.
     fn list(&mut self, solution: &Solution<T, N>, found: Found) {
         let constants = self.constants;
-        let again = self.passes.as_ref().is_some_and(|passes| passes.again());
-        let coincides = |other: &&mut Solution<T, N>| {
-            coincident(constants, &other.q, &solution.q)
-                // What did not close with the free joint at its default.
-                || again && other.branch == solution.branch && other.flags.contains(Flags::APPROXIMATE | Flags::FREE)
-        };
-        let twin = match found {
-            Found::Distinct => None,
-            _ => self.solutions.as_mut_slice().iter_mut().find(coincides),
-        };
+        let again = self.is_again();
+        if S > 0 && again && solution.is_exact() {
+            self.drop_near_miss(solution.branch);
+        }
+        let mut others = self.solutions.as_mut_slice().iter_mut();
+        let twin = others.find(|other| found != Found::Distinct && coincident(constants, &other.q, &solution.q));
         let Some(twin) = twin else {
             self.solutions.push(*solution);
             return;
@@ -145,7 +159,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, P: Missed<T,
         if found == Found::Guess && twin.is_exact() {
             return;
         }
-        if constants.relative(&solution.residual) < constants.relative(&twin.residual) {
+        // A root of its own is no guess from another one.
+        let names =
+            solution.is_exact() && twin.flags.contains(Flags::BOUNDARY) && !solution.flags.contains(Flags::BOUNDARY);
+        if names || constants.relative(&solution.residual) < constants.relative(&twin.residual) {
             *twin = *solution;
         }
         // One branch that is found again is no two roots.

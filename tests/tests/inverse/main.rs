@@ -8,7 +8,7 @@ use denhart_tests::suite::Grids;
 mod closing;
 mod counts;
 mod flips;
-mod passes;
+mod further_runs;
 
 /// Grids up to 45 degrees (262,144 poses) in full.
 const COMPLETE: Grids = Grids { complete: 262_144, samples: 20_000 };

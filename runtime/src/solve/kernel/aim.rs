@@ -1,7 +1,6 @@
 //! One direction seen from two joints with a sliding joint between them.
 
 use super::doubt::Doubt;
-use super::level::LevelOf;
 use super::offset::offset;
 use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
@@ -66,7 +65,7 @@ pub fn aim<T: Tolerances>(defaults: [DefaultValue<T>; 2], x: Sight<T>, z: Sight<
         let c = height / square;
         let [first, second] = [c, -c].map(|c| angles(&x, &z, plus(middle, normal, c)));
         let roots = [first, second, second];
-        Roots { len: 2, ..Roots::determined(roots, measure, LevelOf::Nothing, height.min(square), default_x.joint) }
+        Roots { len: 2, ..Roots::determined(roots, measure, height.min(square), default_x.joint) }
     } else {
         let gap = (-inner).max(-outer).max(T::ZERO);
         Roots::edge(angles(&x, &z, unit(middle)), gap, measure)

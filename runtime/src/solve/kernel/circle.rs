@@ -2,7 +2,6 @@
 
 use super::tolerances::Tolerances;
 use super::turn::Turn;
-use crate::math::sin_cos;
 
 /// `k0 + k1c cos t + k1s sin t + k2c cos 2t + k2s sin 2t`
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,25 +12,6 @@ pub(in crate::solve) struct Circle<T> {
 }
 
 impl<T: Tolerances> Circle<T> {
-    /// Value at the angle `t`.
-    #[inline(never)]
-    pub(in crate::solve) fn at(&self, t: T) -> T {
-        self.toward(sin_cos(t))
-    }
-
-    /// Value at the angle with this sine and cosine.
-    #[inline]
-    pub(in crate::solve) fn toward(&self, (s, c): (T, T)) -> T {
-        let Circle { k0, k1: [k1c, k1s], k2: [k2c, k2s] } = *self;
-        k0 + k1c * c + k1s * s + k2c * (c * c - s * s) + T::TWO * k2s * s * c
-    }
-
-    /// The derivative by the angle.
-    pub(in crate::solve) fn slope(&self) -> Self {
-        let ([c1, s1], [c2, s2]) = (self.k1, self.k2);
-        Self { k0: T::ZERO, k1: [s1, -c1], k2: [s2 * T::TWO, -c2 * T::TWO] }
-    }
-
     /// The largest coefficient.
     pub(in crate::solve) fn largest(&self) -> T {
         let Circle { k0, k1: [k1c, k1s], k2: [k2c, k2s] } = *self;

@@ -5,7 +5,6 @@ use denhart_core::lanes::Lanes;
 
 #[cfg(feature = "batch")]
 use super::lanes::{Edge, LaneMeasure, LaneRoots, small};
-use super::level::LevelOf;
 use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
 use super::turn::{DefaultValue, Turn};
@@ -72,19 +71,18 @@ fn within<T: Tolerances>(measure: Measure<T>, d: T, rho: T, cone: Cone<T>) -> Ro
     let (top, bottom) = (below(max, max_across), -below(min, min_across));
     // The rounding of the component itself; roots farther apart are told apart.
     let close = T::EPSILON * (T::TWO + T::TWO) * measure.scale;
-    let level = LevelOf::Cosine((bottom - top) / (max - min));
     let touches = |end: T, across: T| (end - d).abs() <= close && (rho - across.abs()).abs() <= close;
     if !(top > T::ZERO) || touches(max, max_across) {
-        return Roots::edge([Turn::STRETCHED], gap(d, rho, max, max_across), measure).at_level(level);
+        return Roots::edge([Turn::STRETCHED], gap(d, rho, max, max_across), measure);
     }
     if !(bottom > T::ZERO) || touches(min, min_across) {
-        return Roots::edge([Turn::FOLDED], gap(d, rho, min, min_across), measure).at_level(level);
+        return Roots::edge([Turn::FOLDED], gap(d, rho, min, min_across), measure);
     }
     // |(2 sqrt(top bottom), bottom - top)| = top + bottom
     let k = T::ONE / (top + bottom);
     let half_sine = (top * bottom).sqrt() * k;
     let turn = Turn::of(half_sine + half_sine, (bottom - top) * k);
-    Roots::determined([[turn], [turn.reversed()]], measure, level, half_sine, JointMask::NONE)
+    Roots::determined([[turn], [turn.reversed()]], measure, half_sine, JointMask::NONE)
         .closing(half_sine + half_sine >= T::COINCIDENT)
 }
 

@@ -5,7 +5,6 @@ use denhart_core::lanes::Lanes;
 
 #[cfg(feature = "batch")]
 use super::lanes::{Edge, LaneMeasure, LaneRoots, small};
-use super::level::LevelOf;
 use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
 use super::turn::{DefaultValue, Turn};
@@ -72,17 +71,14 @@ fn within<T: Tolerances>(measure: Measure<T>, rho: T, elbow: Elbow<T>) -> Roots<
     // The rounding of the distance itself; roots farther apart are told apart.
     let close = T::EPSILON * T::TWO * elbow.max;
     if !(outer > close && inner > close) {
-        let (max2, min2, rho2) = (elbow.max * elbow.max, elbow.min * elbow.min, rho * rho);
-        let level = LevelOf::Cosine(((rho2 - min2) - (max2 - rho2)) / (max2 - min2));
-        return end(measure, outer, inner, elbow.side).at_level(level);
+        return end(measure, outer, inner, elbow.side);
     }
     let (top, bottom) = (outer * (elbow.max + rho), inner * (rho + elbow.min));
     // |(2 sqrt(top bottom), bottom - top)| = top + bottom
     let k = T::ONE / (top + bottom);
     let half_sine = (top * bottom).sqrt() * k;
     let turn = Turn::of((half_sine + half_sine) * elbow.side, (bottom - top) * (k * elbow.side));
-    let level = LevelOf::Cosine((bottom - top) * k);
-    Roots::determined([[turn], [turn.reversed()]], measure, level, half_sine, JointMask::NONE)
+    Roots::determined([[turn], [turn.reversed()]], measure, half_sine, JointMask::NONE)
         .closing(half_sine + half_sine >= T::COINCIDENT)
 }
 

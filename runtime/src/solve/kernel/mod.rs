@@ -12,7 +12,6 @@ pub(super) mod distance;
 pub(super) mod doubt;
 #[cfg(feature = "batch")]
 pub(super) mod lanes;
-pub(super) mod level;
 pub(super) mod offset;
 pub(super) mod offset_of_two;
 pub(super) mod pair;

@@ -5,7 +5,6 @@ use denhart_core::lanes::Lanes;
 
 #[cfg(feature = "batch")]
 use super::lanes::{Edge, LaneMeasure, LaneRoots, small, small_beside};
-use super::level::LevelOf;
 use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
 use super::turn::{DefaultValue, Turn};
@@ -26,15 +25,14 @@ pub fn offset<T: Tolerances>(default: DefaultValue<T>, measure: Measure<T>, a: T
     // The rounding of h2 itself; roots farther apart are told apart.
     if !(h2 > T::EPSILON * (T::TWO + T::TWO) * r2) {
         let side = if d < T::ZERO { -T::ONE / r } else { T::ONE / r };
-        return Roots::edge([Turn::of(b * side, a * side)], (d.abs() - r).max(T::ZERO), measure)
-            .at_level(LevelOf::Cosine(d / r));
+        return Roots::edge([Turn::of(b * side, a * side)], (d.abs() - r).max(T::ZERO), measure);
     }
     let h = h2.sqrt();
     let k = T::ONE / r2;
     let sines = [(b * d + a * h) * k, (b * d - a * h) * k];
     let cosines = [(a * d - b * h) * k, (a * d + b * h) * k];
     let roots = Turn::array(sines, cosines).map(|turn| [turn]);
-    let stage = Roots::solved(roots).at_level(LevelOf::Cosine(d / r));
+    let stage = Roots::solved(roots);
     let (sine, share) = (h / r, r / measure.scale);
     let doubt = sine < T::DOUBTFUL || share < T::DOUBTFUL;
     let stage = if doubt { stage.of_amplitude(measure, sine.min(share), JointMask::NONE) } else { stage };

@@ -2,7 +2,6 @@
 
 use super::branch_state::BranchState;
 use super::doubt::Doubt;
-use super::level::LevelOf;
 use super::tolerances::Tolerances;
 use super::turn::{DefaultValue, Turn};
 use crate::JointMask;
@@ -48,8 +47,6 @@ impl<T: Tolerances> Measure<T> {
 pub struct Roots<T, const K: usize, const R: usize> {
     pub(in crate::solve) roots: [[Turn<T>; K]; R],
     pub(in crate::solve) len: usize,
-    /// Level of the stage: tells whether there are roots.
-    pub(in crate::solve) level: LevelOf<T>,
     pub(in crate::solve) doubt: Option<Doubt<T>>,
 }
 
@@ -57,20 +54,19 @@ impl<T: Tolerances, const K: usize, const R: usize> Roots<T, K, R> {
     /// Roots that solve the equation.
     #[inline]
     pub(in crate::solve) fn solved(roots: [[Turn<T>; K]; R]) -> Self {
-        Self { roots, len: R, level: LevelOf::Nothing, doubt: None }
+        Self { roots, len: R, doubt: None }
     }
 
-    /// Roots of an equation with a level and a relative amplitude. A small amplitude puts the stage in doubt. An
+    /// Roots of an equation with a relative amplitude. A small amplitude puts the stage in doubt. An
     /// amplitude below [`Tolerances::WEAK`] makes the joints of `weak` weak.
     #[inline(always)]
     pub(in crate::solve) fn determined(
         roots: [[Turn<T>; K]; R],
         measure: Measure<T>,
-        level: LevelOf<T>,
         amplitude: T,
         weak: JointMask,
     ) -> Self {
-        let stage = Self::solved(roots).at_level(level);
+        let stage = Self::solved(roots);
         if amplitude < T::DOUBTFUL { stage.of_amplitude(measure, amplitude, weak) } else { stage }
     }
 
@@ -88,13 +84,6 @@ impl<T: Tolerances, const K: usize, const R: usize> Roots<T, K, R> {
         if let Some(doubt) = &mut self.doubt {
             doubt.closes = closes;
         }
-        self
-    }
-
-    /// Sets the level of the stage.
-    #[inline]
-    pub(in crate::solve) fn at_level(mut self, level: LevelOf<T>) -> Self {
-        self.level = level;
         self
     }
 

@@ -6,7 +6,6 @@ use denhart_core::lanes::Lanes;
 use super::doubt::Doubt;
 #[cfg(feature = "batch")]
 use super::lanes::{Edge, LaneMeasure, LaneRoots, small};
-use super::level::LevelOf;
 use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
 use super::turn::{DefaultValue, Turn};
@@ -19,13 +18,12 @@ use crate::JointMask;
 #[inline]
 pub fn slide<T: Tolerances>(measure: Measure<T>, rho: T, across: T, middle: T) -> Roots<T, 1, 2> {
     let beyond = rho - across;
-    let level = LevelOf::Square(beyond * (rho + across) / (measure.scale * measure.scale));
     if !(beyond > measure.rounding()) {
-        return Roots::edge([Turn::position(middle)], (-beyond).max(T::ZERO), measure).at_level(level);
+        return Roots::edge([Turn::position(middle)], (-beyond).max(T::ZERO), measure);
     }
     let half = (beyond * (rho + across)).sqrt();
     let roots = [[Turn::position(middle + half)], [Turn::position(middle - half)]];
-    Roots::determined(roots, measure, level, half / measure.scale, JointMask::NONE)
+    Roots::determined(roots, measure, half / measure.scale, JointMask::NONE)
 }
 
 /// Solves `denominator x = numerator`. One root. With the denominator (dimensionless) vanishing the joint is free.
@@ -39,10 +37,10 @@ pub fn slide_to<T: Tolerances>(
     if default.is_free(denominator.abs(), T::ONE) {
         let mut stage = Roots::left_free([Turn::ZERO], default, numerator.abs(), measure);
         stage.roots = [[Turn::position(default.value)]];
-        return stage.at_level(LevelOf::Zero(numerator / measure.scale));
+        return stage;
     }
     let root = [Turn::position(numerator / denominator)];
-    Roots::determined([root], measure, LevelOf::Slide(denominator), denominator.abs(), default.joint)
+    Roots::determined([root], measure, denominator.abs(), default.joint)
 }
 
 /// Solves `a x^2 + b x + c = 0` (`a` dimensionless, `b` a length, `c` its square) without cancellation. Two roots; one
@@ -57,16 +55,15 @@ pub fn quadratic<T: Tolerances>(measure: Measure<T>, [a, b, c]: [T; 3]) -> Roots
     let discriminant = half * half - a * c;
     // Rounding of the discriminant itself; roots farther apart are told apart.
     let close = T::EPSILON * T::TWO * (half * half + (a * c).abs());
-    let level = LevelOf::Square(discriminant / (measure.scale * measure.scale));
     if !(discriminant > close) {
         // The equation is a difference of two squared distances, at its extremum off by `discriminant / a`.
         let gap = (-discriminant).max(T::ZERO) / (a.abs() * measure.scale);
-        return Roots::edge([Turn::position(-half / a)], gap, measure).at_level(level);
+        return Roots::edge([Turn::position(-half / a)], gap, measure);
     }
     let root = discriminant.sqrt();
     let larger = if half < T::ZERO { root - half } else { -half - root };
     let roots = [[Turn::position(larger / a)], [Turn::position(c / larger)]];
-    Roots::determined(roots, measure, level, root / measure.scale, JointMask::NONE)
+    Roots::determined(roots, measure, root / measure.scale, JointMask::NONE)
 }
 
 /// [`slide`] over lanes.

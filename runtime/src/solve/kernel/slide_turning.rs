@@ -30,8 +30,8 @@ pub fn slide_turning<T: Tolerances>(
     let angle = offset(default, measure, u * a2 - v * a1, u * b2 - v * b1, v * k1 - u * k2);
     let [a, b, c] = [u * a1 + v * a2, u * b1 + v * b2, u * k1 + v * k2].map(|e| e * k);
     let roots = angle.roots.map(|[turn]| [turn, Turn::position(a * turn.cos + b * turn.sin + c)]);
-    let Roots { len, level, doubt, .. } = angle;
-    let stage = Roots { roots, len, level, doubt };
+    let Roots { len, doubt, .. } = angle;
+    let stage = Roots { roots, len, doubt };
     if length < T::DOUBTFUL { stage.nearly_free(default_s, measure, length) } else { stage }
 }
 

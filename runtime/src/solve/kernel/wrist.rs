@@ -5,7 +5,6 @@ use denhart_core::lanes::Lanes;
 
 #[cfg(feature = "batch")]
 use super::lanes::{LaneRoots, small};
-use super::level::LevelOf;
 use super::roots::{Measure, Roots};
 use super::tolerances::Tolerances;
 use super::turn::{DefaultValue, Turn};
@@ -29,7 +28,7 @@ pub fn flip<T: Tolerances>(default: DefaultValue<T>, m: [T; 3]) -> Roots<T, 2, 2
     let k = T::ONE / rho;
     let [b, a] = Turn::array([rho, my * k], [mz, mx * k]);
     let roots = [[b, a], [b.reversed(), a.opposite()]];
-    Roots::determined(roots, Measure::DIRECTION, LevelOf::Nothing, rho, default.joint).closing(true)
+    Roots::determined(roots, Measure::DIRECTION, rho, default.joint).closing(true)
 }
 
 /// Solves `R_z(a) R_y(b) R_z(c) = m` for `(a, b, c)`: `b = +-atan2(|(m13, m23)|, m33)`, `a = atan2(m23, m13)`, and
@@ -50,7 +49,7 @@ pub fn wrist<T: Tolerances>(default: DefaultValue<T>, m: [[T; 3]; 3]) -> Roots<T
     // The last one only fills the vector unit's lanes.
     let [a, b, c, _] = Turn::array([m23 * k, rho, sin_c * k, T::ZERO], [m13 * k, m33, cos_c * k, T::ONE]);
     let roots = [[a, b, c], [a.opposite(), b.reversed(), c.opposite()]];
-    Roots::determined(roots, Measure::DIRECTION, LevelOf::Nothing, rho, default.joint).closing(true)
+    Roots::determined(roots, Measure::DIRECTION, rho, default.joint).closing(true)
 }
 
 #[cold]
