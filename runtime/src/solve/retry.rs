@@ -324,7 +324,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             solution.flags |= open.flags;
             solution.free = open.free;
             (*first, second.miss) = (*second, T::INFINITY);
-            self.iterated(&mut solution);
+            self.iterated(solution);
         }
     }
 }
