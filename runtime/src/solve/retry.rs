@@ -35,7 +35,7 @@ const STROKE: f64 = 1.75;
 
 /// Memory of a call whose target needs further runs: at most `S` open branches.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Retry<T, const N: usize, const M: usize, const S: usize> {
+pub(super) struct Retry<T, const N: usize, const S: usize> {
     /// Index of this run; 0 with every joint at its default.
     run: u8,
     /// The next run that holds the free joints at multiples of their steps takes this one.
@@ -47,14 +47,9 @@ pub(super) struct Retry<T, const N: usize, const M: usize, const S: usize> {
     len: usize,
     /// The branch of which this run is at the second root, see [`other_root`](Search::other_root).
     other: Option<Branch>,
-    /// Branches on which two families of solutions may cross, and the joints that are free or weak there: two at least, none of an
-    /// entry that is not used.
-    crossings: [(Branch, JointMask); M],
-    /// The number of solutions after the run at the defaults.
-    at_defaults: usize,
 }
 
-impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Retry<T, N, M, S> {
+impl<T: Tolerances, const N: usize, const S: usize> Retry<T, N, S> {
     fn opens(&mut self) -> &mut [Open<T, N>] {
         self.opens.get_mut(..self.len).unwrap_or(&mut [])
     }
@@ -63,7 +58,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Retry<T, N, 
 impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'_, T, N, M, D, S> {
     #[inline(never)]
     #[allow(clippy::unnecessary_lazy_evaluations, reason = "the memory is large, and most calls find it made")]
-    fn retry(&mut self) -> &mut Retry<T, N, M, S> {
+    fn retry(&mut self) -> &mut Retry<T, N, S> {
         self.retry.get_or_insert_with(|| Retry {
             run: 0,
             multiple: 1,
@@ -71,8 +66,6 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             opens: [Open::NONE; S],
             len: 0,
             other: None,
-            crossings: [(Branch::NONE, JointMask::NONE); M],
-            at_defaults: 0,
         })
     }
 
@@ -82,20 +75,15 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     }
 
     /// Returns true if the solution at the end of a doubtful branch is to be verified in this run. A branch that is
-    /// missed is remembered, and so is one on which families of solutions may cross.
+    /// missed is remembered.
     pub(super) fn is_candidate(&mut self, doubts: &Doubts<T>, solution: &Solution<T, N>) -> bool {
-        let (again, free_or_weak) = (self.is_again(), doubts.free_or_weak());
+        let again = self.is_again();
         if doubts.is_missed() {
             self.misses_by(&doubts.gap);
-        } else if !again && !doubts.free.is_empty() && free_or_weak.len() > 1 {
-            self.cross(doubts, solution.branch);
         }
-        if again {
-            let crosses = !doubts.is_missed() && self.crosses(doubts, solution);
-            let is_other = S > 0 && self.retry.as_ref().is_some_and(|retry| retry.other == Some(solution.branch));
-            if crosses || free_or_weak.is_empty() || self.lists(solution.branch) && !is_other {
-                return crosses;
-            }
+        let is_other = S > 0 && self.retry.as_ref().is_some_and(|retry| retry.other == Some(solution.branch));
+        if again && (doubts.free_or_weak().is_empty() || self.lists(solution.branch) && !is_other) {
+            return false;
         }
         if S > 0 && doubts.is_missed() {
             let miss = if again { self.constants.relative(&doubts.gap) } else { T::MAX };
@@ -113,11 +101,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     /// Drops the solution of a branch that closes only within the tolerance with its free joint at the default.
     pub(super) fn drop_near_miss(&mut self, branch: Branch) {
         let near_miss = Flags::APPROXIMATE | Flags::FREE;
-        let drops = |other: &Solution<T, N>| other.branch == branch && other.flags.contains(near_miss);
-        if let Some(retry) = &mut self.retry {
-            retry.at_defaults -= self.solutions.iter().take(retry.at_defaults).filter(|other| drops(other)).count();
-        }
-        self.solutions.retain(|other| !drops(other));
+        self.solutions.retain(|other| other.branch != branch || !other.flags.contains(near_miss));
     }
 
     /// Remembers a branch that is missed, and a joint vector on it. At the defaults the miss is often stationary: any
@@ -149,54 +133,22 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         open.keep(Start { miss, q: *q });
     }
 
-    /// Remembers a branch on which families may cross.
-    fn cross(&mut self, doubts: &Doubts<T>, branch: Branch) {
-        let retry = self.retry();
-        let entry = retry.crossings.iter_mut().find(|(name, joints)| *name == branch || joints.is_empty());
-        if let Some((name, joints)) = entry
-            && joints.is_empty()
-        {
-            (*name, *joints) = (branch, doubts.free_or_weak());
-            retry.moving |= doubts.free;
-        }
-    }
-
-    /// Returns true if a solution is of another family than the one at the defaults, and is not listed yet.
-    fn crosses(&self, doubts: &Doubts<T>, solution: &Solution<T, N>) -> bool {
-        let branch = solution.branch;
-        let listed = |s: &Solution<T, N>| s.branch == branch && s.free == doubts.free && s.is_exact();
-        let Some(retry) = &self.retry else { return false };
-        let of_branch = |(name, joints): &(Branch, JointMask)| *name == branch && !joints.is_empty();
-        let at_defaults = retry.crossings.iter().find(|crossing| of_branch(crossing));
-        at_defaults.is_some_and(|(_, joints)| *joints != doubts.free_or_weak())
-            && !self.solutions.iter().skip(retry.at_defaults).any(listed)
-    }
-
     /// Moves the free joints to their places in the next run. False if there is none; then what is still open has been
     /// iterated on.
     #[cold]
     #[inline(never)]
     pub(super) fn next_run(&mut self) -> bool {
-        let listed = self.solutions.len();
-        let Some(retry) = &mut self.retry else { return false };
-        if retry.run == 0 {
-            retry.at_defaults = listed;
-        }
-        // A second run looks for a third family only if the first has found a second one.
-        let crosses = retry.crossings.iter().any(|(_, joints)| !joints.is_empty());
-        let crosses = crosses && (retry.run == 0 || retry.run == 1 && listed > retry.at_defaults);
+        let run = self.retry.as_ref().map_or(0, |retry| retry.run);
         // Where no step leads on, iteration may lead to the first of two roots.
-        if S > 0 && retry.run > MULTIPLES && self.next_open(true).is_none() && self.next_order() == 1 {
+        if run > MULTIPLES && self.next_open(true).is_none() && self.next_order() == 1 {
             self.iterate(1);
         }
-        let any = S > 0 && self.next_open(false).or(self.half_listed()).is_some();
+        let any = self.next_open(false).or(self.half_listed()).is_some();
         let Some(retry) = &mut self.retry else { return false };
         retry.run += 1;
         retry.other = None;
-        if usize::from(retry.run) == MOST_CASCADES || !(any || crosses) {
-            if S > 0 {
-                self.iterate(2 * S);
-            }
+        if usize::from(retry.run) == MOST_CASCADES || !any {
+            self.iterate(2 * S);
             return false;
         }
         self.doubts = None;
@@ -225,13 +177,12 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
 
     /// Moves the free joints to their places in the next run.
     fn place(&mut self) {
-        // Without open branches only families that cross need further runs.
-        let stepped = if S > 0 { self.other_root().map(|q| (q, None)).or_else(|| self.stepped()) } else { None };
+        let stepped = self.other_root().map(|q| (q, None)).or_else(|| self.stepped());
         let (constants, defaults) = (self.constants, self.constants.defaults(self.near));
         let Some(retry) = &mut self.retry else { return };
         self.nearly_free = retry.moving;
         // Where no step leads on, one of several joints moves alone: a family may need the others at their defaults.
-        let ends = S > 0 && retry.run > MULTIPLES && stepped.is_none() && retry.moving.len() > 1;
+        let ends = retry.run > MULTIPLES && stepped.is_none() && retry.moving.len() > 1;
         let alone = if ends { usize::from(retry.run).checked_rem(retry.moving.len()) } else { None };
         let is_multiple = stepped.is_none() && alone.is_none();
         let multiple = T::from_i32(if is_multiple { retry.multiple } else { retry.run }.into());
