@@ -210,7 +210,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
 fn best_part<T: Tolerances>(before: &[T; 6], after: &[T; 6]) -> (T, T) {
     let [first, mixed, last] = [(before, before), (before, after), (after, after)].map(|(a, b)| dot_out_of_line(a, b));
     // Beyond this part the second term is the longer one.
-    let longest = (first / last).sqrt().sqrt();
+    let longest = (first / last).sqrt().sqrt().min(T::ONE);
     (1..=PARTS).fold((T::ONE, last), |(part, least), k| {
         let t = longest * T::from_i32(k) / T::from_i32(PARTS);
         let (u, v) = (T::ONE - t, t * t);
@@ -232,5 +232,98 @@ pub(super) fn wrap_angles<T: Tolerances>(q: &mut [T], held: JointMask, prismatic
         if !(held | prismatic).contains(joint) {
             *value = wrap(*value);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Jacobian, Pose};
+
+    const CONSTANTS: ArmConstants<'_, f64, 2> = ArmConstants {
+        limits: &[[-4.0, 4.0]; 2],
+        combined: &[],
+        weights: &[1.0; 2],
+        limited: false,
+        prismatic: JointMask::NONE,
+        stands_for: JointMask::NONE,
+        wrist: None,
+        reach: 1.0,
+        tolerance: Residual { position: 1e-6, orientation: 1e-6 },
+    };
+
+    /// An arm that brings its tool to the point `(f, g, 0)`, with the gradients of f and g.
+    struct Map(fn(f64, f64) -> [(f64, [f64; 2]); 2]);
+
+    impl Evaluate<f64, 2> for Map {
+        fn evaluate(&self, [x, y]: &[f64; 2]) -> (Pose<f64>, Jacobian<f64, 2>) {
+            let [(f, df), (g, dg)] = self.0(*x, *y);
+            let mut jacobian = Jacobian { rows: [[0.0; 2]; 6] };
+            [jacobian.rows[0], jacobian.rows[1]] = [df, dg];
+            (Pose { rotation: [[0.0; 3]; 3], translation: [f, g, 0.0] }, jacobian)
+        }
+    }
+
+    /// The joint vector and the residual that refinement ends at with the origin as target, and its evaluations.
+    fn refined(map: Map, q: [f64; 2], most: usize) -> ([f64; 2], f64, usize) {
+        let (mut iterate, mut left) = (Iterate::at(q), most);
+        iterate.evaluate(&CONSTANTS, &[0.0; 3], &map);
+        refine(&CONSTANTS, &[0.0; 3], &map, &mut iterate, &mut left);
+        (iterate.q, iterate.residual.position, most - left)
+    }
+
+    #[test]
+    fn steps_to_a_simple_root_converge_quadratically() {
+        let map = Map(|x, y| [(x + 0.2 * y * y, [1.0, 0.4 * y]), (y - 0.2 * x * x, [-0.4 * x, 1.0])]);
+        let (_, miss, taken) = refined(map, [0.2, -0.1], 99);
+        assert!(miss < 1e-14 && taken <= 4, "{miss:e} {taken}");
+    }
+
+    #[test]
+    fn the_second_step_to_a_fold_is_taken_twice() {
+        let (q, miss, taken) = refined(Map(|x, y| [(x * x, [2.0 * x, 0.0]), (y, [0.0, 1.0])]), [0.1, 0.0], 99);
+        assert!(q[0].abs() < 1e-6 && miss < 1e-12 && taken <= 4, "{q:?} {miss:e} {taken}");
+    }
+
+    /// From between the roots +-0.01 the whole step leads to 0.05.
+    #[test]
+    fn of_a_step_beyond_a_root_the_best_part_is_taken() {
+        let map = Map(|x, y| [(x * x - 1e-4, [2.0 * x, 0.0]), (y, [0.0, 1.0])]);
+        let (q, miss, taken) = refined(map, [1e-3, 0.0], 99);
+        assert!((q[0] - 0.01).abs() < 1e-9 && miss < 1e-12 && taken <= 6, "{q:?} {miss:e} {taken}");
+        for (after, part) in [(-2.0, 0.5), (0.25, 1.0), (f64::NAN, 1.0)] {
+            let along = |size: f64| [size * 0.6, 0.0, size * -0.8, 0.0, 0.0, 0.0];
+            assert!((best_part(&along(1.0), &along(after)).0 - part).abs() < 0.1, "{after}");
+        }
+    }
+
+    /// Along the bottom of the valley `y = 2 x^2` a step leaves the valley, and the next one leads back.
+    #[test]
+    fn one_step_may_increase_the_error() {
+        let map = Map(|x, y| [(y - 2.0 * x * x, [-4.0 * x, 1.0]), (0.05 * (x - 0.1), [0.05, 0.0])]);
+        let (q, miss, taken) = refined(map, [0.0, 0.0], 99);
+        assert!((q[0] - 0.1).abs() < 1e-9 && miss < 1e-12 && taken <= 4, "{q:?} {miss:e} {taken}");
+    }
+
+    #[test]
+    fn a_descent_to_an_error_above_zero_is_given_up() {
+        let map = Map(|x, y| [(x * x + 0.1, [2.0 * x, 0.0]), (y, [0.0, 1.0])]);
+        let (q, miss, taken) = refined(map, [0.3, 0.1], 99);
+        assert!(q[0].abs() < 0.1 && (miss - 0.1).abs() < 0.01 && taken <= 8, "{q:?} {miss} {taken}");
+        // The linear model predicts no progress at all.
+        let (_, _, taken) = refined(Map(|_, y| [(0.5, [0.0, 0.0]), (y, [0.0, 1.0])]), [1.0, 0.0], 99);
+        assert_eq!(taken, 0);
+    }
+
+    #[test]
+    fn evaluations_are_bounded() {
+        // A fold of the fourth order: each step leads a quarter of the way.
+        let map = || Map(|x, y| [(x.powi(4), [4.0 * x.powi(3), 0.0]), (y, [0.0, 1.0])]);
+        for most in [0, 1, 3, 99] {
+            let (q, _, taken) = refined(map(), [0.9, 0.2], most);
+            assert!(taken <= most.min(MOST_STEPS) && (taken > 0) == (q != [0.9, 0.2]), "{most}: {taken} {q:?}");
+        }
+        let (q, _, taken) = refined(Map(|x, y| [(x, [f64::NAN, 0.0]), (y, [0.0, 1.0])]), [0.5, 0.2], 99);
+        assert_eq!((q, taken), ([0.5, 0.2], 0));
     }
 }
