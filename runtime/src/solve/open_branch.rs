@@ -14,17 +14,17 @@ pub(super) struct Start<T, const N: usize> {
     pub(super) q: [T; N],
 }
 
-/// A branch without a solution so far.
+/// A branch that has no solution with the joints at their defaults.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Open<T, const N: usize> {
     pub(super) branch: Branch,
     pub(super) flags: Flags,
     pub(super) free: JointMask,
-    /// The order of the root that its missed stage has where it just reaches, see [`Doubts`](super::doubts::Doubts).
+    /// The order of the root of its missed stage, see [`Doubts::missed_order`](super::doubts::Doubts::missed_order).
     pub(super) order: u8,
     /// The joints that are free or weak before that stage.
     pub(super) joints: JointMask,
-    /// The miss of the start that was stepped from last; NaN before.
+    /// The miss of the start from which the last step was taken; NaN before.
     pub(super) stepped: T,
     /// The starts of least miss, the least first.
     pub(super) starts: [Start<T, N>; STARTS],
@@ -35,7 +35,7 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
         branch: Branch::NONE,
         flags: Flags::NONE,
         free: JointMask::NONE,
-        order: 2,
+        order: 0,
         joints: JointMask::NONE,
         stepped: T::NAN,
         starts: [Start { miss: T::INFINITY, q: [T::ZERO; N] }; STARTS],

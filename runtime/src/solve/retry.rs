@@ -38,21 +38,14 @@ const STROKE: f64 = 1.75;
 pub(super) struct Retry<T, const N: usize, const S: usize> {
     /// Index of this run; 0 with every joint at its default.
     run: u8,
-    /// The next run that holds the free joints at multiples of their steps takes this one.
+    /// The multiple of the next run that holds the free joints at multiples of their steps.
     multiple: u8,
     /// The joints that move.
     moving: JointMask,
-    /// The open branches, the first `len`.
+    /// The open branches first, then entries of order 0 that are not used.
     opens: [Open<T, N>; S],
-    len: usize,
     /// The branch of which this run is at the second root, see [`other_root`](Search::other_root).
     other: Option<Branch>,
-}
-
-impl<T: Tolerances, const N: usize, const S: usize> Retry<T, N, S> {
-    fn opens(&mut self) -> &mut [Open<T, N>] {
-        self.opens.get_mut(..self.len).unwrap_or(&mut [])
-    }
 }
 
 impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'_, T, N, M, D, S> {
@@ -64,7 +57,6 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             multiple: 1,
             moving: JointMask::NONE,
             opens: [Open::NONE; S],
-            len: 0,
             other: None,
         })
     }
@@ -109,11 +101,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     #[inline(never)]
     pub(super) fn open(&mut self, doubts: &Doubts<T>, branch: Branch, miss: T, q: &[T; N]) {
         let retry = self.retry();
-        let (len, other) = (retry.len, retry.other);
-        let index = retry.opens().iter().position(|open| open.branch == branch).unwrap_or(len);
-        let Some(open) = retry.opens.get_mut(index) else { return };
-        if index == len {
-            *open = Open { branch, flags: doubts.flags, free: doubts.free, ..Open::NONE };
+        let mut opens = retry.opens.iter_mut();
+        let Some(open) = opens.find(|open| open.branch == branch || open.order == 0) else { return };
+        if open.order == 0 {
+            *open = Open { branch, flags: doubts.flags, free: doubts.free, order: 2, ..Open::NONE };
             if retry.run == 0 {
                 retry.moving |= doubts.free_or_weak();
                 // A weak joint stays at its default in a run of its own.
@@ -121,12 +112,11 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
                     retry.multiple = 0;
                 }
             }
-            retry.len += 1;
         }
         if doubts.is_missed() {
             (open.order, open.joints) = (doubts.missed_order, doubts.missed_for);
         }
-        if other == Some(branch) {
+        if retry.other == Some(branch) {
             // Near the first root the formula has few digits for the second one.
             open.starts = Open::NONE.starts;
         }
@@ -201,9 +191,9 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         retry.multiple += u8::from(is_multiple);
     }
 
-    /// The joint vector to which a step from the start of least miss leads that has not been stepped from, and the value of a
-    /// virtual joint there. The stages that the branch does not miss hold at a start, so the next run needs of the step the places
-    /// of the free joints alone.
+    /// The joint vector to which a step leads from the start of least miss that has not been stepped from, and the value of a
+    /// virtual joint there. All stages but the missed one hold at a start, and the next run makes them hold again. So that run
+    /// takes only the free joints from this vector.
     #[inline(never)]
     fn stepped(&mut self) -> Option<([T; N], Option<T>)> {
         let retry = self.retry.as_ref()?;
@@ -224,8 +214,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         Some((q, of_virtual))
     }
 
-    /// The index of an open branch with a solution of an equation without a joint of its own. The equation has another root for the
-    /// one joint that is free before it.
+    /// The index of an open branch of which one of two solutions is listed. Such a branch is missed by an equation without a
+    /// joint of its own. For the one free joint before it, which turns, this equation has two roots.
     fn half_listed(&self) -> Option<usize> {
         let others = self.constants.prismatic | JointMask::single(VIRTUAL);
         let asked = |open: &Open<T, N>| {
@@ -234,7 +224,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         self.retry.as_ref()?.opens.iter().position(asked)
     }
 
-    /// The joint vector with the free joint at the second root `x2` of such an equation.
+    /// The joint vector with that free joint at the second root `x2`; its value at the listed solution is `x1`.
     ///
     /// A joint that turns moves points on circles, so the equation is `c sin((x - x1) / 2) sin((x - x2) / 2)`. A step from a
     /// start leads from x to `x + d`, and by the derivative of the logarithm `-2 / d = cot((x - x1) / 2) + cot((x - x2) / 2)`.
