@@ -68,12 +68,11 @@ impl<T: Tolerances> Doubts<T> {
     pub(super) fn note(&mut self, doubt: &Doubt<T>) {
         let Doubt { gap, angular, amplitude, closes, weak, boundary, free } = *doubt;
         self.closes &= closes;
-        // The next stage magnifies the uncertainty that a stage leaves. Where nothing but uncertainty is left of an
-        // amplitude between directions, any value of the joint is as good. Where two roots coincide, refinement still
-        // moves the place.
+        // The next stage magnifies the uncertainty that a stage leaves. If the product of amplitudes is below rounding, the joint of
+        // an equation between directions counts as free. Where two roots coincide, refinement still moves the place.
         let product = self.amplitude * amplitude;
-        let settled = angular && free.is_empty() && !self.flags.contains(Flags::BOUNDARY);
-        let free = if settled && product < T::VANISHING * T::DOUBTFUL { weak } else { free };
+        let may_be_free = angular && free.is_empty() && !self.flags.contains(Flags::BOUNDARY);
+        let free = if may_be_free && product < T::VANISHING * T::DOUBTFUL { weak } else { free };
         self.amplitude = product.max(T::EPSILON * T::EPSILON);
         self.weak |= weak;
         if angular {

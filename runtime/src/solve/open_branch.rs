@@ -23,9 +23,9 @@ pub(super) struct Open<T, const N: usize> {
     /// The order of the root of its missed stage, see [`Doubts::missed_order`](super::doubts::Doubts::missed_order).
     pub(super) order: u8,
     /// The joints that are free or weak before that stage.
-    pub(super) joints: JointMask,
+    pub(super) missed_for: JointMask,
     /// The miss of the start from which the last step was taken; NaN before.
-    pub(super) stepped: T,
+    pub(super) stepped_miss: T,
     /// The starts of least miss, the least first.
     pub(super) starts: [Start<T, N>; STARTS],
 }
@@ -36,8 +36,8 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
         flags: Flags::NONE,
         free: JointMask::NONE,
         order: 0,
-        joints: JointMask::NONE,
-        stepped: T::NAN,
+        missed_for: JointMask::NONE,
+        stepped_miss: T::NAN,
         starts: [Start { miss: T::INFINITY, q: [T::ZERO; N] }; STARTS],
     };
 
@@ -54,7 +54,7 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
     /// Returns true if no step has been taken from the start of least miss.
     pub(super) fn is_unstepped(&self) -> bool {
         let [first, _] = &self.starts;
-        self.stepped != first.miss
+        self.stepped_miss != first.miss
     }
 }
 

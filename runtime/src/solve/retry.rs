@@ -17,7 +17,7 @@ use crate::{Branch, Flags, JointMask, Solution};
 
 /// The step of a free joint, rad, if so many `before` it move too. In turns it is the inverse root of `x^k = x + 1`, for
 /// k = 2 the golden number: multiples of the first few fill a torus evenly.
-fn step<T: Tolerances>(before: usize) -> T {
+fn increment<T: Tolerances>(before: usize) -> T {
     T::TAU
         * match before {
             0 => T::from_f64(0.618_033_988_749_895),
@@ -68,10 +68,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
 
     /// Returns true if the solution at the end of a doubtful branch is to be verified in this run. A branch that is
     /// missed is remembered.
-    pub(super) fn is_candidate(&mut self, doubts: &Doubts<T>, solution: &Solution<T, N>) -> bool {
+    pub(super) fn admits(&mut self, doubts: &Doubts<T>, solution: &Solution<T, N>) -> bool {
         let again = self.is_again();
         if doubts.is_missed() {
-            self.misses_by(&doubts.gap);
+            self.note_residual(&doubts.gap);
         }
         let is_other = S > 0 && self.retry.as_ref().is_some_and(|retry| retry.other == Some(solution.branch));
         if again && (doubts.free_or_weak().is_empty() || self.lists(solution.branch) && !is_other) {
@@ -114,7 +114,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             }
         }
         if doubts.is_missed() {
-            (open.order, open.joints) = (doubts.missed_order, doubts.missed_for);
+            (open.order, open.missed_for) = (doubts.missed_order, doubts.missed_for);
         }
         if retry.other == Some(branch) {
             // Near the first root the formula has few digits for the second one.
@@ -130,10 +130,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     pub(super) fn next_run(&mut self) -> bool {
         let run = self.retry.as_ref().map_or(0, |retry| retry.run);
         // Where no step leads on, iteration may lead to the first of two roots.
-        if run > MULTIPLES && self.next_open(true).is_none() && self.next_order() == 1 {
+        if run > MULTIPLES && self.least_missed(true).is_none() && self.next_order() == 1 {
             self.iterate(1);
         }
-        let any = self.next_open(false).or(self.half_listed()).is_some();
+        let any = self.least_missed(false).or(self.half_listed()).is_some();
         let Some(retry) = &mut self.retry else { return false };
         retry.run += 1;
         retry.other = None;
@@ -148,7 +148,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
 
     /// The index of the open branch whose start misses by least. `unstepped`: of those whose start has not been stepped from.
     #[inline(never)]
-    fn next_open(&self, unstepped: bool) -> Option<usize> {
+    fn least_missed(&self, unstepped: bool) -> Option<usize> {
         let (mut next, mut least) = (None, T::INFINITY);
         for (index, open) in self.retry.as_ref()?.opens.iter().enumerate() {
             let [Start { miss, .. }, _] = open.starts;
@@ -161,24 +161,24 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
 
     /// The order of the root of the open branch whose start misses by least; 0 without any.
     fn next_order(&self) -> u8 {
-        let next = self.next_open(false).and_then(|index| self.retry.as_ref()?.opens.get(index));
+        let next = self.least_missed(false).and_then(|index| self.retry.as_ref()?.opens.get(index));
         next.map_or(0, |open| open.order)
     }
 
     /// Moves the free joints to their places in the next run.
     fn place(&mut self) {
-        let stepped = self.other_root().map(|q| (q, None)).or_else(|| self.stepped());
+        let stepped = self.other_root().map(|q| (q, None)).or_else(|| self.after_step());
         let (constants, defaults) = (self.constants, self.constants.defaults(self.near));
         let Some(retry) = &mut self.retry else { return };
-        self.nearly_free = retry.moving;
+        self.elsewhere = retry.moving;
         // Where no step leads on, one of several joints moves alone: a family may need the others at their defaults.
-        let ends = retry.run > MULTIPLES && stepped.is_none() && retry.moving.len() > 1;
-        let alone = if ends { usize::from(retry.run).checked_rem(retry.moving.len()) } else { None };
+        let no_step = retry.run > MULTIPLES && stepped.is_none() && retry.moving.len() > 1;
+        let alone = if no_step { usize::from(retry.run).checked_rem(retry.moving.len()) } else { None };
         let is_multiple = stepped.is_none() && alone.is_none();
         let multiple = T::from_i32(if is_multiple { retry.multiple } else { retry.run }.into());
         for (before, joint) in retry.moving.iter().enumerate() {
             let moves = alone.is_none_or(|alone| alone == before);
-            let turn = if moves { wrap(step::<T>(before) * multiple) } else { T::ZERO };
+            let turn = if moves { wrap(increment::<T>(before) * multiple) } else { T::ZERO };
             if joint == VIRTUAL {
                 self.virtual_default = stepped.and_then(|(_, value)| value).unwrap_or(turn);
             } else if let Some((slot, default)) = self.defaults.get_mut(joint).zip(defaults.get(joint)) {
@@ -195,13 +195,13 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     /// virtual joint there. All stages but the missed one hold at a start, and the next run makes them hold again. So that run
     /// takes only the free joints from this vector.
     #[inline(never)]
-    fn stepped(&mut self) -> Option<([T; N], Option<T>)> {
+    fn after_step(&mut self) -> Option<([T; N], Option<T>)> {
         let retry = self.retry.as_ref()?;
         let begins = retry.run > MULTIPLES && self.evaluations_left > RESERVED + 1;
-        let index = if begins { self.next_open(true)? } else { return None };
+        let index = if begins { self.least_missed(true)? } else { return None };
         let open = self.retry.as_mut()?.opens.get_mut(index)?;
         let ([Start { miss, q }, _], times) = (open.starts, T::from_i32(open.order.into()));
-        open.stepped = miss;
+        open.stepped_miss = miss;
         let mut iterate = Iterate::at(q);
         iterate.evaluate(self.constants, self.goal, self.arm);
         self.evaluations_left -= 1;
@@ -219,7 +219,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     fn half_listed(&self) -> Option<usize> {
         let others = self.constants.prismatic | JointMask::single(VIRTUAL);
         let asked = |open: &Open<T, N>| {
-            open.order == 1 && open.joints.len() == 1 && !open.joints.meets(others) && self.lists(open.branch)
+            open.order == 1 && open.missed_for.len() == 1 && !open.missed_for.meets(others) && self.lists(open.branch)
         };
         self.retry.as_ref()?.opens.iter().position(asked)
     }
@@ -235,7 +235,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let open = retry.opens.get_mut(index)?;
         // Looked for again only if the run at that root misses.
         open.order = 2;
-        let ([Start { miss, q: start }, _], branch, joint) = (open.starts, open.branch, open.joints.iter().next()?);
+        let ([Start { miss, q: start }, _], branch, joint) = (open.starts, open.branch, open.missed_for.iter().next()?);
         let mut solutions = self.solutions.exact().filter(|solution| solution.branch == branch);
         let (x, first) = (*start.get(joint)?, *solutions.next()?.q.get(joint)?);
         if miss == T::INFINITY || self.evaluations_left <= RESERVED {
@@ -259,7 +259,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     /// Iterates from the starts of the open branches, those of least miss first.
     fn iterate(&mut self, most: usize) {
         for _ in 0..most {
-            let next = self.next_open(false);
+            let next = self.least_missed(false);
             let Some(open) = next.and_then(|index| self.retry.as_mut()?.opens.get_mut(index)) else { return };
             let [first, second] = &mut open.starts;
             let mut solution = Solution::exact(first.q, open.branch);

@@ -48,7 +48,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let doubts = self.doubts(state);
         solution.flags |= doubts.flags;
         (solution.free, solution.residual) = (doubts.free, doubts.gap);
-        if !self.is_candidate(&doubts, &solution) {
+        if !self.admits(&doubts, &solution) {
             return;
         }
         let movable = !doubts.free_or_weak().is_empty();
@@ -87,7 +87,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         if !exact {
             solution.flags.remove(Flags::EXACT);
             solution.flags |= Flags::APPROXIMATE;
-            self.misses_by(&residual);
+            self.note_residual(&residual);
             self.is_nearly_missed = true;
             // A guess that comes near by its steps alone, without closing, is no branch of this target.
             return if close { Found::Branch } else { Found::Nothing };
