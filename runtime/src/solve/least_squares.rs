@@ -7,7 +7,7 @@ use super::kernel::tolerances::Tolerances;
 use crate::math::wrap;
 use crate::{JointMask, Residual};
 
-/// The most steps for one solution.
+/// The most evaluations for one solution.
 pub(super) const MOST_STEPS: usize = 16;
 /// So many steps in a row that stall are the last ones; one, once the solution is exact.
 const MOST_STALLS: usize = 3;
@@ -114,14 +114,15 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
 }
 
 /// Damped least squares (Levenberg 1944, Marquardt 1963), damped in proportion to the squared error, so that
-/// convergence is quadratic. `best` becomes the iterate of least error. If there is a step, angles come into (-pi, pi].
+/// convergence is quadratic. `best` becomes the iterate of least error, its angles in (-pi, pi].
 /// Each evaluation takes one from `evaluations_left`; there are at most 16, and without any left there is none.
 ///
 /// - Of two steps in a row one has to reduce the error, else neither is taken (the watchdog of Chamberlain, Powell,
-///   Lemarechal, Pedersen 1982). The next step is then no longer than the root of the error, and half as long each time.
+///   Lemarechal, Pedersen 1982). The next step is then at most half as long as the first one, and no longer than the root of the error.
 /// - At a fold a step goes half of the way and leaves a quarter of the error. The next step is taken twice (Decker,
 ///   Keller, Kelley 1983). The step after it restores the equations without a fold.
-/// - A step that stalls is replaced by its best part ([`best_part`]), if that leaves less than half of the squared error.
+/// - If a part of a step that stalls is predicted to leave less than half of the squared error, that part is taken
+///   ([`best_part`]).
 /// - The descent ends after three steps in a row that stall ([`PROGRESS`]), after one if the solution is exact, and where
 ///   the linear model predicts that it stalls or converges to an error above zero ([`LITTLE`]).
 #[cold]
@@ -164,8 +165,10 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
         if !step.square.is_finite() || !onward && (predicts_stall || converges) {
             break;
         }
-        last_gain = gain;
-        let mut part = if step.square > longest { (longest / step.square).sqrt() } else { times };
+        if !onward {
+            last_gain = gain;
+        }
+        let mut part = if !onward && step.square > longest { (longest / step.square).sqrt() } else { times };
         loop {
             tried.q = q;
             for (joint, (value, change)) in tried.q.iter_mut().zip(&step.changes).enumerate() {
@@ -174,7 +177,8 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
             tried.evaluate(constants, goal, arm);
             taken += 1;
             let least;
-            if part != T::ONE || tried.size < best.size * T::from_f64(PROGRESS) || taken >= most {
+            let model_closes = step.remaining_error < size * T::HALF;
+            if part != T::ONE || !model_closes || tried.size < best.size * T::from_f64(PROGRESS) || taken >= most {
                 break;
             }
             (part, least) = best_part(&error, &tried.error);
@@ -184,19 +188,19 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
             }
         }
         // At a fold the linear model leaves nothing, and the step a quarter of the error, within a factor of 2.
-        let (ratio, twice) = (tried.size / size * T::from_f64(16.0), times > T::ONE);
-        let quarter = ratio > T::HALF * T::HALF && ratio < T::TWO * T::TWO;
-        times = if quarter && !twice && step.remaining_error < tried.size * T::HALF { T::TWO } else { T::ONE };
+        let ratio = tried.size / size * T::from_f64(16.0);
+        let quarter = ratio > T::HALF * T::HALF && ratio < T::TWO * T::TWO && tried.size < best.size;
+        times = if quarter && part == T::ONE && step.remaining_error < tried.size * T::HALF { T::TWO } else { T::ONE };
         stalls = if tried.size < best.size * T::from_f64(PROGRESS) { 0 } else { stalls + 1 };
         if tried.size < best.size {
             *best = tried;
             (onward, longest) = (false, T::INFINITY);
-        } else if onward || !tried.size.is_finite() || longest < T::INFINITY {
+        } else if onward {
             onward = false;
-            longest = best.size.sqrt().min(longest * T::HALF * T::HALF);
         } else {
             // A step along a narrow curved valley leaves it, and the next one leads back: one may make it worse.
-            onward = true;
+            longest = best.size.sqrt().min(step.square * T::HALF * T::HALF);
+            onward = tried.size.is_finite();
         }
     }
     *evaluations_left -= taken;

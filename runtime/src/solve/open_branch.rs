@@ -20,7 +20,8 @@ pub(super) struct Open<T, const N: usize> {
     pub(super) branch: Branch,
     pub(super) flags: Flags,
     pub(super) free: JointMask,
-    /// The order of the root of its missed stage, see [`Doubts::missed_order`](super::doubts::Doubts::missed_order).
+    /// The order of the root of its missed stage, see [`Doubts::missed_order`](super::doubts::Doubts::missed_order); 2 without
+    /// such a stage or if the second root has been asked for, 0 in an entry that is not used.
     pub(super) order: u8,
     /// The joints that are free or weak before that stage.
     pub(super) missed_for: JointMask,

@@ -15,7 +15,7 @@ use crate::effort::MOST_CASCADES;
 use crate::math::{atan2, sin_cos, wrap};
 use crate::{Branch, Flags, JointMask, Solution};
 
-/// The step of a free joint, rad, if so many `before` it move too. In turns it is the inverse root of `x^k = x + 1`, for
+/// The increment of a free joint, rad, if so many joints `before` it move too. In turns it is the inverse root of `x^k = x + 1`, for
 /// k = 2 the golden number: multiples of the first few fill a torus evenly.
 fn increment<T: Tolerances>(before: usize) -> T {
     T::TAU
@@ -63,7 +63,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
 
     /// Returns true in every run but the first.
     pub(super) fn is_again(&self) -> bool {
-        self.retry.as_ref().is_some_and(|retry| retry.run > 0)
+        S > 0 && self.retry.as_ref().is_some_and(|retry| retry.run > 0)
     }
 
     /// Returns true if the solution at the end of a doubtful branch is to be verified in this run. A branch that is
@@ -90,14 +90,14 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         self.solutions.exact().any(|solution| solution.branch == branch)
     }
 
-    /// Drops the solution of a branch that closes only within the tolerance with its free joint at the default.
+    /// Drops the solutions of a branch that close only within the tolerance, once it has an exact one.
     pub(super) fn drop_near_miss(&mut self, branch: Branch) {
         let near_miss = Flags::APPROXIMATE | Flags::FREE;
         self.solutions.retain(|other| other.branch != branch || !other.flags.contains(near_miss));
     }
 
-    /// Remembers a branch that is missed, and a joint vector on it. At the defaults the miss is often stationary: any
-    /// other start is a better one, and `miss` is the largest number.
+    /// Remembers a branch that is missed, and a joint vector on it. At the defaults the miss is often stationary:
+    /// `miss` is the largest number there, so that any other start is preferred.
     #[inline(never)]
     pub(super) fn open(&mut self, doubts: &Doubts<T>, branch: Branch, miss: T, q: &[T; N]) {
         let retry = self.retry();
@@ -215,7 +215,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     }
 
     /// The index of an open branch of which one of two solutions is listed. Such a branch is missed by an equation without a
-    /// joint of its own. For the one free joint before it, which turns, this equation has two roots.
+    /// joint of its own, which has two roots in the one free joint before it.
     fn half_listed(&self) -> Option<usize> {
         let others = self.constants.prismatic | JointMask::single(VIRTUAL);
         let asked = |open: &Open<T, N>| {

@@ -18,8 +18,7 @@ enum Found {
     Nothing,
     /// A solution of the candidate's branch.
     Branch,
-    /// A solution that the candidate was not close to. It belongs to another root, unless that root has no solution of
-    /// its own.
+    /// A solution that steps reached from a distant start. It may belong to another branch.
     Guess,
 }
 
@@ -73,7 +72,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         }
     }
 
-    /// Verifies a solution; refines it if that closes it. A solution that stays beyond the tolerance is none; its residual
+    /// Verifies a solution and refines it. A solution that stays beyond the tolerance is none; its residual
     /// counts as the gap of its branch.
     fn verify(&mut self, movable: bool, solution: &mut Solution<T, N>) -> Found {
         let Some(&Verified { q, residual, close, is_within_slack, .. }) = self.refined(&solution.q) else {
@@ -122,14 +121,16 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
 
     /// Lists a solution, or the better one of two that coincide. An exact root of its own replaces a guess from another one.
     fn list(&mut self, mut solution: Solution<T, N>, found: Found) {
-        if found == Found::Nothing {
+        let constants = self.constants;
+        let is_listed = self.solutions.exact().any(|other| coincident(constants, &other.q, &solution.q));
+        if found == Found::Nothing || found == Found::Guess && is_listed {
             return;
         }
         if solution.free.contains(VIRTUAL) {
-            solution.free = solution.free.without(VIRTUAL) | self.constants.stands_for;
+            solution.free = solution.free.without(VIRTUAL) | constants.stands_for;
         }
-        let (constants, again) = (self.constants, self.is_again());
-        if S > 0 && again && solution.is_exact() {
+        let again = self.is_again();
+        if again && solution.is_exact() {
             self.drop_near_miss(solution.branch);
         }
         let mut others = self.solutions.as_mut_slice().iter_mut();
@@ -137,9 +138,6 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             self.solutions.push(solution);
             return;
         };
-        if found == Found::Guess && twin.is_exact() {
-            return;
-        }
         // A root of its own is no guess from another one.
         let names =
             solution.is_exact() && twin.flags.contains(Flags::BOUNDARY) && !solution.flags.contains(Flags::BOUNDARY);
@@ -210,17 +208,17 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         if !(constants.relative(&residual) <= T::EXACT) {
             return;
         }
-        let mut held = self.nearest(&q).map_or(Solution::EMPTY, |nearest| *nearest);
-        (held.q, held.residual) = (q, residual);
+        let nearest = self.nearest(&q).map_or(Solution::EMPTY, |nearest| *nearest);
+        let mut held = Solution { q, residual, ..nearest };
         held.flags.remove(Flags::APPROXIMATE);
         held.flags |= Flags::EXACT;
         // The same place, but nearer to the reference: beside a limit a small step would be a whole turn.
-        self.solutions.retain(|other| !coincident(constants, &other.q, &q));
-        if !self.solutions.push(held)
+        if (coincident(constants, &nearest.q, &q) || !self.solutions.push(held))
             && let Some(nearest) = self.nearest(&q)
         {
             *nearest = held;
         }
+        self.solutions.retain(|other| other.q == q || !coincident(constants, &other.q, &q));
     }
 
     /// The listed solution nearest to a joint vector.
@@ -250,7 +248,7 @@ pub(super) fn coincident<T: Tolerances, const N: usize>(
 
 /// The distance of two joint vectors in each joint.
 #[inline]
-fn distances<T: Tolerances, const N: usize>(
+pub(super) fn distances<T: Tolerances, const N: usize>(
     constants: &ArmConstants<T, N>,
     a: &[T; N],
     b: &[T; N],
