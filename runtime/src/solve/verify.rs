@@ -55,7 +55,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         if S > 0 && movable && !(solution.is_exact() || doubts.clamped) {
             // At the defaults the miss says little, and refinement may have led away from there. In a further run the
             // closed form is the start of a step.
-            let miss = if again { self.constants.relative(&doubts.gap) } else { T::MAX };
+            let start = self.verified.as_ref().filter(|_| again);
+            let miss = start.map_or(T::MAX, |start| self.constants.relative(&start.start_residual));
             self.open(&doubts, branch, miss, if again { &q } else { &solution.q });
         }
         // A solution of a further run that does not close is no better than those listed.
@@ -75,11 +76,12 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     /// Verifies a solution and refines it. A solution that stays beyond the tolerance is none; its residual
     /// counts as the gap of its branch.
     fn verify(&mut self, movable: bool, solution: &mut Solution<T, N>) -> Found {
-        let Some(&Verified { q, residual, close, is_within_slack, .. }) = self.refined(&solution.q) else {
+        let Some(&Verified { start_residual, q, residual, .. }) = self.refined(&solution.q) else {
             return Found::Nothing;
         };
         (solution.q, solution.residual) = (q, residual);
-        let exact = self.constants.relative(&residual) <= T::EXACT;
+        let constants = self.constants;
+        let (exact, close) = (constants.relative(&residual) <= T::EXACT, constants.tolerates(&start_residual));
         if exact || movable {
             self.solutions.mark_awkward();
         }
@@ -91,7 +93,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             // A guess that comes near by its steps alone, without closing, is no branch of this target.
             return if close { Found::Branch } else { Found::Nothing };
         }
-        if movable || close || is_within_slack {
+        // A measured arm misses the equations of its table.
+        if movable || close || constants.relative(&start_residual) <= self.slack * T::from_f64(SLACK) {
             return Found::Branch;
         }
         // Of a nearly real pair of roots.
@@ -108,13 +111,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             let mut evaluations_left = self.evaluations_left.checked_sub(RESERVED + 1)?;
             let mut iterate = Iterate::at(*start);
             iterate.evaluate(self.constants, self.goal, self.arm);
-            let close = self.constants.tolerates(&iterate.residual);
-            let is_within_slack =
-                !close && self.constants.relative(&iterate.residual) <= self.slack * T::from_f64(SLACK);
+            let start_residual = iterate.residual;
             refine(self.constants, self.goal, self.arm, &mut iterate, &mut evaluations_left);
             self.evaluations_left = evaluations_left + RESERVED;
-            self.verified =
-                Some(Verified { start: *start, q: iterate.q, residual: iterate.residual, close, is_within_slack });
+            self.verified = Some(Verified { start: *start, start_residual, q: iterate.q, residual: iterate.residual });
         }
         self.verified.as_ref()
     }
