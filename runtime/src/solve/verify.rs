@@ -55,8 +55,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         if S > 0 && movable && !(solution.is_exact() || doubts.clamped) {
             // At the defaults the miss says little, and refinement may have led away from there. In a further run the
             // closed form is the start of a step.
-            let start = self.verified.as_ref().filter(|_| again);
-            let miss = start.map_or(T::MAX, |start| self.constants.relative(&start.start_residual));
+            let miss = if again { self.constants.relative(&doubts.gap) } else { T::MAX };
             self.open(&doubts, branch, miss, if again { &q } else { &solution.q });
         }
         // A solution of a further run that does not close is no better than those listed.
@@ -114,7 +113,12 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             let start_residual = iterate.residual;
             refine(self.constants, self.goal, self.arm, &mut iterate, &mut evaluations_left);
             self.evaluations_left = evaluations_left + RESERVED;
-            self.verified = Some(Verified { start: *start, start_residual, q: iterate.q, residual: iterate.residual });
+            let (mut q, mut residual) = (iterate.q, iterate.residual);
+            if self.constants.tolerates(&start_residual) && !self.constants.tolerates(&residual) {
+                // The steps have traded one of the two residuals for the other.
+                (q, residual) = (*start, start_residual);
+            }
+            self.verified = Some(Verified { start: *start, start_residual, q, residual });
         }
         self.verified.as_ref()
     }
