@@ -35,7 +35,7 @@ const STROKE: f64 = 1.75;
 
 /// Memory of a call whose target needs further runs: at most `S` open branches.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Retry<T, const N: usize, const S: usize> {
+pub(super) struct Retry<T, const N: usize, const M: usize, const S: usize> {
     /// Index of this run; 0 with every joint at its default.
     run: u8,
     /// The multiple of the next run that holds the free joints at multiples of their steps.
@@ -46,35 +46,44 @@ pub(super) struct Retry<T, const N: usize, const S: usize> {
     opens: [Open<T, N>; S],
     /// The branch of which this run is at the second root, see [`other_root`](Search::other_root).
     other: Option<Branch>,
+    /// Branches on which two families of solutions may cross at the defaults, and the joints that are free or weak in the family
+    /// found last: none of an entry that is not used.
+    crossings: [(Branch, JointMask); M],
+    /// True if a further run has found another family.
+    crossed: bool,
 }
 
 impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'_, T, N, M, D, S> {
     #[inline(never)]
     #[allow(clippy::unnecessary_lazy_evaluations, reason = "the memory is large, and most calls find it made")]
-    fn retry(&mut self) -> &mut Retry<T, N, S> {
+    fn retry(&mut self) -> &mut Retry<T, N, M, S> {
         self.retry.get_or_insert_with(|| Retry {
             run: 0,
             multiple: 1,
             moving: JointMask::NONE,
             opens: [Open::NONE; S],
             other: None,
+            crossings: [(Branch::NONE, JointMask::NONE); M],
+            crossed: false,
         })
     }
 
     /// Returns true in every run but the first.
     pub(super) fn is_again(&self) -> bool {
-        S > 0 && self.retry.as_ref().is_some_and(|retry| retry.run > 0)
+        self.retry.as_ref().is_some_and(|retry| retry.run > 0)
     }
 
     /// Returns true if the solution at the end of a doubtful branch is to be verified in this run. A branch that is
-    /// missed is remembered.
+    /// missed is remembered, and so is one on which families of solutions may cross.
     pub(super) fn admits(&mut self, doubts: &Doubts<T>, solution: &Solution<T, N>) -> bool {
-        let again = self.is_again();
+        let (again, free_or_weak) = (self.is_again(), doubts.free_or_weak());
         if doubts.is_missed() {
             self.note_residual(&doubts.gap);
+        } else if self.crosses(solution.branch, doubts.free, free_or_weak) {
+            return true;
         }
         let is_other = S > 0 && self.retry.as_ref().is_some_and(|retry| retry.other == Some(solution.branch));
-        if again && (doubts.free_or_weak().is_empty() || self.lists(solution.branch) && !is_other) {
+        if again && (free_or_weak.is_empty() || self.lists(solution.branch) && !is_other) {
             return false;
         }
         if S > 0 && doubts.is_missed() {
@@ -82,6 +91,24 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             self.open(doubts, solution.branch, miss, &solution.q);
         }
         !doubts.is_missed()
+    }
+
+    /// Returns true if a solution of the second or third run is of another family than the one found last on its branch. The
+    /// first run remembers a branch on which two joints are free or weak.
+    fn crosses(&mut self, branch: Branch, free: JointMask, free_or_weak: JointMask) -> bool {
+        let run = self.retry.as_ref().map_or(0, |retry| retry.run);
+        let again = run > 0;
+        if run > 2 || !again && (free.is_empty() || free_or_weak.len() < 2) {
+            return false;
+        }
+        let retry = self.retry();
+        let mut crossings = retry.crossings.iter_mut();
+        let entry = crossings.find(|(name, last)| if last.is_empty() { !again } else { *name == branch });
+        let Some((name, last)) = entry.filter(|(_, last)| *last != free_or_weak) else { return false };
+        (*name, *last) = (branch, free_or_weak);
+        retry.moving |= if again { JointMask::NONE } else { free };
+        retry.crossed |= again;
+        again
     }
 
     /// Returns true if a branch has an exact solution.
@@ -128,17 +155,21 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     #[cold]
     #[inline(never)]
     pub(super) fn next_run(&mut self) -> bool {
-        let run = self.retry.as_ref().map_or(0, |retry| retry.run);
+        let Some(Retry { run, crossings, crossed, .. }) = self.retry else { return false };
+        // A second run looks for a third family only if the first has found a second one.
+        let crosses = (run == 0 || run == 1 && crossed) && crossings.iter().any(|(_, joints)| !joints.is_empty());
         // Where no step leads on, iteration may lead to the first of two roots.
-        if run > MULTIPLES && self.least_missed(true).is_none() && self.next_order() == 1 {
+        if S > 0 && run > MULTIPLES && self.least_missed(true).is_none() && self.next_order() == 1 {
             self.iterate(1);
         }
-        let any = self.least_missed(false).or(self.half_listed()).is_some();
+        let any = S > 0 && self.least_missed(false).or(self.half_listed()).is_some();
         let Some(retry) = &mut self.retry else { return false };
         retry.run += 1;
         retry.other = None;
-        if usize::from(retry.run) == MOST_CASCADES || !any {
-            self.iterate(2 * S);
+        if usize::from(retry.run) == MOST_CASCADES || !(any || crosses) {
+            if S > 0 {
+                self.iterate(2 * S);
+            }
             return false;
         }
         self.doubts = None;
@@ -167,12 +198,13 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
 
     /// Moves the free joints to their places in the next run.
     fn place(&mut self) {
-        let stepped = self.other_root().map(|q| (q, None)).or_else(|| self.after_step());
+        // Without open branches only families that cross need further runs.
+        let stepped = if S > 0 { self.other_root().map(|q| (q, None)).or_else(|| self.after_step()) } else { None };
         let (constants, defaults) = (self.constants, self.constants.defaults(self.near));
         let Some(retry) = &mut self.retry else { return };
         self.elsewhere = retry.moving;
         // Where no step leads on, one of several joints moves alone: a family may need the others at their defaults.
-        let no_step = retry.run > MULTIPLES && stepped.is_none() && retry.moving.len() > 1;
+        let no_step = S > 0 && retry.run > MULTIPLES && stepped.is_none() && retry.moving.len() > 1;
         let alone = if no_step { usize::from(retry.run).checked_rem(retry.moving.len()) } else { None };
         let is_multiple = stepped.is_none() && alone.is_none();
         let multiple = T::from_i32(if is_multiple { retry.multiple } else { retry.run }.into());

@@ -60,7 +60,7 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize
     /// A branch of a measured arm's table is missed by little, or leads to no solution.
     pub(super) is_nearly_missed: bool,
     /// Memory of further runs, if the pose needs any.
-    pub(super) retry: Option<Retry<T, N, S>>,
+    pub(super) retry: Option<Retry<T, N, M, S>>,
 }
 
 impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'a, T, N, M, D, S> {
@@ -331,7 +331,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
             crate::effort::cascade();
             let start = BranchState::start(self.doubt || self.retry.is_some());
             nest(self, start);
-            if S == 0 || self.retry.is_none() || !self.next_run() {
+            if self.retry.is_none() || !self.next_run() {
                 break;
             }
         }
