@@ -27,6 +27,8 @@ pub(super) struct Open<T, const N: usize> {
     pub(super) missed_for: JointMask,
     /// The miss of the start from which the last step was taken; NaN before.
     pub(super) stepped_miss: T,
+    /// True if that step was taken twice as often as the order tells.
+    pub(super) twice: bool,
     /// The starts of least miss, the least first.
     pub(super) starts: [Start<T, N>; STARTS],
 }
@@ -39,6 +41,7 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
         order: 0,
         missed_for: JointMask::NONE,
         stepped_miss: T::NAN,
+        twice: false,
         starts: [Start { miss: T::INFINITY, q: [T::ZERO; N] }; STARTS],
     };
 
@@ -52,16 +55,63 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
         }
     }
 
-    /// Returns true if no step has been taken from the start of least miss.
+    /// Returns true if no step has been taken from the start of least miss, but one that was taken twice as often.
     pub(super) fn is_unstepped(&self) -> bool {
         let [first, _] = &self.starts;
-        self.stepped_miss != first.miss
+        self.stepped_miss != first.miss || self.twice
+    }
+
+    /// The start of least miss, stepped from now, and how often the step is taken.
+    ///
+    /// To a root of order m a step leads `1 / m` of the way, so it is taken m times. If it leaves about `4^-m` of the miss, it has
+    /// led half of the way: the root seems to be of twice this order, and further steps are taken `2 m` times.
+    pub(super) fn step(&mut self) -> (&[T; N], T) {
+        let [first, _] = &self.starts;
+        let left = first.miss / self.stepped_miss * T::from_i32(1 << (2 * self.order));
+        let is_new = self.stepped_miss != first.miss;
+        self.twice = is_new && (self.twice || left > T::HALF && left < T::TWO);
+        self.stepped_miss = first.miss;
+        (&first.q, T::from_i32((self.order << u8::from(self.twice)).into()))
     }
 }
 
 #[cfg(test)]
 mod tests {
+    extern crate std;
+
+    use std::vec::Vec;
+
     use super::*;
+
+    /// Steps to a root of order `m`, from one length away: the rest of the way.
+    fn stepped(m: i32, order: u8) -> Vec<f64> {
+        let mut open = Open::<f64, 1> { order, ..Open::NONE };
+        let mut left = 1.0_f64;
+        let step = |_| {
+            open.keep(Start { miss: left.abs().powi(m), q: [left] });
+            let (from, times) = open.step();
+            left = from[0] * (1.0 - times / f64::from(m));
+            left
+        };
+        (0..2).map(step).collect()
+    }
+
+    #[test]
+    fn steps_learn_that_a_root_is_of_twice_its_order() {
+        assert_eq!((stepped(4, 2), stepped(2, 1)), (Vec::from([0.5, 0.0]), Vec::from([0.5, 0.0])));
+        assert_eq!((stepped(2, 2)[0], stepped(1, 1)[0]), (0.0, 0.0));
+    }
+
+    #[test]
+    fn a_start_is_stepped_from_once_by_the_least_step() {
+        let mut open = Open::<f64, 1> { order: 2, ..Open::NONE };
+        for (miss, times, again) in [(1.0, 2.0, false), (0.06, 4.0, true), (0.06, 2.0, false), (0.02, 2.0, false)] {
+            open.keep(Start { miss, q: [miss] });
+            assert!(open.is_unstepped());
+            assert_eq!(open.step(), (&[miss], times));
+            assert_eq!(open.is_unstepped(), again);
+        }
+    }
 
     #[test]
     fn two_starts_of_least_miss_are_kept() {
