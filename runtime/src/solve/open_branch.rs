@@ -27,8 +27,8 @@ pub(super) struct Open<T, const N: usize> {
     pub(super) missed_for: JointMask,
     /// The miss of the start from which the last step was taken; NaN before.
     pub(super) stepped_miss: T,
-    /// True if that step was taken twice as often as the order tells.
-    pub(super) twice: bool,
+    /// The length of that step: so many halves of the least one. 0 before.
+    pub(super) halves: u8,
     /// The starts of least miss, the least first.
     pub(super) starts: [Start<T, N>; STARTS],
 }
@@ -41,7 +41,7 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
         order: 0,
         missed_for: JointMask::NONE,
         stepped_miss: T::NAN,
-        twice: false,
+        halves: 0,
         starts: [Start { miss: T::INFINITY, q: [T::ZERO; N] }; STARTS],
     };
 
@@ -55,23 +55,30 @@ impl<T: Tolerances, const N: usize> Open<T, N> {
         }
     }
 
-    /// Returns true if no step has been taken from the start of least miss, but one that was taken twice as often.
+    /// Returns true if no step of the least length has been taken from the start of least miss.
     pub(super) fn is_unstepped(&self) -> bool {
         let [first, _] = &self.starts;
-        self.stepped_miss != first.miss || self.twice
+        self.stepped_miss != first.miss || self.halves > 2
     }
 
-    /// The start of least miss, stepped from now, and how often the step is taken.
+    /// The start of least miss, stepped from now, and how many times the step is taken.
     ///
-    /// To a root of order m a step leads `1 / m` of the way, so it is taken m times. If it leaves about `4^-m` of the miss, it has
-    /// led half of the way: the root seems to be of twice this order, and further steps are taken `2 m` times.
+    /// To a root of order m a step leads `1 / m` of the way. Taken `t` times it leaves `(1 - t / m)^m` of the miss. The least
+    /// step is taken m times, by the order of the branch. If it leaves about `4^-m`, the root seems to be of twice this order.
+    /// The next step is half as long again, which brings either root nearer. If it leaves less than half of `4^-m`, further
+    /// steps are twice as long as the least one.
     pub(super) fn step(&mut self) -> (&[T; N], T) {
         let [first, _] = &self.starts;
         let left = first.miss / self.stepped_miss * T::from_i32(1 << (2 * self.order));
-        let is_new = self.stepped_miss != first.miss;
-        self.twice = is_new && (self.twice || left > T::HALF && left < T::TWO);
+        self.halves = match self.halves {
+            _ if self.stepped_miss == first.miss => 2,
+            2 if left > T::HALF && left < T::TWO => 3,
+            3 if left < T::HALF => 4,
+            4 => 4,
+            _ => 2,
+        };
         self.stepped_miss = first.miss;
-        (&first.q, T::from_i32((self.order << u8::from(self.twice)).into()))
+        (&first.q, T::from_i32((self.order * self.halves).into()) * T::HALF)
     }
 }
 
@@ -83,7 +90,7 @@ mod tests {
 
     use super::*;
 
-    /// Steps to a root of order `m`, from one length away: the rest of the way.
+    /// Steps to a root of order `m`, from one length away: what is left of the way.
     fn stepped(m: i32, order: u8) -> Vec<f64> {
         let mut open = Open::<f64, 1> { order, ..Open::NONE };
         let mut left = 1.0_f64;
@@ -93,19 +100,21 @@ mod tests {
             left = from[0] * (1.0 - times / f64::from(m));
             left
         };
-        (0..2).map(step).collect()
+        (0..4).map(step).collect()
     }
 
     #[test]
     fn steps_learn_that_a_root_is_of_twice_its_order() {
-        assert_eq!((stepped(4, 2), stepped(2, 1)), (Vec::from([0.5, 0.0]), Vec::from([0.5, 0.0])));
+        let learned = [0.5, 0.125, 0.0];
+        assert_eq!((&stepped(4, 2)[..3], &stepped(2, 1)[..3]), (&learned[..], &learned[..]));
         assert_eq!((stepped(2, 2)[0], stepped(1, 1)[0]), (0.0, 0.0));
     }
 
     #[test]
     fn a_start_is_stepped_from_once_by_the_least_step() {
         let mut open = Open::<f64, 1> { order: 2, ..Open::NONE };
-        for (miss, times, again) in [(1.0, 2.0, false), (0.06, 4.0, true), (0.06, 2.0, false), (0.02, 2.0, false)] {
+        open.keep(Start { miss: 1.0, q: [1.0] });
+        for (miss, times, again) in [(1.0, 2.0, false), (0.06, 3.0, true), (0.06, 2.0, false), (0.02, 2.0, false)] {
             open.keep(Start { miss, q: [miss] });
             assert!(open.is_unstepped());
             assert_eq!(open.step(), (&[miss], times));
