@@ -31,7 +31,7 @@ const NOISE: f64 = 20.0;
 /// and went less than half of the way. Of 1,775 ticks of followers that swing past none led to one; the first step did so in 11.
 const CLOSES: f64 = 0.01;
 
-/// So many parts of a step are looked at for the best one.
+/// So many parts of a step are compared for the best one.
 const PARTS: i32 = 8;
 
 /// A joint vector with what it misses the target by. Lengths are relative to reach throughout.
@@ -213,8 +213,8 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
 #[inline(never)]
 fn best_part<T: Tolerances>(before: &[T; 6], after: &[T; 6]) -> (T, T) {
     let [first, mixed, last] = [(before, before), (before, after), (after, after)].map(|(a, b)| dot_out_of_line(a, b));
-    // Beyond this part the second term is the longer one.
-    let longest = (first / last).sqrt().sqrt().min(T::ONE);
+    // Beyond this part, which may be more than the whole step, the second term is the longer one.
+    let longest = (first / last).sqrt().sqrt();
     (1..=PARTS).fold((T::ONE, last), |(part, least), k| {
         let t = longest * T::from_i32(k) / T::from_i32(PARTS);
         let (u, v) = (T::ONE - t, t * t);
@@ -295,7 +295,7 @@ mod tests {
         let map = Map(|x, y| [(x * x - 1e-4, [2.0 * x, 0.0]), (y, [0.0, 1.0])]);
         let (q, miss, taken) = refined(map, [1e-3, 0.0], 99);
         assert!((q[0] - 0.01).abs() < 1e-9 && miss < 1e-12 && taken <= 6, "{q:?} {miss:e} {taken}");
-        for (after, part) in [(-2.0, 0.5), (0.25, 1.0), (f64::NAN, 1.0)] {
+        for (after, part) in [(-2.0, 0.5), (0.25, 2.0), (f64::NAN, 1.0)] {
             let along = |size: f64| [size * 0.6, 0.0, size * -0.8, 0.0, 0.0, 0.0];
             assert!((best_part(&along(1.0), &along(after)).0 - part).abs() < 0.1, "{after}");
         }
