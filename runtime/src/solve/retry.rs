@@ -231,8 +231,11 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let retry = self.retry.as_ref()?;
         let begins = retry.run > MULTIPLES && self.evaluations_left > RESERVED + 1;
         let index = if begins { self.least_missed(true)? } else { return None };
-        let (q, times) = self.retry.as_mut()?.opens.get_mut(index)?.step();
-        let mut iterate = Iterate::at(*q);
+        let open = self.retry.as_mut()?.opens.get_mut(index)?;
+        // To a root of order m a step leads `1 / m` of the way.
+        let ([Start { miss, q }, _], times) = (open.starts, T::from_i32(open.order.into()));
+        open.stepped_miss = miss;
+        let mut iterate = Iterate::at(q);
         iterate.evaluate(self.constants, self.goal, self.arm);
         self.evaluations_left -= 1;
         let q = iterate.step(self.constants, self.goal.given(), times, true)?;
