@@ -34,7 +34,6 @@ mod held_joint;
 mod kernel;
 mod least_squares;
 mod locked;
-mod open_branch;
 mod retry;
 mod search;
 mod select;

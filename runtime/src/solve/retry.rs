@@ -8,7 +8,6 @@
 use super::doubts::Doubts;
 use super::kernel::tolerances::Tolerances;
 use super::least_squares::Iterate;
-use super::open_branch::{Open, Start};
 use super::search::{Search, VIRTUAL};
 use super::verify::RESERVED;
 use crate::effort::MOST_CASCADES;
@@ -32,6 +31,25 @@ const MULTIPLES: u8 = 3;
 
 /// A slide is moved by up to half of so many reaches either way.
 const STROKE: f64 = 1.75;
+
+/// A branch that has no solution with the joints at their defaults.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Open<T, const N: usize> {
+    branch: Branch,
+    flags: Flags,
+    free: JointMask,
+    /// The order of the root of its missed stage, see [`Doubts::missed_order`]; 2 without such a stage or if the second root has
+    /// been asked for, 0 in an entry that is not used.
+    order: u8,
+    /// The joints that are free or weak before that stage.
+    missed_for: JointMask,
+    /// The start: the joint vector of the closed form of least miss so far.
+    start: [T; N],
+    /// Its miss, relative to reach or rad; infinite without a start.
+    miss: T,
+    /// True if no step has been taken from the start.
+    is_unstepped: bool,
+}
 
 /// Memory of a call whose target needs further runs: at most `S` open branches.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,7 +79,16 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             run: 0,
             multiple: 1,
             moving: JointMask::NONE,
-            opens: [Open::NONE; S],
+            opens: [Open {
+                branch: Branch::NONE,
+                flags: Flags::NONE,
+                free: JointMask::NONE,
+                order: 0,
+                missed_for: JointMask::NONE,
+                start: [T::ZERO; N],
+                miss: T::INFINITY,
+                is_unstepped: false,
+            }; S],
             other: None,
             crossings: [(Branch::NONE, JointMask::NONE); M],
             crossed: false,
@@ -131,7 +158,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let mut opens = retry.opens.iter_mut();
         let Some(open) = opens.find(|open| open.branch == branch || open.order == 0) else { return };
         if open.order == 0 {
-            *open = Open { branch, flags: doubts.flags, free: doubts.free, order: 2, ..Open::NONE };
+            (open.branch, open.flags, open.free, open.order) = (branch, doubts.flags, doubts.free, 2);
             if retry.run == 0 {
                 retry.moving |= doubts.free_or_weak();
                 // A weak joint stays at its default in a run of its own.
@@ -145,9 +172,11 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         }
         if retry.other == Some(branch) {
             // Near the first root the formula has few digits for the second one.
-            open.starts = Open::NONE.starts;
+            open.miss = T::INFINITY;
         }
-        open.keep(Start { miss, q: *q });
+        if miss < open.miss {
+            (open.start, open.miss, open.is_unstepped) = (*q, miss, true);
+        }
     }
 
     /// Moves the free joints to their places in the next run. False if there is none; then what is still open has been
@@ -158,17 +187,13 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let Some(Retry { run, crossings, crossed, .. }) = self.retry else { return false };
         // A second run looks for a third family only if the first has found a second one.
         let crosses = (run == 0 || run == 1 && crossed) && crossings.iter().any(|(_, joints)| !joints.is_empty());
-        // Where no step leads on, iteration may lead to the first of two roots.
-        if S > 0 && run > MULTIPLES && self.least_missed(true).is_none() && self.next_order() == 1 {
-            self.iterate(1);
-        }
         let any = S > 0 && self.least_missed(false).or(self.half_listed()).is_some();
         let Some(retry) = &mut self.retry else { return false };
         retry.run += 1;
         retry.other = None;
         if usize::from(retry.run) == MOST_CASCADES || !(any || crosses) {
             if S > 0 {
-                self.iterate(2 * S);
+                self.iterate();
             }
             return false;
         }
@@ -182,18 +207,11 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     fn least_missed(&self, unstepped: bool) -> Option<usize> {
         let (mut next, mut least) = (None, T::INFINITY);
         for (index, open) in self.retry.as_ref()?.opens.iter().enumerate() {
-            let [Start { miss, .. }, _] = open.starts;
-            if miss < least && (!unstepped || open.is_unstepped()) && !self.lists(open.branch) {
-                (next, least) = (Some(index), miss);
+            if open.miss < least && (!unstepped || open.is_unstepped) && !self.lists(open.branch) {
+                (next, least) = (Some(index), open.miss);
             }
         }
         next
-    }
-
-    /// The order of the root of the open branch whose start misses by least; 0 without any.
-    fn next_order(&self) -> u8 {
-        let next = self.least_missed(false).and_then(|index| self.retry.as_ref()?.opens.get(index));
-        next.map_or(0, |open| open.order)
     }
 
     /// Moves the free joints to their places in the next run.
@@ -228,19 +246,17 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     /// takes only the free joints from this vector.
     #[inline(never)]
     fn after_step(&mut self) -> Option<([T; N], Option<T>)> {
-        let retry = self.retry.as_ref()?;
-        let begins = retry.run > MULTIPLES && self.evaluations_left > RESERVED + 1;
-        let index = if begins { self.least_missed(true)? } else { return None };
-        let open = self.retry.as_mut()?.opens.get_mut(index)?;
+        let index = self.least_missed(true).filter(|_| self.evaluations_left > RESERVED + 1)?;
+        let retry = self.retry.as_mut().filter(|retry| retry.run > MULTIPLES)?;
+        let open = retry.opens.get_mut(index)?;
+        open.is_unstepped = false;
         // To a root of order m a step leads `1 / m` of the way.
-        let ([Start { miss, q }, _], times) = (open.starts, T::from_i32(open.order.into()));
-        open.stepped_miss = miss;
-        let mut iterate = Iterate::at(q);
+        let (mut iterate, times) = (Iterate::at(open.start), T::from_i32(open.order.into()));
         iterate.evaluate(self.constants, self.goal, self.arm);
         self.evaluations_left -= 1;
         let q = iterate.step(self.constants, self.goal.given(), times, true)?;
         let mut of_virtual = None;
-        if self.retry.as_ref()?.moving.contains(VIRTUAL) {
+        if retry.moving.contains(VIRTUAL) {
             of_virtual = self.goal.virtual_value(&self.arm.evaluate(&q).0);
             self.evaluations_left -= 1;
         }
@@ -268,13 +284,13 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let open = retry.opens.get_mut(index)?;
         // Looked for again only if the run at that root misses.
         open.order = 2;
-        let ([Start { miss, q: start }, _], branch, joint) = (open.starts, open.branch, open.missed_for.iter().next()?);
+        let (branch, joint) = (open.branch, open.missed_for.iter().next()?);
         let mut solutions = self.solutions.exact().filter(|solution| solution.branch == branch);
-        let (x, first) = (*start.get(joint)?, *solutions.next()?.q.get(joint)?);
-        if miss == T::INFINITY || self.evaluations_left <= RESERVED {
+        let (x, first) = (*open.start.get(joint)?, *solutions.next()?.q.get(joint)?);
+        if open.miss == T::INFINITY || self.evaluations_left <= RESERVED {
             return None;
         }
-        let mut iterate = Iterate::at(start);
+        let mut iterate = Iterate::at(open.start);
         iterate.evaluate(self.constants, self.goal, self.arm);
         self.evaluations_left -= 1;
         let mut q = iterate.step(self.constants, self.goal.given(), T::ONE, false)?;
@@ -289,16 +305,15 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         Some(q)
     }
 
-    /// Iterates from the starts of the open branches, those of least miss first.
-    fn iterate(&mut self, most: usize) {
-        for _ in 0..most {
+    /// Iterates from the starts of the open branches, that of least miss first.
+    fn iterate(&mut self) {
+        for _ in 0..S {
             let next = self.least_missed(false);
             let Some(open) = next.and_then(|index| self.retry.as_mut()?.opens.get_mut(index)) else { return };
-            let [first, second] = &mut open.starts;
-            let mut solution = Solution::exact(first.q, open.branch);
+            let mut solution = Solution::exact(open.start, open.branch);
             solution.flags |= open.flags;
             solution.free = open.free;
-            (*first, second.miss) = (*second, T::INFINITY);
+            open.miss = T::INFINITY;
             self.iterated(solution);
         }
     }
