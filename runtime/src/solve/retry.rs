@@ -47,8 +47,8 @@ struct Open<T, const N: usize> {
     start: [T; N],
     /// Its miss, relative to reach or rad; infinite without a start.
     miss: T,
-    /// True if no step has been taken from the start.
-    is_unstepped: bool,
+    /// 2 if an iteration has been taken from the start, 1 if a step has, else 0.
+    used: u8,
 }
 
 /// Memory of a call whose target needs further runs: at most `S` open branches.
@@ -87,7 +87,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
                 missed_for: JointMask::NONE,
                 start: [T::ZERO; N],
                 miss: T::INFINITY,
-                is_unstepped: false,
+                used: 0,
             }; S],
             other: None,
             crossings: [(Branch::NONE, JointMask::NONE); M],
@@ -175,7 +175,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             open.miss = T::INFINITY;
         }
         if miss < open.miss {
-            (open.start, open.miss, open.is_unstepped) = (*q, miss, true);
+            (open.start, open.miss, open.used) = (*q, miss, 0);
         }
     }
 
@@ -187,13 +187,17 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let Some(Retry { run, crossings, crossed, .. }) = self.retry else { return false };
         // A second run looks for a third family only if the first has found a second one.
         let crosses = (run == 0 || run == 1 && crossed) && crossings.iter().any(|(_, joints)| !joints.is_empty());
-        let any = S > 0 && self.least_missed(false).or(self.half_listed()).is_some();
+        // Where no step leads on, iteration may lead to the first of two roots.
+        if S > 0 && run > MULTIPLES && self.least_missed(1).is_none() && self.next_order() == Some(1) {
+            self.iterate(1);
+        }
+        let any = S > 0 && self.least_missed(2).or(self.half_listed()).is_some();
         let Some(retry) = &mut self.retry else { return false };
         retry.run += 1;
         retry.other = None;
         if usize::from(retry.run) == MOST_CASCADES || !(any || crosses) {
             if S > 0 {
-                self.iterate();
+                self.iterate(S);
             }
             return false;
         }
@@ -202,16 +206,21 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         true
     }
 
-    /// The index of the open branch whose start misses by least. `unstepped`: of those whose start has not been stepped from.
+    /// The index of the open branch whose start misses by least, of those whose start is used by less than `used`.
     #[inline(never)]
-    fn least_missed(&self, unstepped: bool) -> Option<usize> {
+    fn least_missed(&self, used: u8) -> Option<usize> {
         let (mut next, mut least) = (None, T::INFINITY);
         for (index, open) in self.retry.as_ref()?.opens.iter().enumerate() {
-            if open.miss < least && (!unstepped || open.is_unstepped) && !self.lists(open.branch) {
+            if open.miss < least && open.used < used && !self.lists(open.branch) {
                 (next, least) = (Some(index), open.miss);
             }
         }
         next
+    }
+
+    /// The order of the root of that branch, if it has not been iterated on.
+    fn next_order(&self) -> Option<u8> {
+        Some(self.retry.as_ref()?.opens.get(self.least_missed(2)?)?.order)
     }
 
     /// Moves the free joints to their places in the next run.
@@ -246,10 +255,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     /// takes only the free joints from this vector.
     #[inline(never)]
     fn after_step(&mut self) -> Option<([T; N], Option<T>)> {
-        let index = self.least_missed(true).filter(|_| self.evaluations_left > RESERVED + 1)?;
+        let index = self.least_missed(1).filter(|_| self.evaluations_left > RESERVED + 1)?;
         let retry = self.retry.as_mut().filter(|retry| retry.run > MULTIPLES)?;
         let open = retry.opens.get_mut(index)?;
-        open.is_unstepped = false;
+        open.used = 1;
         // To a root of order m a step leads `1 / m` of the way.
         let (mut iterate, times) = (Iterate::at(open.start), T::from_i32(open.order.into()));
         iterate.evaluate(self.constants, self.goal, self.arm);
@@ -306,14 +315,14 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     }
 
     /// Iterates from the starts of the open branches, that of least miss first.
-    fn iterate(&mut self) {
-        for _ in 0..S {
-            let next = self.least_missed(false);
+    fn iterate(&mut self, most: usize) {
+        for _ in 0..most {
+            let next = self.least_missed(2);
             let Some(open) = next.and_then(|index| self.retry.as_mut()?.opens.get_mut(index)) else { return };
             let mut solution = Solution::exact(open.start, open.branch);
             solution.flags |= open.flags;
             solution.free = open.free;
-            open.miss = T::INFINITY;
+            open.used = 2;
             self.iterated(solution);
         }
     }
