@@ -257,7 +257,10 @@ mod tests {
     };
 
     /// An arm that brings its tool to the point `(f, g, 0)`, with the gradients of f and g.
-    struct Map(fn(f64, f64) -> [(f64, [f64; 2]); 2]);
+    struct Map(fn(f64, f64) -> [Value; 2]);
+
+    /// The value of a function, and its gradient.
+    type Value = (f64, [f64; 2]);
 
     impl Evaluate<f64, 2> for Map {
         fn evaluate(&self, [x, y]: &[f64; 2]) -> (Pose<f64>, Jacobian<f64, 2>) {
