@@ -18,9 +18,9 @@ pub(super) struct Doubts<T> {
     closes: bool,
     /// A stage is missed by more than rounding, and the joints before it are what they have to be.
     pub(super) clamped: bool,
-    /// The order of the root of the first stage that is missed, where that stage just reaches: a double root, as an elbow has,
-    /// or a simple one of an equation that leaves its own joint free. 0 if none is missed. A missed stage has no root near
-    /// the branch, but a joint before it is free.
+    /// The order of the root of the first stage that is missed. A stage is missed if it has no root, and a joint before it is
+    /// free. Where that joint makes the stage just reach, the stage has a double root, as an elbow has: the order is 2. An
+    /// equation that leaves its own joint free has a simple root: 1. Without a missed stage 0.
     pub(super) missed_order: u8,
     /// The joints before that stage that are free or weak.
     pub(super) missed_for: JointMask,
@@ -68,12 +68,11 @@ impl<T: Tolerances> Doubts<T> {
     pub(super) fn note(&mut self, doubt: &Doubt<T>) {
         let Doubt { gap, angular, amplitude, closes, weak, boundary, free } = *doubt;
         self.closes &= closes;
-        // The next stage magnifies the uncertainty that a stage leaves. Where nothing but uncertainty is left of an
-        // amplitude between directions, any value of the joint is as good. Where two roots coincide, refinement still
-        // moves the place.
+        // The next stage magnifies the uncertainty that a stage leaves. If the product of amplitudes is below rounding, the joint of
+        // an equation between directions counts as free. Where two roots coincide, refinement still moves the place.
         let product = self.amplitude * amplitude;
-        let settled = angular && free.is_empty() && !self.flags.contains(Flags::BOUNDARY);
-        let free = if settled && product < T::VANISHING * T::DOUBTFUL { weak } else { free };
+        let may_be_free = angular && free.is_empty() && !self.flags.contains(Flags::BOUNDARY);
+        let free = if may_be_free && product < T::VANISHING * T::DOUBTFUL { weak } else { free };
         self.amplitude = product.max(T::EPSILON * T::EPSILON);
         self.weak |= weak;
         if angular {

@@ -9,15 +9,12 @@ use crate::{JointMask, Residual};
 /// A candidate that has been verified, and what it has become.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Verified<T, const N: usize> {
-    /// The joint vector of the closed form.
+    /// The joint vector of the closed form, and its residual.
     pub(super) start: [T; N],
+    pub(super) start_residual: Residual<T>,
     /// The joint vector after its steps, and its residual.
     pub(super) q: [T; N],
     pub(super) residual: Residual<T>,
-    /// True if the joint vector of the closed form was within the tolerance.
-    pub(super) close: bool,
-    /// True if the joint vector of a measured arm's table was not, but missed by no more than the links are off.
-    pub(super) is_within_slack: bool,
 }
 
 impl<T: Tolerances, const N: usize> Verified<T, N> {
@@ -46,10 +43,9 @@ mod tests {
     fn steps_of_a_flip_are_mirrored() {
         let known = Verified {
             start: [0.5, 1.0, 0.25, -2.0],
+            start_residual: Residual { position: 1e-6, orientation: 1e-5 },
             q: [0.75, 1.5, 0.375, -2.25],
             residual: Residual { position: 1e-9, orientation: 2e-9 },
-            close: true,
-            is_within_slack: false,
         };
         let mut flip = known;
         let start = [0.5, 1.0 - 3.0, -0.25, -2.0 + 3.0];

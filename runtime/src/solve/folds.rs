@@ -8,9 +8,9 @@
 //! of a wrist that is nearly straight are found, half a turn of its outer joints apart.
 
 use super::kernel::tolerances::Tolerances;
-use super::least_squares::{MOST_STEPS, wrap_angles};
+use super::least_squares::wrap_angles;
 use super::search::Search;
-use super::verify::{apart, coincident};
+use super::verify::{RESERVED, coincident, distances};
 use crate::Solution;
 
 /// A solution at which the joints move the tool by more than this along n, relative to reach and in rad, is not near a
@@ -22,8 +22,6 @@ const SHARED: f64 = 2e-3;
 const BESIDE: f64 = 1e-3;
 /// The bend is taken between Jacobians so far apart, rad.
 const ASIDE: f64 = 1e-3;
-/// Evaluations kept for the reference of `inverse_near`: the first one, and its steps.
-const RESERVED: usize = MOST_STEPS + 1;
 /// Coordinates of a motion of the tool, and joints that move it.
 const SIX: usize = 6;
 
@@ -154,9 +152,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         if N < SIX {
             return;
         }
-        let mut starts = [false; M];
+        // Whether a solution that is a start was exact.
+        let mut starts = [None; M];
         // What is found on the way lengthens the list, up to its M places.
-        for (place, was_start) in starts.iter_mut().enumerate() {
+        for (place, was_exact) in starts.iter_mut().enumerate() {
             let Some(solution) = self.solutions.get(place).copied() else { break };
             // An exact solution of an arm that was not measured has been unfolded where a root led to it.
             if self.slack == T::ZERO && solution.is_exact() {
@@ -169,11 +168,14 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             for start in both.into_iter().flatten() {
                 let found = self.towards(&solution, &start);
                 let is_same = |q: [T; N]| !solution.is_exact() || self.is_beside(&q, &solution.q);
-                *was_start |= may_be_start && found.is_some_and(is_same);
+                if may_be_start && found.is_some_and(is_same) {
+                    *was_exact = Some(solution.is_exact());
+                }
             }
         }
         let mut starts = starts.iter();
-        self.solutions.retain(|_| starts.next() != Some(&true));
+        // An exact solution may have taken the place of a start that was not.
+        self.solutions.retain(|solution| starts.next() != Some(&Some(solution.is_exact())));
     }
 
     /// Returns true for a solution that misses its target by rounding alone. Beside a fold one that misses it by more is off
@@ -184,10 +186,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
 
     /// Returns true for joint vectors that belong to one fold.
     fn is_beside(&self, a: &[T; N], b: &[T; N]) -> bool {
-        let constants = self.constants;
-        a.iter().zip(b).enumerate().all(|(joint, (a, b))| {
-            apart(*a - *b, constants.prismatic.contains(joint), constants.reach) <= T::from_f64(BESIDE)
-        })
+        distances(self.constants, a, b).all(|distance| distance <= T::from_f64(BESIDE))
     }
 
     /// Lists the solution on the other side of a fold from an exact one that has a root in common with it.

@@ -10,18 +10,15 @@ use denhart_core::held_joint::{Candidate, Outcome};
 
 use super::arm_constants::ArmConstants;
 use super::kernel::tolerances::Tolerances;
-use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
+use super::least_squares::{Iterate, refine, wrap_angles};
 use super::search::Search;
 use super::smallest_pivot::smallest_pivot;
-use super::verify::{apart, coincident};
+use super::verify::{RESERVED, apart, coincident};
 use crate::effort::{MOST_EVALUATIONS, MOST_HELD_JOINT_EVALUATIONS};
 use crate::{Branch, Elbow, Flags, JointMask, Residual, Shoulder, Solution};
 
 /// The search of an arm with `N` joints and at most `M` solutions whose inverse holds a joint.
 pub type HeldJointSearch<'a, T, const N: usize, const M: usize> = Search<'a, T, N, M, 1, 0>;
-
-/// Evaluations kept for the reference of `inverse_near`: the first one, and its steps.
-const RESERVED: usize = MOST_STEPS + 1;
 
 /// Two solutions in doubt that are no further apart than this, in rad and reaches, may be one. A fourfold root is known to
 /// the fourth root of rounding.
@@ -165,7 +162,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             return ControlFlow::Break(());
         }
         if !is_exact {
-            self.misses_by(&solution.residual);
+            self.note_residual(&solution.residual);
             self.is_nearly_missed = true;
             if !constants.tolerates(&solution.residual) {
                 return ControlFlow::Continue(());

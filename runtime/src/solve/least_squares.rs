@@ -1,14 +1,13 @@
 //! Damped least-squares steps towards a target.
 
 use super::arm_constants::{ArmConstants, Evaluate};
-use super::best_part::best_part;
 use super::damped_step::{damped_step, dot_out_of_line};
 use super::goal::Goal;
 use super::kernel::tolerances::Tolerances;
 use crate::math::wrap;
 use crate::{JointMask, Residual};
 
-/// The most steps for one solution.
+/// The most evaluations for one solution.
 pub(super) const MOST_STEPS: usize = 16;
 /// So many steps in a row that stall are the last ones; one, once the solution is exact.
 const MOST_STALLS: usize = 3;
@@ -31,6 +30,9 @@ const NOISE: f64 = 20.0;
 /// values led to a solution less than half as far as those listed in 17,347. In 17,010 of these the first step closed the target
 /// and went less than half of the way. Of 1,775 ticks of followers that swing past none led to one; the first step did so in 11.
 const CLOSES: f64 = 0.01;
+
+/// So many parts of a step are compared for the best one.
+const PARTS: i32 = 8;
 
 /// A joint vector with what it misses the target by. Lengths are relative to reach throughout.
 #[derive(Debug, Clone, Copy)]
@@ -85,7 +87,8 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
         if step.remaining_error <= self.size * T::from_f64(CLOSES) { step.square } else { T::INFINITY }
     }
 
-    /// The joint vector to which a step from here leads that is taken so many times, angles on any turn. `None` if the step overflows.
+    /// The joint vector to which a step from here leads that is taken so many times, angles on any turn. `None` if the step
+    /// overflows. `is_damped`: damped as in [`refine`].
     pub(super) fn step(
         &self,
         constants: &ArmConstants<T, N>,
@@ -111,144 +114,119 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
 }
 
 /// Damped least squares (Levenberg 1944, Marquardt 1963), damped in proportion to the squared error, so that
-/// convergence is quadratic. Joint vector and residual of `start` become those of the iterate of least error. If there
-/// is a step, angles come into (-pi, pi]. What else is in `start` stays that of the first joint vector.
+/// convergence is quadratic. `best` becomes the iterate of least error, its angles in (-pi, pi].
+/// Each evaluation takes one from `evaluations_left`; there are at most 16, and without any left there is none.
 ///
-/// There are at most 16 evaluations. No more follow after three steps in a row that stall (`PROGRESS`), after one if
-/// the solution is exact, or where the descent converges (`LITTLE`). Of two steps in a row one has to reduce the error,
-/// else neither is taken (the watchdog of Chamberlain, Powell, Lemarechal, Pedersen 1982). No step is tried whose
-/// linear model predicts a stall, if the model decides. The model decides for a step no longer than the error, and for
-/// the shorter step after a step that was not taken. A step that stalls is replaced by the best part of it
-/// ([`best_part`]), if that leaves less than half of the squared error. Each evaluation takes one from `left`; without
-/// any left there is none.
+/// - Of two steps in a row one has to reduce the error, else neither is taken (the watchdog of Chamberlain, Powell,
+///   Lemarechal, Pedersen 1982). The next step is then at most half as long as the first one, and no longer than the root of the error.
+/// - At a fold a step goes half of the way and leaves a quarter of the error. The next step is taken twice (Decker,
+///   Keller, Kelley 1983). The step after it restores the equations without a fold.
+/// - If a part of a step that stalls is predicted to leave less than half of the squared error, that part is taken
+///   ([`best_part`]).
+/// - The descent ends after three steps in a row that stall ([`PROGRESS`]), after one if the solution is exact, and where
+///   the linear model predicts that it stalls or converges to an error above zero ([`LITTLE`]).
 #[cold]
 #[inline(never)]
 pub(super) fn refine<T: Tolerances, const N: usize>(
     constants: &ArmConstants<T, N>,
     goal: &dyn Goal<T, N>,
     arm: &dyn Evaluate<T, N>,
-    start: &mut Iterate<T, N>,
+    best: &mut Iterate<T, N>,
     evaluations_left: &mut usize,
 ) {
-    if start.is_rounding() {
+    if best.is_rounding() {
         return;
     }
     let held = goal.given();
     // A free joint may stay at a reference that is wound by turns.
-    wrap_angles(&mut start.q, held, constants.prismatic);
-    let mut other = *start;
-    let (mut best, mut tried) = (&mut *start, &mut other);
-    // Whether the best one is `other`.
-    let mut swapped = false;
-    // Whether the next step starts at the best joint vector, or at the one tried last.
-    let mut from_best = true;
-    let (mut boost, mut stretch) = (T::ONE, T::ONE);
-    let (mut stalls, mut folds) = (0, true);
-    // The gain of the last step from the best joint vector.
-    let mut last_gain = T::ZERO;
+    wrap_angles(&mut best.q, held, constants.prismatic);
+    let mut tried = *best;
+    // True if the next step starts at the joint vector tried last.
+    let mut onward = false;
+    // The next step is taken so many times, and is at most so long (squared).
+    let (mut times, mut longest) = (T::ONE, T::INFINITY);
+    let (mut taken, mut stalls, mut last_gain) = (0, 0, T::ZERO);
     let most = MOST_STEPS.min(*evaluations_left);
-    let mut taken = 0;
     // Every turn takes an evaluation, or is the last one.
     while taken < most {
+        let from = if onward { &tried } else { &*best };
+        let Iterate { q, error, size, .. } = *from;
         let exact = constants.relative(&best.residual) <= T::EXACT;
-        let done = if exact { stalls > 0 } else { stalls >= MOST_STALLS };
-        let place = if from_best { &*best } else { &*tried };
-        let (from, size) = (place.q, place.size);
-        if place.is_rounding() || done {
+        if from.is_rounding() || stalls >= if exact { 1 } else { MOST_STALLS } {
             break;
         }
-        let damping = damping(size) * boost;
-        let step = damped_step(held, &place.columns, &place.error, damping);
-        if !step.square.is_finite() {
-            break;
-        }
+        let step = damped_step(held, &from.columns, &from.error, damping(size));
+        let gain = T::ONE - step.remaining_error / size;
         // A step changes singular values by about its length, and those below the error are damped away.
-        let decides = boost > T::ONE || step.square <= size;
-        if from_best {
-            let gain = T::ONE - step.remaining_error / size;
-            let little = gain < T::from_f64(LITTLE) && gain < last_gain * T::from_f64(FALL);
-            // A step of length s changes the error by about s^2 beside its linear part.
-            let straight = step.square * step.square <= size * T::from_f64(16.0);
-            if little && straight || decides && step.remaining_error > size * T::from_f64(PROGRESS) {
-                break;
-            }
+        let predicts_stall = step.remaining_error > size * T::from_f64(PROGRESS) && step.square <= size;
+        // A step of length s changes the error by about s^2 beside its linear part.
+        let straight = step.square * step.square <= size * T::from_f64(16.0);
+        let converges = gain < T::from_f64(LITTLE) && gain < last_gain * T::from_f64(FALL) && straight;
+        if !step.square.is_finite() || !onward && (predicts_stall || converges) {
+            break;
+        }
+        if !onward {
             last_gain = gain;
         }
-        let stalled = best.size * T::from_f64(PROGRESS);
-        let (mut error, mut slope) = ([T::ZERO; 6], [T::ZERO; 6]);
-        if !from_best {
-            // The place is overwritten.
-            (error, slope) = (tried.error, slope_along(&tried.columns, &step.changes));
-        }
-        let mut part = stretch;
-        let may_cut = stretch == T::ONE;
-        for last in [false, true] {
-            tried.q = from;
+        let mut part = if !onward && step.square > longest { (longest / step.square).sqrt() } else { times };
+        loop {
+            tried.q = q;
             for (joint, (value, change)) in tried.q.iter_mut().zip(&step.changes).enumerate() {
                 *value += *change * part * constants.unit(joint);
             }
             tried.evaluate(constants, goal, arm);
             taken += 1;
-            if last || !may_cut || tried.size < stalled || taken >= most {
+            let least;
+            let model_closes = step.remaining_error < size * T::HALF;
+            if part != T::ONE || !model_closes || tried.size < best.size * T::from_f64(PROGRESS) || taken >= most {
                 break;
             }
-            if from_best {
-                (error, slope) = (best.error, slope_along(&best.columns, &step.changes));
-            }
-            let least;
-            (part, least) = best_part(&error, &slope, &tried.error);
+            (part, least) = best_part(&error, &tried.error);
             // A part that is not a number is none.
             if !(least < best.size * T::HALF) {
                 break;
             }
         }
-        // At a fold a step goes half of the way and leaves a quarter of the error, and the model leaves nothing. The
-        // next step is taken twice (Decker, Keller, Kelley 1983).
+        // At a fold the linear model leaves nothing, and the step a quarter of the error, within a factor of 2.
         let ratio = tried.size / size * T::from_f64(16.0);
-        let twice = stretch == T::TWO;
-        let quarter = ratio > T::HALF * T::HALF && ratio < T::TWO * T::TWO;
-        let fold = folds && !twice && quarter && step.remaining_error < tried.size * T::HALF;
-        stretch = if fold { T::TWO } else { T::ONE };
-        stalls = if tried.size < stalled { 0 } else { stalls + 1 };
+        let quarter = ratio > T::HALF * T::HALF && ratio < T::TWO * T::TWO && tried.size < best.size;
+        times = if quarter && part == T::ONE && step.remaining_error < tried.size * T::HALF { T::TWO } else { T::ONE };
+        stalls = if tried.size < best.size * T::from_f64(PROGRESS) { 0 } else { stalls + 1 };
         if tried.size < best.size {
-            core::mem::swap(&mut best, &mut tried);
-            swapped = !swapped;
-            from_best = true;
-            boost = (boost * T::from_f64(0.1)).max(T::ONE);
-        } else if twice {
-            // No fold: where three roots meet, a step leaves 8/27 of the error.
-            (from_best, folds) = (true, false);
-        } else if size > best.size || !tried.size.is_finite() {
-            from_best = true;
-            boost *= T::from_f64(100.0);
+            *best = tried;
+            (onward, longest) = (false, T::INFINITY);
+        } else if onward {
+            onward = false;
         } else {
-            // A step along a narrow curved valley leaves it, and the next one leads back: one step may make it worse.
-            from_best = false;
+            // A step along a narrow curved valley leaves it, and the next one leads back: one may make it worse.
+            longest = best.size.sqrt().min(step.square * T::HALF * T::HALF);
+            onward = tried.size.is_finite();
         }
     }
     *evaluations_left -= taken;
-    if swapped {
-        (start.q, start.residual) = (other.q, other.residual);
-    }
-    wrap_angles(&mut start.q, held, constants.prismatic);
+    wrap_angles(&mut best.q, held, constants.prismatic);
+}
+
+/// The part t of a step at which the squared error is least, and that error. To second order the error along a step whose
+/// linear model closes is `(1 - t) before + t^2 after`. Between two roots of a fold whole steps would go from one side of a
+/// root to the other without end.
+#[inline(never)]
+fn best_part<T: Tolerances>(before: &[T; 6], after: &[T; 6]) -> (T, T) {
+    let [first, mixed, last] = [(before, before), (before, after), (after, after)].map(|(a, b)| dot_out_of_line(a, b));
+    // Beyond this part, which may be more than the whole step, the second term is the longer one.
+    let longest = (first / last).sqrt().sqrt();
+    (1..=PARTS).fold((T::ONE, last), |(part, least), k| {
+        let t = longest * T::from_i32(k) / T::from_i32(PARTS);
+        let (u, v) = (T::ONE - t, t * t);
+        let error = u * (u * first + T::TWO * v * mixed) + v * v * last;
+        if error < least { (t, error) } else { (part, least) }
+    })
 }
 
 /// The damping of a step from a place with this squared error.
 #[inline(always)]
 fn damping<T: Tolerances>(size: T) -> T {
     size + T::EPSILON * T::EPSILON * T::from_f64(16.0)
-}
-
-/// Change of the error by a step to first order, `-J step`.
-#[inline(never)]
-fn slope_along<T: Tolerances>(jacobian: &[[T; 6]], changes: &[T]) -> [T; 6] {
-    let mut slope = [T::ZERO; 6];
-    for (column, change) in jacobian.iter().zip(changes) {
-        for (sum, entry) in slope.iter_mut().zip(column) {
-            *sum -= *entry * *change;
-        }
-    }
-    slope
 }
 
 /// Brings the angles of a joint vector into (-pi, pi]. Those that are `held` stay as they are.
@@ -258,5 +236,101 @@ pub(super) fn wrap_angles<T: Tolerances>(q: &mut [T], held: JointMask, prismatic
         if !(held | prismatic).contains(joint) {
             *value = wrap(*value);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Jacobian, Pose};
+
+    const CONSTANTS: ArmConstants<'_, f64, 2> = ArmConstants {
+        limits: &[[-4.0, 4.0]; 2],
+        combined: &[],
+        weights: &[1.0; 2],
+        limited: false,
+        prismatic: JointMask::NONE,
+        stands_for: JointMask::NONE,
+        wrist: None,
+        reach: 1.0,
+        tolerance: Residual { position: 1e-6, orientation: 1e-6 },
+    };
+
+    /// An arm that brings its tool to the point `(f, g, 0)`, with the gradients of f and g.
+    struct Map(fn(f64, f64) -> [Value; 2]);
+
+    /// The value of a function, and its gradient.
+    type Value = (f64, [f64; 2]);
+
+    impl Evaluate<f64, 2> for Map {
+        fn evaluate(&self, [x, y]: &[f64; 2]) -> (Pose<f64>, Jacobian<f64, 2>) {
+            let [(f, df), (g, dg)] = self.0(*x, *y);
+            let mut jacobian = Jacobian { rows: [[0.0; 2]; 6] };
+            [jacobian.rows[0], jacobian.rows[1]] = [df, dg];
+            (Pose { rotation: [[0.0; 3]; 3], translation: [f, g, 0.0] }, jacobian)
+        }
+    }
+
+    /// The joint vector and the residual that refinement ends at with the origin as target, and its evaluations.
+    fn refined(map: Map, q: [f64; 2], most: usize) -> ([f64; 2], f64, usize) {
+        let (mut iterate, mut left) = (Iterate::at(q), most);
+        iterate.evaluate(&CONSTANTS, &[0.0; 3], &map);
+        refine(&CONSTANTS, &[0.0; 3], &map, &mut iterate, &mut left);
+        (iterate.q, iterate.residual.position, most - left)
+    }
+
+    #[test]
+    fn steps_to_a_simple_root_converge_quadratically() {
+        let map = Map(|x, y| [(x + 0.2 * y * y, [1.0, 0.4 * y]), (y - 0.2 * x * x, [-0.4 * x, 1.0])]);
+        let (_, miss, taken) = refined(map, [0.2, -0.1], 99);
+        assert!(miss < 1e-14 && taken <= 4, "{miss:e} {taken}");
+    }
+
+    #[test]
+    fn the_second_step_to_a_fold_is_taken_twice() {
+        let (q, miss, taken) = refined(Map(|x, y| [(x * x, [2.0 * x, 0.0]), (y, [0.0, 1.0])]), [0.1, 0.0], 99);
+        assert!(q[0].abs() < 1e-6 && miss < 1e-12 && taken <= 4, "{q:?} {miss:e} {taken}");
+    }
+
+    /// From between the roots +-0.01 the whole step leads to 0.05.
+    #[test]
+    fn of_a_step_beyond_a_root_the_best_part_is_taken() {
+        let map = Map(|x, y| [(x * x - 1e-4, [2.0 * x, 0.0]), (y, [0.0, 1.0])]);
+        let (q, miss, taken) = refined(map, [1e-3, 0.0], 99);
+        assert!((q[0] - 0.01).abs() < 1e-9 && miss < 1e-12 && taken <= 6, "{q:?} {miss:e} {taken}");
+        for (after, part) in [(-2.0, 0.5), (0.25, 2.0), (f64::NAN, 1.0)] {
+            let along = |size: f64| [size * 0.6, 0.0, size * -0.8, 0.0, 0.0, 0.0];
+            assert!((best_part(&along(1.0), &along(after)).0 - part).abs() < 0.1, "{after}");
+        }
+    }
+
+    /// Along the bottom of the valley `y = 2 x^2` a step leaves the valley, and the next one leads back.
+    #[test]
+    fn one_step_may_increase_the_error() {
+        let map = Map(|x, y| [(y - 2.0 * x * x, [-4.0 * x, 1.0]), (0.05 * (x - 0.1), [0.05, 0.0])]);
+        let (q, miss, taken) = refined(map, [0.0, 0.0], 99);
+        assert!((q[0] - 0.1).abs() < 1e-9 && miss < 1e-12 && taken <= 4, "{q:?} {miss:e} {taken}");
+    }
+
+    #[test]
+    fn a_descent_to_an_error_above_zero_is_given_up() {
+        let map = Map(|x, y| [(x * x + 0.1, [2.0 * x, 0.0]), (y, [0.0, 1.0])]);
+        let (q, miss, taken) = refined(map, [0.3, 0.1], 99);
+        assert!(q[0].abs() < 0.1 && (miss - 0.1).abs() < 0.01 && taken <= 8, "{q:?} {miss} {taken}");
+        // The linear model predicts no progress at all.
+        let (_, _, taken) = refined(Map(|_, y| [(0.5, [0.0, 0.0]), (y, [0.0, 1.0])]), [1.0, 0.0], 99);
+        assert_eq!(taken, 0);
+    }
+
+    #[test]
+    fn evaluations_are_bounded() {
+        // A fold of the fourth order: each step leads a quarter of the way.
+        let map = || Map(|x, y| [(x.powi(4), [4.0 * x.powi(3), 0.0]), (y, [0.0, 1.0])]);
+        for most in [0, 1, 3, 99] {
+            let (q, _, taken) = refined(map(), [0.9, 0.2], most);
+            assert!(taken <= most.min(MOST_STEPS) && (taken > 0) == (q != [0.9, 0.2]), "{most}: {taken} {q:?}");
+        }
+        let (q, _, taken) = refined(Map(|x, y| [(x, [f64::NAN, 0.0]), (y, [0.0, 1.0])]), [0.5, 0.2], 99);
+        assert_eq!((q, taken), ([0.5, 0.2], 0));
     }
 }

@@ -24,7 +24,6 @@
 #![allow(clippy::neg_cmp_op_on_partial_ord, reason = "a value that is not a number must take the safe branch")]
 
 mod arm_constants;
-mod best_part;
 mod damped_step;
 mod doubts;
 mod drift;
@@ -35,7 +34,6 @@ mod held_joint;
 mod kernel;
 mod least_squares;
 mod locked;
-mod open_branch;
 mod retry;
 mod search;
 mod select;

@@ -8,16 +8,15 @@
 use super::doubts::Doubts;
 use super::kernel::tolerances::Tolerances;
 use super::least_squares::Iterate;
-use super::open_branch::{Open, Start};
 use super::search::{Search, VIRTUAL};
 use super::verify::RESERVED;
 use crate::effort::MOST_CASCADES;
 use crate::math::{atan2, sin_cos, wrap};
 use crate::{Branch, Flags, JointMask, Solution};
 
-/// The step of a free joint, rad, if so many `before` it move too. In turns it is the inverse root of `x^k = x + 1`, for
+/// The increment of a free joint, rad, if so many joints `before` it move too. In turns it is the inverse root of `x^k = x + 1`, for
 /// k = 2 the golden number: multiples of the first few fill a torus evenly.
-fn step<T: Tolerances>(before: usize) -> T {
+fn increment<T: Tolerances>(before: usize) -> T {
     T::TAU
         * match before {
             0 => T::from_f64(0.618_033_988_749_895),
@@ -33,31 +32,43 @@ const MULTIPLES: u8 = 3;
 /// A slide is moved by up to half of so many reaches either way.
 const STROKE: f64 = 1.75;
 
+/// A branch that has no solution with the joints at their defaults.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Open<T, const N: usize> {
+    branch: Branch,
+    flags: Flags,
+    free: JointMask,
+    /// The order of the root of its missed stage, see [`Doubts::missed_order`]; 2 without such a stage or if the second root has
+    /// been asked for, 0 in an entry that is not used.
+    order: u8,
+    /// The joints that are free or weak before that stage.
+    missed_for: JointMask,
+    /// The start: the joint vector of the closed form of least miss so far.
+    start: [T; N],
+    /// Its miss, relative to reach or rad; infinite without a start.
+    miss: T,
+    /// 2 if an iteration has been taken from the start, 1 if a step has, else 0.
+    used: u8,
+}
+
 /// Memory of a call whose target needs further runs: at most `S` open branches.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Retry<T, const N: usize, const M: usize, const S: usize> {
     /// Index of this run; 0 with every joint at its default.
     run: u8,
-    /// The next run that holds the free joints at multiples of their steps takes this one.
+    /// The multiple of the next run that holds the free joints at multiples of their steps.
     multiple: u8,
     /// The joints that move.
     moving: JointMask,
-    /// The open branches, the first `len`.
+    /// The open branches first, then entries of order 0 that are not used.
     opens: [Open<T, N>; S],
-    len: usize,
     /// The branch of which this run is at the second root, see [`other_root`](Search::other_root).
     other: Option<Branch>,
-    /// Branches on which two families of solutions may cross, and the joints that are free or weak there: two at least, none of an
-    /// entry that is not used.
+    /// Branches on which two families of solutions may cross at the defaults, and the joints that are free or weak in the family
+    /// found last: none of an entry that is not used.
     crossings: [(Branch, JointMask); M],
-    /// The number of solutions after the run at the defaults.
-    at_defaults: usize,
-}
-
-impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Retry<T, N, M, S> {
-    fn opens(&mut self) -> &mut [Open<T, N>] {
-        self.opens.get_mut(..self.len).unwrap_or(&mut [])
-    }
+    /// True if a further run has found another family.
+    crossed: bool,
 }
 
 impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'_, T, N, M, D, S> {
@@ -68,11 +79,19 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             run: 0,
             multiple: 1,
             moving: JointMask::NONE,
-            opens: [Open::NONE; S],
-            len: 0,
+            opens: [Open {
+                branch: Branch::NONE,
+                flags: Flags::NONE,
+                free: JointMask::NONE,
+                order: 0,
+                missed_for: JointMask::NONE,
+                start: [T::ZERO; N],
+                miss: T::INFINITY,
+                used: 0,
+            }; S],
             other: None,
             crossings: [(Branch::NONE, JointMask::NONE); M],
-            at_defaults: 0,
+            crossed: false,
         })
     }
 
@@ -83,19 +102,16 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
 
     /// Returns true if the solution at the end of a doubtful branch is to be verified in this run. A branch that is
     /// missed is remembered, and so is one on which families of solutions may cross.
-    pub(super) fn is_candidate(&mut self, doubts: &Doubts<T>, solution: &Solution<T, N>) -> bool {
+    pub(super) fn admits(&mut self, doubts: &Doubts<T>, solution: &Solution<T, N>) -> bool {
         let (again, free_or_weak) = (self.is_again(), doubts.free_or_weak());
         if doubts.is_missed() {
-            self.misses_by(&doubts.gap);
-        } else if !again && !doubts.free.is_empty() && free_or_weak.len() > 1 {
-            self.cross(doubts, solution.branch);
+            self.note_residual(&doubts.gap);
+        } else if self.crosses(solution.branch, doubts.free, free_or_weak) {
+            return true;
         }
-        if again {
-            let crosses = !doubts.is_missed() && self.crosses(doubts, solution);
-            let is_other = S > 0 && self.retry.as_ref().is_some_and(|retry| retry.other == Some(solution.branch));
-            if crosses || free_or_weak.is_empty() || self.lists(solution.branch) && !is_other {
-                return crosses;
-            }
+        let is_other = S > 0 && self.retry.as_ref().is_some_and(|retry| retry.other == Some(solution.branch));
+        if again && (free_or_weak.is_empty() || self.lists(solution.branch) && !is_other) {
+            return false;
         }
         if S > 0 && doubts.is_missed() {
             let miss = if again { self.constants.relative(&doubts.gap) } else { T::MAX };
@@ -104,32 +120,45 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         !doubts.is_missed()
     }
 
+    /// Returns true if a solution of the second or third run is of another family than the one found last on its branch. The
+    /// first run remembers a branch on which two joints are free or weak.
+    fn crosses(&mut self, branch: Branch, free: JointMask, free_or_weak: JointMask) -> bool {
+        let run = self.retry.as_ref().map_or(0, |retry| retry.run);
+        let again = run > 0;
+        if run > 2 || !again && (free.is_empty() || free_or_weak.len() < 2) {
+            return false;
+        }
+        let retry = self.retry();
+        let mut crossings = retry.crossings.iter_mut();
+        let entry = crossings.find(|(name, last)| if last.is_empty() { !again } else { *name == branch });
+        let Some((name, last)) = entry.filter(|(_, last)| *last != free_or_weak) else { return false };
+        (*name, *last) = (branch, free_or_weak);
+        retry.moving |= if again { JointMask::NONE } else { free };
+        retry.crossed |= again;
+        again
+    }
+
     /// Returns true if a branch has an exact solution.
     #[inline(never)]
     fn lists(&self, branch: Branch) -> bool {
         self.solutions.exact().any(|solution| solution.branch == branch)
     }
 
-    /// Drops the solution of a branch that closes only within the tolerance with its free joint at the default.
+    /// Drops the solutions of a branch that close only within the tolerance, once it has an exact one.
     pub(super) fn drop_near_miss(&mut self, branch: Branch) {
         let near_miss = Flags::APPROXIMATE | Flags::FREE;
-        let drops = |other: &Solution<T, N>| other.branch == branch && other.flags.contains(near_miss);
-        if let Some(retry) = &mut self.retry {
-            retry.at_defaults -= self.solutions.iter().take(retry.at_defaults).filter(|other| drops(other)).count();
-        }
-        self.solutions.retain(|other| !drops(other));
+        self.solutions.retain(|other| other.branch != branch || !other.flags.contains(near_miss));
     }
 
-    /// Remembers a branch that is missed, and a joint vector on it. At the defaults the miss is often stationary: any
-    /// other start is a better one, and `miss` is the largest number.
+    /// Remembers a branch that is missed, and a joint vector on it. At the defaults the miss is often stationary:
+    /// `miss` is the largest number there, so that any other start is preferred.
     #[inline(never)]
     pub(super) fn open(&mut self, doubts: &Doubts<T>, branch: Branch, miss: T, q: &[T; N]) {
         let retry = self.retry();
-        let (len, other) = (retry.len, retry.other);
-        let index = retry.opens().iter().position(|open| open.branch == branch).unwrap_or(len);
-        let Some(open) = retry.opens.get_mut(index) else { return };
-        if index == len {
-            *open = Open { branch, flags: doubts.flags, free: doubts.free, ..Open::NONE };
+        let mut opens = retry.opens.iter_mut();
+        let Some(open) = opens.find(|open| open.branch == branch || open.order == 0) else { return };
+        if open.order == 0 {
+            (open.branch, open.flags, open.free, open.order) = (branch, doubts.flags, doubts.free, 2);
             if retry.run == 0 {
                 retry.moving |= doubts.free_or_weak();
                 // A weak joint stays at its default in a run of its own.
@@ -137,39 +166,17 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
                     retry.multiple = 0;
                 }
             }
-            retry.len += 1;
         }
         if doubts.is_missed() {
-            (open.order, open.joints) = (doubts.missed_order, doubts.missed_for);
+            (open.order, open.missed_for) = (doubts.missed_order, doubts.missed_for);
         }
-        if other == Some(branch) {
+        if retry.other == Some(branch) {
             // Near the first root the formula has few digits for the second one.
-            open.starts = Open::NONE.starts;
+            open.miss = T::INFINITY;
         }
-        open.keep(Start { miss, q: *q });
-    }
-
-    /// Remembers a branch on which families may cross.
-    fn cross(&mut self, doubts: &Doubts<T>, branch: Branch) {
-        let retry = self.retry();
-        let entry = retry.crossings.iter_mut().find(|(name, joints)| *name == branch || joints.is_empty());
-        if let Some((name, joints)) = entry
-            && joints.is_empty()
-        {
-            (*name, *joints) = (branch, doubts.free_or_weak());
-            retry.moving |= doubts.free;
+        if miss < open.miss {
+            (open.start, open.miss, open.used) = (*q, miss, 0);
         }
-    }
-
-    /// Returns true if a solution is of another family than the one at the defaults, and is not listed yet.
-    fn crosses(&self, doubts: &Doubts<T>, solution: &Solution<T, N>) -> bool {
-        let branch = solution.branch;
-        let listed = |s: &Solution<T, N>| s.branch == branch && s.free == doubts.free && s.is_exact();
-        let Some(retry) = &self.retry else { return false };
-        let of_branch = |(name, joints): &(Branch, JointMask)| *name == branch && !joints.is_empty();
-        let at_defaults = retry.crossings.iter().find(|crossing| of_branch(crossing));
-        at_defaults.is_some_and(|(_, joints)| *joints != doubts.free_or_weak())
-            && !self.solutions.iter().skip(retry.at_defaults).any(listed)
     }
 
     /// Moves the free joints to their places in the next run. False if there is none; then what is still open has been
@@ -177,25 +184,20 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     #[cold]
     #[inline(never)]
     pub(super) fn next_run(&mut self) -> bool {
-        let listed = self.solutions.len();
-        let Some(retry) = &mut self.retry else { return false };
-        if retry.run == 0 {
-            retry.at_defaults = listed;
-        }
+        let Some(Retry { run, crossings, crossed, .. }) = self.retry else { return false };
         // A second run looks for a third family only if the first has found a second one.
-        let crosses = retry.crossings.iter().any(|(_, joints)| !joints.is_empty());
-        let crosses = crosses && (retry.run == 0 || retry.run == 1 && listed > retry.at_defaults);
+        let crosses = (run == 0 || run == 1 && crossed) && crossings.iter().any(|(_, joints)| !joints.is_empty());
         // Where no step leads on, iteration may lead to the first of two roots.
-        if S > 0 && retry.run > MULTIPLES && self.next_open(true).is_none() && self.next_order() == 1 {
+        if S > 0 && run > MULTIPLES && self.least_missed(1).is_none() && self.next_order() == Some(1) {
             self.iterate(1);
         }
-        let any = S > 0 && self.next_open(false).or(self.half_listed()).is_some();
+        let any = S > 0 && self.least_missed(2).or(self.half_listed()).is_some();
         let Some(retry) = &mut self.retry else { return false };
         retry.run += 1;
         retry.other = None;
         if usize::from(retry.run) == MOST_CASCADES || !(any || crosses) {
             if S > 0 {
-                self.iterate(2 * S);
+                self.iterate(S);
             }
             return false;
         }
@@ -204,40 +206,38 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         true
     }
 
-    /// The index of the open branch whose start misses by least. `unstepped`: of those whose start has not been stepped from.
+    /// The index of the open branch whose start misses by least, of those whose start is used by less than `used`.
     #[inline(never)]
-    fn next_open(&self, unstepped: bool) -> Option<usize> {
+    fn least_missed(&self, used: u8) -> Option<usize> {
         let (mut next, mut least) = (None, T::INFINITY);
         for (index, open) in self.retry.as_ref()?.opens.iter().enumerate() {
-            let [Start { miss, .. }, _] = open.starts;
-            if miss < least && (!unstepped || open.is_unstepped()) && !self.lists(open.branch) {
-                (next, least) = (Some(index), miss);
+            if open.miss < least && open.used < used && !self.lists(open.branch) {
+                (next, least) = (Some(index), open.miss);
             }
         }
         next
     }
 
-    /// The order of the root of the open branch whose start misses by least; 0 without any.
-    fn next_order(&self) -> u8 {
-        let next = self.next_open(false).and_then(|index| self.retry.as_ref()?.opens.get(index));
-        next.map_or(0, |open| open.order)
+    /// The order of the root of that branch, if it has not been iterated on.
+    fn next_order(&self) -> Option<u8> {
+        Some(self.retry.as_ref()?.opens.get(self.least_missed(2)?)?.order)
     }
 
     /// Moves the free joints to their places in the next run.
     fn place(&mut self) {
         // Without open branches only families that cross need further runs.
-        let stepped = if S > 0 { self.other_root().map(|q| (q, None)).or_else(|| self.stepped()) } else { None };
+        let stepped = if S > 0 { self.other_root().map(|q| (q, None)).or_else(|| self.after_step()) } else { None };
         let (constants, defaults) = (self.constants, self.constants.defaults(self.near));
         let Some(retry) = &mut self.retry else { return };
-        self.nearly_free = retry.moving;
+        self.elsewhere = retry.moving;
         // Where no step leads on, one of several joints moves alone: a family may need the others at their defaults.
-        let ends = S > 0 && retry.run > MULTIPLES && stepped.is_none() && retry.moving.len() > 1;
-        let alone = if ends { usize::from(retry.run).checked_rem(retry.moving.len()) } else { None };
+        let no_step = S > 0 && retry.run > MULTIPLES && stepped.is_none() && retry.moving.len() > 1;
+        let alone = if no_step { usize::from(retry.run).checked_rem(retry.moving.len()) } else { None };
         let is_multiple = stepped.is_none() && alone.is_none();
         let multiple = T::from_i32(if is_multiple { retry.multiple } else { retry.run }.into());
         for (before, joint) in retry.moving.iter().enumerate() {
             let moves = alone.is_none_or(|alone| alone == before);
-            let turn = if moves { wrap(step::<T>(before) * multiple) } else { T::ZERO };
+            let turn = if moves { wrap(increment::<T>(before) * multiple) } else { T::ZERO };
             if joint == VIRTUAL {
                 self.virtual_default = stepped.and_then(|(_, value)| value).unwrap_or(turn);
             } else if let Some((slot, default)) = self.defaults.get_mut(joint).zip(defaults.get(joint)) {
@@ -250,17 +250,17 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         retry.multiple += u8::from(is_multiple);
     }
 
-    /// The joint vector to which a step from the start of least miss leads that has not been stepped from, and the value of a
-    /// virtual joint there. The stages that the branch does not miss hold at a start, so the next run needs of the step the places
-    /// of the free joints alone.
+    /// The joint vector to which a step leads from the start of least miss that has not been stepped from, and the value of a
+    /// virtual joint there. All stages but the missed one hold at a start, and the next run makes them hold again. So that run
+    /// takes only the free joints from this vector.
     #[inline(never)]
-    fn stepped(&mut self) -> Option<([T; N], Option<T>)> {
-        let retry = self.retry.as_ref()?;
-        let begins = retry.run > MULTIPLES && self.evaluations_left > RESERVED + 1;
-        let index = if begins { self.next_open(true)? } else { return None };
-        let retry = self.retry.as_mut()?;
-        let (q, times) = retry.opens.get_mut(index)?.step();
-        let mut iterate = Iterate::at(*q);
+    fn after_step(&mut self) -> Option<([T; N], Option<T>)> {
+        let index = self.least_missed(1).filter(|_| self.evaluations_left > RESERVED + 1)?;
+        let retry = self.retry.as_mut().filter(|retry| retry.run > MULTIPLES)?;
+        let open = retry.opens.get_mut(index)?;
+        open.used = 1;
+        // To a root of order m a step leads `1 / m` of the way.
+        let (mut iterate, times) = (Iterate::at(open.start), T::from_i32(open.order.into()));
         iterate.evaluate(self.constants, self.goal, self.arm);
         self.evaluations_left -= 1;
         let q = iterate.step(self.constants, self.goal.given(), times, true)?;
@@ -272,17 +272,17 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         Some((q, of_virtual))
     }
 
-    /// The index of an open branch with a solution of an equation without a joint of its own. The equation has another root for the
-    /// one joint that is free before it.
+    /// The index of an open branch of which one of two solutions is listed. Such a branch is missed by an equation without a
+    /// joint of its own, which has two roots in the one free joint before it.
     fn half_listed(&self) -> Option<usize> {
         let others = self.constants.prismatic | JointMask::single(VIRTUAL);
         let asked = |open: &Open<T, N>| {
-            open.order == 1 && open.joints.len() == 1 && !open.joints.meets(others) && self.lists(open.branch)
+            open.order == 1 && open.missed_for.len() == 1 && !open.missed_for.meets(others) && self.lists(open.branch)
         };
         self.retry.as_ref()?.opens.iter().position(asked)
     }
 
-    /// The joint vector with the free joint at the second root `x2` of such an equation.
+    /// The joint vector with that free joint at the second root `x2`; its value at the listed solution is `x1`.
     ///
     /// A joint that turns moves points on circles, so the equation is `c sin((x - x1) / 2) sin((x - x2) / 2)`. A step from a
     /// start leads from x to `x + d`, and by the derivative of the logarithm `-2 / d = cot((x - x1) / 2) + cot((x - x2) / 2)`.
@@ -293,13 +293,13 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let open = retry.opens.get_mut(index)?;
         // Looked for again only if the run at that root misses.
         open.order = 2;
-        let ([Start { miss, q: start }, _], branch, joint) = (open.starts, open.branch, open.joints.iter().next()?);
+        let (branch, joint) = (open.branch, open.missed_for.iter().next()?);
         let mut solutions = self.solutions.exact().filter(|solution| solution.branch == branch);
-        let (x, first) = (*start.get(joint)?, *solutions.next()?.q.get(joint)?);
-        if miss == T::INFINITY || self.evaluations_left <= RESERVED {
+        let (x, first) = (*open.start.get(joint)?, *solutions.next()?.q.get(joint)?);
+        if open.miss == T::INFINITY || self.evaluations_left <= RESERVED {
             return None;
         }
-        let mut iterate = Iterate::at(start);
+        let mut iterate = Iterate::at(open.start);
         iterate.evaluate(self.constants, self.goal, self.arm);
         self.evaluations_left -= 1;
         let mut q = iterate.step(self.constants, self.goal.given(), T::ONE, false)?;
@@ -314,17 +314,16 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         Some(q)
     }
 
-    /// Iterates from the starts of the open branches, those of least miss first.
+    /// Iterates from the starts of the open branches, that of least miss first.
     fn iterate(&mut self, most: usize) {
         for _ in 0..most {
-            let next = self.next_open(false);
+            let next = self.least_missed(2);
             let Some(open) = next.and_then(|index| self.retry.as_mut()?.opens.get_mut(index)) else { return };
-            let [first, second] = &mut open.starts;
-            let mut solution = Solution::exact(first.q, open.branch);
+            let mut solution = Solution::exact(open.start, open.branch);
             solution.flags |= open.flags;
             solution.free = open.free;
-            (*first, second.miss) = (*second, T::INFINITY);
-            self.iterated(&mut solution);
+            open.used = 2;
+            self.iterated(solution);
         }
     }
 }

@@ -36,13 +36,13 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize
     pub(super) arm: &'a dyn Evaluate<T, N>,
     pub(super) goal: &'a dyn Goal<T, N>,
     pub(super) solutions: &'a mut Solutions<T, N, M>,
-    /// Where each joint stays if it is free, and where a virtual one does.
+    /// Where each joint stays if it is free, and where a virtual one does: in further runs not at its default.
     pub(super) defaults: [T; N],
     pub(super) virtual_default: T,
     /// Least stage residual at which a branch ended, or least residual of a branch that went on.
     pub(super) least: Option<T>,
     /// The joints that further runs hold elsewhere. In such a run they are free where their amplitude is below `WEAK`.
-    pub(super) nearly_free: JointMask,
+    pub(super) elsewhere: JointMask,
     /// How many evaluations of the arm are left.
     pub(super) evaluations_left: usize,
     /// The candidate that was verified, if no stage has been solved since.
@@ -81,7 +81,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
             defaults: constants.defaults(near),
             virtual_default: T::ZERO,
             least: None,
-            nearly_free: JointMask::NONE,
+            elsewhere: JointMask::NONE,
             evaluations_left: MOST_EVALUATIONS,
             verified: None,
             doubts: None,
@@ -132,7 +132,8 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
         strokes.filter_map(|joint| placed.get(joint)).fold(T::ZERO, |sum, stroke| sum + stroke.abs())
     }
 
-    /// Where a joint stays if it is free: its reference value; without one 0, or the limit nearest to 0.
+    /// Where a joint stays if it is free: its reference value; without one 0, or the limit nearest to 0. In a further run
+    /// another place.
     #[inline]
     pub fn default(&self, joint: usize) -> DefaultValue<T> {
         self.default_at(joint, self.defaults.get(joint).copied().unwrap_or(T::ZERO))
@@ -146,7 +147,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
 
     #[inline]
     fn default_at(&self, joint: usize, value: T) -> DefaultValue<T> {
-        DefaultValue { value, joint: JointMask::single(joint), nearly_free: self.nearly_free }
+        DefaultValue { value, joint: JointMask::single(joint), nearly_free: self.elsewhere }
     }
 
     /// The doubts of a branch that has any.
@@ -170,8 +171,8 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
         state.deeper(ended)
     }
 
-    /// The state of a branch after a stage. A stage that misses by more than the tolerance ends the branch; its gap is
-    /// remembered.
+    /// The state of a branch after a stage. A stage that misses by more than the tolerance ends the branch, and its gap is
+    /// remembered. If a joint before it is free or weak, the branch goes on.
     #[inline(always)]
     pub fn follow<const K: usize, const R: usize>(
         &mut self,
@@ -193,7 +194,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
         let Doubt { gap, angular, .. } = doubt;
         let measure = if angular { Measure::DIRECTION } else { Measure::length(self.constants.reach) };
         let tolerance = if angular { self.constants.tolerance.orientation } else { self.constants.tolerance.position };
-        // What an earlier stage of small amplitude leaves uncertain shows up here magnified.
+        // A small amplitude of an earlier stage magnifies its uncertainty here; that of a joint which is free counts as 1.
         let rounding = measure.rounding() / amplitude;
         next.clamped |= gap > rounding && free_or_weak.is_empty();
         // With a joint earlier on the branch that is free, or nearly, the gap may close by moving that joint.
@@ -203,7 +204,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
             }
             if free_or_weak.is_empty() {
                 ended = true;
-                self.misses(gap);
+                self.note_gap(gap);
             }
         }
         self.with_doubts(state, next, ended)
@@ -225,19 +226,19 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
         (self.slack * T::from_f64(4.0 * SLACK)).sqrt()
     }
 
-    /// Notes a branch that misses by `gap`, a length or an angle.
+    /// Notes that a branch misses by `gap`, a length or an angle.
     #[cold]
     #[inline(never)]
-    pub(super) fn misses(&mut self, gap: T) {
+    pub(super) fn note_gap(&mut self, gap: T) {
         let gap = if gap.is_finite() { gap } else { T::MAX };
         self.least = Some(self.least.map_or(gap, |least| least.min(gap)));
     }
 
-    /// Notes a branch that misses by a length and an angle.
+    /// Notes that a branch misses by a length and an angle.
     #[cold]
     #[inline(never)]
-    pub(super) fn misses_by(&mut self, residual: &Residual<T>) {
-        self.misses(residual.position.max(residual.orientation));
+    pub(super) fn note_residual(&mut self, residual: &Residual<T>) {
+        self.note_gap(residual.position.max(residual.orientation));
     }
 
     /// The state of a branch on which equations without a joint to meet them are missed by this much. Beyond rounding

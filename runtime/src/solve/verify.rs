@@ -18,10 +18,7 @@ enum Found {
     Nothing,
     /// A solution of the candidate's branch.
     Branch,
-    /// A solution of the candidate's branch that no other solution is close to.
-    Distinct,
-    /// A solution that the candidate was not close to. It belongs to another root, unless that root has no solution of
-    /// its own.
+    /// A solution that steps reached from a distant start. It may belong to another branch.
     Guess,
 }
 
@@ -34,93 +31,74 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     #[inline(never)]
     pub(super) fn candidate(&mut self, state: BranchState, q: [T; N], branch: Branch) {
         let mut solution = Solution::exact(q, branch);
-        let mut found = Found::Branch;
-        let doubts = self.known_doubts(state);
-        if !state.verify() && doubts.is_none_or(Doubts::are_settled) {
-            if self.near.is_some() && doubts.is_some() {
+        let known = self.known_doubts(state);
+        if !state.verify() && known.is_none_or(Doubts::are_settled) {
+            if self.near.is_some() && known.is_some() {
                 // The reference may be another member of a narrow family.
                 self.solutions.mark_awkward();
             }
-            if !self.solutions.is_awkward() {
-                found = Found::Distinct;
+            if self.solutions.is_awkward() {
+                self.list(solution, Found::Branch);
+            } else {
+                self.solutions.push(solution);
             }
-        } else {
-            let doubts = self.doubts(state);
-            solution.flags |= doubts.flags;
-            (solution.free, solution.residual) = (doubts.free, doubts.gap);
-            if !self.is_candidate(&doubts, &solution) {
-                return;
-            }
-            let movable = !doubts.free_or_weak().is_empty();
-            found = self.verified(movable, &mut solution);
-            if S > 0 && movable && !(solution.is_exact() || doubts.clamped) {
-                // At the defaults the miss says little, and refinement may have led away from there. In a further run the
-                // closed form is the start of a step.
-                if self.is_again() {
-                    let miss = self.constants.relative(&doubts.gap);
-                    self.open(&doubts, branch, miss, &q);
-                } else {
-                    self.open(&doubts, branch, T::MAX, &solution.q);
-                }
-            }
-        }
-        // What a further run does not close is no better than what is there.
-        let worse = self.is_again() && !solution.is_exact() && self.solutions.exact().next().is_some();
-        if found == Found::Nothing || worse {
             return;
         }
-        self.finished(&mut solution, found);
+        let doubts = self.doubts(state);
+        solution.flags |= doubts.flags;
+        (solution.free, solution.residual) = (doubts.free, doubts.gap);
+        if !self.admits(&doubts, &solution) {
+            return;
+        }
+        let movable = !doubts.free_or_weak().is_empty();
+        let (again, found) = (self.is_again(), self.verify(movable, &mut solution));
+        if S > 0 && movable && !(solution.is_exact() || doubts.clamped) {
+            // At the defaults the miss says little, and refinement may have led away from there. In a further run the
+            // closed form is the start of a step.
+            let miss = if again { self.constants.relative(&doubts.gap) } else { T::MAX };
+            self.open(&doubts, branch, miss, if again { &q } else { &solution.q });
+        }
+        // A solution of a further run that does not close is no better than those listed.
+        if !(again && !solution.is_exact() && self.solutions.exact().next().is_some()) {
+            self.list(solution, found);
+        }
     }
 
-    /// Lists the solution to which steps from a joint vector of an open branch lead.
-    pub(super) fn iterated(&mut self, solution: &mut Solution<T, N>) {
+    /// Lists the solution to which steps from a joint vector of an open branch lead. It may be that of another branch.
+    pub(super) fn iterated(&mut self, mut solution: Solution<T, N>) {
         self.verified = None;
-        let found = self.verified(true, solution);
-        if found != Found::Nothing && solution.is_exact() {
-            self.finished(solution, found);
+        if self.verify(true, &mut solution) != Found::Nothing && solution.is_exact() {
+            self.list(solution, Found::Guess);
         }
     }
 
-    /// Names the joints of a solution, and lists it.
-    fn finished(&mut self, solution: &mut Solution<T, N>, found: Found) {
-        if solution.free.contains(VIRTUAL) {
-            solution.free = solution.free.without(VIRTUAL) | self.constants.stands_for;
-        }
-        self.list(solution, found);
-    }
-
-    /// Verifies a solution; refines it if that closes it. What stays beyond the tolerance is no solution; its residual
+    /// Verifies a solution and refines it. A solution that stays beyond the tolerance is none; its residual
     /// counts as the gap of its branch.
-    fn verified(&mut self, movable: bool, solution: &mut Solution<T, N>) -> Found {
-        let constants = self.constants;
-        let Some(Verified { q, residual, close, is_within_slack, .. }) = self.refined(&solution.q) else {
+    fn verify(&mut self, movable: bool, solution: &mut Solution<T, N>) -> Found {
+        let Some(&Verified { start_residual, q, residual, .. }) = self.refined(&solution.q) else {
             return Found::Nothing;
         };
-        (solution.q, solution.residual) = (*q, *residual);
-        let (close, is_within_slack) = (*close, *is_within_slack);
-        let exact = constants.relative(&solution.residual) <= T::EXACT;
-        if !exact {
-            solution.flags.remove(Flags::EXACT);
-            solution.flags |= Flags::APPROXIMATE;
-        }
+        (solution.q, solution.residual) = (q, residual);
+        let constants = self.constants;
+        let (exact, close) = (constants.relative(&residual) <= T::EXACT, constants.tolerates(&start_residual));
         if exact || movable {
             self.solutions.mark_awkward();
         }
-        // A guess that comes near by its steps alone, without closing, is no branch of this target.
-        let listed = exact || close;
         if !exact {
-            self.misses_by(&solution.residual);
+            solution.flags.remove(Flags::EXACT);
+            solution.flags |= Flags::APPROXIMATE;
+            self.note_residual(&residual);
             self.is_nearly_missed = true;
+            // A guess that comes near by its steps alone, without closing, is no branch of this target.
+            return if close { Found::Branch } else { Found::Nothing };
         }
-        match listed {
-            false => Found::Nothing,
-            true if exact && !movable && !close && !is_within_slack => {
-                // Of a nearly real pair of roots.
-                solution.flags |= Flags::BOUNDARY;
-                Found::Guess
-            }
-            true => Found::Branch,
+        // A measured arm misses the equations of its table.
+        if movable || close || constants.relative(&start_residual) <= self.slack * T::from_f64(SLACK) {
+            return Found::Branch;
         }
+        // Of a nearly real pair of roots.
+        solution.flags |= Flags::BOUNDARY;
+        Found::Guess
     }
 
     /// Evaluates a candidate and refines it, unless it is the wrist flip of the last one; `None` without evaluations left.
@@ -132,38 +110,43 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             let mut evaluations_left = self.evaluations_left.checked_sub(RESERVED + 1)?;
             let mut iterate = Iterate::at(*start);
             iterate.evaluate(self.constants, self.goal, self.arm);
-            let close = self.constants.tolerates(&iterate.residual);
-            let is_within_slack =
-                !close && self.constants.relative(&iterate.residual) <= self.slack * T::from_f64(SLACK);
+            let start_residual = iterate.residual;
             refine(self.constants, self.goal, self.arm, &mut iterate, &mut evaluations_left);
             self.evaluations_left = evaluations_left + RESERVED;
-            self.verified =
-                Some(Verified { start: *start, q: iterate.q, residual: iterate.residual, close, is_within_slack });
+            let (mut q, mut residual) = (iterate.q, iterate.residual);
+            if self.constants.tolerates(&start_residual) && !self.constants.tolerates(&residual) {
+                // The steps have traded one of the two residuals for the other.
+                (q, residual) = (*start, start_residual);
+            }
+            self.verified = Some(Verified { start: *start, start_residual, q, residual });
         }
         self.verified.as_ref()
     }
 
     /// Lists a solution, or the better one of two that coincide. An exact root of its own replaces a guess from another one.
-    fn list(&mut self, solution: &Solution<T, N>, found: Found) {
+    fn list(&mut self, mut solution: Solution<T, N>, found: Found) {
         let constants = self.constants;
+        let is_listed = self.solutions.exact().any(|other| coincident(constants, &other.q, &solution.q));
+        if found == Found::Nothing || found == Found::Guess && is_listed {
+            return;
+        }
+        if solution.free.contains(VIRTUAL) {
+            solution.free = solution.free.without(VIRTUAL) | constants.stands_for;
+        }
         let again = self.is_again();
-        if S > 0 && again && solution.is_exact() {
+        if again && solution.is_exact() {
             self.drop_near_miss(solution.branch);
         }
         let mut others = self.solutions.as_mut_slice().iter_mut();
-        let twin = others.find(|other| found != Found::Distinct && coincident(constants, &other.q, &solution.q));
-        let Some(twin) = twin else {
-            self.solutions.push(*solution);
+        let Some(twin) = others.find(|other| coincident(constants, &other.q, &solution.q)) else {
+            self.solutions.push(solution);
             return;
         };
-        if found == Found::Guess && twin.is_exact() {
-            return;
-        }
         // A root of its own is no guess from another one.
         let names =
             solution.is_exact() && twin.flags.contains(Flags::BOUNDARY) && !solution.flags.contains(Flags::BOUNDARY);
         if names || constants.relative(&solution.residual) < constants.relative(&twin.residual) {
-            *twin = *solution;
+            *twin = solution;
         }
         // One branch that is found again is no two roots.
         if !(again && twin.branch == solution.branch) {
@@ -217,7 +200,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         }
         if !self.solutions.keeps_place() {
             // Worth looking for if the first step closes the target, less than half of the way to a solution that is listed.
-            let ways = self.solutions.exact().map(|other| square_apart(&other.q, &iterate.q));
+            let ways = self.solutions.exact().map(|other| square_apart(constants, &other.q, &iterate.q));
             let nearest = ways.fold(T::INFINITY, T::min);
             if iterate.first_step(self.goal.given()) * T::from_f64(4.0) > nearest {
                 return;
@@ -229,39 +212,32 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         if !(constants.relative(&residual) <= T::EXACT) {
             return;
         }
-        let nearer = |a: &&mut Solution<T, N>, b: &&mut Solution<T, N>| {
-            square_apart(&a.q, &q).partial_cmp(&square_apart(&b.q, &q)).unwrap_or(core::cmp::Ordering::Equal)
-        };
-        let same = self.solutions.as_mut_slice().iter_mut();
-        if let Some(same) = same.filter(|other| coincident(constants, &other.q, &q)).min_by(nearer) {
-            // The same place, but nearer to the reference: beside a limit a small step would be a whole turn.
-            (same.q, same.residual) = (q, residual);
-            same.flags.remove(Flags::APPROXIMATE);
-            same.flags |= Flags::EXACT;
-            let mut first = true;
-            self.solutions.retain(|other| {
-                let keep = other.q == q && first || !coincident(constants, &other.q, &q);
-                first &= other.q != q;
-                keep
-            });
-            return;
-        }
-        let nearest = self.solutions.as_mut_slice().iter_mut().min_by(nearer);
-        let mut held = nearest.map_or(Solution::EMPTY, |nearest| *nearest);
-        (held.q, held.residual) = (q, residual);
+        let nearest = self.nearest(&q).map_or(Solution::EMPTY, |nearest| *nearest);
+        let mut held = Solution { q, residual, ..nearest };
         held.flags.remove(Flags::APPROXIMATE);
         held.flags |= Flags::EXACT;
-        let full = !self.solutions.push(held);
-        if full && let Some(nearest) = self.solutions.as_mut_slice().iter_mut().min_by(nearer) {
+        // The same place, but nearer to the reference: beside a limit a small step would be a whole turn.
+        if (coincident(constants, &nearest.q, &q) || !self.solutions.push(held))
+            && let Some(nearest) = self.nearest(&q)
+        {
             *nearest = held;
         }
+        self.solutions.retain(|other| other.q == q || !coincident(constants, &other.q, &q));
+    }
+
+    /// The listed solution nearest to a joint vector.
+    fn nearest(&mut self, q: &[T; N]) -> Option<&mut Solution<T, N>> {
+        let constants = self.constants;
+        let square = |other: &Solution<T, N>| square_apart(constants, &other.q, q);
+        let solutions = self.solutions.as_mut_slice().iter_mut();
+        solutions.min_by(|a, b| square(a).partial_cmp(&square(b)).unwrap_or(core::cmp::Ordering::Equal))
     }
 }
 
 /// The squared distance of two joint vectors, each joint on the turn that is nearest.
 #[inline(never)]
-fn square_apart<T: Tolerances, const N: usize>(a: &[T; N], b: &[T; N]) -> T {
-    a.iter().zip(b).fold(T::ZERO, |sum, (a, b)| sum + wrap(*a - *b) * wrap(*a - *b))
+fn square_apart<T: Tolerances, const N: usize>(constants: &ArmConstants<T, N>, a: &[T; N], b: &[T; N]) -> T {
+    distances(constants, a, b).fold(T::ZERO, |sum, distance| sum + distance * distance)
 }
 
 /// Returns true if two joint vectors are one solution.
@@ -271,10 +247,18 @@ pub(super) fn coincident<T: Tolerances, const N: usize>(
     a: &[T; N],
     b: &[T; N],
 ) -> bool {
-    a.iter()
-        .zip(b)
-        .zip(0..)
-        .all(|((a, b), joint)| apart(*a - *b, constants.prismatic.contains(joint), constants.reach) <= T::COINCIDENT)
+    distances(constants, a, b).all(|distance| distance <= T::COINCIDENT)
+}
+
+/// The distance of two joint vectors in each joint.
+#[inline]
+pub(super) fn distances<T: Tolerances, const N: usize>(
+    constants: &ArmConstants<T, N>,
+    a: &[T; N],
+    b: &[T; N],
+) -> impl Iterator<Item = T> {
+    let joints = a.iter().zip(b).enumerate();
+    joints.map(|(joint, (a, b))| apart(*a - *b, constants.prismatic.contains(joint), constants.reach))
 }
 
 /// How far apart two values of a joint are: a distance in reaches, or the angle, whichever way round is shorter.
