@@ -169,6 +169,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
             last_gain = gain;
         }
         let mut part = if !onward && step.square > longest { (longest / step.square).sqrt() } else { times };
+        // Two turns at most: the whole step, and a part of it, which is not 1.
         loop {
             tried.q = q;
             for (joint, (value, change)) in tried.q.iter_mut().zip(&step.changes).enumerate() {
@@ -298,9 +299,14 @@ mod tests {
         let map = Map(|x, y| [(x * x - 1e-4, [2.0 * x, 0.0]), (y, [0.0, 1.0])]);
         let (q, miss, taken) = refined(map, [1e-3, 0.0], 99);
         assert!((q[0] - 0.01).abs() < 1e-9 && miss < 1e-12 && taken <= 6, "{q:?} {miss:e} {taken}");
-        for (after, part) in [(-2.0, 0.5), (0.25, 2.0), (f64::NAN, 1.0)] {
-            let along = |size: f64| [size * 0.6, 0.0, size * -0.8, 0.0, 0.0, 0.0];
-            assert!((best_part(&along(1.0), &along(after)).0 - part).abs() < 0.1, "{after}");
+        let along = |size: f64| [size * 0.6, 0.0, size * -0.8, 0.0, 0.0, 0.0];
+        // Roots of `(1 - t) + t^2 after`. Parts up to `|after|^(-1/2)` are eighths of that, so a root is off by a sixteenth.
+        for (after, part) in [(-2.0_f64, 0.5), (0.25, 2.0), (-200.0, 0.068_254_858_490_424_52)] {
+            let (found, least) = best_part(&along(1.0), &along(after));
+            assert!((found - part).abs() <= after.abs().powf(-0.5) / 16.0 && least < 0.5, "{after}: {found} {least}");
+        }
+        for after in [f64::NAN, f64::INFINITY] {
+            assert!(!(best_part(&along(1.0), &along(after)).1 < 1.0), "{after}");
         }
     }
 

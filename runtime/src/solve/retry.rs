@@ -26,7 +26,7 @@ fn increment<T: Tolerances>(before: usize) -> T {
         }
 }
 
-/// So many runs hold the joints at multiples of their steps, before steps from starts tell their places.
+/// So many runs hold the joints at multiples of their increments, before steps from starts tell their places.
 const MULTIPLES: u8 = 3;
 
 /// A slide is moved by up to half of so many reaches either way.
@@ -56,7 +56,7 @@ struct Open<T, const N: usize> {
 pub(super) struct Retry<T, const N: usize, const M: usize, const S: usize> {
     /// Index of this run; 0 with every joint at its default.
     run: u8,
-    /// The multiple of the next run that holds the free joints at multiples of their steps.
+    /// The multiple of the next run that holds the free joints at multiples of their increments.
     multiple: u8,
     /// The joints that move.
     moving: JointMask,
@@ -144,7 +144,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         self.solutions.exact().any(|solution| solution.branch == branch)
     }
 
-    /// Drops the solutions of a branch that close only within the tolerance, once it has an exact one.
+    /// Drops the solutions of a branch with a free joint that close only within the tolerance, once it has an exact one.
     pub(super) fn drop_near_miss(&mut self, branch: Branch) {
         let near_miss = Flags::APPROXIMATE | Flags::FREE;
         self.solutions.retain(|other| other.branch != branch || !other.flags.contains(near_miss));
@@ -218,7 +218,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         next
     }
 
-    /// The order of the root of that branch, if it has not been iterated on.
+    /// The order of the root of the open branch whose start misses by least, of those that have not been iterated on.
     fn next_order(&self) -> Option<u8> {
         Some(self.retry.as_ref()?.opens.get(self.least_missed(2)?)?.order)
     }
