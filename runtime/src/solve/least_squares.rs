@@ -171,9 +171,8 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
         let mut part = if !onward && step.square > longest { (longest / step.square).sqrt() } else { times };
         // Two turns at most: the whole step, and a part of it, which is not 1.
         loop {
-            tried.q = q;
-            for (joint, (value, change)) in tried.q.iter_mut().zip(&step.changes).enumerate() {
-                *value += *change * part * constants.unit(joint);
+            for (joint, (value, (from, change))) in tried.q.iter_mut().zip(q.iter().zip(&step.changes)).enumerate() {
+                *value = *from + *change * part * constants.unit(joint);
             }
             tried.evaluate(constants, goal, arm);
             taken += 1;

@@ -9,7 +9,7 @@ use super::doubts::Doubts;
 use super::kernel::tolerances::Tolerances;
 use super::least_squares::Iterate;
 use super::search::{Search, VIRTUAL};
-use super::verify::RESERVED;
+use super::verify::{Found, RESERVED};
 use crate::effort::MOST_CASCADES;
 use crate::math::{atan2, sin_cos, wrap};
 use crate::{Branch, Flags, JointMask, Solution};
@@ -26,7 +26,8 @@ fn increment<T: Tolerances>(before: usize) -> T {
         }
 }
 
-/// So many runs hold the joints at multiples of their increments, before steps from starts tell their places.
+/// So many runs hold the joints at multiples of their increments, before steps from starts tell their places. After as many
+/// runs in a row without a step none follows.
 const MULTIPLES: u8 = 3;
 
 /// A slide is moved by up to half of so many reaches either way.
@@ -47,8 +48,10 @@ struct Open<T, const N: usize> {
     start: [T; N],
     /// Its miss, relative to reach or rad; infinite without a start.
     miss: T,
-    /// 2 if an iteration has been taken from the start, 1 if a step has, else 0.
-    used: u8,
+    /// True if a step has been taken from the start.
+    stepped: bool,
+    /// True if an iteration has been taken from the start, or refinement of its candidate.
+    iterated: bool,
 }
 
 /// Memory of a call whose target needs further runs: at most `S` open branches.
@@ -69,6 +72,8 @@ pub(super) struct Retry<T, const N: usize, const M: usize, const S: usize> {
     crossings: [(Branch, JointMask); M],
     /// True if a further run has found another family.
     crossed: bool,
+    /// So many runs in a row have been without a step.
+    without_step: u8,
 }
 
 impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'_, T, N, M, D, S> {
@@ -87,11 +92,13 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
                 missed_for: JointMask::NONE,
                 start: [T::ZERO; N],
                 miss: T::INFINITY,
-                used: 0,
+                stepped: false,
+                iterated: false,
             }; S],
             other: None,
             crossings: [(Branch::NONE, JointMask::NONE); M],
             crossed: false,
+            without_step: 0,
         })
     }
 
@@ -115,7 +122,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         }
         if S > 0 && doubts.is_missed() {
             let miss = if again { self.constants.relative(&doubts.gap) } else { T::MAX };
-            self.open(doubts, solution.branch, miss, &solution.q);
+            self.open(doubts, solution.branch, miss, false, &solution.q);
         }
         !doubts.is_missed()
     }
@@ -144,16 +151,17 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         self.solutions.exact().any(|solution| solution.branch == branch)
     }
 
-    /// Drops the solutions of a branch with a free joint that close only within the tolerance, once it has an exact one.
-    pub(super) fn drop_near_miss(&mut self, branch: Branch) {
-        let near_miss = Flags::APPROXIMATE | Flags::FREE;
-        self.solutions.retain(|other| other.branch != branch || !other.flags.contains(near_miss));
+    /// The miss of the start of an open branch; infinite without one.
+    #[inline(never)]
+    pub(super) fn least_miss(&self, branch: Branch) -> T {
+        let mut opens = self.retry.iter().filter(|_| S > 0).flat_map(|retry| &retry.opens);
+        opens.find(|open| open.branch == branch).map_or(T::INFINITY, |open| open.miss)
     }
 
     /// Remembers a branch that is missed, and a joint vector on it. At the defaults the miss is often stationary:
     /// `miss` is the largest number there, so that any other start is preferred.
     #[inline(never)]
-    pub(super) fn open(&mut self, doubts: &Doubts<T>, branch: Branch, miss: T, q: &[T; N]) {
+    pub(super) fn open(&mut self, doubts: &Doubts<T>, branch: Branch, miss: T, refined: bool, q: &[T; N]) {
         let retry = self.retry();
         let mut opens = retry.opens.iter_mut();
         let Some(open) = opens.find(|open| open.branch == branch || open.order == 0) else { return };
@@ -170,12 +178,9 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         if doubts.is_missed() {
             (open.order, open.missed_for) = (doubts.missed_order, doubts.missed_for);
         }
-        if retry.other == Some(branch) {
-            // Near the first root the formula has few digits for the second one.
-            open.miss = T::INFINITY;
-        }
         if miss < open.miss {
-            (open.start, open.miss, open.used) = (*q, miss, 0);
+            (open.start, open.miss) = (*q, miss);
+            (open.stepped, open.iterated) = (false, refined);
         }
     }
 
@@ -188,17 +193,17 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         // A second run looks for a third family only if the first has found a second one.
         let crosses = (run == 0 || run == 1 && crossed) && crossings.iter().any(|(_, joints)| !joints.is_empty());
         // Where no step leads on, iteration may lead to the first of two roots.
-        if S > 0 && run > MULTIPLES && self.least_missed(1).is_none() && self.next_order() == Some(1) {
+        let no_step = S > 0 && run > MULTIPLES && self.least_missed(|open| !open.stepped).is_none();
+        if no_step && self.least_missed(|open| !open.iterated).is_some_and(|open| open.order == 1) {
             self.iterate(1);
         }
-        let any = S > 0 && self.least_missed(2).or(self.half_listed()).is_some();
+        let any = S > 0
+            && (self.least_missed(|open| !(open.stepped && open.iterated)).is_some() || self.half_listed().is_some());
         let Some(retry) = &mut self.retry else { return false };
-        retry.run += 1;
-        retry.other = None;
-        if usize::from(retry.run) == MOST_CASCADES || !(any || crosses) {
-            if S > 0 {
-                self.iterate(S);
-            }
+        (retry.run, retry.other) = (run + 1, None);
+        retry.without_step = if no_step { retry.without_step + 1 } else { 0 };
+        if usize::from(retry.run) == MOST_CASCADES || retry.without_step == MULTIPLES || !(any || crosses) {
+            self.iterate(S);
             return false;
         }
         self.doubts = None;
@@ -206,21 +211,16 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         true
     }
 
-    /// The index of the open branch whose start misses by least, of those whose start is used by less than `used`.
+    /// The open branch whose start misses by least, of those that `counts`.
     #[inline(never)]
-    fn least_missed(&self, used: u8) -> Option<usize> {
+    fn least_missed(&mut self, counts: fn(&Open<T, N>) -> bool) -> Option<&mut Open<T, N>> {
         let (mut next, mut least) = (None, T::INFINITY);
         for (index, open) in self.retry.as_ref()?.opens.iter().enumerate() {
-            if open.miss < least && open.used < used && !self.lists(open.branch) {
+            if open.miss < least && counts(open) && !self.lists(open.branch) {
                 (next, least) = (Some(index), open.miss);
             }
         }
-        next
-    }
-
-    /// The order of the root of the open branch whose start misses by least, of those that have not been iterated on.
-    fn next_order(&self) -> Option<u8> {
-        Some(self.retry.as_ref()?.opens.get(self.least_missed(2)?)?.order)
+        self.retry.as_mut()?.opens.get_mut(next?)
     }
 
     /// Moves the free joints to their places in the next run.
@@ -255,17 +255,21 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     /// takes only the free joints from this vector.
     #[inline(never)]
     fn after_step(&mut self) -> Option<([T; N], Option<T>)> {
-        let index = self.least_missed(1).filter(|_| self.evaluations_left > RESERVED + 1)?;
-        let retry = self.retry.as_mut().filter(|retry| retry.run > MULTIPLES)?;
-        let open = retry.opens.get_mut(index)?;
-        open.used = 1;
+        let moving = self.retry.as_ref().filter(|retry| retry.run > MULTIPLES)?.moving;
+        if self.evaluations_left <= RESERVED + 1 {
+            return None;
+        }
+        let open = *self.least_missed(|open| !open.stepped)?;
+        // The starts of a wrist flip, and of roots that fall together, miss by as much: steps from them lead to one place.
+        let opens = &mut self.retry.as_mut()?.opens;
+        opens.iter_mut().filter(|same| same.miss == open.miss).for_each(|same| same.stepped = true);
         // To a root of order m a step leads `1 / m` of the way.
         let (mut iterate, times) = (Iterate::at(open.start), T::from_i32(open.order.into()));
         iterate.evaluate(self.constants, self.goal, self.arm);
         self.evaluations_left -= 1;
         let q = iterate.step(self.constants, self.goal.given(), times, true)?;
         let mut of_virtual = None;
-        if retry.moving.contains(VIRTUAL) {
+        if moving.contains(VIRTUAL) {
             of_virtual = self.goal.virtual_value(&self.arm.evaluate(&q).0);
             self.evaluations_left -= 1;
         }
@@ -291,15 +295,16 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let index = self.half_listed()?;
         let retry = self.retry.as_mut()?;
         let open = retry.opens.get_mut(index)?;
-        // Looked for again only if the run at that root misses.
-        open.order = 2;
-        let (branch, joint) = (open.branch, open.missed_for.iter().next()?);
+        let Open { branch, start, miss, missed_for, .. } = *open;
+        // Looked for again only if the run at that root misses, and from there: near the first root the formula has few digits.
+        (open.order, open.miss) = (2, T::INFINITY);
+        let joint = missed_for.iter().next()?;
         let mut solutions = self.solutions.exact().filter(|solution| solution.branch == branch);
-        let (x, first) = (*open.start.get(joint)?, *solutions.next()?.q.get(joint)?);
-        if open.miss == T::INFINITY || self.evaluations_left <= RESERVED {
+        let (x, first) = (*start.get(joint)?, *solutions.next()?.q.get(joint)?);
+        if miss == T::INFINITY || self.evaluations_left <= RESERVED {
             return None;
         }
-        let mut iterate = Iterate::at(open.start);
+        let mut iterate = Iterate::at(start);
         iterate.evaluate(self.constants, self.goal, self.arm);
         self.evaluations_left -= 1;
         let mut q = iterate.step(self.constants, self.goal.given(), T::ONE, false)?;
@@ -314,16 +319,18 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         Some(q)
     }
 
-    /// Iterates from the starts of the open branches, that of least miss first.
+    /// Iterates from the starts of the open branches, that of least miss first. The solutions that are found are listed; such a
+    /// solution may be that of another branch.
     fn iterate(&mut self, most: usize) {
         for _ in 0..most {
-            let next = self.least_missed(2);
-            let Some(open) = next.and_then(|index| self.retry.as_mut()?.opens.get_mut(index)) else { return };
-            let mut solution = Solution::exact(open.start, open.branch);
-            solution.flags |= open.flags;
-            solution.free = open.free;
-            open.used = 2;
-            self.iterated(solution);
+            let Some(open) = self.least_missed(|open| !open.iterated) else { return };
+            open.iterated = true;
+            let start = Solution::exact(open.start, open.branch);
+            let mut solution = Solution { flags: start.flags | open.flags, free: open.free, ..start };
+            self.verified = None;
+            if self.verify(true, true, &mut solution) != Found::Nothing && solution.is_exact() {
+                self.list(solution, Found::Guess);
+            }
         }
     }
 }

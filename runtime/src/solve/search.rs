@@ -204,7 +204,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
             }
             if free_or_weak.is_empty() {
                 ended = true;
-                self.note_gap(gap);
+                self.note_residual(&Residual { position: gap, orientation: gap });
             }
         }
         self.with_doubts(state, next, ended)
@@ -226,19 +226,13 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
         (self.slack * T::from_f64(4.0 * SLACK)).sqrt()
     }
 
-    /// Notes that a branch misses by `gap`, a length or an angle.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn note_gap(&mut self, gap: T) {
-        let gap = if gap.is_finite() { gap } else { T::MAX };
-        self.least = Some(self.least.map_or(gap, |least| least.min(gap)));
-    }
-
     /// Notes that a branch misses by a length and an angle.
     #[cold]
     #[inline(never)]
     pub(super) fn note_residual(&mut self, residual: &Residual<T>) {
-        self.note_gap(residual.position.max(residual.orientation));
+        let gap = residual.position.max(residual.orientation);
+        let gap = if gap.is_finite() { gap } else { T::MAX };
+        self.least = Some(self.least.map_or(gap, |least| least.min(gap)));
     }
 
     /// The state of a branch on which equations without a joint to meet them are missed by this much. Beyond rounding

@@ -13,7 +13,7 @@ use crate::{Branch, Flags, Solution};
 
 /// The result of a candidate's verification.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Found {
+pub(super) enum Found {
     /// No solution.
     Nothing,
     /// A solution of the candidate's branch.
@@ -51,12 +51,14 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             return;
         }
         let movable = !doubts.free_or_weak().is_empty();
-        let (again, found) = (self.is_again(), self.verify(movable, &mut solution));
+        // At the defaults the miss says little, and refinement may have led away from there. In a further run the closed form
+        // is the start of a step, and is refined if its stages close, and by more than at the start before.
+        let again = self.is_again();
+        let miss = if again { self.constants.relative(&doubts.gap) } else { T::MAX };
+        let refines = !again || miss < self.least_miss(branch) && self.constants.tolerates(&doubts.gap);
+        let found = self.verify(movable, refines, &mut solution);
         if S > 0 && movable && !(solution.is_exact() || doubts.clamped) {
-            // At the defaults the miss says little, and refinement may have led away from there. In a further run the
-            // closed form is the start of a step.
-            let miss = if again { self.constants.relative(&doubts.gap) } else { T::MAX };
-            self.open(&doubts, branch, miss, if again { &q } else { &solution.q });
+            self.open(&doubts, branch, miss, refines, if again { &q } else { &solution.q });
         }
         // A solution of a further run that does not close is no better than those listed.
         if !(again && !solution.is_exact() && self.solutions.exact().next().is_some()) {
@@ -64,18 +66,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         }
     }
 
-    /// Lists the solution to which steps from a joint vector of an open branch lead. It may be that of another branch.
-    pub(super) fn iterated(&mut self, mut solution: Solution<T, N>) {
-        self.verified = None;
-        if self.verify(true, &mut solution) != Found::Nothing && solution.is_exact() {
-            self.list(solution, Found::Guess);
-        }
-    }
-
-    /// Verifies a solution and refines it. A solution that stays beyond the tolerance is none; its residual
+    /// Verifies a solution, and refines it if told so. A solution that stays beyond the tolerance is none; its residual
     /// counts as the gap of its branch.
-    fn verify(&mut self, movable: bool, solution: &mut Solution<T, N>) -> Found {
-        let Some(&Verified { start_residual, q, residual, .. }) = self.refined(&solution.q) else {
+    pub(super) fn verify(&mut self, movable: bool, refines: bool, solution: &mut Solution<T, N>) -> Found {
+        let Some(&Verified { start_residual, q, residual, .. }) = self.refined(&solution.q, refines) else {
             return Found::Nothing;
         };
         (solution.q, solution.residual) = (q, residual);
@@ -90,7 +84,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             self.note_residual(&residual);
             self.is_nearly_missed = true;
             // A guess that comes near by its steps alone, without closing, is no branch of this target.
-            return if close { Found::Branch } else { Found::Nothing };
+            return if close && refines { Found::Branch } else { Found::Nothing };
         }
         // A measured arm misses the equations of its table.
         if movable || close || constants.relative(&start_residual) <= self.slack * T::from_f64(SLACK) {
@@ -102,7 +96,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     }
 
     /// Evaluates a candidate and refines it, unless it is the wrist flip of the last one; `None` without evaluations left.
-    fn refined(&mut self, start: &[T; N]) -> Option<&Verified<T, N>> {
+    fn refined(&mut self, start: &[T; N], refines: bool) -> Option<&Verified<T, N>> {
         if let (Some(wrist), Some(last)) = (self.constants.wrist, &mut self.verified) {
             last.flip_to(start, wrist);
         } else {
@@ -111,7 +105,9 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             let mut iterate = Iterate::at(*start);
             iterate.evaluate(self.constants, self.goal, self.arm);
             let start_residual = iterate.residual;
-            refine(self.constants, self.goal, self.arm, &mut iterate, &mut evaluations_left);
+            if refines {
+                refine(self.constants, self.goal, self.arm, &mut iterate, &mut evaluations_left);
+            }
             self.evaluations_left = evaluations_left + RESERVED;
             let (mut q, mut residual) = (iterate.q, iterate.residual);
             if self.constants.tolerates(&start_residual) && !self.constants.tolerates(&residual) {
@@ -124,18 +120,20 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     }
 
     /// Lists a solution, or the better one of two that coincide. An exact root of its own replaces a guess from another one.
-    fn list(&mut self, mut solution: Solution<T, N>, found: Found) {
+    pub(super) fn list(&mut self, mut solution: Solution<T, N>, found: Found) {
         let constants = self.constants;
-        let is_listed = self.solutions.exact().any(|other| coincident(constants, &other.q, &solution.q));
-        if found == Found::Nothing || found == Found::Guess && is_listed {
+        let is_listed = || self.solutions.exact().any(|other| coincident(constants, &other.q, &solution.q));
+        if found == Found::Nothing || found == Found::Guess && is_listed() {
             return;
         }
         if solution.free.contains(VIRTUAL) {
             solution.free = solution.free.without(VIRTUAL) | constants.stands_for;
         }
         let again = self.is_again();
-        if again && solution.is_exact() {
-            self.drop_near_miss(solution.branch);
+        if S > 0 && again && solution.is_exact() {
+            // Solutions of the branch with a free joint that close only within the tolerance.
+            let near_miss = Flags::APPROXIMATE | Flags::FREE;
+            self.solutions.retain(|other| other.branch != solution.branch || !other.flags.contains(near_miss));
         }
         let mut others = self.solutions.as_mut_slice().iter_mut();
         let Some(twin) = others.find(|other| coincident(constants, &other.q, &solution.q)) else {
