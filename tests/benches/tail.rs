@@ -13,30 +13,66 @@ use denhart_tests::subject::{Specified, Subject};
 use denhart_tests::task::{Asked, EQUATIONS, Goal, Kind, Task};
 use denhart_tests::timing::{Tail, least};
 
-macro_rules! arm {
-    ($Type:ident $dof:literal $name:literal $spec:literal $task:expr) => {
-        #[derive(Arm, Default)]
-        #[arm(spec = $spec)]
-        struct $Type;
+/// Defines the types of arms, and a function that prints their tables.
+macro_rules! arms {
+    ($tables:ident: $($Type:ident $dof:literal $name:literal $spec:literal $task:expr;)*) => {
+        $(
+            #[derive(Arm, Default)]
+            #[arm(spec = $spec)]
+            struct $Type;
 
-        impl Specified<$dof> for $Type {
-            const NAME: &'static str = $name;
-            const TABLE: DhTable = Self::DH;
-            const TASK: Task = $task;
+            impl Specified<$dof> for $Type {
+                const NAME: &'static str = $name;
+                const TABLE: DhTable = Self::DH;
+                const TASK: Task = $task;
+            }
+        )*
+
+        fn $tables(options: Options) {
+            $(table::<$Type, $dof>(options);)*
         }
     };
 }
 
 const POSE: Task = Task::new(Kind::Pose);
+const AXIS_Z: Task = Task::new(Kind::PositionAxis(2));
 
-arm!(Ur5 6 "ur5" "../specs/ur5.yaml" POSE);
-arm!(AbbIrb2400 6 "abb_irb2400" "../specs/abb_irb2400.yaml" POSE);
-arm!(Puma560 6 "puma560" "../specs/puma560.yaml" POSE);
-arm!(StaubliTx40 6 "staubli_tx40" "../specs/staubli_tx40.yaml" POSE);
-arm!(Stanford 6 "stanford" "../specs/stanford.yaml" POSE);
-arm!(KukaIiwa 7 "kuka_iiwa7_r800, q3 given" "../specs/kuka_iiwa7_r800.yaml" POSE.redundant(3));
-arm!(Al5d 4 "al5d" "../specs/al5d.yaml" Task::new(Kind::PositionAngle));
-arm!(Planar3r 3 "planar3r" "../specs/planar3r.yaml" Task::new(Kind::PlanarPose));
+arms! { published:
+    Ur5 6 "ur5" "../specs/ur5.yaml" POSE;
+    AbbIrb2400 6 "abb_irb2400" "../specs/abb_irb2400.yaml" POSE;
+    Puma560 6 "puma560" "../specs/puma560.yaml" POSE;
+    StaubliTx40 6 "staubli_tx40" "../specs/staubli_tx40.yaml" POSE;
+    Stanford 6 "stanford" "../specs/stanford.yaml" POSE;
+    KukaIiwa 7 "kuka_iiwa7_r800, q3 given" "../specs/kuka_iiwa7_r800.yaml" POSE.redundant(3);
+    Al5d 4 "al5d" "../specs/al5d.yaml" Task::new(Kind::PositionAngle);
+    Planar3r 3 "planar3r" "../specs/planar3r.yaml" Task::new(Kind::PlanarPose);
+}
+
+// One arm for each structure: where three axes meet, where three are parallel, what slides, what is asked for.
+arms! { made_up:
+    Meet123 6 "meet_123_a" "arms/meeting/meet_123_a.yaml" POSE;
+    Meet234 6 "meet_234_a" "arms/meeting/meet_234_a.yaml" POSE;
+    Meet345Square 6 "meet_345_square" "arms/meeting/meet_345_square.yaml" POSE;
+    EqualLinks 6 "equal_links" "arms/meeting/equal_links.yaml" POSE;
+    Wrist 6 "wrist_45_70" "arms/meeting/wrist_45_70.yaml" POSE;
+    Parallel123 6 "parallel_123_a" "arms/parallel/parallel_123_a.yaml" POSE;
+    Parallel234 6 "parallel_234_a" "arms/parallel/parallel_234_a.yaml" POSE;
+    Parallel345Square 6 "parallel_345_square" "arms/parallel/parallel_345_square.yaml" POSE;
+    EqualLinksParallel 6 "equal_links_parallel" "arms/parallel/equal_links_parallel.yaml" POSE;
+    SlideMeet123 6 "rrrrpr_meet_123" "arms/sliding/rrrrpr_meet_123.yaml" POSE;
+    SlideMeet456 6 "rprrrr_meet_456" "arms/sliding/rprrrr_meet_456.yaml" POSE;
+    Rprprp 6 "rprprp" "arms/sliding/rprprp.yaml" POSE;
+    SlideParallel234 6 "rrrrrp_parallel_234_square" "arms/sliding_parallel/rrrrrp_parallel_234_square.yaml" POSE;
+    RailToStretch 6 "rail_to_stretch" "arms/sliding_parallel/rail_to_stretch.yaml" POSE;
+    PumaOnARail 7 "puma_on_a_rail, q1 given" "arms/redundant_made_up/puma_on_a_rail.yaml" POSE.redundant(1);
+    SkewParallel 7 "skew_parallel_234, q6 given" "arms/redundant_made_up/skew_parallel_234_q6.yaml" POSE.redundant(6);
+    ScorbotOffsets 5 "scorbot_offsets" "arms/pose_of_fewer_joints/scorbot_offsets.yaml" POSE;
+    OffsetAxis 5 "pitches_and_offset_axis" "arms/position_axis/pitches_and_offset_axis.yaml" AXIS_Z;
+    UrPointing 6 "ur_pointing, q6 given" "arms/position_redundant/ur_pointing_q6.yaml" AXIS_Z.redundant(6);
+    RrrSkew 3 "rrr_skew" "arms/position/rrr_skew.yaml" Task::new(Kind::Position);
+    YawPitch 4 "yaw_pitch_offsets" "arms/position_angle/yaw_pitch_offsets.yaml" Task::new(Kind::PositionAngle);
+    Planar4r 4 "planar4r, q2 given" "arms/planar/planar4r_q2.yaml" Task::new(Kind::PlanarPose).redundant(2);
+}
 
 /// The targets that are ordinary, and those that have left the arm's reach.
 const ORDINARY: &str = "random";
@@ -186,12 +222,6 @@ fn main() {
     let steady = Duration::from_micros(4);
     let options =
         if short { Options { count: 10, passes: 1, steady } } else { Options { count: 2000, passes: 9, steady } };
-    table::<Ur5, 6>(options);
-    table::<AbbIrb2400, 6>(options);
-    table::<Puma560, 6>(options);
-    table::<StaubliTx40, 6>(options);
-    table::<Stanford, 6>(options);
-    table::<KukaIiwa, 7>(options);
-    table::<Al5d, 4>(options);
-    table::<Planar3r, 3>(options);
+    published(options);
+    made_up(options);
 }
