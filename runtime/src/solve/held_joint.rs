@@ -162,7 +162,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             return ControlFlow::Break(());
         }
         if !is_exact {
-            self.note_residual(&solution.residual);
+            self.note_gap(residual.position.max(residual.orientation));
             self.is_nearly_missed = true;
             if !constants.tolerates(&solution.residual) {
                 return ControlFlow::Continue(());

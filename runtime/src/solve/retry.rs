@@ -50,8 +50,8 @@ struct Open<T, const N: usize> {
     miss: T,
     /// True if a step has been taken from the start.
     stepped: bool,
-    /// True if an iteration has been taken from the start, or refinement of its candidate.
-    iterated: bool,
+    /// True if the start has been refined, as a candidate or by an iteration.
+    refined: bool,
 }
 
 /// Memory of a call whose target needs further runs: at most `S` open branches.
@@ -72,7 +72,7 @@ pub(super) struct Retry<T, const N: usize, const M: usize, const S: usize> {
     crossings: [(Branch, JointMask); M],
     /// True if a further run has found another family.
     crossed: bool,
-    /// So many runs in a row have been without a step.
+    /// The number of runs in a row without a step.
     without_step: u8,
 }
 
@@ -93,7 +93,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
                 start: [T::ZERO; N],
                 miss: T::INFINITY,
                 stepped: false,
-                iterated: false,
+                refined: false,
             }; S],
             other: None,
             crossings: [(Branch::NONE, JointMask::NONE); M],
@@ -112,7 +112,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     pub(super) fn admits(&mut self, doubts: &Doubts<T>, solution: &Solution<T, N>) -> bool {
         let (again, free_or_weak) = (self.is_again(), doubts.free_or_weak());
         if doubts.is_missed() {
-            self.note_residual(&doubts.gap);
+            self.note_gap(doubts.gap.position.max(doubts.gap.orientation));
         } else if self.crosses(solution.branch, doubts.free, free_or_weak) {
             return true;
         }
@@ -121,8 +121,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             return false;
         }
         if S > 0 && doubts.is_missed() {
-            let miss = if again { self.constants.relative(&doubts.gap) } else { T::MAX };
-            self.open(doubts, solution.branch, miss, false, &solution.q);
+            self.open(doubts, solution.branch, false, &solution.q);
         }
         !doubts.is_missed()
     }
@@ -151,17 +150,23 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         self.solutions.exact().any(|solution| solution.branch == branch)
     }
 
-    /// The miss of the start of an open branch; infinite without one.
-    #[inline(never)]
-    pub(super) fn least_miss(&self, branch: Branch) -> T {
-        let mut opens = self.retry.iter().filter(|_| S > 0).flat_map(|retry| &retry.opens);
-        opens.find(|open| open.branch == branch).map_or(T::INFINITY, |open| open.miss)
+    /// The miss of a branch, relative to reach or rad. At the defaults a miss is often stationary: there it counts as the largest
+    /// number, so that any other start is preferred.
+    fn miss(&self, doubts: &Doubts<T>) -> T {
+        if self.is_again() { self.constants.relative(&doubts.gap) } else { T::MAX }
     }
 
-    /// Remembers a branch that is missed, and a joint vector on it. At the defaults the miss is often stationary:
-    /// `miss` is the largest number there, so that any other start is preferred.
+    /// Returns true if a branch misses by less than at its start, or has none.
     #[inline(never)]
-    pub(super) fn open(&mut self, doubts: &Doubts<T>, branch: Branch, miss: T, refined: bool, q: &[T; N]) {
+    pub(super) fn is_nearer(&self, doubts: &Doubts<T>, branch: Branch) -> bool {
+        let mut opens = self.retry.iter().filter(|_| S > 0).flat_map(|retry| &retry.opens);
+        self.miss(doubts) < opens.find(|open| open.branch == branch).map_or(T::INFINITY, |open| open.miss)
+    }
+
+    /// Remembers a branch that is missed, and a joint vector on it, which may have been refined.
+    #[inline(never)]
+    pub(super) fn open(&mut self, doubts: &Doubts<T>, branch: Branch, refined: bool, q: &[T; N]) {
+        let miss = self.miss(doubts);
         let retry = self.retry();
         let mut opens = retry.opens.iter_mut();
         let Some(open) = opens.find(|open| open.branch == branch || open.order == 0) else { return };
@@ -179,8 +184,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             (open.order, open.missed_for) = (doubts.missed_order, doubts.missed_for);
         }
         if miss < open.miss {
-            (open.start, open.miss) = (*q, miss);
-            (open.stepped, open.iterated) = (false, refined);
+            (open.start, open.miss, open.stepped, open.refined) = (*q, miss, false, refined);
         }
     }
 
@@ -193,15 +197,15 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         // A second run looks for a third family only if the first has found a second one.
         let crosses = (run == 0 || run == 1 && crossed) && crossings.iter().any(|(_, joints)| !joints.is_empty());
         // Where no step leads on, iteration may lead to the first of two roots.
-        let no_step = S > 0 && run > MULTIPLES && self.least_missed(|open| !open.stepped).is_none();
-        if no_step && self.least_missed(|open| !open.iterated).is_some_and(|open| open.order == 1) {
+        let all_stepped = S > 0 && run > MULTIPLES && self.least_missed(|open| !open.stepped).is_none();
+        if all_stepped && self.least_missed(|open| !open.refined).is_some_and(|open| open.order == 1) {
             self.iterate(1);
         }
         let any = S > 0
-            && (self.least_missed(|open| !(open.stepped && open.iterated)).is_some() || self.half_listed().is_some());
+            && (self.least_missed(|open| !(open.stepped && open.refined)).is_some() || self.half_listed().is_some());
         let Some(retry) = &mut self.retry else { return false };
         (retry.run, retry.other) = (run + 1, None);
-        retry.without_step = if no_step { retry.without_step + 1 } else { 0 };
+        retry.without_step = if all_stepped { retry.without_step + 1 } else { 0 };
         if usize::from(retry.run) == MOST_CASCADES || retry.without_step == MULTIPLES || !(any || crosses) {
             self.iterate(S);
             return false;
@@ -211,7 +215,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         true
     }
 
-    /// The open branch whose start misses by least, of those that `counts`.
+    /// The open branch without a solution whose start misses by least, of those for which `counts` is true.
     #[inline(never)]
     fn least_missed(&mut self, counts: fn(&Open<T, N>) -> bool) -> Option<&mut Open<T, N>> {
         let (mut next, mut least) = (None, T::INFINITY);
@@ -260,7 +264,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             return None;
         }
         let open = *self.least_missed(|open| !open.stepped)?;
-        // The starts of a wrist flip, and of roots that fall together, miss by as much: steps from them lead to one place.
+        // Starts of a flip, of roots that fall together, and all at the defaults, miss by as much: one step is enough.
         let opens = &mut self.retry.as_mut()?.opens;
         opens.iter_mut().filter(|same| same.miss == open.miss).for_each(|same| same.stepped = true);
         // To a root of order m a step leads `1 / m` of the way.
@@ -323,8 +327,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     /// solution may be that of another branch.
     fn iterate(&mut self, most: usize) {
         for _ in 0..most {
-            let Some(open) = self.least_missed(|open| !open.iterated) else { return };
-            open.iterated = true;
+            let Some(open) = self.least_missed(|open| !open.refined) else { return };
+            open.refined = true;
             let start = Solution::exact(open.start, open.branch);
             let mut solution = Solution { flags: start.flags | open.flags, free: open.free, ..start };
             self.verified = None;

@@ -13,7 +13,7 @@ use super::retry::Retry;
 use crate::effort::{MOST_CASCADES, MOST_EVALUATIONS};
 use crate::limits::within;
 use crate::vector::norm;
-use crate::{Branch, Flags, JointMask, Residual, Solution, Solutions, Status};
+use crate::{Branch, Flags, JointMask, Solution, Solutions, Status};
 
 /// The place of a virtual joint in a mask, beyond the joints of any arm with an inverse.
 pub(super) const VIRTUAL: usize = 15;
@@ -204,7 +204,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
             }
             if free_or_weak.is_empty() {
                 ended = true;
-                self.note_residual(&Residual { position: gap, orientation: gap });
+                self.note_gap(gap);
             }
         }
         self.with_doubts(state, next, ended)
@@ -226,11 +226,10 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
         (self.slack * T::from_f64(4.0 * SLACK)).sqrt()
     }
 
-    /// Notes that a branch misses by a length and an angle.
+    /// Notes that a branch misses by `gap`, a length or an angle, whichever is the larger number.
     #[cold]
     #[inline(never)]
-    pub(super) fn note_residual(&mut self, residual: &Residual<T>) {
-        let gap = residual.position.max(residual.orientation);
+    pub(super) fn note_gap(&mut self, gap: T) {
         let gap = if gap.is_finite() { gap } else { T::MAX };
         self.least = Some(self.least.map_or(gap, |least| least.min(gap)));
     }

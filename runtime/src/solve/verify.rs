@@ -51,14 +51,13 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             return;
         }
         let movable = !doubts.free_or_weak().is_empty();
-        // At the defaults the miss says little, and refinement may have led away from there. In a further run the closed form
-        // is the start of a step, and is refined if its stages close, and by more than at the start before.
+        // In a further run refinement would end where it has ended before, unless the closed form comes nearer than the start.
         let again = self.is_again();
-        let miss = if again { self.constants.relative(&doubts.gap) } else { T::MAX };
-        let refines = !again || miss < self.least_miss(branch) && self.constants.tolerates(&doubts.gap);
+        let refines = !again || self.is_nearer(&doubts, branch) && self.constants.tolerates(&doubts.gap);
         let found = self.verify(movable, refines, &mut solution);
         if S > 0 && movable && !(solution.is_exact() || doubts.clamped) {
-            self.open(&doubts, branch, miss, refines, if again { &q } else { &solution.q });
+            // Refinement may have led away from the defaults. In a further run the closed form is the start of a step.
+            self.open(&doubts, branch, refines, if again { &q } else { &solution.q });
         }
         // A solution of a further run that does not close is no better than those listed.
         if !(again && !solution.is_exact() && self.solutions.exact().next().is_some()) {
@@ -81,9 +80,9 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         if !exact {
             solution.flags.remove(Flags::EXACT);
             solution.flags |= Flags::APPROXIMATE;
-            self.note_residual(&residual);
+            self.note_gap(residual.position.max(residual.orientation));
             self.is_nearly_missed = true;
-            // A guess that comes near by its steps alone, without closing, is no branch of this target.
+            // A guess that comes near by its steps alone, or is as far as its branch's start, is no branch of this target.
             return if close && refines { Found::Branch } else { Found::Nothing };
         }
         // A measured arm misses the equations of its table.
