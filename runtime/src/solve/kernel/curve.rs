@@ -223,7 +223,8 @@ where
     start.steps.map(|first| {
         let (mut point, mut step) = (start.point, first?);
         for _ in 0..16 {
-            if square(&step) < T::EPSILON * T::EPSILON {
+            // A step of length s misses the curve by s^2, and the root along it by s^3: here by rounding.
+            if square(&step) < T::EPSILON {
                 break;
             }
             let ahead = Ahead::new(row, across, moved::<T, X, Z>(&point, step))?;
@@ -270,6 +271,9 @@ impl<T: Tolerances> Ahead<T> {
             }
             let k = -miss / square;
             along = [-dz / square.sqrt(), dx / square.sqrt()];
+            if miss * miss < T::EPSILON * T::EPSILON * square {
+                break;
+            }
             point = moved::<T, X, Z>(&point, [k * dx, k * dz]);
         }
         let ([x, z], [tx, tz]) = (&point, along);
