@@ -48,25 +48,33 @@ arms! { published:
     Planar3r 3 "planar3r" "../specs/planar3r.yaml" Task::new(Kind::PlanarPose);
 }
 
-// One arm for each structure: where three axes meet, where three are parallel, what slides, what is asked for.
+// Which three axes meet, which are parallel, which joints slide, which are given, what the task is.
 arms! { made_up:
     Meet123 6 "meet_123_a" "arms/meeting/meet_123_a.yaml" POSE;
     Meet234 6 "meet_234_a" "arms/meeting/meet_234_a.yaml" POSE;
     Meet345Square 6 "meet_345_square" "arms/meeting/meet_345_square.yaml" POSE;
+    Meet456 6 "meet_456_a" "arms/meeting/meet_456_a.yaml" POSE;
     EqualLinks 6 "equal_links" "arms/meeting/equal_links.yaml" POSE;
     Wrist 6 "wrist_45_70" "arms/meeting/wrist_45_70.yaml" POSE;
     Parallel123 6 "parallel_123_a" "arms/parallel/parallel_123_a.yaml" POSE;
     Parallel234 6 "parallel_234_a" "arms/parallel/parallel_234_a.yaml" POSE;
     Parallel345Square 6 "parallel_345_square" "arms/parallel/parallel_345_square.yaml" POSE;
+    Parallel456 6 "parallel_456_a" "arms/parallel/parallel_456_a.yaml" POSE;
     EqualLinksParallel 6 "equal_links_parallel" "arms/parallel/equal_links_parallel.yaml" POSE;
     SlideMeet123 6 "rrrrpr_meet_123" "arms/sliding/rrrrpr_meet_123.yaml" POSE;
     SlideMeet456 6 "rprrrr_meet_456" "arms/sliding/rprrrr_meet_456.yaml" POSE;
+    SlideMeet234 6 "prrrrr_meet_234" "arms/sliding/prrrrr_meet_234.yaml" POSE;
+    Gantry 6 "gantry_offset_wrist" "arms/sliding/gantry_offset_wrist.yaml" POSE;
     Rprprp 6 "rprprp" "arms/sliding/rprprp.yaml" POSE;
     SlideParallel234 6 "rrrrrp_parallel_234_square" "arms/sliding_parallel/rrrrrp_parallel_234_square.yaml" POSE;
+    SlideParallel123 6 "rrrrpr_parallel_123" "arms/sliding_parallel/rrrrpr_parallel_123.yaml" POSE;
+    SlideParallel456 6 "rprrrr_parallel_456" "arms/sliding_parallel/rprrrr_parallel_456.yaml" POSE;
     RailToStretch 6 "rail_to_stretch" "arms/sliding_parallel/rail_to_stretch.yaml" POSE;
     PumaOnARail 7 "puma_on_a_rail, q1 given" "arms/redundant_made_up/puma_on_a_rail.yaml" POSE.redundant(1);
     SkewParallel 7 "skew_parallel_234, q6 given" "arms/redundant_made_up/skew_parallel_234_q6.yaml" POSE.redundant(6);
+    Scara 4 "scara_rrrp_mounted" "arms/pose_of_fewer_joints/scara_rrrp_mounted.yaml" POSE;
     ScorbotOffsets 5 "scorbot_offsets" "arms/pose_of_fewer_joints/scorbot_offsets.yaml" POSE;
+    AxisMeet123 5 "meet_123_z" "arms/position_axis/meet_123_z.yaml" AXIS_Z;
     OffsetAxis 5 "pitches_and_offset_axis" "arms/position_axis/pitches_and_offset_axis.yaml" AXIS_Z;
     UrPointing 6 "ur_pointing, q6 given" "arms/position_redundant/ur_pointing_q6.yaml" AXIS_Z.redundant(6);
     RrrSkew 3 "rrr_skew" "arms/position/rrr_skew.yaml" Task::new(Kind::Position);
