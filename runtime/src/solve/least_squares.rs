@@ -10,17 +10,13 @@ use crate::{JointMask, Residual};
 /// The most evaluations for one solution.
 pub(super) const MOST_STEPS: usize = 16;
 /// So many steps in a row that stall are the last ones; one, once the solution is exact.
-const MOST_STALLS: usize = 3;
+const MOST_STALLS: usize = 2;
 /// A step stalls that leaves more than this part of the squared error. Where several singularities meet, a step that
-/// takes little may come before one that takes nearly all. On 6,000 random arms 0.7 and 0.9 lose as many poses, in part
-/// other ones, and 0.9 takes 1.35 times the evaluations at worst.
+/// takes little may come before one that takes nearly all.
 const PROGRESS: f64 = 0.8;
-/// The gain of a step is the part of the squared error that the step takes by its linear model. A descent is taken to
-/// converge to an error above zero where the gain is below `LITTLE`, and below `FALL` of the gain before. If all
-/// further gains fall like that, they take 4/3 of this gain in all. Near a saddle a gain falls as well, before the next
-/// ones rise: hence the first bound. No pose of 6,000 random arms depends on the steps that are left out.
-const LITTLE: f64 = 0.02;
-const FALL: f64 = 0.25;
+/// A descent is slow whose first eight evaluations leave more than this part of the squared error. The next eight seldom
+/// close the target.
+const SLOW: f64 = 2.5e-3;
 /// Residuals up to so many roundings say nothing about where the solution is. Where the arm is nearly singular, a step
 /// that would remove such residuals leads far away.
 const NOISE: f64 = 20.0;
@@ -117,14 +113,13 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
 /// convergence is quadratic. `best` becomes the iterate of least error, its angles in (-pi, pi].
 /// Each evaluation takes one from `evaluations_left`; there are at most 16, and without any left there is none.
 ///
-/// - Of two steps in a row one has to reduce the error, else neither is taken (the watchdog of Chamberlain, Powell,
-///   Lemarechal, Pedersen 1982). The next step is then at most half as long as the first one, and no longer than the root of the error.
+/// - Of two steps in a row one has to reduce the error (the watchdog of Chamberlain, Powell, Lemarechal, Pedersen 1982).
 /// - At a fold a step goes half of the way and leaves a quarter of the error. The next step is taken twice (Decker,
 ///   Keller, Kelley 1983). The step after it restores the equations without a fold.
 /// - If a part of a step that stalls is predicted to leave less than half of the squared error, that part is taken
 ///   ([`best_part`]).
-/// - The descent ends after three steps in a row that stall ([`PROGRESS`]), after one if the solution is exact, and where
-///   the linear model predicts that it stalls or converges to an error above zero ([`LITTLE`]).
+/// - The descent ends after two steps in a row that stall ([`PROGRESS`]), after one if the solution is exact, where the
+///   linear model predicts that the next step stalls, and halfway if it is slow ([`SLOW`]).
 #[cold]
 #[inline(never)]
 pub(super) fn refine<T: Tolerances, const N: usize>(
@@ -143,32 +138,26 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
     let mut tried = *best;
     // True if the next step starts at the joint vector tried last.
     let mut onward = false;
-    // The next step is taken so many times, and is at most so long (squared).
-    let (mut times, mut longest) = (T::ONE, T::INFINITY);
-    let (mut taken, mut stalls, mut last_gain) = (0, 0, T::ZERO);
+    // The next step is taken so many times.
+    let (mut times, mut taken, mut stalls) = (T::ONE, 0, 0);
     let most = MOST_STEPS.min(*evaluations_left);
+    let slow = best.size * T::from_f64(SLOW);
     // Every turn takes an evaluation, or is the last one.
     while taken < most {
         let from = if onward { &tried } else { &*best };
         let Iterate { q, error, size, .. } = *from;
         let exact = constants.relative(&best.residual) <= T::EXACT;
-        if from.is_rounding() || stalls >= if exact { 1 } else { MOST_STALLS } {
+        let is_slow = taken >= MOST_STEPS / 2 && best.size > slow;
+        if from.is_rounding() || is_slow || stalls >= if exact { 1 } else { MOST_STALLS } {
             break;
         }
         let step = damped_step(held, &from.columns, &from.error, damping(size));
-        let gain = T::ONE - step.remaining_error / size;
         // A step changes singular values by about its length, and those below the error are damped away.
         let predicts_stall = step.remaining_error > size * T::from_f64(PROGRESS) && step.square <= size;
-        // A step of length s changes the error by about s^2 beside its linear part.
-        let straight = step.square * step.square <= size * T::from_f64(16.0);
-        let converges = gain < T::from_f64(LITTLE) && gain < last_gain * T::from_f64(FALL) && straight;
-        if !step.square.is_finite() || !onward && (predicts_stall || converges) {
+        if !step.square.is_finite() || !onward && predicts_stall {
             break;
         }
-        if !onward {
-            last_gain = gain;
-        }
-        let mut part = if !onward && step.square > longest { (longest / step.square).sqrt() } else { times };
+        let mut part = times;
         // Two turns at most: the whole step, and a part of it, which is not 1.
         loop {
             for (joint, (value, (from, change))) in tried.q.iter_mut().zip(q.iter().zip(&step.changes)).enumerate() {
@@ -192,15 +181,10 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
         let quarter = ratio > T::HALF * T::HALF && ratio < T::TWO * T::TWO && tried.size < best.size;
         times = if quarter && part == T::ONE && step.remaining_error < tried.size * T::HALF { T::TWO } else { T::ONE };
         stalls = if tried.size < best.size * T::from_f64(PROGRESS) { 0 } else { stalls + 1 };
+        // A step along a narrow curved valley leaves it, and the next one leads back: one may make it worse.
+        onward = !(tried.size < best.size) && tried.size.is_finite();
         if tried.size < best.size {
             *best = tried;
-            (onward, longest) = (false, T::INFINITY);
-        } else if onward {
-            onward = false;
-        } else {
-            // A step along a narrow curved valley leaves it, and the next one leads back: one may make it worse.
-            longest = best.size.sqrt().min(step.square * T::HALF * T::HALF);
-            onward = tried.size.is_finite();
         }
     }
     *evaluations_left -= taken;
