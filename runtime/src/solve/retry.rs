@@ -14,24 +14,24 @@ use crate::effort::MOST_CASCADES;
 use crate::math::{atan2, sin_cos, wrap};
 use crate::{Branch, Flags, JointMask, Solution};
 
-/// The increment of a free joint, rad, if so many joints `before` it move too. In turns it is the inverse root of `x^k = x + 1`, for
-/// k = 2 the golden number: multiples of the first few fill a torus evenly.
-fn increment<T: Tolerances>(before: usize) -> T {
-    T::TAU
-        * match before {
-            0 => T::from_f64(0.618_033_988_749_895),
-            1 => T::from_f64(0.754_877_666_246_693),
-            2 => T::from_f64(0.819_172_513_396_164),
-            _ => T::from_f64(0.856_674_883_854_503),
-        }
+/// The increments of the free joints, rad. In turns that of the k-th one is the inverse root of `x^(k + 1) = x + 1`, of the
+/// first the golden number: multiples of the first few fill a torus evenly.
+fn increments<T: Tolerances>() -> [T; 4] {
+    let [a, b, c, d] = [0.618_033_988_749_895, 0.754_877_666_246_693, 0.819_172_513_396_164, 0.856_674_883_854_503];
+    [T::from_f64(a), T::from_f64(b), T::from_f64(c), T::from_f64(d)].map(|turns| T::TAU * turns)
 }
 
-/// So many runs hold the joints at multiples of their increments, before steps from starts tell their places. After as many
-/// runs in a row without a step none follows.
+/// So many runs hold the joints at multiples of their increments, before steps from starts tell their places.
 const MULTIPLES: u8 = 3;
+
+/// After so many runs in a row without a step none follows.
+const MOST_IDLE: u8 = 2;
 
 /// A slide is moved by up to half of so many reaches either way.
 const STROKE: f64 = 1.75;
+
+/// A branch is refined again from a start that misses by less than this part of what the start refined last misses by.
+const MUCH_NEARER: f64 = 1.0 / 64.0;
 
 /// A branch that has no solution with the joints at their defaults.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,8 +39,8 @@ struct Open<T, const N: usize> {
     branch: Branch,
     flags: Flags,
     free: JointMask,
-    /// The order of the root of its missed stage, see [`Doubts::missed_order`]; 2 without such a stage or if the second root has
-    /// been asked for, 0 in an entry that is not used.
+    /// The order of the root of its missed stage, see [`Doubts::missed_order`]; 2 without such a stage or if a step has led half
+    /// of the way; 0 in an entry that is not used.
     order: u8,
     /// The joints that are free or weak before that stage.
     missed_for: JointMask,
@@ -48,10 +48,12 @@ struct Open<T, const N: usize> {
     start: [T; N],
     /// Its miss, relative to reach or rad; infinite without a start.
     miss: T,
+    /// True if the second root of the missed stage has been asked for.
+    asked: bool,
     /// True if a step has been taken from the start.
     stepped: bool,
-    /// True if the start has been refined, as a candidate or by an iteration.
-    refined: bool,
+    /// Refinement from a start that misses by no less than this would end where it has ended before; infinite before the first.
+    refine_below: T,
 }
 
 /// Memory of a call whose target needs further runs: at most `S` open branches.
@@ -92,8 +94,9 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
                 missed_for: JointMask::NONE,
                 start: [T::ZERO; N],
                 miss: T::INFINITY,
+                asked: false,
                 stepped: false,
-                refined: false,
+                refine_below: T::INFINITY,
             }; S],
             other: None,
             crossings: [(Branch::NONE, JointMask::NONE); M],
@@ -107,23 +110,15 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         self.retry.as_ref().is_some_and(|retry| retry.run > 0)
     }
 
-    /// Returns true if the solution at the end of a doubtful branch is to be verified in this run. A branch that is
-    /// missed is remembered, and so is one on which families of solutions may cross.
-    pub(super) fn admits(&mut self, doubts: &Doubts<T>, solution: &Solution<T, N>) -> bool {
+    /// Returns true if the end of a doubtful branch may lead to a solution that is not listed. A branch on which families of
+    /// solutions may cross is remembered.
+    pub(super) fn admits(&mut self, doubts: &Doubts<T>, branch: Branch) -> bool {
         let (again, free_or_weak) = (self.is_again(), doubts.free_or_weak());
-        if doubts.is_missed() {
-            self.note_gap(doubts.gap.position.max(doubts.gap.orientation));
-        } else if self.crosses(solution.branch, doubts.free, free_or_weak) {
+        if !doubts.is_missed() && self.crosses(branch, doubts.free, free_or_weak) {
             return true;
         }
-        let is_other = S > 0 && self.retry.as_ref().is_some_and(|retry| retry.other == Some(solution.branch));
-        if again && (free_or_weak.is_empty() || self.lists(solution.branch) && !is_other) {
-            return false;
-        }
-        if S > 0 && doubts.is_missed() {
-            self.open(doubts, solution.branch, false, &solution.q);
-        }
-        !doubts.is_missed()
+        let is_other = S > 0 && self.retry.as_ref().is_some_and(|retry| retry.other == Some(branch));
+        !(again && (free_or_weak.is_empty() || self.lists(branch) && !is_other))
     }
 
     /// Returns true if a solution of the second or third run is of another family than the one found last on its branch. The
@@ -150,26 +145,21 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         self.solutions.exact().any(|solution| solution.branch == branch)
     }
 
-    /// The miss of a branch, relative to reach or rad. At the defaults a miss is often stationary: there it counts as the largest
-    /// number, so that any other start is preferred.
-    fn miss(&self, doubts: &Doubts<T>) -> T {
-        if self.is_again() { self.constants.relative(&doubts.gap) } else { T::MAX }
-    }
-
-    /// Returns true if a branch misses by less than at its start, or has none.
+    /// The miss below which a branch is refined.
     #[inline(never)]
-    pub(super) fn is_nearer(&self, doubts: &Doubts<T>, branch: Branch) -> bool {
-        let mut opens = self.retry.iter().filter(|_| S > 0).flat_map(|retry| &retry.opens);
-        self.miss(doubts) < opens.find(|open| open.branch == branch).map_or(T::INFINITY, |open| open.miss)
+    pub(super) fn refine_below(&self, branch: Branch) -> T {
+        let mut opens = self.retry.iter().flat_map(|retry| &retry.opens);
+        opens.find(|open| open.branch == branch).map_or(T::INFINITY, |open| open.refine_below)
     }
 
     /// Remembers a branch that is missed, and a joint vector on it, which may have been refined.
     #[inline(never)]
     pub(super) fn open(&mut self, doubts: &Doubts<T>, branch: Branch, refined: bool, q: &[T; N]) {
-        let miss = self.miss(doubts);
+        // At the defaults a miss is often stationary: any other start is preferred.
+        let miss = if self.is_again() { self.constants.relative(&doubts.gap) } else { T::MAX };
         let retry = self.retry();
-        let mut opens = retry.opens.iter_mut();
-        let Some(open) = opens.find(|open| open.branch == branch || open.order == 0) else { return };
+        let entry = retry.opens.iter_mut().find(|open| open.branch == branch || open.order == 0);
+        let Some(open) = entry else { return };
         if open.order == 0 {
             (open.branch, open.flags, open.free, open.order) = (branch, doubts.flags, doubts.free, 2);
             if retry.run == 0 {
@@ -180,11 +170,13 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
                 }
             }
         }
-        if doubts.is_missed() {
-            (open.order, open.missed_for) = (doubts.missed_order, doubts.missed_for);
-        }
         if miss < open.miss {
-            (open.start, open.miss, open.stepped, open.refined) = (*q, miss, false, refined);
+            // A step that leaves a quarter of the miss or more has led half of the way, to a double root.
+            let halfway = open.stepped && miss > open.miss * T::from_f64(0.125);
+            open.order = if halfway || !doubts.is_missed() { 2 } else { doubts.missed_order };
+            open.missed_for = doubts.missed_for;
+            (open.start, open.miss, open.stepped) = (*q, miss, false);
+            open.refine_below = if refined { miss * T::from_f64(MUCH_NEARER) } else { open.refine_below };
         }
     }
 
@@ -198,15 +190,15 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let crosses = (run == 0 || run == 1 && crossed) && crossings.iter().any(|(_, joints)| !joints.is_empty());
         // Where no step leads on, iteration may lead to the first of two roots.
         let all_stepped = S > 0 && run > MULTIPLES && self.least_missed(|open| !open.stepped).is_none();
-        if all_stepped && self.least_missed(|open| !open.refined).is_some_and(|open| open.order == 1) {
+        if all_stepped && self.least_missed(|open| open.miss < open.refine_below).is_some_and(|open| open.order == 1) {
             self.iterate(1);
         }
-        let any = S > 0
-            && (self.least_missed(|open| !(open.stepped && open.refined)).is_some() || self.half_listed().is_some());
+        let is_left = |open: &Open<T, N>| !open.stepped || open.miss < open.refine_below;
+        let any = S > 0 && (self.least_missed(is_left).is_some() || self.half_listed().is_some());
         let Some(retry) = &mut self.retry else { return false };
         (retry.run, retry.other) = (run + 1, None);
         retry.without_step = if all_stepped { retry.without_step + 1 } else { 0 };
-        if usize::from(retry.run) == MOST_CASCADES || retry.without_step == MULTIPLES || !(any || crosses) {
+        if usize::from(retry.run) == MOST_CASCADES || retry.without_step == MOST_IDLE || !(any || crosses) {
             self.iterate(S);
             return false;
         }
@@ -239,9 +231,9 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let alone = if no_step { usize::from(retry.run).checked_rem(retry.moving.len()) } else { None };
         let is_multiple = stepped.is_none() && alone.is_none();
         let multiple = T::from_i32(if is_multiple { retry.multiple } else { retry.run }.into());
-        for (before, joint) in retry.moving.iter().enumerate() {
+        for ((before, joint), increment) in retry.moving.iter().enumerate().zip(increments::<T>().iter().cycle()) {
             let moves = alone.is_none_or(|alone| alone == before);
-            let turn = if moves { wrap(increment::<T>(before) * multiple) } else { T::ZERO };
+            let turn = if moves { wrap(*increment * multiple) } else { T::ZERO };
             if joint == VIRTUAL {
                 self.virtual_default = stepped.and_then(|(_, value)| value).unwrap_or(turn);
             } else if let Some((slot, default)) = self.defaults.get_mut(joint).zip(defaults.get(joint)) {
@@ -284,10 +276,11 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     /// joint of its own, which has two roots in the one free joint before it.
     fn half_listed(&self) -> Option<usize> {
         let others = self.constants.prismatic | JointMask::single(VIRTUAL);
-        let asked = |open: &Open<T, N>| {
-            open.order == 1 && open.missed_for.len() == 1 && !open.missed_for.meets(others) && self.lists(open.branch)
+        let counts = |open: &Open<T, N>| {
+            let one = open.order == 1 && !open.asked && open.missed_for.len() == 1;
+            one && !open.missed_for.meets(others) && self.lists(open.branch)
         };
-        self.retry.as_ref()?.opens.iter().position(asked)
+        self.retry.as_ref()?.opens.iter().position(counts)
     }
 
     /// The joint vector with that free joint at the second root `x2`; its value at the listed solution is `x1`.
@@ -301,7 +294,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let open = retry.opens.get_mut(index)?;
         let Open { branch, start, miss, missed_for, .. } = *open;
         // Looked for again only if the run at that root misses, and from there: near the first root the formula has few digits.
-        (open.order, open.miss) = (2, T::INFINITY);
+        (open.asked, open.miss) = (true, T::INFINITY);
         let joint = missed_for.iter().next()?;
         let mut solutions = self.solutions.exact().filter(|solution| solution.branch == branch);
         let (x, first) = (*start.get(joint)?, *solutions.next()?.q.get(joint)?);
@@ -327,10 +320,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     /// solution may be that of another branch.
     fn iterate(&mut self, most: usize) {
         for _ in 0..most {
-            let Some(open) = self.least_missed(|open| !open.refined) else { return };
-            open.refined = true;
-            let start = Solution::exact(open.start, open.branch);
-            let mut solution = Solution { flags: start.flags | open.flags, free: open.free, ..start };
+            let Some(open) = self.least_missed(|open| open.miss < open.refine_below) else { return };
+            open.refine_below = open.miss * T::from_f64(MUCH_NEARER);
+            let mut solution = Solution { free: open.free, ..Solution::exact(open.start, open.branch) };
+            solution.flags |= open.flags;
             self.verified = None;
             if self.verify(true, true, &mut solution) != Found::Nothing && solution.is_exact() {
                 self.list(solution, Found::Guess);

@@ -22,6 +22,9 @@ pub(super) enum Found {
     Guess,
 }
 
+/// A branch that misses by more than this, relative to reach or rad, is not refined at the defaults.
+const FAR: f64 = 0.03;
+
 /// Evaluations kept for the reference of `inverse_near`: the first one, and its steps.
 pub(super) const RESERVED: usize = MOST_STEPS + 1;
 
@@ -47,13 +50,26 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let doubts = self.doubts(state);
         solution.flags |= doubts.flags;
         (solution.free, solution.residual) = (doubts.free, doubts.gap);
-        if !self.admits(&doubts, &solution) {
+        if !self.admits(&doubts, branch) {
             return;
         }
-        let movable = !doubts.free_or_weak().is_empty();
-        // In a further run refinement would end where it has ended before, unless the closed form comes nearer than the start.
-        let again = self.is_again();
-        let refines = !again || self.is_nearer(&doubts, branch) && self.constants.tolerates(&doubts.gap);
+        let (constants, movable, again) = (self.constants, !doubts.free_or_weak().is_empty(), self.is_again());
+        let miss = constants.relative(&doubts.gap);
+        // In a further run refinement would end where it has ended before, unless the closed form comes much nearer.
+        let refines = match again {
+            _ if doubts.is_missed() => false,
+            true => constants.tolerates(&doubts.gap) && (S == 0 || !doubts.clamped && miss < self.refine_below(branch)),
+            false => S == 0 || !movable || miss <= T::from_f64(FAR),
+        };
+        if movable && !refines && miss > T::EXACT {
+            if doubts.is_missed() || !again {
+                self.note_gap(doubts.gap.position.max(doubts.gap.orientation));
+            }
+            if S > 0 && (doubts.is_missed() || !doubts.clamped) {
+                self.open(&doubts, branch, false, &q);
+            }
+            return;
+        }
         let found = self.verify(movable, refines, &mut solution);
         if S > 0 && movable && !(solution.is_exact() || doubts.clamped) {
             // Refinement may have led away from the defaults. In a further run the closed form is the start of a step.
