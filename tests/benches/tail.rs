@@ -48,7 +48,7 @@ arms! { published:
     Planar3r 3 "planar3r" "../specs/planar3r.yaml" Task::new(Kind::PlanarPose);
 }
 
-// Which three axes meet, which are parallel, which joints slide, which are given, what the task is.
+// Each has another structure: axes that meet or are parallel, joints that slide or are given, the task.
 arms! { made_up:
     Meet123 6 "meet_123_a" "arms/meeting/meet_123_a.yaml" POSE;
     Meet234 6 "meet_234_a" "arms/meeting/meet_234_a.yaml" POSE;

@@ -223,7 +223,7 @@ where
     start.steps.map(|first| {
         let (mut point, mut step) = (start.point, first?);
         for _ in 0..16 {
-            // A step of length s misses the curve by s^2, and the root along it by s^3: here by rounding.
+            // A step of length s misses the curve by s^2, and the root along it by s^2 or less: here by rounding.
             if square(&step) < T::EPSILON {
                 break;
             }
