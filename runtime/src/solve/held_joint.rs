@@ -198,7 +198,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let mut iterate = Iterate::at(*q);
         iterate.evaluate(self.constants, self.goal, self.arm);
         if is_near && !(self.constants.relative(&iterate.residual) <= T::ROUNDING) {
-            refine(self.constants, self.goal, self.arm, &mut iterate, &mut evaluations_left);
+            // A root that several solutions share is known to few digits: the way from there may be slow.
+            refine(self.constants, self.goal, self.arm, &mut iterate, false, &mut evaluations_left);
         }
         self.evaluations_left = evaluations_left + RESERVED;
         (iterate.q, iterate.residual)

@@ -119,7 +119,7 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
 /// - If a part of a step that stalls is predicted to leave less than half of the squared error, that part is taken
 ///   ([`best_part`]).
 /// - The descent ends after two steps in a row that stall ([`PROGRESS`]), after one if the solution is exact, where the
-///   linear model predicts that the next step stalls, and halfway if it is slow ([`SLOW`]).
+///   linear model predicts that the next step stalls, and with `ends_slow` halfway if it is slow ([`SLOW`]).
 #[cold]
 #[inline(never)]
 pub(super) fn refine<T: Tolerances, const N: usize>(
@@ -127,6 +127,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
     goal: &dyn Goal<T, N>,
     arm: &dyn Evaluate<T, N>,
     best: &mut Iterate<T, N>,
+    ends_slow: bool,
     evaluations_left: &mut usize,
 ) {
     if best.is_rounding() {
@@ -147,7 +148,7 @@ pub(super) fn refine<T: Tolerances, const N: usize>(
         let from = if onward { &tried } else { &*best };
         let Iterate { q, error, size, .. } = *from;
         let exact = constants.relative(&best.residual) <= T::EXACT;
-        let is_slow = taken >= MOST_STEPS / 2 && best.size > slow;
+        let is_slow = ends_slow && taken >= MOST_STEPS / 2 && best.size > slow;
         if from.is_rounding() || is_slow || stalls >= if exact { 1 } else { MOST_STALLS } {
             break;
         }
@@ -259,7 +260,7 @@ mod tests {
     fn refined(map: Map, q: [f64; 2], most: usize) -> ([f64; 2], f64, usize) {
         let (mut iterate, mut left) = (Iterate::at(q), most);
         iterate.evaluate(&CONSTANTS, &[0.0; 3], &map);
-        refine(&CONSTANTS, &[0.0; 3], &map, &mut iterate, &mut left);
+        refine(&CONSTANTS, &[0.0; 3], &map, &mut iterate, true, &mut left);
         (iterate.q, iterate.residual.position, most - left)
     }
 

@@ -121,7 +121,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             iterate.evaluate(self.constants, self.goal, self.arm);
             let start_residual = iterate.residual;
             if refines {
-                refine(self.constants, self.goal, self.arm, &mut iterate, &mut evaluations_left);
+                refine(self.constants, self.goal, self.arm, &mut iterate, true, &mut evaluations_left);
             }
             self.evaluations_left = evaluations_left + RESERVED;
             let (mut q, mut residual) = (iterate.q, iterate.residual);
@@ -220,7 +220,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             }
         }
         let mut rest = self.evaluations_left.saturating_sub(1);
-        refine(constants, self.goal, self.arm, &mut iterate, &mut rest);
+        refine(constants, self.goal, self.arm, &mut iterate, true, &mut rest);
         let (q, residual) = (iterate.q, iterate.residual);
         if !(constants.relative(&residual) <= T::EXACT) {
             return;
