@@ -112,14 +112,15 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
 /// Damped least squares (Levenberg 1944, Marquardt 1963), damped in proportion to the squared error, so that
 /// convergence is quadratic. `best` becomes the iterate of least error, its angles in (-pi, pi].
 /// Each evaluation takes one from `evaluations_left`; there are at most 16, and without any left there is none.
+/// `ends_slow`: a slow descent ([`SLOW`]) ends halfway.
 ///
 /// - Of two steps in a row one has to reduce the error (the watchdog of Chamberlain, Powell, Lemarechal, Pedersen 1982).
 /// - At a fold a step goes half of the way and leaves a quarter of the error. The next step is taken twice (Decker,
 ///   Keller, Kelley 1983). The step after it restores the equations without a fold.
 /// - If a part of a step that stalls is predicted to leave less than half of the squared error, that part is taken
 ///   ([`best_part`]).
-/// - The descent ends after two steps in a row that stall ([`PROGRESS`]), after one if the solution is exact, where the
-///   linear model predicts that the next step stalls, and with `ends_slow` halfway if it is slow ([`SLOW`]).
+/// - The descent ends after two steps in a row that stall ([`PROGRESS`]), after one if the solution is exact, and where the
+///   linear model predicts that the next step stalls.
 #[cold]
 #[inline(never)]
 pub(super) fn refine<T: Tolerances, const N: usize>(

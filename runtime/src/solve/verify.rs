@@ -56,11 +56,12 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let (constants, movable, again) = (self.constants, !doubts.free_or_weak().is_empty(), self.is_again());
         let miss = constants.relative(&doubts.gap);
         // In a further run refinement would end where it has ended before, unless the closed form comes much nearer.
-        let refines = match again {
-            _ if doubts.is_missed() => false,
-            true => constants.tolerates(&doubts.gap) && (S == 0 || !doubts.clamped && miss < self.refine_below(branch)),
-            false => S == 0 || !movable || miss <= T::from_f64(FAR),
+        let near_enough = if again {
+            constants.tolerates(&doubts.gap) && (S == 0 || !doubts.clamped && miss < self.refine_below(branch))
+        } else {
+            S == 0 || !movable || miss <= T::from_f64(FAR)
         };
+        let refines = near_enough && !doubts.is_missed();
         if movable && !refines && miss > T::EXACT {
             if doubts.is_missed() || !again {
                 self.note_gap(doubts.gap.position.max(doubts.gap.orientation));
