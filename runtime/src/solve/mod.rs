@@ -34,6 +34,7 @@ mod held_joint;
 mod kernel;
 mod least_squares;
 mod locked;
+mod measured;
 mod retry;
 mod search;
 mod select;

@@ -7,7 +7,8 @@ use super::flip::Verified;
 use super::kernel::branch_state::BranchState;
 use super::kernel::tolerances::Tolerances;
 use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
-use super::search::{SLACK, Search, VIRTUAL};
+use super::measured::SLACK;
+use super::search::{Search, VIRTUAL};
 use crate::math::wrap;
 use crate::{Branch, Flags, Solution};
 
