@@ -293,8 +293,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let retry = self.retry.as_mut()?;
         let open = retry.opens.get_mut(index)?;
         let Open { branch, start, miss, missed_for, .. } = *open;
-        // Looked for again only if the run at that root misses, and from there: near the first root the formula has few digits.
-        (open.asked, open.miss) = (true, T::INFINITY);
+        open.asked = true;
         let joint = missed_for.iter().next()?;
         let mut solutions = self.solutions.exact().filter(|solution| solution.branch == branch);
         let (x, first) = (*start.get(joint)?, *solutions.next()?.q.get(joint)?);
