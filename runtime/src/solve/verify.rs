@@ -58,9 +58,9 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let miss = constants.relative(&doubts.gap);
         // In a further run refinement would end where it has ended before, unless the closed form comes much nearer.
         let near_enough = if again {
-            constants.tolerates(&doubts.gap) && (S == 0 || !doubts.clamped && miss < self.refine_below(branch))
+            constants.tolerates(&doubts.gap) && (S == 0 || miss < self.refine_below(branch))
         } else {
-            S == 0 || !movable || miss <= T::from_f64(FAR)
+            S == 0 || !movable || doubts.clamped || miss <= T::from_f64(FAR)
         };
         let refines = near_enough && !doubts.is_missed();
         if movable && !refines && miss > T::EXACT {
@@ -73,7 +73,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             return;
         }
         let found = self.verify(movable, refines, &mut solution);
-        if S > 0 && movable && !(solution.is_exact() || doubts.clamped) {
+        if S > 0 && movable && !(solution.is_exact() || doubts.clamped && !again) {
             // Refinement may have led away from the defaults. In a further run the closed form is the start of a step.
             self.open(&doubts, branch, refines, if again { &q } else { &solution.q });
         }
@@ -222,7 +222,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             }
         }
         let mut rest = self.evaluations_left.saturating_sub(1);
-        refine(constants, self.goal, self.arm, &mut iterate, true, &mut rest);
+        refine(constants, self.goal, self.arm, &mut iterate, false, &mut rest);
         let (q, residual) = (iterate.q, iterate.residual);
         if !(constants.relative(&residual) <= T::EXACT) {
             return;
