@@ -4,7 +4,7 @@ use denhart::Branch;
 use denhart::solve::{BranchState, DefaultValue, Measure, Search};
 use denhart_codegen::model::MOST_JOINTS;
 
-use crate::kernel::{AnyRoots, MOST_DOUBTS, with_roots};
+use crate::kernel::{AnyRoots, with_roots};
 
 /// The functions of [`Search`] that a [`Run`](crate::run::Run) calls. A run is compiled once, and not for each pair of
 /// numbers of joints and solutions: the crate compiles in two thirds of the time.
@@ -29,7 +29,7 @@ pub trait Branches {
     fn push(&mut self, state: &BranchState, q: &[f64; MOST_JOINTS], branch: Branch);
 }
 
-impl<const N: usize, const M: usize, const S: usize> Branches for Search<'_, f64, N, M, MOST_DOUBTS, S> {
+impl<const N: usize, const M: usize, const S: usize> Branches for Search<'_, f64, N, M, S> {
     fn default(&self, joint: usize) -> DefaultValue<f64> {
         Search::default(self, joint)
     }

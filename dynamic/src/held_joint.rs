@@ -9,7 +9,6 @@ use denhart_codegen::lower::{Goal as Task, HeldJointPlan, Inverse, Method};
 
 use crate::arm_constants::ArmConstants;
 use crate::function::Straight;
-use crate::kernel::MOST_DOUBTS;
 use crate::margins::Factors;
 use crate::nest::Nest;
 use crate::run::Run;
@@ -30,7 +29,7 @@ pub struct HeldJointSolver<const N: usize, const M: usize, const STARTS: bool = 
 
 /// The search of an arm that holds a joint, of the same type as that of stages: both are compiled once. A measured arm starts from the
 /// stages of its table.
-type HeldJointSearch<'a, const N: usize, const M: usize> = Search<'a, f64, N, M, MOST_DOUBTS, M>;
+type HeldJointSearch<'a, const N: usize, const M: usize> = Search<'a, f64, N, M, M>;
 
 impl<const N: usize, const M: usize, const STARTS: bool> HeldJointSolver<N, M, STARTS> {
     /// The solver of a program; `None` if its arm has another number of joints.

@@ -8,9 +8,6 @@ use denhart_codegen::lower::{Call, Counted, Kernel, Slot, Unit};
 
 use crate::tape::{Places, Registers};
 
-/// The most doubts on one branch of any inverse: at most seven stages, and the state of an arm angle.
-pub const MOST_DOUBTS: usize = 8;
-
 /// The most roots of a stage.
 pub const MOST_ROOTS: usize = 4;
 

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use denhart::math;
-use denhart::solve::{AllLocked, Evaluate, Goal, InPlane, Pointing, Search, nearest_rotation};
+use denhart::solve::{AllLocked, Evaluate, Goal, InPlane, MOST_DOUBTS, Pointing, Search, nearest_rotation};
 use denhart::{Branch, Jacobian, Pose, Residual, Solutions, Status};
 use denhart_codegen::lower::{self, Given, GivenValues, Input, Inverse};
 
@@ -11,7 +11,6 @@ use crate::arm_constants::ArmConstants;
 use crate::branches::Branches;
 use crate::function::Straight;
 use crate::held_joint::HeldJointSolver;
-use crate::kernel::MOST_DOUBTS;
 use crate::margins::Factors;
 use crate::nest::Nest;
 use crate::run::Run;
@@ -229,7 +228,7 @@ impl<const N: usize, const M: usize, const S: usize> Solver<N, M, S> {
     ) {
         let Ok(near) = asked.near.map(<&[f64; N]>::try_from).transpose() else { return };
         let constants = self.constants.get();
-        let search = Search::<f64, N, M, MOST_DOUBTS, S>::new(&constants, &self.both, goal, near, solutions);
+        let search = Search::<f64, N, M, S>::new(&constants, &self.both, goal, near, solutions);
         let mut search = if self.nest.program.in_doubt { search.in_doubt() } else { search };
         if !search.begins(near) {
             return;

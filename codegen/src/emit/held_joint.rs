@@ -118,7 +118,7 @@ impl Starts {
         let off = number(off);
         Self {
             items: quote!(#measure #ranges),
-            search_type: search_type(target, outline, program.most_doubts(), false),
+            search_type: search_type(target, outline, false),
             dimensions: dimensions.items(model, target),
             follow: quote! {
                 #unpack

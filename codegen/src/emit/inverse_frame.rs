@@ -134,7 +134,7 @@ pub(super) fn function(
     } else {
         (quote!(&constants), parameters::sizes(model, target))
     };
-    let search_type = search_type(target, outline, program.most_doubts(), program.decoupled);
+    let search_type = search_type(target, outline, program.decoupled);
     let nest_doc = if program.decoupled {
         "Follows every branch, stage by stage. The search repeats it with two free joints at other places, where two families of \
          solutions cross."
@@ -201,8 +201,8 @@ pub(super) fn function(
     }
 }
 
-/// The type of a search that follows stages, `doubts` of which may be in doubt.
-pub(super) fn search_type(target: &Target, outline: &Outline, doubts: usize, decoupled: bool) -> TokenStream {
+/// The type of a search that follows stages.
+pub(super) fn search_type(target: &Target, outline: &Outline, decoupled: bool) -> TokenStream {
     let (krate, scalar) = (&target.krate, target.scalar.tokens());
     let (open, doc) = if decoupled {
         (0, "The search of an arm on which no later stage sees where a free joint is.")
@@ -212,13 +212,11 @@ pub(super) fn search_type(target: &Target, outline: &Outline, doubts: usize, dec
             "The search; it remembers the branches that are missed with a free joint at its default value.",
         )
     };
-    let [n, m, doubts, open] = [outline.joints, outline.capacity, doubts, open].map(integer);
-    let doc = docs::lines(&format!(
-        "{doc} Its numbers: joints, solutions, stages that may be in doubt, branches that may be missed."
-    ));
+    let [n, m, open] = [outline.joints, outline.capacity, open].map(integer);
+    let doc = docs::lines(&format!("{doc} Its numbers: joints, solutions, branches that may be missed."));
     quote! {
         #doc
-        type InverseSearch<'a> = #krate::solve::Search<'a, #scalar, #n, #m, #doubts, #open>;
+        type InverseSearch<'a> = #krate::solve::Search<'a, #scalar, #n, #m, #open>;
     }
 }
 
@@ -255,7 +253,8 @@ pub(super) fn methods(
     let doc = docs::lines(&format!(
         "Every joint vector that reaches `target`: up to {m} branches, in a fixed order.\n\n\
          {}\n{}Angles are in (-pi, pi], each solution once.\n\
-         A joint that a singular target leaves free stays at 0 (or its limit nearest to 0) and is named in `free`.\n\
+         A joint that a singular target leaves free is named in `free`. It is at 0 (or its limit nearest to 0), unless \
+         joints after it need another value.\n\
          Status: `Reachable`, `Unreachable` with {gap}, or `BadTarget` if the \
          target {}{}. The gap is not the distance to the workspace; `numeric` finds that.\n\
          {bound}\n\

@@ -31,14 +31,10 @@ pub(super) fn damped_step<T: Tolerances, const N: usize>(
     // Those that move in front, so that each has a place in the lines of those before it.
     let mut columns = [[T::ZERO; 6]; N];
     let moving = || (0..N).filter(|joint| !held.contains(*joint));
-    let mut behind = JointMask::NONE;
-    for (place, column) in columns.iter_mut().enumerate() {
-        match moving().nth(place).and_then(|joint| jacobian.get(joint)) {
-            Some(own) => *column = *own,
-            None => behind |= JointMask::single(place),
-        }
+    for (column, own) in columns.iter_mut().zip(moving().filter_map(|joint| jacobian.get(joint))) {
+        *column = *own;
     }
-    let packed = step(behind, &columns, error, damping);
+    let packed = step(JointMask::NONE, &columns, error, damping);
     let mut changes = [T::ZERO; N];
     for (joint, change) in moving().zip(packed.changes) {
         if let Some(place) = changes.get_mut(joint) {

@@ -16,11 +16,11 @@ pub(super) struct Doubts<T> {
     pub(super) weak: JointMask,
     /// Every stage closes its own equation to rounding, see [`Doubt::closes`].
     closes: bool,
-    /// A stage is missed by more than rounding, and the joints before it are what they have to be.
+    /// A stage has a gap beyond rounding, and no joint before it is free or weak.
     pub(super) clamped: bool,
-    /// The order of the root of the first stage that is missed. A stage is missed if it has no root, and a joint before it is
-    /// free. Where that joint makes the stage just reach, the stage has a double root, as an elbow has: the order is 2. An
-    /// equation that leaves its own joint free has a simple root: 1. Without a missed stage 0.
+    /// The order of the root of the first stage that is missed. A stage is missed if its gap exceeds the tolerance, and a joint
+    /// before it is free. Where that joint makes the stage just reach, the stage has a double root, as an elbow has: the order
+    /// is 2. An equation that leaves its own joint free has a simple root: 1. Without a missed stage 0.
     pub(super) missed_order: u8,
     /// The joints before that stage that are free or weak.
     pub(super) missed_for: JointMask,

@@ -10,7 +10,7 @@
 use super::kernel::tolerances::Tolerances;
 use super::least_squares::wrap_angles;
 use super::search::Search;
-use super::verify::{RESERVED, coincident, distances};
+use super::verify::{RESERVED, coincide, distances};
 use crate::Solution;
 
 /// A solution at which the joints move the tool by more than this along n, relative to reach and in rad, is not near a
@@ -122,7 +122,7 @@ fn turned<T: Tolerances>(b: T, a: T, missed: T) -> [T; 2] {
     angles
 }
 
-impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'_, T, N, M, D, S> {
+impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Search<'_, T, N, M, S> {
     /// Returns true if the arm that was measured may have solutions to which no branch of its table leads: a solution is
     /// nearly singular, a branch is missed by little, or there is no solution. Several singularities together take a target
     /// farther out of the table's reach than one.
@@ -229,7 +229,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             return None;
         }
         wrap_angles(&mut q, self.goal.given(), constants.prismatic);
-        let is_listed = self.solutions.exact().any(|other| coincident(constants, &other.q, &q));
+        let is_listed = self.solutions.exact().any(|other| coincide(constants, &other.q, &q));
         if !is_listed {
             // Apart from the fold: what is free or on the boundary beside it is not so here.
             let mut solution = Solution::exact(q, neighbor.branch);

@@ -13,12 +13,12 @@ use super::kernel::tolerances::Tolerances;
 use super::least_squares::{Iterate, refine, wrap_angles};
 use super::search::Search;
 use super::smallest_pivot::smallest_pivot;
-use super::verify::{RESERVED, apart, coincident};
+use super::verify::{RESERVED, apart, coincide};
 use crate::effort::{MOST_EVALUATIONS, MOST_HELD_JOINT_EVALUATIONS};
 use crate::{Branch, Elbow, Flags, JointMask, Residual, Shoulder, Solution};
 
 /// The search of an arm with `N` joints and at most `M` solutions whose inverse holds a joint.
-pub type HeldJointSearch<'a, T, const N: usize, const M: usize> = Search<'a, T, N, M, 1, 0>;
+pub type HeldJointSearch<'a, T, const N: usize, const M: usize> = Search<'a, T, N, M, 0>;
 
 /// Two solutions in doubt that are no further apart than this, in rad and reaches, may be one. A fourfold root is known to
 /// the fourth root of rounding.
@@ -28,7 +28,7 @@ const NEIGHBORS: f64 = 0.01;
 /// fourfold root, known to the fourth root of rounding, turns by far less.
 const TURNED: f64 = 0.1;
 
-impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'_, T, N, M, D, S> {
+impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Search<'_, T, N, M, S> {
     /// Where each joint stays if the target leaves it free: its reference value; without one 0, or the limit nearest to 0.
     #[inline]
     pub fn defaults(&self) -> [T; N] {
@@ -149,7 +149,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let (constants, given) = (self.constants, self.goal.given());
         wrap_angles(&mut q, given, constants.prismatic);
         // A second cut gives most solutions once more.
-        if candidate.free == 0 && self.solutions.exact().any(|other| coincident(constants, &other.q, &q)) {
+        if candidate.free == 0 && self.solutions.exact().any(|other| coincide(constants, &other.q, &q)) {
             return ControlFlow::Continue(());
         }
         let (q, residual) = self.settled(&q, is_near);
@@ -176,7 +176,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let is_doubtful = candidate.is_doubtful || !is_exact;
         let twin = match is_doubtful {
             true => self.neighbor(&solution),
-            false => self.solutions.iter().position(|other| coincident(constants, &other.q, &solution.q)),
+            false => self.solutions.iter().position(|other| coincide(constants, &other.q, &solution.q)),
         };
         if is_doubtful && twin.is_none() && solution.free.is_empty() && self.is_singular(&solution.q) {
             solution.flags |= Flags::BOUNDARY;
@@ -268,7 +268,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
                 // The better one may be a third one, too.
                 let mut is_first = true;
                 self.solutions.retain(|other| {
-                    let is_same = coincident(constants, &other.q, &solution.q);
+                    let is_same = coincide(constants, &other.q, &solution.q);
                     let keep = !is_same || is_first;
                     is_first &= !is_same;
                     keep

@@ -14,7 +14,7 @@ pub(super) const ONE_TICK: f64 = 0.1;
 /// links.
 pub(super) const SLACK: f64 = 8.0;
 
-impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'_, T, N, M, D, S> {
+impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Search<'_, T, N, M, S> {
     /// As [`run`](Self::run) for a measured arm, whose stages are those of its table: every solution is verified. Solutions
     /// beyond folds of the table's arm, and the one that the reference leads to, are looked for. `off`: how far its links
     /// are off the table, relative to reach and in rad. `name` may change the name of each solution: the branch of the table

@@ -76,7 +76,7 @@ pub use kernel::tolerances::Tolerances;
 pub use kernel::turn::{DefaultValue, Turn};
 pub use kernel::wrist::{flip, wrist};
 pub use locked::{AllLocked, Locked};
-pub use search::Search;
+pub use search::{MOST_DOUBTS, Search};
 pub use select::{Every, Select};
 
 pub use crate::effort::MOST_CASCADES;

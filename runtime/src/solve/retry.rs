@@ -15,7 +15,7 @@ use crate::math::{atan2, sin_cos, wrap};
 use crate::{Branch, Flags, JointMask, Solution};
 
 /// The increments of the free joints, rad. In turns that of the k-th one is the inverse root of `x^(k + 1) = x + 1`, of the
-/// first the golden number: multiples of the first few fill a torus evenly.
+/// first the golden number: multiples of the first few fill a torus evenly. A fifth joint moves as the first one does.
 fn increments<T: Tolerances>() -> [T; 4] {
     let [a, b, c, d] = [0.618_033_988_749_895, 0.754_877_666_246_693, 0.819_172_513_396_164, 0.856_674_883_854_503];
     [T::from_f64(a), T::from_f64(b), T::from_f64(c), T::from_f64(d)].map(|turns| T::TAU * turns)
@@ -24,13 +24,13 @@ fn increments<T: Tolerances>() -> [T; 4] {
 /// So many runs hold the joints at multiples of their increments, before steps from starts tell their places.
 const MULTIPLES: u8 = 3;
 
-/// After so many runs in a row without a step none follows.
-const MOST_IDLE: u8 = 2;
+/// So many runs in a row may be without a step. Instead of a further one the call ends.
+const MOST_IDLE: u8 = 1;
 
 /// A slide is moved by up to half of so many reaches either way.
 const STROKE: f64 = 1.75;
 
-/// A branch is refined again from a start that misses by less than this part of what the start refined last misses by.
+/// A branch is refined again only from a start whose miss is less than this part of the miss refined last.
 const MUCH_NEARER: f64 = 1.0 / 64.0;
 
 /// A branch that has no solution with the joints at their defaults.
@@ -52,7 +52,7 @@ struct Open<T, const N: usize> {
     asked: bool,
     /// True if a step has been taken from the start.
     stepped: bool,
-    /// Refinement from a start that misses by no less than this would end where it has ended before; infinite before the first.
+    /// A start that misses by less than this is refined. Before the first refinement in a further run every miss is less.
     refine_below: T,
 }
 
@@ -74,11 +74,11 @@ pub(super) struct Retry<T, const N: usize, const M: usize, const S: usize> {
     crossings: [(Branch, JointMask); M],
     /// True if a further run has found another family.
     crossed: bool,
-    /// The number of runs in a row without a step.
+    /// The number of runs in a row that came after a step from every start.
     without_step: u8,
 }
 
-impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'_, T, N, M, D, S> {
+impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Search<'_, T, N, M, S> {
     #[inline(never)]
     #[allow(clippy::unnecessary_lazy_evaluations, reason = "the memory is large, and most calls find it made")]
     fn retry(&mut self) -> &mut Retry<T, N, M, S> {
@@ -171,7 +171,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             }
         }
         if miss < open.miss {
-            // A step that leaves a quarter of the miss or more has led half of the way, to a double root.
+            // A step half of the way to a double root leaves a quarter of the miss, one to a simple root next to nothing.
             let halfway = open.stepped && miss > open.miss * T::from_f64(0.125);
             open.order = if halfway || !doubts.is_missed() { 2 } else { doubts.missed_order };
             open.missed_for = doubts.missed_for;
@@ -180,7 +180,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         }
     }
 
-    /// Moves the free joints to their places in the next run. False if there is none; then what is still open has been
+    /// Decides whether another run follows. True: the free joints are at their places. False: what is still open has been
     /// iterated on.
     #[cold]
     #[inline(never)]
@@ -198,11 +198,10 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         let Some(retry) = &mut self.retry else { return false };
         (retry.run, retry.other) = (run + 1, None);
         retry.without_step = if all_stepped { retry.without_step + 1 } else { 0 };
-        if usize::from(retry.run) == MOST_CASCADES || retry.without_step == MOST_IDLE || !(any || crosses) {
+        if usize::from(retry.run) == MOST_CASCADES || retry.without_step > MOST_IDLE || !(any || crosses) {
             self.iterate(S);
             return false;
         }
-        self.doubts = None;
         self.place();
         true
     }
@@ -277,8 +276,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     fn half_listed(&self) -> Option<usize> {
         let others = self.constants.prismatic | JointMask::single(VIRTUAL);
         let counts = |open: &Open<T, N>| {
-            let one = open.order == 1 && !open.asked && open.missed_for.len() == 1;
-            one && !open.missed_for.meets(others) && self.lists(open.branch)
+            let is_simple = open.order == 1 && open.missed_for.len() == 1 && !open.missed_for.meets(others);
+            is_simple && !open.asked && self.lists(open.branch)
         };
         self.retry.as_ref()?.opens.iter().position(counts)
     }

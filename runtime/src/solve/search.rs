@@ -18,12 +18,15 @@ use crate::{Branch, Flags, JointMask, Solution, Solutions, Status};
 /// The place of a virtual joint in a mask, beyond the joints of any arm with an inverse.
 pub(super) const VIRTUAL: usize = 15;
 
+/// The most doubts on one branch, one for each call of [`follow`](Search::follow) and [`directed`](Search::directed): at most
+/// seven stages, and the state of an arm angle.
+pub const MOST_DOUBTS: usize = 8;
+
 /// One call of the inverse kinematics of an arm with `N` joints and at most `M` solutions.
 ///
-/// `D`: the most doubts on one branch, one for each call of [`follow`](Self::follow) and [`directed`](Self::directed) on
-/// the way. `S`: the most branches that a free joint at its default may keep from closing. With `S = 0`, for an arm on
-/// which no later stage sees where a free joint is, the code for such branches is not linked.
-pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize, const S: usize> {
+/// `S`: the most branches that a free joint at its default may keep from closing. With `S = 0`, for an arm on which no later
+/// stage sees where a free joint is, the code for such branches is not linked.
+pub struct Search<'a, T: 'static, const N: usize, const M: usize, const S: usize> {
     pub(super) constants: &'a ArmConstants<'a, T, N>,
     pub(super) arm: &'a dyn Evaluate<T, N>,
     pub(super) goal: &'a dyn Goal<T, N>,
@@ -41,7 +44,7 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize
     pub(super) verified: Option<Verified<T, N>>,
     /// The doubts of the branch that is followed, one entry for each stage in doubt. Branches are followed depth first,
     /// so an entry stays until the branches behind it have ended.
-    pub(super) doubts: Option<[Option<Doubts<T>>; D]>,
+    pub(super) doubts: Option<[Option<Doubts<T>>; MOST_DOUBTS]>,
     /// Every branch is verified. The arm misses its structure by more than rounding, or the target is so far away that
     /// its rounding alone can exceed what closes. A long slide may reach such a target.
     pub(super) doubt: bool,
@@ -55,7 +58,7 @@ pub struct Search<'a, T: 'static, const N: usize, const M: usize, const D: usize
     pub(super) retry: Option<Retry<T, N, M, S>>,
 }
 
-impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'a, T, N, M, D, S> {
+impl<'a, T: Tolerances, const N: usize, const M: usize, const S: usize> Search<'a, T, N, M, S> {
     /// A search that fills `solutions`.
     #[inline(always)]
     pub fn new(
@@ -157,7 +160,7 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const D: usize, const S:
 
     /// The state of a branch with further doubts.
     fn with_doubts(&mut self, state: BranchState, doubts: Doubts<T>, ended: bool) -> BranchState {
-        if let Some(slot) = self.doubts.get_or_insert([None; D]).get_mut(state.depth()) {
+        if let Some(slot) = self.doubts.get_or_insert([None; MOST_DOUBTS]).get_mut(state.depth()) {
             *slot = Some(doubts);
         }
         state.deeper(ended)

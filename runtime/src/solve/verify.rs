@@ -23,13 +23,13 @@ pub(super) enum Found {
     Guess,
 }
 
-/// A branch that misses by more than this, relative to reach or rad, is not refined at the defaults.
+/// At the defaults a branch with a free or weak joint is refined if it misses by no more, relative to reach or rad.
 const FAR: f64 = 0.03;
 
 /// Evaluations kept for the reference of `inverse_near`: the first one, and its steps.
 pub(super) const RESERVED: usize = MOST_STEPS + 1;
 
-impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usize> Search<'_, T, N, M, D, S> {
+impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Search<'_, T, N, M, S> {
     /// The end of a branch at an awkward pose.
     #[cold]
     #[inline(never)]
@@ -56,7 +56,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         }
         let (constants, movable, again) = (self.constants, !doubts.free_or_weak().is_empty(), self.is_again());
         let miss = constants.relative(&doubts.gap);
-        // In a further run refinement would end where it has ended before, unless the closed form comes much nearer.
+        // A missed branch is only a start. In a further run refinement would end where it has ended before, unless the closed
+        // form comes much nearer.
         let near_enough = if again {
             constants.tolerates(&doubts.gap) && (S == 0 || miss < self.refine_below(branch))
         } else {
@@ -64,16 +65,19 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         };
         let refines = near_enough && !doubts.is_missed();
         if movable && !refines && miss > T::EXACT {
+            self.is_nearly_missed |= !doubts.is_missed();
+            // An end that was refined in another run counts with its residual there.
             if doubts.is_missed() || !again {
                 self.note_gap(doubts.gap.position.max(doubts.gap.orientation));
             }
-            if S > 0 && (doubts.is_missed() || !doubts.clamped) {
+            if S > 0 {
                 self.open(&doubts, branch, false, &q);
             }
             return;
         }
         let found = self.verify(movable, refines, &mut solution);
-        if S > 0 && movable && !(solution.is_exact() || doubts.clamped && !again) {
+        let closes_nowhere = doubts.clamped && !doubts.is_missed() && !again;
+        if S > 0 && movable && !(solution.is_exact() || closes_nowhere) {
             // Refinement may have led away from the defaults. In a further run the closed form is the start of a step.
             self.open(&doubts, branch, refines, if again { &q } else { &solution.q });
         }
@@ -100,7 +104,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             solution.flags |= Flags::APPROXIMATE;
             self.note_gap(residual.position.max(residual.orientation));
             self.is_nearly_missed = true;
-            // A guess that comes near by its steps alone, or is as far as its branch's start, is no branch of this target.
+            // A guess that comes near by its steps alone, or that is not refined, is no branch of this target.
             return if close && refines { Found::Branch } else { Found::Nothing };
         }
         // A measured arm misses the equations of its table.
@@ -139,7 +143,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
     /// Lists a solution, or the better one of two that coincide. An exact root of its own replaces a guess from another one.
     pub(super) fn list(&mut self, mut solution: Solution<T, N>, found: Found) {
         let constants = self.constants;
-        let is_listed = || self.solutions.exact().any(|other| coincident(constants, &other.q, &solution.q));
+        let is_listed = || self.solutions.exact().any(|other| coincide(constants, &other.q, &solution.q));
         if found == Found::Nothing || found == Found::Guess && is_listed() {
             return;
         }
@@ -153,7 +157,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
             self.solutions.retain(|other| other.branch != solution.branch || !other.flags.contains(near_miss));
         }
         let mut others = self.solutions.as_mut_slice().iter_mut();
-        let Some(twin) = others.find(|other| coincident(constants, &other.q, &solution.q)) else {
+        let Some(twin) = others.find(|other| coincide(constants, &other.q, &solution.q)) else {
             self.solutions.push(solution);
             return;
         };
@@ -232,12 +236,12 @@ impl<T: Tolerances, const N: usize, const M: usize, const D: usize, const S: usi
         held.flags.remove(Flags::APPROXIMATE);
         held.flags |= Flags::EXACT;
         // The same place, but nearer to the reference: beside a limit a small step would be a whole turn.
-        if (coincident(constants, &nearest.q, &q) || !self.solutions.push(held))
+        if (coincide(constants, &nearest.q, &q) || !self.solutions.push(held))
             && let Some(nearest) = self.nearest(&q)
         {
             *nearest = held;
         }
-        self.solutions.retain(|other| other.q == q || !coincident(constants, &other.q, &q));
+        self.solutions.retain(|other| other.q == q || !coincide(constants, &other.q, &q));
     }
 
     /// The listed solution nearest to a joint vector.
@@ -257,11 +261,7 @@ fn square_apart<T: Tolerances, const N: usize>(constants: &ArmConstants<T, N>, a
 
 /// Returns true if two joint vectors are one solution.
 #[inline(never)]
-pub(super) fn coincident<T: Tolerances, const N: usize>(
-    constants: &ArmConstants<T, N>,
-    a: &[T; N],
-    b: &[T; N],
-) -> bool {
+pub(super) fn coincide<T: Tolerances, const N: usize>(constants: &ArmConstants<T, N>, a: &[T; N], b: &[T; N]) -> bool {
     distances(constants, a, b).all(|distance| distance <= T::COINCIDENT)
 }
 

@@ -1,10 +1,7 @@
 //! The state of a branch, which generated code hands from stage to stage.
 
-/// State of a branch, which generated code hands from stage to stage. The search keeps the doubts of each stage on the
-/// way. A branch without doubts has none.
-///
-/// One number, 0 without doubts: the number of doubts that belong to the branch, and two marks. One mark says that the
-/// solution is to be verified whatever the doubts are, the other that the branch has ended.
+/// State of a branch, 0 without doubts: the number of doubts that belong to it, which the search keeps, and two marks. One
+/// mark says that the solution is to be verified whatever the doubts are, the other that the branch has ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BranchState(u32);
 

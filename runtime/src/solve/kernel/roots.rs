@@ -134,7 +134,7 @@ impl<T: Tolerances, const K: usize, const R: usize> Roots<T, K, R> {
         Self { len: 1, doubt: Some(doubt), ..Self::solved([root; R]) }
     }
 
-    /// The equation leaves its first joint free: it stays at its reference value.
+    /// The equation leaves its first joint free: the joint takes its default value.
     #[cold]
     #[inline(never)]
     pub(in crate::solve) fn left_free(
