@@ -2,8 +2,8 @@
 //!
 //! A *cascade* is one run of an arm's nest of stages; an *evaluation* is one `forward_and_jacobian` that verifies a
 //! solution. Every call of `inverse`, `inverse_near` and `inverse_branch` takes at most [`MOST_CASCADES`] and
-//! [`MOST_EVALUATIONS`], for any arguments. The feature `count` counts them for each thread; without it counting
-//! costs nothing.
+//! [`MOST_EVALUATIONS`], for any arguments; with a joint held at most [`MOST_HELD_JOINT_EVALUATIONS`]. The feature
+//! `count` counts them for each thread; without it counting costs nothing.
 
 /// The most runs of the nest in one call.
 pub const MOST_CASCADES: usize = 12;

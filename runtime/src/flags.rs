@@ -15,8 +15,8 @@ impl Flags {
     pub const EXACT: Self = Self(1);
     /// Two branches meet here: the target lies on the edge of what this branch reaches.
     pub const BOUNDARY: Self = Self(1 << 1);
-    /// A singular pose: the joints of [`Solution::free`](crate::Solution::free) could take other values, and the
-    /// joints solved after them would move with them.
+    /// A singular pose: an equation leaves the joints of [`Solution::free`](crate::Solution::free) open. They could take
+    /// other values, and the joints solved after them would move with them, unless a later equation needs these values.
     pub const FREE: Self = Self(1 << 2);
     /// The solution misses the target by its residual, which is more than rounding and within the tolerance of the
     /// arm's file.
