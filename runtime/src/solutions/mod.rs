@@ -133,8 +133,8 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
     /// Returns false if a bound of the call was reached, the list was full, or the equation of the arm has too few digits
     /// at this target: further solutions may exist.
     ///
-    /// Only an arm whose inverse holds a joint can give such a list. The inverse of an arm with a triple of axes that meet
-    /// or are parallel lists every branch within its bound.
+    /// An arm whose inverse holds a joint can give such a list. That of an arm with a triple of axes that meet or are
+    /// parallel gives one at few singular targets: where evaluations run out before each branch is verified.
     #[inline]
     #[must_use]
     pub const fn is_complete(&self) -> bool {

@@ -10,7 +10,7 @@ use denhart_core::held_joint::{Candidate, Outcome};
 
 use super::arm_constants::ArmConstants;
 use super::kernel::tolerances::Tolerances;
-use super::least_squares::{Iterate, refine, wrap_angles};
+use super::least_squares::{DescentParams, Iterate, wrap_angles};
 use super::search::Search;
 use super::smallest_pivot::smallest_pivot;
 use super::verify::{RESERVED, apart, coincide};
@@ -194,14 +194,16 @@ impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Search<'_, T
     /// beside those that are reserved. Out of line: an iterate is on the stack for as long as it takes.
     #[inline(never)]
     pub(super) fn settled(&mut self, q: &[T; N], is_near: bool) -> ([T; N], Residual<T>) {
-        let mut evaluations_left = self.evaluations_left.saturating_sub(RESERVED + 1);
+        let (problem, evaluations_left) = (self.problem(), self.evaluations_left.saturating_sub(RESERVED + 1));
         let mut iterate = Iterate::at(*q);
-        iterate.evaluate(self.constants, self.goal, self.arm);
+        problem.evaluate(&mut iterate);
+        let mut taken = 1;
         if is_near && !(self.constants.relative(&iterate.residual) <= T::ROUNDING) {
             // A root that several solutions share is known to few digits: the way from there may be slow.
-            refine(self.constants, self.goal, self.arm, &mut iterate, false, &mut evaluations_left);
+            let params = DescentParams { evaluations_left, ends_slow: false };
+            taken += problem.refine(&mut iterate, params).evaluations;
         }
-        self.evaluations_left = evaluations_left + RESERVED;
+        self.evaluations_left = self.evaluations_left.saturating_sub(taken);
         (iterate.q, iterate.residual)
     }
 
@@ -225,7 +227,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Search<'_, T
             if far <= T::from_f64(NEIGHBORS) && self.evaluations_left > RESERVED {
                 self.evaluations_left -= 1;
                 let mut iterate = Iterate::at(between);
-                iterate.evaluate(constants, self.goal, self.arm);
+                self.problem().evaluate(&mut iterate);
                 let residuals = constants.relative(&solution.residual).max(constants.relative(&other.residual));
                 let bound = residuals * T::TWO + T::EPSILON * T::from_f64(4.0);
                 if constants.relative(&iterate.residual) <= bound {

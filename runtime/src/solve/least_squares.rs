@@ -1,7 +1,7 @@
 //! Damped least-squares steps towards a target.
 
 use super::arm_constants::{ArmConstants, Evaluate};
-use super::damped_step::{damped_step, dot_out_of_line};
+use super::damped_step::{Step, damped_step, dot_out_of_line};
 use super::goal::Goal;
 use super::kernel::tolerances::Tolerances;
 use crate::math::wrap;
@@ -27,16 +27,42 @@ const CLOSES: f64 = 0.01;
 /// So many parts of a step are compared for the best one.
 const PARTS: i32 = 8;
 
+/// The least-squares problem of a call: the joints that are not given are to bring the tool to the target.
+#[derive(Clone, Copy)]
+pub(super) struct Problem<'a, T: 'static, const N: usize> {
+    pub(super) constants: &'a ArmConstants<'a, T, N>,
+    pub(super) goal: &'a dyn Goal<T, N>,
+    pub(super) arm: &'a dyn Evaluate<T, N>,
+}
+
 /// A joint vector with what it misses the target by. Lengths are relative to reach throughout.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Iterate<T, const N: usize> {
     pub(super) q: [T; N],
     pub(super) residual: Residual<T>,
-    /// The columns of the Jacobian, unless the error is rounding.
+    /// The columns of the Jacobian for the joints that are not given, in order, unless `size` is 0; then columns of zeros.
     columns: [[T; 6]; N],
     error: [T; 6],
-    /// Its squared length.
+    /// Its squared length; 0 if the error is rounding, and so tells nothing about where the solution is. No step starts there.
     size: T,
+}
+
+/// Parameters of a descent.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct DescentParams {
+    /// So many evaluations are left. A descent takes at most [`MOST_STEPS`].
+    pub(super) evaluations_left: usize,
+    /// A slow descent ([`SLOW`]) ends halfway.
+    pub(super) ends_slow: bool,
+}
+
+/// Information about a descent that has ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct DescentInfo {
+    /// The evaluations that it took.
+    pub(super) evaluations: usize,
+    /// No evaluation was left for another step.
+    pub(super) is_cut_short: bool,
 }
 
 impl<T: Tolerances, const N: usize> Iterate<T, N> {
@@ -45,143 +71,140 @@ impl<T: Tolerances, const N: usize> Iterate<T, N> {
     pub(super) const fn at(q: [T; N]) -> Self {
         Self { q, residual: Residual::ZERO, columns: [[T::ZERO; 6]; N], error: [T::ZERO; 6], size: T::ZERO }
     }
+}
 
-    /// Evaluates the arm at its joint vector.
+impl<T: Tolerances, const N: usize> Problem<'_, T, N> {
+    /// Evaluates the arm at the joint vector of an iterate.
     #[inline(never)]
-    pub(super) fn evaluate(&mut self, constants: &ArmConstants<T, N>, goal: &dyn Goal<T, N>, arm: &dyn Evaluate<T, N>) {
-        let mut evaluated = arm.evaluate(&self.q);
+    pub(super) fn evaluate(&self, iterate: &mut Iterate<T, N>) {
+        let Self { constants, goal, arm } = *self;
+        let held = goal.given();
+        let mut evaluated = arm.evaluate(&iterate.q);
         let (pose, jacobian) = &mut evaluated;
         let k = T::ONE / constants.reach;
-        let [x, y, z, u, v, w] = goal.error(&self.q, pose);
-        self.error = [x * k, y * k, z * k, u, v, w];
-        self.size = dot_out_of_line(&self.error, &self.error);
-        self.residual = goal.misses(&self.q, pose);
-        if self.is_rounding() {
+        let [x, y, z, u, v, w] = goal.error(&iterate.q, pose);
+        iterate.error = [x * k, y * k, z * k, u, v, w];
+        iterate.size = dot_out_of_line(&iterate.error, &iterate.error);
+        iterate.residual = goal.misses(&iterate.q, pose);
+        let floor = T::from_f64(NOISE) * T::EPSILON;
+        if iterate.size <= floor * floor {
+            iterate.size = T::ZERO;
             return;
         }
         goal.restrict(pose, jacobian);
         let [x, y, z, u, v, w] = &jacobian.rows;
-        let rows = x.iter().zip(y).zip(z).zip(u.iter().zip(v).zip(w));
-        for (column, (((x, y), z), ((u, v), w))) in self.columns.iter_mut().zip(rows) {
+        let rows = x.iter().zip(y).zip(z).zip(u.iter().zip(v).zip(w)).enumerate();
+        let moving = rows.filter(|(joint, _)| !held.contains(*joint));
+        for (column, (joint, (((x, y), z), ((u, v), w)))) in iterate.columns.iter_mut().zip(moving) {
             *column = [*x * k, *y * k, *z * k, *u, *v, *w];
-        }
-        for joint in constants.prismatic.iter() {
-            let column = self.columns.get_mut(joint).into_iter().flatten();
-            column.for_each(|entry| *entry *= constants.reach);
+            if constants.prismatic.contains(joint) {
+                column.iter_mut().for_each(|entry| *entry *= constants.reach);
+            }
         }
     }
 
-    /// The squared length of the first step from here; infinite if the step does not close the target ([`CLOSES`]).
-    pub(super) fn first_step(&self, held: JointMask) -> T {
-        if self.is_rounding() {
+    /// The squared length of the first step; infinite if the step does not close the target ([`CLOSES`]).
+    pub(super) fn first_step(&self, from: &Iterate<T, N>) -> T {
+        if from.size == T::ZERO {
             return T::ZERO;
         }
-        let step = damped_step(held, &self.columns, &self.error, damping(self.size));
-        if step.remaining_error <= self.size * T::from_f64(CLOSES) { step.square } else { T::INFINITY }
+        let step = damped_step(&from.columns, &from.error, from.size);
+        if step.remaining_error <= from.size * T::from_f64(CLOSES) { step.square } else { T::INFINITY }
     }
 
-    /// The joint vector to which a step from here leads that is taken m times, angles on any turn. `None` if the step
-    /// overflows. `damped`: as in [`refine`].
-    pub(super) fn step(&self, constants: &ArmConstants<T, N>, held: JointMask, m: T, damped: bool) -> Option<[T; N]> {
-        let damping = damping(if damped { self.size } else { T::ZERO });
-        let step = damped_step(held, &self.columns, &self.error, damping);
-        let mut q = self.q;
-        for (joint, (value, change)) in q.iter_mut().zip(&step.changes).enumerate() {
-            *value += *change * m * constants.unit(joint);
-        }
-        step.square.is_finite().then_some(q)
+    /// The joint vector to which a step leads that is taken m times, angles on any turn. `None` if the step overflows.
+    /// `damped`: as in [`refine`](Self::refine).
+    pub(super) fn step(&self, from: &Iterate<T, N>, m: T, damped: bool) -> Option<[T; N]> {
+        let damping = if damped { from.size } else { T::ZERO };
+        let step = damped_step(&from.columns, &from.error, damping);
+        step.square.is_finite().then(|| self.moved(&from.q, &step, m))
     }
 
-    /// Returns true if the error is rounding, and so tells nothing about where the solution is. No step starts there.
-    #[inline]
-    fn is_rounding(&self) -> bool {
-        let floor = T::from_f64(NOISE) * T::EPSILON;
-        !(self.size > floor * floor)
+    /// The joint vector to which a part of a step leads.
+    #[inline(never)]
+    fn moved(&self, from: &[T; N], step: &Step<T, N>, part: T) -> [T; N] {
+        let (mut q, held) = (*from, self.goal.given());
+        let moving = q.iter_mut().enumerate().filter(|(joint, _)| !held.contains(*joint));
+        for ((joint, value), change) in moving.zip(&step.changes) {
+            *value += *change * part * self.constants.unit(joint);
+        }
+        q
     }
-}
 
-/// Damped least squares (Levenberg 1944, Marquardt 1963), damped in proportion to the squared error, so that
-/// convergence is quadratic. `best` becomes the iterate of least error, its angles in (-pi, pi].
-/// Each evaluation takes one from `evaluations_left`; there are at most 16, and without any left there is none.
-/// `ends_slow`: a slow descent ([`SLOW`]) ends halfway.
-///
-/// - Of two steps in a row one has to reduce the error (the watchdog of Chamberlain, Powell, Lemarechal, Pedersen 1982).
-/// - At a fold a step goes half of the way and leaves a quarter of the error. The next step is taken twice (Decker,
-///   Keller, Kelley 1983). The step after it restores the equations without a fold.
-/// - If a part of a step that stalls is predicted to leave less than half of the squared error, that part is taken
-///   ([`best_part`]).
-/// - The descent ends after two steps in a row that stall ([`PROGRESS`]), after one if the solution is exact, and where the
-///   linear model predicts that the next step stalls.
-#[cold]
-#[inline(never)]
-pub(super) fn refine<T: Tolerances, const N: usize>(
-    constants: &ArmConstants<T, N>,
-    goal: &dyn Goal<T, N>,
-    arm: &dyn Evaluate<T, N>,
-    best: &mut Iterate<T, N>,
-    ends_slow: bool,
-    evaluations_left: &mut usize,
-) {
-    if best.is_rounding() {
-        return;
-    }
-    let held = goal.given();
-    // A free joint may stay at a reference that is wound by turns.
-    wrap_angles(&mut best.q, held, constants.prismatic);
-    let mut tried = *best;
-    // True if the next step starts at the joint vector tried last.
-    let mut onward = false;
-    // The next step is taken so many times.
-    let (mut times, mut taken, mut stalls) = (T::ONE, 0, 0);
-    let most = MOST_STEPS.min(*evaluations_left);
-    let slow = best.size * T::from_f64(SLOW);
-    // Every turn takes an evaluation, or is the last one.
-    while taken < most {
-        let from = if onward { &tried } else { &*best };
-        let Iterate { q, error, size, .. } = *from;
-        let exact = constants.relative(&best.residual) <= T::EXACT;
-        let is_slow = ends_slow && taken >= MOST_STEPS / 2 && best.size > slow;
-        if from.is_rounding() || is_slow || stalls >= if exact { 1 } else { MOST_STALLS } {
-            break;
+    /// Damped least squares (Levenberg 1944, Marquardt 1963), damped in proportion to the squared error, so that
+    /// convergence is quadratic. `best` becomes the iterate of least error, its angles in (-pi, pi].
+    ///
+    /// - Of two steps in a row one has to reduce the error (the watchdog of Chamberlain, Powell, Lemarechal, Pedersen 1982).
+    /// - At a fold a step goes half of the way and leaves a quarter of the error. The next step is taken twice (Decker,
+    ///   Keller, Kelley 1983). The step after it restores the equations without a fold.
+    /// - If a part of a step that stalls is predicted to leave less than half of the squared error, that part is taken
+    ///   ([`best_part`]).
+    /// - The descent ends after two steps in a row that stall ([`PROGRESS`]), after one if the solution is exact, and where the
+    ///   linear model predicts that the next step stalls.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn refine(&self, best: &mut Iterate<T, N>, params: DescentParams) -> DescentInfo {
+        let (constants, held) = (self.constants, self.goal.given());
+        let DescentParams { evaluations_left, ends_slow } = params;
+        if best.size == T::ZERO {
+            return DescentInfo { evaluations: 0, is_cut_short: false };
         }
-        let step = damped_step(held, &from.columns, &from.error, damping(size));
-        // A step changes singular values by about its length, and those below the error are damped away.
-        let predicts_stall = step.remaining_error > size * T::from_f64(PROGRESS) && step.square <= size;
-        if !step.square.is_finite() || !onward && predicts_stall {
-            break;
-        }
-        let mut part = times;
-        // Two turns at most: the whole step, and a part of it, which is not 1.
-        loop {
-            for (joint, (value, (from, change))) in tried.q.iter_mut().zip(q.iter().zip(&step.changes)).enumerate() {
-                *value = *from + *change * part * constants.unit(joint);
-            }
-            tried.evaluate(constants, goal, arm);
-            taken += 1;
-            let least;
-            let model_closes = step.remaining_error < size * T::HALF;
-            if part != T::ONE || !model_closes || tried.size < best.size * T::from_f64(PROGRESS) || taken >= most {
+        // A free joint may stay at a reference that is wound by turns.
+        wrap_angles(&mut best.q, held, constants.prismatic);
+        let mut tried = *best;
+        // True if the next step starts at the joint vector tried last.
+        let mut onward = false;
+        // The next step is taken so many times.
+        let (mut times, mut taken, mut stalls) = (T::ONE, 0, 0);
+        let most = MOST_STEPS.min(evaluations_left);
+        let slow = best.size * T::from_f64(SLOW);
+        // Every turn takes an evaluation, or is the last one.
+        while taken < most {
+            let from = if onward { &tried } else { &*best };
+            let Iterate { q, error, size, .. } = *from;
+            let exact = constants.relative(&best.residual) <= T::EXACT;
+            let is_slow = ends_slow && taken >= MOST_STEPS / 2 && best.size > slow;
+            if !(size > T::ZERO) || is_slow || stalls >= if exact { 1 } else { MOST_STALLS } {
                 break;
             }
-            (part, least) = best_part(&error, &tried.error);
-            // A part that is not a number is none.
-            if !(least < best.size * T::HALF) {
+            let step = damped_step(&from.columns, &from.error, size);
+            // A step changes singular values by about its length, and those below the error are damped away.
+            let predicts_stall = step.remaining_error > size * T::from_f64(PROGRESS) && step.square <= size;
+            if !step.square.is_finite() || !onward && predicts_stall {
                 break;
             }
+            let mut part = times;
+            // Two turns at most: the whole step, and a part of it, which is not 1.
+            loop {
+                tried.q = self.moved(&q, &step, part);
+                self.evaluate(&mut tried);
+                taken += 1;
+                let least;
+                let model_closes = step.remaining_error < size * T::HALF;
+                if part != T::ONE || !model_closes || tried.size < best.size * T::from_f64(PROGRESS) || taken >= most {
+                    break;
+                }
+                (part, least) = best_part(&error, &tried.error);
+                // A part that is not a number is none.
+                if !(least < best.size * T::HALF) {
+                    break;
+                }
+            }
+            // At a fold the linear model leaves nothing, and the step a quarter of the error, within a factor of 2.
+            let ratio = tried.size / size * T::from_f64(16.0);
+            let quarter = ratio > T::HALF * T::HALF && ratio < T::TWO * T::TWO && tried.size < best.size;
+            times =
+                if quarter && part == T::ONE && step.remaining_error < tried.size * T::HALF { T::TWO } else { T::ONE };
+            stalls = if tried.size < best.size * T::from_f64(PROGRESS) { 0 } else { stalls + 1 };
+            // A step along a narrow curved valley leaves it, and the next one leads back: one may make it worse.
+            onward = !(tried.size < best.size) && tried.size.is_finite();
+            if tried.size < best.size {
+                *best = tried;
+            }
         }
-        // At a fold the linear model leaves nothing, and the step a quarter of the error, within a factor of 2.
-        let ratio = tried.size / size * T::from_f64(16.0);
-        let quarter = ratio > T::HALF * T::HALF && ratio < T::TWO * T::TWO && tried.size < best.size;
-        times = if quarter && part == T::ONE && step.remaining_error < tried.size * T::HALF { T::TWO } else { T::ONE };
-        stalls = if tried.size < best.size * T::from_f64(PROGRESS) { 0 } else { stalls + 1 };
-        // A step along a narrow curved valley leaves it, and the next one leads back: one may make it worse.
-        onward = !(tried.size < best.size) && tried.size.is_finite();
-        if tried.size < best.size {
-            *best = tried;
-        }
+        wrap_angles(&mut best.q, held, constants.prismatic);
+        DescentInfo { evaluations: taken, is_cut_short: taken == evaluations_left }
     }
-    *evaluations_left -= taken;
-    wrap_angles(&mut best.q, held, constants.prismatic);
 }
 
 /// The part t of a step at which the squared error is least, and that error. To second order the error along a step whose
@@ -198,12 +221,6 @@ fn best_part<T: Tolerances>(before: &[T; 6], after: &[T; 6]) -> (T, T) {
         let error = u * (u * first + T::TWO * v * mixed) + v * v * last;
         if error < least { (t, error) } else { (part, least) }
     })
-}
-
-/// The damping of a step from a place with this squared error.
-#[inline(always)]
-fn damping<T: Tolerances>(size: T) -> T {
-    size + T::EPSILON * T::EPSILON * T::from_f64(16.0)
 }
 
 /// Brings the angles of a joint vector into (-pi, pi]. Those that are `held` stay as they are.
@@ -255,10 +272,11 @@ mod tests {
 
     /// As [`refined`]; `ends_slow`: a slow descent ends halfway.
     fn descended(map: Map, q: [f64; 2], ends_slow: bool, most: usize) -> ([f64; 2], f64, usize) {
-        let (mut iterate, mut left) = (Iterate::at(q), most);
-        iterate.evaluate(&CONSTANTS, &[0.0; 3], &map);
-        refine(&CONSTANTS, &[0.0; 3], &map, &mut iterate, ends_slow, &mut left);
-        (iterate.q, iterate.residual.position, most - left)
+        let problem = Problem { constants: &CONSTANTS, goal: &[0.0; 3], arm: &map };
+        let mut iterate = Iterate::at(q);
+        problem.evaluate(&mut iterate);
+        let info = problem.refine(&mut iterate, DescentParams { evaluations_left: most, ends_slow });
+        (iterate.q, iterate.residual.position, info.evaluations)
     }
 
     #[test]

@@ -259,10 +259,11 @@ impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Search<'_, T
         let opens = &mut self.retry.as_mut()?.opens;
         opens.iter_mut().filter(|same| same.miss == open.miss).for_each(|same| same.stepped = true);
         // To a root of order m a step leads `1 / m` of the way.
-        let (mut iterate, times) = (Iterate::at(open.start), T::from_i32(open.order.into()));
-        iterate.evaluate(self.constants, self.goal, self.arm);
+        let problem = self.problem();
+        let mut iterate = Iterate::at(open.start);
+        problem.evaluate(&mut iterate);
+        let q = problem.step(&iterate, T::from_i32(open.order.into()), true)?;
         self.evaluations_left -= 1;
-        let q = iterate.step(self.constants, self.goal.given(), times, true)?;
         let mut of_virtual = None;
         if moving.contains(VIRTUAL) {
             of_virtual = self.goal.virtual_value(&self.arm.evaluate(&q).0);
@@ -288,7 +289,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Search<'_, T
     /// start leads from x to `x + d`, and by the derivative of the logarithm `-2 / d = cot((x - x1) / 2) + cot((x - x2) / 2)`.
     #[inline(never)]
     fn other_root(&mut self) -> Option<[T; N]> {
-        let index = self.half_listed()?;
+        let (index, problem) = (self.half_listed()?, self.problem());
         let retry = self.retry.as_mut()?;
         let open = retry.opens.get_mut(index)?;
         let Open { branch, start, miss, missed_for, .. } = *open;
@@ -300,9 +301,9 @@ impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Search<'_, T
             return None;
         }
         let mut iterate = Iterate::at(start);
-        iterate.evaluate(self.constants, self.goal, self.arm);
+        problem.evaluate(&mut iterate);
+        let mut q = problem.step(&iterate, T::ONE, false)?;
         self.evaluations_left -= 1;
-        let mut q = iterate.step(self.constants, self.goal.given(), T::ONE, false)?;
         let (sin, cos) = sin_cos((x - first) * T::HALF);
         let d = *q.get(joint)? - x;
         let way = atan2(T::ONE, -T::TWO / d - cos / sin) * -T::TWO;

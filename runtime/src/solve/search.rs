@@ -9,6 +9,7 @@ use super::kernel::doubt::Doubt;
 use super::kernel::roots::{Measure, Roots};
 use super::kernel::tolerances::Tolerances;
 use super::kernel::turn::DefaultValue;
+use super::least_squares::Problem;
 use super::retry::Retry;
 use crate::effort::{MOST_CASCADES, MOST_EVALUATIONS};
 use crate::limits::within;
@@ -203,6 +204,12 @@ impl<'a, T: Tolerances, const N: usize, const M: usize, const S: usize> Search<'
             }
         }
         self.with_doubts(state, next, ended)
+    }
+
+    /// The least-squares problem of this call.
+    #[inline]
+    pub(super) const fn problem(&self) -> Problem<'a, T, N> {
+        Problem { constants: self.constants, goal: self.goal, arm: self.arm }
     }
 
     /// Notes that a branch misses by `gap`, a length or an angle, whichever is the larger number.

@@ -6,7 +6,7 @@ use super::doubts::Doubts;
 use super::flip::Verified;
 use super::kernel::branch_state::BranchState;
 use super::kernel::tolerances::Tolerances;
-use super::least_squares::{Iterate, MOST_STEPS, refine, wrap_angles};
+use super::least_squares::{DescentParams, Iterate, MOST_STEPS, wrap_angles};
 use super::measured::SLACK;
 use super::search::{Search, VIRTUAL};
 use crate::math::wrap;
@@ -91,6 +91,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Search<'_, T
     /// counts as the gap of its branch.
     pub(super) fn verify(&mut self, movable: bool, refines: bool, solution: &mut Solution<T, N>) -> Found {
         let Some(&Verified { start_residual, q, residual, .. }) = self.refined(&solution.q, refines) else {
+            self.solutions.mark_incomplete();
             return Found::Nothing;
         };
         (solution.q, solution.residual) = (q, residual);
@@ -122,14 +123,19 @@ impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Search<'_, T
             last.flip_to(start, wrist);
         } else {
             // One evaluation more than this candidate needs is for the reference.
-            let mut evaluations_left = self.evaluations_left.checked_sub(RESERVED + 1)?;
+            let evaluations_left = self.evaluations_left.checked_sub(RESERVED + 1)?;
+            let problem = self.problem();
             let mut iterate = Iterate::at(*start);
-            iterate.evaluate(self.constants, self.goal, self.arm);
+            problem.evaluate(&mut iterate);
             let start_residual = iterate.residual;
+            self.evaluations_left -= 1;
             if refines {
-                refine(self.constants, self.goal, self.arm, &mut iterate, true, &mut evaluations_left);
+                let info = problem.refine(&mut iterate, DescentParams { evaluations_left, ends_slow: true });
+                self.evaluations_left -= info.evaluations;
+                if info.is_cut_short && self.constants.relative(&iterate.residual) > T::EXACT {
+                    self.solutions.mark_incomplete();
+                }
             }
-            self.evaluations_left = evaluations_left + RESERVED;
             let (mut q, mut residual) = (iterate.q, iterate.residual);
             if self.constants.tolerates(&start_residual) && !self.constants.tolerates(&residual) {
                 // The steps have traded one of the two residuals for the other.
@@ -211,8 +217,9 @@ impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Search<'_, T
         let constants = self.constants;
         let mut start = self.goal.placed(*near);
         wrap_angles(&mut start, self.goal.given(), constants.prismatic);
+        let problem = self.problem();
         let mut iterate = Iterate::at(start);
-        iterate.evaluate(constants, self.goal, self.arm);
+        problem.evaluate(&mut iterate);
         // Only from a reference that already is close: farther away there is no "same place" to keep.
         if !(constants.relative(&iterate.residual) <= most) {
             return;
@@ -221,12 +228,12 @@ impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Search<'_, T
             // Worth looking for if the first step closes the target, less than half of the way to a solution that is listed.
             let ways = self.solutions.exact().map(|other| square_apart(constants, &other.q, &iterate.q));
             let nearest = ways.fold(T::INFINITY, T::min);
-            if iterate.first_step(self.goal.given()) * T::from_f64(4.0) > nearest {
+            if problem.first_step(&iterate) * T::from_f64(4.0) > nearest {
                 return;
             }
         }
-        let mut rest = self.evaluations_left.saturating_sub(1);
-        refine(constants, self.goal, self.arm, &mut iterate, false, &mut rest);
+        let evaluations_left = self.evaluations_left.saturating_sub(1);
+        problem.refine(&mut iterate, DescentParams { evaluations_left, ends_slow: false });
         let (q, residual) = (iterate.q, iterate.residual);
         if !(constants.relative(&residual) <= T::EXACT) {
             return;
@@ -280,4 +287,50 @@ pub(super) fn distances<T: Tolerances, const N: usize>(
 #[inline(never)]
 pub(super) fn apart<T: Tolerances>(difference: T, slides: bool, reach: T) -> T {
     if slides { (difference / reach).abs() } else { wrap(difference).abs() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solve::arm_constants::Evaluate;
+    use crate::{Jacobian, JointMask, Pose, Residual, Solutions, Status};
+
+    const CONSTANTS: ArmConstants<'_, f64, 1> = ArmConstants {
+        limits: &[[-4.0, 4.0]],
+        combined: &[],
+        weights: &[1.0],
+        limited: false,
+        prismatic: JointMask::NONE,
+        stands_for: JointMask::NONE,
+        wrist: None,
+        reach: 1.0,
+        tolerance: Residual { position: 1e-6, orientation: 1e-6 },
+    };
+
+    /// An arm that brings its tool to `x + x^2 / 4`.
+    struct Curve;
+
+    impl Evaluate<f64, 1> for Curve {
+        fn evaluate(&self, [x]: &[f64; 1]) -> (Pose<f64>, Jacobian<f64, 1>) {
+            let mut jacobian = Jacobian { rows: [[0.0]; 6] };
+            jacobian.rows[0] = [1.0 + x / 2.0];
+            (Pose { rotation: [[0.0; 3]; 3], translation: [x + x * x / 4.0, 0.0, 0.0] }, jacobian)
+        }
+    }
+
+    /// A candidate that evaluations run out for is lost, and the list says so. Those for the reference stay.
+    #[test]
+    fn evaluations_that_run_out_leave_the_list_incomplete() {
+        for (evaluations, exact, complete) in
+            [(0, false, false), (1, false, false), (3, false, false), (20, true, true)]
+        {
+            let mut solutions = Solutions::<f64, 1, 4>::new(Status::Reachable);
+            let mut search = Search::<f64, 1, 4, 1>::new(&CONSTANTS, &Curve, &[0.0; 3], None, &mut solutions);
+            search.evaluations_left = RESERVED + evaluations;
+            let mut solution = Solution::exact([0.4], Branch::NONE);
+            let found = search.verify(true, true, &mut solution);
+            assert!(search.evaluations_left >= RESERVED, "{}", search.evaluations_left);
+            assert_eq!((found == Found::Branch, search.solutions.is_complete()), (exact, complete), "{evaluations}");
+        }
+    }
 }
