@@ -61,4 +61,6 @@ found! {
     // A free joint meets an equation at several places: a solution for each.
     sweep_1_5719 6 "arms/found/sweep_1_5719.yaml";
     sweep_1_1329 6 "arms/found/sweep_1_1329.yaml";
+    // Of two rings with axes that meet and axes that are parallel, one has a link of hardly any length.
+    sweep_1_3911 6 "arms/found/sweep_1_3911.yaml";
 }

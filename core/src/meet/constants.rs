@@ -6,7 +6,7 @@ use crate::Transform;
 use crate::math::{Scalar, atan2, hypot};
 use crate::transform::{Vector, cross, dot};
 
-/// The links about x3 and x4 are at least this part of the reach: the equation divides by them. With shorter ones
+/// The links about x3 and x4 are at least this part of the lengths of K2 to K5: the equation divides by them. With shorter ones
 /// [`general`](crate::general) finds more.
 const SHORTEST: f64 = 1e-4;
 
@@ -76,7 +76,7 @@ impl<T: Scalar> Meet<T> {
     /// The constants, of the structure and of the ring K1 to K6 that [`Structure::ring`] gives. K1 is not read.
     ///
     /// `None` where the ring degenerates: u and v do not meet, all three of x2, x3 and x4 are parallel, or one of the two
-    /// links is shorter than 1e-4 of the reach. Everywhere else exact to rounding.
+    /// links is shorter than 1e-4 of the lengths of K2 to K5. Everywhere else exact to rounding.
     #[must_use]
     pub fn of(structure: &Structure, ring: &[Transform<T>; 6]) -> Option<Self> {
         let [k1, k2, k3, k4, k5, k6] = ring;
@@ -87,7 +87,9 @@ impl<T: Scalar> Meet<T> {
         };
         let (k3, k4) = if structure.is_antiparallel { (*k3 * half, half * *k4) } else { (*k3, *k4) };
         let length = |link: &Transform<T>| dot(link.translation, link.translation).sqrt();
-        let reach = length(k2) + length(&k3) + length(&k4) + length(k5) + length(k6);
+        // K6 is that of the target in some rings. Each call has to find the links as long as the choice of the ring did.
+        let own = length(k2) + length(&k3) + length(&k4) + length(k5);
+        let reach = own + length(k6);
         let (wu, wv) = meeting_point(k5, reach)?;
 
         let [ax, ay, a_height] = k3.translation;
@@ -98,7 +100,7 @@ impl<T: Scalar> Meet<T> {
         let [hx, hy, h_z] = h;
         let eta = hypot(hx, hy);
         let zero = T::from_f64(ZERO);
-        let shortest = T::from_f64(SHORTEST) * reach;
+        let shortest = T::from_f64(SHORTEST) * own;
         if !(eta > zero && upper > shortest && lower > shortest) {
             return None;
         }
@@ -137,6 +139,11 @@ impl<T: Scalar> Meet<T> {
         };
         meet.has_equal_pairs = meet.pairs_are_equal();
         Some(meet)
+    }
+
+    /// The length of the shorter one of the links about x3 and x4.
+    pub(super) fn shorter_link(&self) -> T {
+        self.upper.min(self.lower)
     }
 
     /// Turning x2 by half a turn, with the elbow to the other side, leaves everything where it is.

@@ -26,25 +26,29 @@ impl Structure {
     /// joint leaves the link unknown into which it is drawn. The target is unknown always.
     ///
     /// The rings are tried in a fixed order: those with all that is unknown in K1 first, then with some of it in K6 or K4;
-    /// each forward, then mirrored. The first one is taken. K2, K3 and K5 have to be known: they hold the angles between
+    /// each forward, then mirrored. The first one is taken whose links about x3 and x4 are at least a hundredth of the
+    /// reach, else the first one that has constants. K2, K3 and K5 have to be known: they hold the angles between
     /// the axes. Axes are parallel within 1e-9 rad and meet within 1e-9 of the reach. The axes that meet, and those of x2
     /// and x3, are at an angle of at least 6 degrees: less is badly conditioned, and the chain is one for
     /// [`general`](crate::general).
     #[must_use]
     pub fn of(chain: &Chain<f64>, known: [bool; 7]) -> Option<Self> {
-        Self::first(chain, known, &Transform::IDENTITY, |structure, ring| {
-            // Unknown constants have no say in this.
-            let degenerates = structure.is_constant && Meet::of(&structure, ring).is_none();
-            (!degenerates).then_some(structure)
-        })
+        let first = |least: f64| {
+            Self::first(chain, known, &Transform::IDENTITY, |structure, ring, knows_k4| {
+                // K6 has no say in how long the links are. Where K4 is unknown, they may be short.
+                let length = if knows_k4 { Meet::of(&structure, ring)?.shorter_link() } else { 0.0 };
+                (length >= least).then_some(structure)
+            })
+        };
+        first(LONG * chain.reach).or_else(|| first(0.0))
     }
 
-    /// The first result of `take` for a ring of the chain closed by the target.
+    /// The first result of `take` for a ring of the chain closed by the target. `take` is told, too, if K4 is known.
     fn first<R>(
         chain: &Chain<f64>,
         known: [bool; 7],
         target: &Transform<f64>,
-        take: impl Fn(Self, &[Transform<f64>; 6]) -> Option<R>,
+        take: impl Fn(Self, &[Transform<f64>; 6], bool) -> Option<R>,
     ) -> Option<R> {
         if chain.is_prismatic.contains(&true) {
             return None;
@@ -70,7 +74,8 @@ impl Structure {
                 if sine(k5) < LEAST_SINE || sine(k2) < LEAST_SINE {
                     return None;
                 }
-                take(structure, &ring)
+                let [.., k4, _, _] = unknown(&joints, is_mirrored);
+                take(structure, &ring, !k4)
             })
         })
     }
@@ -123,7 +128,7 @@ impl Meet<f64> {
     /// The constants of a chain whose links are all known, at one target, with K1; `None` if no ring has constants there.
     #[must_use]
     pub fn posed(chain: &Chain<f64>, target: &Transform<f64>) -> Option<(Self, Transform<f64>)> {
-        Structure::first(chain, [true; 7], target, |structure, ring| {
+        Structure::first(chain, [true; 7], target, |structure, ring, _| {
             let [k1, ..] = ring;
             Some((Self::of(&structure, ring)?, *k1))
         })
@@ -139,6 +144,9 @@ fn half_turned<T: Scalar>(link: &Transform<T>) -> Transform<T> {
 
 /// Lengths and angles below this are zero, rad and of the reach.
 pub(super) const ZERO: f64 = 1e-9;
+
+/// Rings whose links about x3 and x4 are at least this part of the reach come first: the equation divides by the links.
+const LONG: f64 = 0.01;
 
 /// Axes at a lesser angle are too nearly parallel: the roots crowd into a part of the circle.
 const LEAST_SINE: f64 = 0.1;
