@@ -129,7 +129,7 @@ fn without_an_inverse_there_is_the_iteration_and_the_files_unit() {
 fn position_angle_does_not_ask_for_a_joint_and_then_refuse_it() {
     let unsupported = |more: &str| check("standard", &YAW_PITCHES_ROLL, more).unsupported.unwrap();
     let plain = unsupported("inverse: {task: position_angle}");
-    assert!(!plain.contains("name the one whose value is given"), "{plain}");
+    assert!(!plain.contains("the one whose value is given"), "{plain}");
     let given = unsupported("inverse: {redundant: q2}");
     assert!(!given.contains("takes no joint's value"), "{given}");
     assert!(given.ends_with("; leaving out `redundant` works"), "{given}");

@@ -145,7 +145,8 @@ pub(super) fn not_covered(model: &Model, task: Option<Task>) -> Unsupported {
     Unsupported::new(match task {
         _ if is_one_more(model, task) => {
             format!(
-                "{joints} moving joints are one more than the task `{name}` needs: name the one whose value is given"
+                "{joints} moving joints are one more than the task `{name}` needs: name under `inverse` the one whose \
+                 value is given"
             )
         }
         _ if given == 0 && spare > 1 => {

@@ -154,8 +154,10 @@ impl<'s> Reader<'s> {
             } else if known.contains(&name.as_str()) {
                 fields.entries.push(entry);
             } else {
+                // `a:1` is one word in YAML, and so is `a 1`.
+                let end = |c: char| c == ':' || c.is_whitespace();
                 let (word, rest) =
-                    name.split_once(':').map_or((name.as_str(), None), |(word, rest)| (word, Some(rest)));
+                    name.split_once(end).map_or((name.as_str(), None), |(word, rest)| (word, Some(rest)));
                 let meant = suggestions::synonym(word, known).or_else(|| nearest(word, known.iter().copied()));
                 let hint = if meant.is_none() {
                     suggestions::inner_key(name, known, node).or_else(|| suggestions::foreign_key(name, known))
@@ -169,8 +171,11 @@ impl<'s> Reader<'s> {
                 }
                 let advice = match (meant, rest) {
                     (Some(word), None) => format!("did you mean `{word}`? "),
-                    // `a:1` is one word in YAML.
-                    (Some(word), Some(rest)) => format!("write `{word}: {rest}`, with a space after the colon; "),
+                    (Some(word), Some(rest)) => {
+                        let lacks =
+                            if name.contains(':') { "a space after the colon" } else { "a colon after the key" };
+                        format!("write `{word}: {}`, with {lacks}; ", rest.trim())
+                    }
                     (None, _) => String::new(),
                 };
                 let mistake = self.source.mistake(&at_key, format!("unknown key `{}` in {what}", quoted(name)));
@@ -297,8 +302,9 @@ impl<'s> Reader<'s> {
         if entries.is_none() {
             let entries = if found == 1 { "entry" } else { "entries" };
             let message = format!("`{}`: expected {expected}, found a list of {found} {entries}", field.key);
-            let pointed = suggestions::decimal_commas(&self.source.written(&field.place), found, N);
-            let help = pointed.unwrap_or_else(|| help.to_owned());
+            let written = self.source.written(&field.place);
+            let spelled = suggestions::decimal_commas(&written, found, N).or_else(|| suggestions::commas(&written, N));
+            let help = spelled.unwrap_or_else(|| help.to_owned());
             self.mistakes.push(self.source.mistake(&field.place, message).help(help));
         }
         entries

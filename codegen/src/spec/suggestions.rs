@@ -69,6 +69,15 @@ pub fn decimal_commas(written: &str, found: usize, wanted: usize) -> Option<Stri
     Some(format!("write {pointed}, with a decimal point"))
 }
 
+/// Suggestion for a list of numbers without all of its commas in the place of `wanted` ones: `[-60 60]` as `[-60, 60]`.
+pub fn commas(written: &str, wanted: usize) -> Option<String> {
+    let inner = written.trim().strip_prefix('[')?.strip_suffix(']')?;
+    let numbers: Vec<&str> =
+        inner.split(|c: char| c == ',' || c.is_whitespace()).filter(|part| !part.is_empty()).collect();
+    let reads = numbers.len() == wanted && numbers.iter().all(|number| number.parse::<f64>().is_ok());
+    reads.then(|| format!("write [{}], with a comma between the numbers", numbers.join(", ")))
+}
+
 /// Suggestion for a key that other tools have.
 pub fn foreign_key(name: &str, known: &[&str]) -> Option<String> {
     let row = known.contains(&"theta") && known.contains(&"alpha");
@@ -182,7 +191,15 @@ fn arithmetic(text: &str) -> Option<String> {
 /// A number in other characters than the keyboard's.
 fn plain_spelling(text: &str) -> Option<String> {
     let plain = || without_leading_zeros(text).map(|plain| format!("write {plain}"));
-    with_ascii_minus(text).or_else(|| with_point(text)).or_else(plain)
+    with_ascii_minus(text).or_else(|| with_point(text)).or_else(plain).or_else(|| with_digits(text))
+}
+
+/// A number with letters that look like its digits: `9O`, `1l`. Its first digit is one: a name may begin with such a letter.
+fn with_digits(text: &str) -> Option<String> {
+    let plain = text.replace(['O', 'o'], "0").replace(['l', 'I'], "1");
+    let begins = text.trim_start_matches(['-', '+']).starts_with(|c: char| c.is_ascii_digit());
+    let reads = begins && plain != text && plain.parse::<f64>().is_ok();
+    reads.then(|| format!("write {plain}: a letter stands for a digit here"))
 }
 
 /// A length with its unit.

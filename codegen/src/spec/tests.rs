@@ -84,6 +84,12 @@ fn keys() {
         "5:38",
         &["unknown key `x`", "a joint row has type, name, a"],
     );
+    row_mistake(
+        "{a: 0, alpha: 9, d 0.4, theta: 0}",
+        "5:22",
+        &["unknown key `d 0.4`", "write `d: 0.4`, with a colon after"],
+    );
+    row_mistake("{a: 0, alpha: 9, d:0.4, theta: 0}", "5:22", &["unknown key `d:0.4`", "write `d: 0.4`"]);
     row_mistake("{a: 0, alpha: 9, d: 0, a: 1, theta: 0}", "5:28", &["`a` occurs twice", "line 5"]);
     row_mistake("{a: 0, alpha: 9, d: 0, theta: 0, 7: 1}", "5:38", &["expected a key", "the number 7"]);
     row_mistake("{a: 0}", "5:5", &["row 1 of `joints` has no `alpha`, `d`, `theta`", "write 0"]);
@@ -218,6 +224,8 @@ fn wrong_types() {
     row_mistake("{a: !len 1, alpha: 0, d: 0, theta: 0}", "5:9", &["the tag `len`"]);
     row_mistake("{a: 0, alpha: true, d: 0, theta: 0}", "5:19", &["`alpha`: expected an angle", "found `true`"]);
     row_mistake("{a: 0, alpha: '090', d: 0, theta: 0}", "5:19", &["found `090`", "write 90"]);
+    row_mistake("{a: 0, alpha: -9O, d: 0, theta: 0}", "5:19", &["found `-9O`", "write -90: a letter"]);
+    row_mistake("{a: 1l.5, alpha: 0, d: 0, theta: 0}", "5:9", &["found `1l.5`", "write 11.5: a letter"]);
     row_mistake("{a: 0, alpha: pie, d: 0, theta: 0}", "5:19", &["`alpha`: expected an angle", "pi/2", "found `pie`"]);
     row_mistake("{name: 3, a: 0, alpha: 0, d: 0, theta: 0}", "5:12", &["expected a name", "in quotes", "\"3\""]);
     row_mistake("{name: '', a: 0, alpha: 0, d: 0, theta: 0}", "5:12", &["expected a name", "an empty text"]);
@@ -312,6 +320,7 @@ fn limits() {
     let row = |limits: &str| format!("{{a: 0, alpha: 0, d: 0, theta: 0, limits: {limits}}}");
     row_mistake(&row("[1, 2, 3]"), "5:46", &["null or [lowest, highest]", "a list of 3 entries"]);
     row_mistake(&row("5"), "5:46", &["null or [lowest, highest]", "the number 5"]);
+    row_mistake(&row("[-170 170]"), "5:46", &["a list of 1 entry", "write [-170, 170], with a comma"]);
     row_mistake(&row("[1, x]"), "5:50", &["`limits`: expected an angle"]);
     let fixed = row("[1, 2]").replace("{a", "{type: fixed, a");
     row_mistake(&fixed, "5:59", &["`limits` on a fixed row", "remove `limits`"]);
@@ -323,6 +332,7 @@ fn limits() {
 #[test]
 fn frames_and_requests() {
     more_mistake("tool: {xyz: [0, 1]}\n", "6:13", &["`xyz`: expected three lengths", "a list of 2 entries"]);
+    more_mistake("tool: {xyz: [0 1, 2]}\n", "6:13", &["a list of 2 entries", "write [0, 1, 2], with a comma"]);
     more_mistake("base: {rpy: 5}\n", "6:13", &["`rpy`: expected three angles"]);
     more_mistake("base: [1, 2, 3]\n", "6:7", &["expected a mapping with xyz, rpy"]);
     more_mistake("inverse: pose\n", "6:10", &["write `inverse: {task: pose}`"]);
