@@ -1,6 +1,7 @@
 //! Arms at which a sweep found a defect (`arms/found/`). Each arm is examined by everything that a sweep asks of it,
 //! and at the joint vectors at the head of its file. The generated code of the arm is compared with its evaluation.
 
+use denhart_tests::random::Random;
 use denhart_tests::sweep::replay::replay;
 
 /// A module for each file: name, joints, file.
@@ -63,4 +64,23 @@ found! {
     sweep_1_1329 6 "arms/found/sweep_1_1329.yaml";
     // Of two rings with axes that meet and axes that are parallel, one has a link of hardly any length.
     sweep_1_3911 6 "arms/found/sweep_1_3911.yaml";
+    target_beside_parallel_axes 6 "arms/found/target_beside_parallel_axes.yaml";
+    // Axes that meet when the code is generated meet at every target.
+    nearly_meeting 6 "arms/found/nearly_meeting.yaml";
+    turned_meeting 6 "arms/found/turned_meeting.yaml";
+}
+
+#[derive(Debug, Clone, Copy, Default, denhart::Arm)]
+#[arm(spec = "arms/found/turned_meeting.yaml", scalar = "f32")]
+struct TurnedMeeting;
+
+/// Rounding moves axes that meet by 1e-8 of the reach.
+#[test]
+fn axes_meet_in_single_precision() {
+    let mut random = Random::named("turned_meeting");
+    for _ in 0..500 {
+        let q: [f32; 6] = std::array::from_fn(|_| random.uniform(-3.0, 3.0) as f32);
+        let solutions = TurnedMeeting.inverse(&TurnedMeeting.forward(&q));
+        assert!(solutions.status().is_reachable(), "{q:?}: {solutions:?}");
+    }
 }

@@ -252,21 +252,22 @@ fn can_hold_a_joint(model: &Model, joints: &LoopChain) -> bool {
         && rank::check(joints, ToolMotion::Pose).is_ok()
 }
 
-/// Cuts of a chain of which no cut serves where [`Meet`] has no constants. A call asks further ones, and rings beside the
+/// Cuts of a chain of which no cut serves where a link of [`Meet`] is short. A call asks further ones, and rings beside the
 /// chain's own.
 const LAST: Cuts = Cuts { first: Cut::OF_ARM[0], second: None, third: None };
 
 /// Round values of a given joint, rad or units of length.
 const ROUND: [f64; 4] = [0.0, FRAC_PI_2, PI, -FRAC_PI_2];
 
-/// A round value of the given joints with which [`Meet`] has no constants for a structure, as where a third axis passes through
-/// the point in which two meet.
+/// A round value of the given joints with which a link of [`Meet`] is short for a structure, as where a third axis passes
+/// through the point in which two meet.
 fn vanishes_at(six: &SixJoints, structure: &Structure) -> Option<f64> {
-    let has_none = |angle: &f64| {
+    let is_short = |angle: &f64| {
         let chain = six.at(&vec![*angle; six.given()]);
-        Meet::of(structure, &structure.ring(&chain.links, &chain.pose(&[GENERIC; 6]))).is_none()
+        let meet = Meet::of(structure, &structure.ring(&chain.links, &chain.pose(&[GENERIC; 6])));
+        !meet.is_some_and(|meet| meet.has_long_links())
     };
-    ROUND.into_iter().find(has_none).filter(|_| six.given() > 0)
+    ROUND.into_iter().find(is_short).filter(|_| six.given() > 0)
 }
 
 impl Method {

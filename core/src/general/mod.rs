@@ -133,7 +133,7 @@ impl Cuts {
     /// where they are needed. Not complete if no cut has constants for this chain.
     ///
     /// A given joint may have a value at which two neighboring axes meet and two are parallel. [`Meet`] solves that chain:
-    /// structured arms lose some of the roots of the determinant. Where [`Meet`] has no constants, as if a third axis passes
+    /// structured arms lose some of the roots of the determinant. Where a link of it is short, as if a third axis passes
     /// through the point in which two meet, the cuts are searched.
     pub fn search(
         &self,

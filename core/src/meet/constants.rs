@@ -1,14 +1,14 @@
 //! The constants of an arm for [`Meet`], from its ring.
 
 use super::Structure;
-use super::structure::{ZERO, meeting_point};
+use super::structure::{ZERO, normal};
 use crate::Transform;
 use crate::math::{Scalar, atan2, hypot};
 use crate::transform::{Vector, cross, dot};
 
-/// The links about x3 and x4 are at least this part of the lengths of K2 to K5: the equation divides by them. With shorter ones
-/// [`general`](crate::general) finds more.
-const SHORTEST: f64 = 1e-4;
+/// A ring is looked for elsewhere if a link about x3 or x4 is no longer than this part of the reach. The equation divides by
+/// the links. With shorter ones [`general`](crate::general) finds more.
+pub(super) const SHORTEST: f64 = 1e-4;
 
 /// Constants of the ring `Rz(x1) K1 Rz(x2) K2 Rz(x3) K3 Rz(x4) K4 Rz(u) K5 Rz(v) K6 = 1`: see [`meet`](crate::meet).
 ///
@@ -75,8 +75,9 @@ pub struct Meet<T> {
 impl<T: Scalar> Meet<T> {
     /// The constants, of the structure and of the ring K1 to K6 that [`Structure::ring`] gives. K1 is not read.
     ///
-    /// `None` where the ring degenerates: u and v do not meet, all three of x2, x3 and x4 are parallel, or one of the two
-    /// links is shorter than 1e-4 of the lengths of K2 to K5. Everywhere else exact to rounding.
+    /// `None` where the ring degenerates: u and v are parallel, all three of x2, x3 and x4 are, or one of the two links has no
+    /// length. Exact to rounding if the structure is that of the ring; few digits are left where a link is short, see
+    /// [`has_long_links`](Self::has_long_links).
     #[must_use]
     pub fn of(structure: &Structure, ring: &[Transform<T>; 6]) -> Option<Self> {
         let [k1, k2, k3, k4, k5, k6] = ring;
@@ -87,10 +88,8 @@ impl<T: Scalar> Meet<T> {
         };
         let (k3, k4) = if structure.is_antiparallel { (*k3 * half, half * *k4) } else { (*k3, *k4) };
         let length = |link: &Transform<T>| dot(link.translation, link.translation).sqrt();
-        // K6 is that of the target in some rings. Each call has to find the links as long as the choice of the ring did.
-        let own = length(k2) + length(&k3) + length(&k4) + length(k5);
-        let reach = own + length(k6);
-        let (wu, wv) = meeting_point(k5, reach)?;
+        let reach = length(k2) + length(&k3) + length(&k4) + length(k5) + length(k6);
+        let (wu, wv) = normal(k5)?;
 
         let [ax, ay, a_height] = k3.translation;
         let [yx, yy, y_height] = k4.map([T::ZERO, T::ZERO, wu]);
@@ -100,8 +99,7 @@ impl<T: Scalar> Meet<T> {
         let [hx, hy, h_z] = h;
         let eta = hypot(hx, hy);
         let zero = T::from_f64(ZERO);
-        let shortest = T::from_f64(SHORTEST) * own;
-        if !(eta > zero && upper > shortest && lower > shortest) {
+        if !(eta > zero && upper > zero * reach && lower > zero * reach) {
             return None;
         }
         let h_xy = [hx / eta, hy / eta];
@@ -144,6 +142,12 @@ impl<T: Scalar> Meet<T> {
     /// The length of the shorter one of the links about x3 and x4.
     pub(super) fn shorter_link(&self) -> T {
         self.upper.min(self.lower)
+    }
+
+    /// Returns true if the links about x3 and x4 are longer than 1e-4 of the reach.
+    #[must_use]
+    pub fn has_long_links(&self) -> bool {
+        self.shorter_link() > T::from_f64(SHORTEST) * self.reach
     }
 
     /// Turning x2 by half a turn, with the elbow to the other side, leaves everything where it is.

@@ -1,6 +1,7 @@
 //! Finds the ring of a chain.
 
 use super::Meet;
+use super::constants::SHORTEST;
 use crate::Transform;
 use crate::chain::Chain;
 use crate::math::{Scalar, hypot};
@@ -26,8 +27,9 @@ impl Structure {
     /// joint leaves the link unknown into which it is drawn. The target is unknown always.
     ///
     /// The rings are tried in a fixed order: those with all that is unknown in K1 first, then with some of it in K6 or K4;
-    /// each forward, then mirrored. The first one is taken whose links about x3 and x4 are at least a hundredth of the
-    /// reach, else the first one that has constants. K2, K3 and K5 have to be known: they hold the angles between
+    /// each forward, then mirrored. The first one is taken whose links about x3 and x4 are longer than a hundredth of the
+    /// reach, else the first one whose links are longer than 1e-4 of it. A link about x4 that is not known counts as longer.
+    /// K2, K3 and K5 have to be known: they hold the angles between
     /// the axes. Axes are parallel within 1e-9 rad and meet within 1e-9 of the reach. The axes that meet, and those of x2
     /// and x3, are at an angle of at least 6 degrees: less is badly conditioned, and the chain is one for
     /// [`general`](crate::general).
@@ -35,12 +37,14 @@ impl Structure {
     pub fn of(chain: &Chain<f64>, known: [bool; 7]) -> Option<Self> {
         let first = |least: f64| {
             Self::first(chain, known, &Transform::IDENTITY, |structure, ring, knows_k4| {
-                // K6 has no say in how long the links are. Where K4 is unknown, they may be short.
-                let length = if knows_k4 { Meet::of(&structure, ring)?.shorter_link() } else { 0.0 };
-                (length >= least).then_some(structure)
+                let [_, _, k3, ..] = ring;
+                let [x, y, _] = k3.translation;
+                // K6 has no say in how long the links are. Of an unknown K4 the length is not known.
+                let shorter = if knows_k4 { Meet::of(&structure, ring)?.shorter_link() } else { hypot(x, y) };
+                (shorter > least * chain.reach).then_some(structure)
             })
         };
-        first(LONG * chain.reach).or_else(|| first(0.0))
+        first(LONG).or_else(|| first(SHORTEST))
     }
 
     /// The first result of `take` for a ring of the chain closed by the target. `take` is told, too, if K4 is known.
@@ -69,9 +73,8 @@ impl Structure {
                 let ring = structure.ring(&chain.links, target);
                 let [_, k2, k3, _, k5, _] = &ring;
                 let is_antiparallel = parallel(k3)?;
-                meeting_point(k5, chain.reach)?;
                 let structure = Self { is_antiparallel, ..structure };
-                if sine(k5) < LEAST_SINE || sine(k2) < LEAST_SINE {
+                if !meets(k5, chain.reach) || sine(k5) < LEAST_SINE || sine(k2) < LEAST_SINE {
                     return None;
                 }
                 let [.., k4, _, _] = unknown(&joints, is_mirrored);
@@ -130,7 +133,7 @@ impl Meet<f64> {
     pub fn posed(chain: &Chain<f64>, target: &Transform<f64>) -> Option<(Self, Transform<f64>)> {
         Structure::first(chain, [true; 7], target, |structure, ring, _| {
             let [k1, ..] = ring;
-            Some((Self::of(&structure, ring)?, *k1))
+            Some((Self::of(&structure, ring).filter(Self::has_long_links)?, *k1))
         })
     }
 }
@@ -145,7 +148,7 @@ fn half_turned<T: Scalar>(link: &Transform<T>) -> Transform<T> {
 /// Lengths and angles below this are zero, rad and of the reach.
 pub(super) const ZERO: f64 = 1e-9;
 
-/// Rings whose links about x3 and x4 are at least this part of the reach come first: the equation divides by the links.
+/// Rings whose links about x3 and x4 are longer than this part of the reach come first: the equation divides by the links.
 const LONG: f64 = 0.01;
 
 /// Axes at a lesser angle are too nearly parallel: the roots crowd into a part of the circle.
@@ -163,17 +166,19 @@ fn parallel(link: &Transform<f64>) -> Option<bool> {
     (x.abs() <= ZERO && y.abs() <= ZERO).then_some(z < 0.0)
 }
 
-/// Where the z axes before and after the link meet: along the one and along the other; `None` if they do not.
-pub(super) fn meeting_point<T: Scalar>(link: &Transform<T>, reach: T) -> Option<(T, T)> {
+/// The places of the common normal of the z axes before and after the link, along the one and along the other: where they
+/// meet, if they do. `None` if they are parallel.
+pub(super) fn normal<T: Scalar>(link: &Transform<T>) -> Option<(T, T)> {
     let ([dx, dy, dz], [ox, oy, oz]) = (link.z(), link.translation);
-    // z x d = (-dy, dx, 0)
     let sine2 = dx * dx + dy * dy;
-    let gap = dx * oy - dy * ox;
-    let zero = T::from_f64(ZERO);
-    if !(sine2 >= zero && gap.abs() <= zero * reach * sine2.sqrt()) {
-        return None;
-    }
     // The point (0, 0, along_z) = o + along_d d, by its part across z.
     let along_d = -(ox * dx + oy * dy) / sine2;
-    Some((oz + along_d * dz, along_d))
+    (sine2 >= T::from_f64(ZERO)).then_some((oz + along_d * dz, along_d))
+}
+
+/// Returns true if the z axes before and after the link meet.
+fn meets(link: &Transform<f64>, reach: f64) -> bool {
+    let ([dx, dy, _], [ox, oy, _]) = (link.z(), link.translation);
+    // Along z x d = (-dy, dx, 0).
+    normal(link).is_some() && (dx * oy - dy * ox).abs() <= ZERO * reach * sine(link)
 }

@@ -130,11 +130,9 @@ impl<T, const N: usize, const M: usize> Solutions<T, N, M> {
         self.notes |= AWKWARD;
     }
 
-    /// Returns false if a bound of the call was reached, the list was full, or the equation of the arm has too few digits
-    /// at this target: further solutions may exist.
-    ///
-    /// An arm whose inverse holds a joint can give such a list. That of an arm with a triple of axes that meet or are
-    /// parallel gives one at few singular targets: where evaluations run out before each branch is verified.
+    /// Returns false if further solutions may exist: evaluations ran out before each branch was verified. Where the inverse
+    /// holds a joint, also if another bound of the call was reached, the list was full, or the equation of the arm has too few
+    /// digits at this target. With a triple of axes that meet or are parallel it is false at few singular targets.
     #[inline]
     #[must_use]
     pub const fn is_complete(&self) -> bool {

@@ -156,7 +156,7 @@ impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Search<'_, T
         let mut solution = Solution::exact(q, name(candidate.signs));
         solution.residual = residual;
         let is_exact = constants.relative(&solution.residual) <= T::EXACT;
-        if !is_exact && self.evaluations_left == RESERVED {
+        if !is_exact && self.evaluations_left <= RESERVED {
             // Cut short: what it would have become is not known.
             self.solutions.mark_incomplete();
             return ControlFlow::Break(());

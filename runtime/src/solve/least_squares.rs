@@ -40,7 +40,7 @@ pub(super) struct Problem<'a, T: 'static, const N: usize> {
 pub(super) struct Iterate<T, const N: usize> {
     pub(super) q: [T; N],
     pub(super) residual: Residual<T>,
-    /// The columns of the Jacobian for the joints that are not given, in order, unless `size` is 0; then columns of zeros.
+    /// The columns of the Jacobian for the joints that are not given, then columns of zeros. Not read where `size` is 0.
     columns: [[T; 6]; N],
     error: [T; 6],
     /// Its squared length; 0 if the error is rounding, and so tells nothing about where the solution is. No step starts there.
@@ -61,7 +61,7 @@ pub(super) struct DescentParams {
 pub(super) struct DescentInfo {
     /// The evaluations that it took.
     pub(super) evaluations: usize,
-    /// No evaluation was left for another step.
+    /// The evaluations ran out.
     pub(super) is_cut_short: bool,
 }
 
@@ -146,7 +146,7 @@ impl<T: Tolerances, const N: usize> Problem<'_, T, N> {
     pub(super) fn refine(&self, best: &mut Iterate<T, N>, params: DescentParams) -> DescentInfo {
         let (constants, held) = (self.constants, self.goal.given());
         let DescentParams { evaluations_left, ends_slow } = params;
-        if best.size == T::ZERO {
+        if !(best.size > T::ZERO) {
             return DescentInfo { evaluations: 0, is_cut_short: false };
         }
         // A free joint may stay at a reference that is wound by turns.
@@ -203,7 +203,7 @@ impl<T: Tolerances, const N: usize> Problem<'_, T, N> {
             }
         }
         wrap_angles(&mut best.q, held, constants.prismatic);
-        DescentInfo { evaluations: taken, is_cut_short: taken == evaluations_left }
+        DescentInfo { evaluations: taken, is_cut_short: taken == evaluations_left && taken < MOST_STEPS }
     }
 }
 
@@ -236,6 +236,7 @@ pub(super) fn wrap_angles<T: Tolerances>(q: &mut [T], held: JointMask, prismatic
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solve::locked::AllLocked;
     use crate::{Jacobian, Pose};
 
     const CONSTANTS: ArmConstants<'_, f64, 2> = ArmConstants {
@@ -336,6 +337,41 @@ mod tests {
             let left = (2.0_f64 / 3.0).powi(taken as i32);
             assert!(taken == most && q[0].abs() < 0.12 * left && miss > 0.0, "{q:?} {miss:e} {taken}");
         }
+    }
+
+    /// Of ten joints three slide along x, y and z. The other ones move nothing. The slide along y and two others are given.
+    #[test]
+    fn a_step_moves_the_joints_that_are_not_given() {
+        struct Gantry;
+        impl Evaluate<f64, 10> for Gantry {
+            fn evaluate(&self, q: &[f64; 10]) -> (Pose<f64>, Jacobian<f64, 10>) {
+                let mut jacobian = Jacobian { rows: [[0.0; 10]; 6] };
+                (jacobian.rows[0][2], jacobian.rows[1][5], jacobian.rows[2][9]) = (1.0, 1.0, 1.0);
+                (Pose { rotation: [[0.0; 3]; 3], translation: [q[2], q[5], q[9]] }, jacobian)
+            }
+        }
+        let slides = JointMask::single(2) | JointMask::single(5) | JointMask::single(9);
+        let constants = ArmConstants {
+            limits: &[[-4.0, 4.0]; 10],
+            combined: &[],
+            weights: &[1.0; 10],
+            limited: false,
+            prismatic: slides,
+            stands_for: JointMask::NONE,
+            wrist: None,
+            reach: 4.0,
+            tolerance: Residual { position: 1e-6, orientation: 1e-6 },
+        };
+        let given = [(0, 0.1), (5, 0.25), (7, 0.3)];
+        let goal = AllLocked::new(&[1.0, 0.5, -2.0], &given);
+        let problem = Problem { constants: &constants, goal: &goal, arm: &Gantry };
+        let start = core::array::from_fn(|joint| 0.05 * joint as f64);
+        let mut iterate = Iterate::at(goal.placed(start));
+        problem.evaluate(&mut iterate);
+        let q = problem.step(&iterate, 1.0, false).unwrap_or_default();
+        let mut wanted = goal.placed(start);
+        (wanted[2], wanted[9]) = (1.0, -2.0);
+        assert!(q.iter().zip(wanted).all(|(q, wanted)| (q - wanted).abs() < 1e-14), "{q:?} {wanted:?}");
     }
 
     #[test]

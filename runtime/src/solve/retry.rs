@@ -262,8 +262,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Search<'_, T
         let problem = self.problem();
         let mut iterate = Iterate::at(open.start);
         problem.evaluate(&mut iterate);
-        let q = problem.step(&iterate, T::from_i32(open.order.into()), true)?;
         self.evaluations_left -= 1;
+        let q = problem.step(&iterate, T::from_i32(open.order.into()), true)?;
         let mut of_virtual = None;
         if moving.contains(VIRTUAL) {
             of_virtual = self.goal.virtual_value(&self.arm.evaluate(&q).0);
@@ -302,8 +302,8 @@ impl<T: Tolerances, const N: usize, const M: usize, const S: usize> Search<'_, T
         }
         let mut iterate = Iterate::at(start);
         problem.evaluate(&mut iterate);
-        let mut q = problem.step(&iterate, T::ONE, false)?;
         self.evaluations_left -= 1;
+        let mut q = problem.step(&iterate, T::ONE, false)?;
         let (sin, cos) = sin_cos((x - first) * T::HALF);
         let d = *q.get(joint)? - x;
         let way = atan2(T::ONE, -T::TWO / d - cos / sin) * -T::TWO;
