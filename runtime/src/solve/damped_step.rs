@@ -2,6 +2,9 @@
 
 use super::kernel::tolerances::Tolerances;
 
+/// The most columns of a Jacobian that are not zero.
+pub(super) const MOST_COLUMNS: usize = 7;
+
 /// A damped step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Step<T, const N: usize> {
@@ -16,8 +19,8 @@ pub(super) struct Step<T, const N: usize> {
 /// The step that minimizes `|J step - error|^2 + damping |step|^2`, and that minimum. J is reflected (Householder 1958)
 /// into the triangle that starts as `sqrt(damping) I`. Unlike the normal equations this keeps singular values down to
 /// the rounding of J itself, which is what the steps near a fold need. `16 eps^2` are added to the damping, so that a column
-/// of zeros has a diagonal. From the eighth on columns have to be zero: a line of the triangle has six entries beside the
-/// diagonal. A step that overflows has a `square` that is not finite.
+/// of zeros has a diagonal. Columns behind the seventh have to be zero ([`MOST_COLUMNS`]): a line of the triangle has six
+/// entries beside the diagonal. A step that overflows has a `square` that is not finite.
 #[inline(never)]
 pub(super) fn damped_step<T: Tolerances, const N: usize>(
     jacobian: &[[T; 6]; N],

@@ -1,7 +1,7 @@
 //! Damped least-squares steps towards a target.
 
 use super::arm_constants::{ArmConstants, Evaluate};
-use super::damped_step::{Step, damped_step, dot_out_of_line};
+use super::damped_step::{MOST_COLUMNS, Step, damped_step, dot_out_of_line};
 use super::goal::Goal;
 use super::kernel::tolerances::Tolerances;
 use crate::math::wrap;
@@ -28,7 +28,6 @@ const CLOSES: f64 = 0.01;
 const PARTS: i32 = 8;
 
 /// The least-squares problem of a call: the joints that are not given are to bring the tool to the target.
-#[derive(Clone, Copy)]
 pub(super) struct Problem<'a, T: 'static, const N: usize> {
     pub(super) constants: &'a ArmConstants<'a, T, N>,
     pub(super) goal: &'a dyn Goal<T, N>,
@@ -40,7 +39,7 @@ pub(super) struct Problem<'a, T: 'static, const N: usize> {
 pub(super) struct Iterate<T, const N: usize> {
     pub(super) q: [T; N],
     pub(super) residual: Residual<T>,
-    /// The columns of the Jacobian for the joints that are not given, then columns of zeros. Not read where `size` is 0.
+    /// The columns of the Jacobian; with more than seven joints those that are not given, then zeros. Not read where `size` is 0.
     columns: [[T; 6]; N],
     error: [T; 6],
     /// Its squared length; 0 if the error is rounding, and so tells nothing about where the solution is. No step starts there.
@@ -48,7 +47,6 @@ pub(super) struct Iterate<T, const N: usize> {
 }
 
 /// Parameters of a descent.
-#[derive(Debug, Clone, Copy)]
 pub(super) struct DescentParams {
     /// So many evaluations are left. A descent takes at most [`MOST_STEPS`].
     pub(super) evaluations_left: usize,
@@ -57,7 +55,6 @@ pub(super) struct DescentParams {
 }
 
 /// Information about a descent that has ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct DescentInfo {
     /// The evaluations that it took.
     pub(super) evaluations: usize,
@@ -78,7 +75,8 @@ impl<T: Tolerances, const N: usize> Problem<'_, T, N> {
     #[inline(never)]
     pub(super) fn evaluate(&self, iterate: &mut Iterate<T, N>) {
         let Self { constants, goal, arm } = *self;
-        let held = goal.given();
+        // A joint that is given has a column of zeros if there is room for it, else none.
+        let held = if N <= MOST_COLUMNS { JointMask::NONE } else { goal.given() };
         let mut evaluated = arm.evaluate(&iterate.q);
         let (pose, jacobian) = &mut evaluated;
         let k = T::ONE / constants.reach;
@@ -123,7 +121,7 @@ impl<T: Tolerances, const N: usize> Problem<'_, T, N> {
     /// The joint vector to which a part of a step leads.
     #[inline(never)]
     fn moved(&self, from: &[T; N], step: &Step<T, N>, part: T) -> [T; N] {
-        let (mut q, held) = (*from, self.goal.given());
+        let (mut q, held) = (*from, if N <= MOST_COLUMNS { JointMask::NONE } else { self.goal.given() });
         let moving = q.iter_mut().enumerate().filter(|(joint, _)| !held.contains(*joint));
         for ((joint, value), change) in moving.zip(&step.changes) {
             *value += *change * part * self.constants.unit(joint);
