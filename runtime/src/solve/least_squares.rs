@@ -75,8 +75,6 @@ impl<T: Tolerances, const N: usize> Problem<'_, T, N> {
     #[inline(never)]
     pub(super) fn evaluate(&self, iterate: &mut Iterate<T, N>) {
         let Self { constants, goal, arm } = *self;
-        // A joint that is given has a column of zeros if there is room for it, else none.
-        let held = if N <= MOST_COLUMNS { JointMask::NONE } else { goal.given() };
         let mut evaluated = arm.evaluate(&iterate.q);
         let (pose, jacobian) = &mut evaluated;
         let k = T::ONE / constants.reach;
@@ -91,13 +89,18 @@ impl<T: Tolerances, const N: usize> Problem<'_, T, N> {
         }
         goal.restrict(pose, jacobian);
         let [x, y, z, u, v, w] = &jacobian.rows;
-        let rows = x.iter().zip(y).zip(z).zip(u.iter().zip(v).zip(w)).enumerate();
-        let moving = rows.filter(|(joint, _)| !held.contains(*joint));
-        for (column, (joint, (((x, y), z), ((u, v), w)))) in iterate.columns.iter_mut().zip(moving) {
+        let rows = x.iter().zip(y).zip(z).zip(u.iter().zip(v).zip(w));
+        for (column, (((x, y), z), ((u, v), w))) in iterate.columns.iter_mut().zip(rows) {
             *column = [*x * k, *y * k, *z * k, *u, *v, *w];
-            if constants.prismatic.contains(joint) {
-                column.iter_mut().for_each(|entry| *entry *= constants.reach);
-            }
+        }
+        for joint in constants.prismatic.iter() {
+            let column = iterate.columns.get_mut(joint).into_iter().flatten();
+            column.for_each(|entry| *entry *= constants.reach);
+        }
+        if N > MOST_COLUMNS {
+            let (own, held) = (core::mem::replace(&mut iterate.columns, [[T::ZERO; 6]; N]), goal.given());
+            let moving = own.iter().enumerate().filter(|(joint, _)| !held.contains(*joint));
+            iterate.columns.iter_mut().zip(moving).for_each(|(column, (_, own))| *column = *own);
         }
     }
 
@@ -113,20 +116,20 @@ impl<T: Tolerances, const N: usize> Problem<'_, T, N> {
     /// The joint vector to which a step leads that is taken m times, angles on any turn. `None` if the step overflows.
     /// `damped`: as in [`refine`](Self::refine).
     pub(super) fn step(&self, from: &Iterate<T, N>, m: T, damped: bool) -> Option<[T; N]> {
-        let damping = if damped { from.size } else { T::ZERO };
-        let step = damped_step(&from.columns, &from.error, damping);
-        step.square.is_finite().then(|| self.moved(&from.q, &step, m))
+        let step = damped_step(&from.columns, &from.error, if damped { from.size } else { T::ZERO });
+        let mut q = from.q;
+        self.move_by(&mut q, &from.q, &step, m);
+        step.square.is_finite().then_some(q)
     }
 
-    /// The joint vector to which a part of a step leads.
-    #[inline(never)]
-    fn moved(&self, from: &[T; N], step: &Step<T, N>, part: T) -> [T; N] {
-        let (mut q, held) = (*from, if N <= MOST_COLUMNS { JointMask::NONE } else { self.goal.given() });
-        let moving = q.iter_mut().enumerate().filter(|(joint, _)| !held.contains(*joint));
-        for ((joint, value), change) in moving.zip(&step.changes) {
-            *value += *change * part * self.constants.unit(joint);
+    /// Moves a joint vector by a part of a step from another one.
+    #[inline]
+    fn move_by(&self, q: &mut [T; N], from: &[T; N], step: &Step<T, N>, part: T) {
+        let held = if N <= MOST_COLUMNS { JointMask::NONE } else { self.goal.given() };
+        let moving = q.iter_mut().zip(from).enumerate().filter(|(joint, _)| !held.contains(*joint));
+        for ((joint, (value, from)), change) in moving.zip(&step.changes) {
+            *value = *from + *change * part * self.constants.unit(joint);
         }
-        q
     }
 
     /// Damped least squares (Levenberg 1944, Marquardt 1963), damped in proportion to the squared error, so that
@@ -174,7 +177,7 @@ impl<T: Tolerances, const N: usize> Problem<'_, T, N> {
             let mut part = times;
             // Two turns at most: the whole step, and a part of it, which is not 1.
             loop {
-                tried.q = self.moved(&q, &step, part);
+                self.move_by(&mut tried.q, &q, &step, part);
                 self.evaluate(&mut tried);
                 taken += 1;
                 let least;
